@@ -416,27 +416,19 @@ fn weigh(points: &[SupportPoint]) -> usize {
         + owned * size_of::<Own>()
 }
 
-/// Bitwise equality: 0 and −0 differ.
-fn same_number(a: f64, b: f64) -> bool {
-    a.to_bits() == b.to_bits()
-}
-
+/// Bitwise equality, as that of all below: 0 and −0 differ.
 fn same_vector(a: DVec3, b: DVec3) -> bool {
     a.to_array().map(f64::to_bits) == b.to_array().map(f64::to_bits)
 }
 
 fn same_tangents(a: Option<Tangents>, b: Option<Tangents>) -> bool {
-    match (a, b) {
-        (None, None) => true,
-        (Some(a), Some(b)) => same_vector(a.before, b.before) && same_vector(a.after, b.after),
-        _ => false,
-    }
+    let bits = |own: Tangents| [own.before, own.after].map(|v| v.to_array().map(f64::to_bits));
+    a.map(bits) == b.map(bits)
 }
 
 fn same_tcb(a: Tcb, b: Tcb) -> bool {
-    same_number(a.tension, b.tension)
-        && same_number(a.continuity, b.continuity)
-        && same_number(a.bias, b.bias)
+    let bits = |tcb: Tcb| [tcb.tension, tcb.continuity, tcb.bias].map(f64::to_bits);
+    bits(a) == bits(b)
 }
 
 fn same_orientation(a: &Orientation, b: &Orientation) -> bool {
@@ -448,7 +440,7 @@ fn same_orientation(a: &Orientation, b: &Orientation) -> bool {
     };
     // Zoom and speeds are ≥ 1, so `==` is bitwise there.
     same_target
-        && same_number(a.roll, b.roll)
+        && a.roll.to_bits() == b.roll.to_bits()
         && same_tcb(a.turning, b.turning)
         && a.zoom == b.zoom
         && a.speeds == b.speeds

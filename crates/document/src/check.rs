@@ -53,11 +53,8 @@ impl Document {
             let parent = edited.node().and_then(|at| scene.nodes()[at].parent);
             let into = parent.map_or(DAffine3::IDENTITY, |at| states[at].world().inverse());
             // A parent scaled to zero has no inverse; use world coordinates.
-            let into = if into.is_finite() {
-                into
-            } else {
-                DAffine3::IDENTITY
-            };
+            let into = Some(into).filter(|into| into.is_finite());
+            let into = into.unwrap_or(DAffine3::IDENTITY);
             for (at, node) in scene.nodes().iter().enumerate() {
                 if let Kind::Object(object) = &node.kind
                     && states[at].visible != 0

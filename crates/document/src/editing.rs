@@ -333,18 +333,18 @@ impl Document {
     /// Ends the open step and undoes the last one, selection included. False if there is none.
     /// Needs no memory.
     pub fn undo(&mut self) -> bool {
-        self.end_step();
-        let mut history = std::mem::replace(&mut self.history, History::new(0));
-        let done = history.back(|step| self.exchange(step));
-        self.history = history;
-        done
+        self.travel(false)
     }
 
     /// Redoes the step undone last, selection included. False if there is none. Needs no memory.
     pub fn redo(&mut self) -> bool {
+        self.travel(true)
+    }
+
+    fn travel(&mut self, redo: bool) -> bool {
         self.end_step();
         let mut history = std::mem::replace(&mut self.history, History::new(0));
-        let done = history.forth(|step| self.exchange(step));
+        let done = history.exchange(redo, |step| self.exchange(step));
         self.history = history;
         done
     }

@@ -153,29 +153,17 @@ impl History {
         }
     }
 
-    /// Undoes the newest step by `exchange`. False if there is none.
-    pub(super) fn back(&mut self, exchange: impl FnOnce(&mut Step)) -> bool {
-        let Some(index) = self.done.checked_sub(1) else {
+    /// Undoes the newest step by `exchange`, or redoes the one undone last. False if there is none.
+    pub(super) fn exchange(&mut self, redo: bool, exchange: impl FnOnce(&mut Step)) -> bool {
+        let index = if redo {
+            Some(self.done)
+        } else {
+            self.done.checked_sub(1)
+        };
+        let Some((step, weight)) = index.and_then(|index| self.steps.get_mut(index)) else {
             return false;
         };
-        self.done = index;
-        self.exchange(index, exchange)
-    }
-
-    /// Redoes the step undone last by `exchange`. False if there is none.
-    pub(super) fn forth(&mut self, exchange: impl FnOnce(&mut Step)) -> bool {
-        let index = self.done;
-        if index == self.steps.len() {
-            return false;
-        }
-        self.done += 1;
-        self.exchange(index, exchange)
-    }
-
-    fn exchange(&mut self, index: usize, exchange: impl FnOnce(&mut Step)) -> bool {
-        let Some((step, weight)) = self.steps.get_mut(index) else {
-            return false;
-        };
+        self.done = if redo { self.done + 1 } else { self.done - 1 };
         exchange(step);
         // It now holds the other side's values.
         self.weight -= *weight;

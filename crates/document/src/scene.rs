@@ -40,12 +40,8 @@ impl SceneDocument {
     /// # Errors
     /// `ErrorKind::Memory`.
     pub fn try_new() -> Result<Self> {
-        Ok(Self {
-            scene: Scene::of_path(CameraPath::try_new()?)?,
-            info: Info::default(),
-            comments: Comments::default(),
-            warnings: Vec::new(),
-        })
+        let scene = Scene::of_path(CameraPath::try_new()?)?;
+        Ok(Self::of(scene, Info::default()))
     }
 
     pub(crate) fn of(scene: Scene, info: Info) -> Self {
@@ -102,10 +98,8 @@ impl SceneDocument {
             None => Comments::default(),
         };
         Ok(Self {
-            scene,
-            info,
             comments,
-            warnings: Vec::new(),
+            ..Self::of(scene, info)
         })
     }
 
@@ -143,10 +137,8 @@ impl SceneDocument {
         let info = self.info.try_clone()?;
         can_allocate(self.scene.weight())?;
         Ok(Self {
-            scene: self.scene.clone(),
-            info,
             comments: self.comments.try_clone()?,
-            warnings: Vec::new(),
+            ..Self::of(self.scene.clone(), info)
         })
     }
 }

@@ -184,11 +184,7 @@ impl Tool {
         let (first, second) = numbers.split_at(own);
         Parameter::numbers(self.tables[0], first)?;
         Parameter::numbers(self.tables[1], second)?;
-        let given = Given {
-            tool: self,
-            numbers,
-            document,
-        };
+        let given = Given::new(self, document, numbers);
         let path = document.path();
         let block = |block: CameraPath, fit: f64, with_targets| Edit::InsertPath {
             at: document.selection().point,
@@ -271,11 +267,7 @@ impl Tool {
         let Kind::Deform(kind) = self.kind else {
             return None;
         };
-        let given = Given {
-            tool: self,
-            numbers,
-            document,
-        };
+        let given = Given::new(self, document, numbers);
         let own = numbers.get(..Parameter::count(self.tables[0]))?;
         let deformation = Deformation::new(kind, own).ok()?;
         let bounds = cage::bounds(kind, &given.places().ok()?);
@@ -287,11 +279,7 @@ impl Tool {
     /// # Errors
     /// `ErrorKind::Range` if there are no such points; `ErrorKind::Memory`.
     pub fn extracted(&self, document: &Document, numbers: &[f64]) -> Result<Document> {
-        let given = Given {
-            tool: self,
-            numbers,
-            document,
-        };
+        let given = Given::new(self, document, numbers);
         Document::from_parts(given.extracted()?, document.info().try_clone()?)
     }
 }
@@ -309,7 +297,15 @@ fn chosen(number: f64) -> usize {
     number as usize
 }
 
-impl Given<'_> {
+impl<'a> Given<'a> {
+    const fn new(tool: &'a Tool, document: &'a Document, numbers: &'a [f64]) -> Self {
+        Self {
+            tool,
+            numbers,
+            document,
+        }
+    }
+
     fn of(&self, name: &str) -> &[f64] {
         let start = self.tool.place_of(name);
         start.map_or(&[], |start| self.numbers.get(start..).unwrap_or_default())
