@@ -57,7 +57,7 @@ fn path(points: usize) -> CameraPath {
         ..CameraPath::default()
     };
     let length = Timeline::new(&path).expect("lengths").length();
-    path.speeds.movement = POSES / length;
+    path.base_frames.movement = POSES / length;
     path
 }
 

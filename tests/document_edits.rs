@@ -6,7 +6,7 @@ use proptest::prelude::*;
 use vides::deform::Deformation;
 use vides::document::{Document, Edit, Info, ObjectPoint, Selection};
 use vides::path::{
-    BaseSpeeds, CameraPath, CurveParameters, Orientation, OrientationMode, Space, SupportPoint,
+    BaseFrames, CameraPath, CurveParameters, Orientation, OrientationMode, Space, SupportPoint,
     Target, Tcb, Up, ZoomMode,
 };
 use vides::tools::block::Fit;
@@ -147,7 +147,7 @@ impl Raw {
                 at: orientation,
                 absolute: self.flag,
             },
-            14 => Edit::SetSpeeds(BaseSpeeds {
+            14 => Edit::SetBaseFrames(BaseFrames {
                 movement: self.x[0].abs(),
                 turning: 100.0,
                 zoom: self.x[1].abs(),

@@ -10,7 +10,7 @@ use glam::{DVec3, dvec3};
 use vides::Error;
 use vides::document::export::{self, Format};
 use vides::document::{Document, Edit, Info, ascii};
-use vides::path::{BaseSpeeds, CameraPath, Pose, Space, SupportPoint, Up};
+use vides::path::{BaseFrames, CameraPath, Pose, Space, SupportPoint, Up};
 
 /// What C's printf makes of a number, minus zero excepted, with a point for
 /// whatever the locale's decimal sign is.
@@ -44,9 +44,9 @@ fn document(positions: impl IntoIterator<Item = DVec3>, info: Info) -> Document 
     let path = CameraPath {
         points: positions.into_iter().map(SupportPoint::new).collect(),
         // One frame from point to point: every position leaves as it is.
-        speeds: BaseSpeeds {
+        base_frames: BaseFrames {
             movement: 1e-20,
-            ..BaseSpeeds::default()
+            ..BaseFrames::default()
         },
         ..CameraPath::default()
     };

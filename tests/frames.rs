@@ -9,12 +9,12 @@ use vides::error::{EngineError, TooMany};
 use vides::limits::MAX_FRAMES;
 use vides::math::orientation;
 use vides::path::{
-    BaseSpeeds, CameraPath, Change, CurveParameters, Orientation, Pose, Sampler, Target, Tcb,
+    BaseFrames, CameraPath, Change, CurveParameters, Orientation, Pose, Sampler, Target, Tcb,
     Timeline,
 };
 
 /// Tells the four base speeds apart.
-const SPEEDS: BaseSpeeds = BaseSpeeds {
+const SPEEDS: BaseFrames = BaseFrames {
     movement: 10.0,
     turning: 20.0,
     zoom: 40.0,
@@ -40,7 +40,7 @@ fn yawed(degrees: f64) -> Orientation {
 fn pans(orientations: Vec<Orientation>) -> CameraPath {
     let mut path = path_through(&[[0.0; 3], [1.0, 0.0, 0.0]]);
     path.points[0].orientations = orientations;
-    path.speeds = SPEEDS;
+    path.base_frames = SPEEDS;
     path
 }
 
@@ -67,7 +67,7 @@ fn each_change_counts_with_its_own_speed() {
     };
     // Position: length 2.5 · 10.
     let mut path = path_through(&[[0.0; 3], [1.5, 0.0, 2.0]]);
-    path.speeds = SPEEDS;
+    path.base_frames = SPEEDS;
     assert_eq!(sections(&path), [(Change::Position, 25)]);
     // It is the length that counts, whatever else changes meanwhile.
     path.points[1].orientations[0] = Orientation {
@@ -130,7 +130,7 @@ fn what_is_no_change_decides_the_row() {
     let step = |length: f64| {
         let mut path = path_through(&[[0.0; 3], [length, 0.0, 0.0]]);
         path.points[1].orientations[0].zoom = 73.5;
-        path.speeds = SPEEDS;
+        path.base_frames = SPEEDS;
         sections(&path)[0]
     };
     assert_eq!(step(0.9e-9), (Change::Zoom, 20));
@@ -141,7 +141,7 @@ fn what_is_no_change_decides_the_row() {
 fn frames_are_rounded_and_never_none() {
     let frames = |length: f64| {
         let mut path = path_through(&[[0.0; 3], [length, 0.0, 0.0]]);
-        path.speeds = SPEEDS;
+        path.base_frames = SPEEDS;
         prepared(&path).0.section(0).frames
     };
     // 0.1, 1.4, 1.5 (half away from zero), 1.6, 2.5.
@@ -155,7 +155,7 @@ fn frames_are_rounded_and_never_none() {
 fn the_speed_curve_divides_the_frames() {
     let way = |speeds: [f64; 10]| {
         let mut path = path_through(&[[0.0; 3], [3.0, 0.0, 0.0]]);
-        path.speeds.movement = 100.0;
+        path.base_frames.movement = 100.0;
         path.points[0].orientations[0].speeds = speeds;
         path
     };
@@ -203,7 +203,7 @@ fn neighbours_shape_the_speed_curve() {
         with(yawed(0.0), 26.0, 50.0),
         yawed(180.0),
     ]);
-    path.speeds.turning = 1e6;
+    path.base_frames.turning = 1e6;
     let mean = |path: &CameraPath, section| prepared(path).0.section(section).mean_speed;
     // Slopes (50 − 80)/2 at the beginning and (26 − 50)/2 at the end.
     let both = (450.0 + (-15.0 + 12.0) / 12.0) / 9.0;
@@ -324,7 +324,7 @@ fn coincident_points_with_a_loop_between_them_move() {
 #[test]
 fn too_many_frames_are_refused_before_they_take_memory() {
     let mut path = path_through(&[[0.0; 3], [1.0, 0.0, 0.0]]);
-    path.speeds.movement = (MAX_FRAMES - 1) as f64;
+    path.base_frames.movement = (MAX_FRAMES - 1) as f64;
     let timeline = Timeline::new(&path).unwrap();
     assert_eq!(timeline.frame_count().unwrap(), MAX_FRAMES);
     let sampler = Sampler::new(&path, &timeline).unwrap();
@@ -333,7 +333,7 @@ fn too_many_frames_are_refused_before_they_take_memory() {
         [1.0, 0.0, 0.0]
     );
     for speed in [MAX_FRAMES as f64, 1e15, 1e300, f64::MAX] {
-        path.speeds.movement = speed;
+        path.base_frames.movement = speed;
         path.check().unwrap();
         let timeline = Timeline::new(&path).unwrap();
         assert!(matches!(

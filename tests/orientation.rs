@@ -260,7 +260,7 @@ fn turning_about_one_axis_is_a_curve_on_a_line() {
         for point in &mut path.points {
             point.position.x *= random.between(0.5, 2.0);
         }
-        path.speeds.movement = 30.0;
+        path.base_frames.movement = 30.0;
         let (timeline, sampler) = prepared(&path);
         let half: Vec<f64> = yaws.iter().map(|yaw| 0.5 * yaw.to_radians()).collect();
         let sections: Vec<_> = (0..count - 1).map(|k| timeline.section(k)).collect();

@@ -188,7 +188,7 @@ fn scaling_by_powers_of_two_is_exact() {
         let path = random.path(80.0);
         let scale = 2f64.powi(random.below(12) as i32 - 6);
         let mut scaled = path.clone();
-        scaled.speeds.movement /= scale;
+        scaled.base_frames.movement /= scale;
         for point in &mut scaled.points {
             point.position *= scale;
             for orientation in &mut point.orientations {

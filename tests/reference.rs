@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use glam::DVec3;
 use vides::path::{
-    BaseSpeeds, CameraPath, Change, CurveParameters, Orientation, OrientationMode, Pose, Sampler,
+    BaseFrames, CameraPath, Change, CurveParameters, Orientation, OrientationMode, Pose, Sampler,
     SupportPoint, Target, Tcb, Timeline, ZoomMode,
 };
 
@@ -105,7 +105,7 @@ impl Case {
                 ("zoom_mode", [mode]) => path.zoom_mode = zoom_mode(mode),
                 ("speeds", _) => {
                     let [movement, turning, zoom, rolling] = numbers(words);
-                    path.speeds = BaseSpeeds {
+                    path.base_frames = BaseFrames {
                         movement,
                         turning,
                         zoom,

@@ -1,12 +1,10 @@
 //! `vides fit`: recorded poses become a path of few points.
 
-use std::fs;
-use std::io::{self, IsTerminal, Read};
+use std::io::{self, IsTerminal};
 use std::path::PathBuf;
 
 use clap::Args;
-use vides::document::{Document, Info, poses_of_text};
-use vides::error::reason;
+use vides::document::{Document, Info};
 use vides::tools::fit::{Tolerance, fit};
 
 use super::output::Output;
@@ -34,14 +32,7 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let name = input::name(&arguments.file);
-    let text = if input::is_standard_stream(&arguments.file) {
-        let mut text = String::new();
-        io::stdin().lock().read_to_string(&mut text).map(|_| text)
-    } else {
-        fs::read_to_string(&arguments.file)
-    };
-    let text = text.map_err(|error| Failure::Input(format!("{name}: {}", reason(&error))))?;
-    let (poses, frames) = poses_of_text(&text).map_err(|error| error.at(&name))?;
+    let (poses, frames) = input::poses(&arguments.file)?;
     let seconds = |frames: Vec<f64>| frames.iter().map(|frame| frame / arguments.fps).collect();
     let times: Option<Vec<f64>> = frames.map(seconds);
     let tolerance = Tolerance {
@@ -50,7 +41,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     };
     let mut bar = io::stderr()
         .is_terminal()
-        .then(|| Bar::new(io::stderr(), "poses"));
+        .then(|| Bar::new(io::stderr(), Some("poses")));
     let path = fit(
         &poses,
         times.as_deref(),

@@ -32,14 +32,10 @@ fn tables(file: &Path, path: &CameraPath, info: &Info) -> vides::Result<String> 
     ))
 }
 
-fn summary(
-    file: &Path,
-    path: &CameraPath,
-    info: &Info,
-    timeline: &Timeline,
-    frames: usize,
-) -> String {
+/// Title and comment.
+pub(super) fn heading(info: &Info) -> String {
     let mut text = String::new();
+    // Writing into a string cannot fail.
     if !info.title.is_empty() {
         let _ = writeln!(text, "{}\n", one_line(&info.title));
     }
@@ -49,6 +45,17 @@ fn summary(
     if !info.comment.trim_end().is_empty() {
         text.push('\n');
     }
+    text
+}
+
+fn summary(
+    file: &Path,
+    path: &CameraPath,
+    info: &Info,
+    timeline: &Timeline,
+    frames: usize,
+) -> String {
+    let mut text = heading(info);
     let mut entry = |name: &str, value: &dyn Display| {
         let _ = writeln!(text, "{name:<13}{value}");
     };
@@ -65,7 +72,7 @@ fn summary(
     let length = timeline.length();
     let places = decimals([length].into_iter());
     let first = i64::from(info.first_frame);
-    let speeds = path.speeds;
+    let speeds = path.base_frames;
 
     entry("File", &one_line(&input::name(file)));
     entry(

@@ -5,7 +5,7 @@ use std::io::{self, Read};
 use std::os::unix::fs::{FileTypeExt, MetadataExt};
 use std::path::Path;
 
-use vides::document::{Document, SceneDocument};
+use vides::document::{Document, Recorded, SceneDocument, load_poses, load_poses_from};
 use vides::error::reason;
 
 use super::{Failure, complain, one_line};
@@ -14,6 +14,13 @@ pub(super) fn load(file: &Path) -> Result<Document, Failure> {
     match stream(file)? {
         Some(mut stream) => Ok(Document::load_from(&mut stream, &name(file))?),
         None => Ok(Document::load(file)?),
+    }
+}
+
+pub(super) fn poses(file: &Path) -> Result<Recorded, Failure> {
+    match stream(file)? {
+        Some(mut stream) => Ok(load_poses_from(&mut stream, &name(file))?),
+        None => Ok(load_poses(file)?),
     }
 }
 

@@ -19,11 +19,12 @@ pub(super) struct Bar<W: Write> {
     out: W,
     start: Instant,
     drawn: Option<Instant>,
-    what: &'static str,
+    /// What is counted; none: a share, of a mesh.
+    what: Option<&'static str>,
 }
 
 impl<W: Write> Bar<W> {
-    pub(super) fn new(out: W, what: &'static str) -> Self {
+    pub(super) fn new(out: W, what: Option<&'static str>) -> Self {
         Self {
             out,
             what,
@@ -71,8 +72,7 @@ pub(super) fn watch_meshes() {
     }
     let mut bar = None;
     vides::document::watch_meshes(Some(Box::new(move |share| {
-        let bar_of_this =
-            bar.get_or_insert_with(|| Bar::new(io::stderr(), "per mille of the mesh"));
+        let bar_of_this = bar.get_or_insert_with(|| Bar::new(io::stderr(), None));
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
         bar_of_this.update((1000.0 * share) as usize, 1000);
         if share >= 1.0 {
@@ -82,7 +82,7 @@ pub(super) fn watch_meshes() {
     })));
 }
 
-fn line(waited: Duration, done: usize, all: usize, what: &str) -> String {
+fn line(waited: Duration, done: usize, all: usize, what: Option<&str>) -> String {
     let full = WIDTH * done / all;
     let percent = 100 * done / all;
     let left = if done == 0 {
@@ -91,8 +91,11 @@ fn line(waited: Duration, done: usize, all: usize, what: &str) -> String {
         let left = waited.as_secs_f64() * (all - done) as f64 / done as f64;
         format!(", {} s left", left.ceil())
     };
+    let what = what.map_or("of the mesh".to_owned(), |what| {
+        format!("{done} of {all} {what}")
+    });
     format!(
-        "[{}{}] {percent:3} %  {done} of {all} {what}{left}",
+        "[{}{}] {percent:3} %  {what}{left}",
         "#".repeat(full),
         "-".repeat(WIDTH - full),
     )
@@ -105,7 +108,7 @@ mod tests {
     /// What a bar writes when it is told of these moments.
     fn shown(moments: &[(u64, usize)], all: usize) -> String {
         let mut out = Vec::new();
-        let mut bar = Bar::new(&mut out, "frames");
+        let mut bar = Bar::new(&mut out, Some("frames"));
         let start = bar.start;
         for &(milliseconds, done) in moments {
             bar.update_at(start + Duration::from_millis(milliseconds), done, all);
@@ -128,6 +131,14 @@ mod tests {
     }
 
     #[test]
+    fn a_share_has_no_count() {
+        assert_eq!(
+            line(Duration::from_secs(1), 250, 1000, None),
+            "[######------------------]  25 %  of the mesh, 3 s left"
+        );
+    }
+
+    #[test]
     fn the_bar_is_drawn_ten_times_a_second_at_most() {
         let every_millisecond: Vec<_> = (0..3000).map(|i| (i, i as usize)).collect();
         let drawings = shown(&every_millisecond, 3000).matches('[').count();
@@ -137,12 +148,24 @@ mod tests {
 
     #[test]
     fn the_line_fits_a_narrow_terminal() {
-        let longest = line(Duration::from_secs(999), 99_999_999, 100_000_000, "frames");
+        let longest = line(
+            Duration::from_secs(999),
+            99_999_999,
+            100_000_000,
+            Some("frames"),
+        );
         assert!(longest.len() < 80, "{longest}");
-        let begun = line(Duration::from_secs(9_999), 1_000_000, 100_000_000, "frames");
+        let begun = line(
+            Duration::from_secs(9_999),
+            1_000_000,
+            100_000_000,
+            Some("frames"),
+        );
         assert!(begun.len() < 80, "{begun}");
         assert_eq!(
-            line(Duration::ZERO, 0, 5, "frames").matches("left").count(),
+            line(Duration::ZERO, 0, 5, Some("frames"))
+                .matches("left")
+                .count(),
             0
         );
     }

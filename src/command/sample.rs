@@ -102,7 +102,7 @@ impl Speeds {
     }
 
     fn apply(&self, document: &mut Document) -> vides::Result<()> {
-        let mut speeds = document.path().speeds;
+        let mut speeds = document.path().base_frames;
         for (given, speed) in [
             (self.move_frames, &mut speeds.movement),
             (self.turn_frames, &mut speeds.turning),
@@ -113,7 +113,7 @@ impl Speeds {
                 *speed = given;
             }
         }
-        document.apply(Edit::SetSpeeds(speeds))
+        document.apply(Edit::SetBaseFrames(speeds))
     }
 }
 
@@ -170,7 +170,7 @@ fn write_out(out: &Path, write: Writer<'_>) -> Result<(), Failure> {
     let to_standard_output = input::is_standard_stream(out);
     // Poses printed on a terminal are progress enough.
     let shown = io::stderr().is_terminal() && !(to_standard_output && io::stdout().is_terminal());
-    let mut bar = shown.then(|| Bar::new(io::stderr(), "frames"));
+    let mut bar = shown.then(|| Bar::new(io::stderr(), Some("frames")));
     let mut progress = |done, all| {
         if let Some(bar) = &mut bar {
             bar.update(done, all);

@@ -11,23 +11,14 @@ use vides::document::SceneDocument;
 use vides::scene::host::{self, Question};
 use vides::scene::{Extrapolation, Kind, Node};
 
+use super::info::heading;
 use super::table::{Align, Table};
 use super::{Failure, input, one_line};
 
 pub(super) fn tables(file: &Path, document: &SceneDocument) -> String {
     let scene = &document.scene;
     let info = &document.info;
-    let mut text = String::new();
-    // Writing into a string cannot fail.
-    if !info.title.is_empty() {
-        let _ = writeln!(text, "{}\n", one_line(&info.title));
-    }
-    for line in info.comment.trim_end().lines() {
-        let _ = writeln!(text, "  {}", one_line(line));
-    }
-    if !info.comment.trim_end().is_empty() {
-        text.push('\n');
-    }
+    let mut text = heading(info);
     let (first, last) = scene.frame_range();
     let _ = write!(
         text,

@@ -26,7 +26,7 @@ use crate::document::{Document, Edit, Info};
 use crate::editor::{self, Language};
 use crate::error::{Refused, Result};
 use crate::instance::{self, Gone, Id};
-use crate::path::{BaseSpeeds, Space};
+use crate::path::{BaseFrames, Space};
 
 /// All windows that C holds.
 static EDITORS: Handles<Opened, V_EDITOR> = Handles::new(KIND_EDITOR);
@@ -279,7 +279,7 @@ unsafe fn configure(document: &mut Document, options: &V_EDITOR_OPTIONS) -> Answ
         };
         // A new path is moved to the same place in the given space; others have coordinates of
         // their own.
-        let fit = options.path.is_null() && document.read_contents().is_none();
+        let fit = options.path.is_null() && document.fingerprint().is_none();
         document.apply(Edit::SetSpace { space, fit })?;
     }
     // SAFETY: as required of the caller.
@@ -289,7 +289,7 @@ unsafe fn configure(document: &mut Document, options: &V_EDITOR_OPTIONS) -> Answ
         info.object = object;
         document.apply(Edit::SetInfo(Box::new(info)))?;
     }
-    let speeds = BaseSpeeds {
+    let speeds = BaseFrames {
         movement: options.move_frames,
         turning: options.turn_frames,
         zoom: options.zoom_frames,
@@ -297,7 +297,7 @@ unsafe fn configure(document: &mut Document, options: &V_EDITOR_OPTIONS) -> Answ
     };
     let unset = [speeds.movement, speeds.turning, speeds.zoom, speeds.rolling] == [0.0; 4];
     if !unset && document.edits_path() {
-        document.apply(Edit::SetSpeeds(speeds))?;
+        document.apply(Edit::SetBaseFrames(speeds))?;
     }
     Ok(!unset)
 }
@@ -420,7 +420,7 @@ pub unsafe extern "C" fn v_editor_set_path(editor: *mut V_EDITOR, path: *const V
 fn replace(document: &mut Document, by: Document, fixed_speeds: bool) -> Result<()> {
     let (mut path, info) = by.into_parts();
     if fixed_speeds {
-        path.speeds = document.path().speeds;
+        path.base_frames = document.path().base_frames;
     }
     replace_with(document, info, |document| {
         edit_shown(document)?;
@@ -449,9 +449,9 @@ pub(super) fn replace_with(
 
 /// Makes the shown camera's path the one being edited.
 fn edit_shown(document: &mut Document) -> Result<()> {
-    let Some(around) = document.around() else {
+    let Some(edited) = document.edited_scene() else {
         return Ok(());
     };
-    let shown = around.scene().shown_camera().ok_or(Refused::NoCamera)?;
+    let shown = edited.scene().shown_camera().ok_or(Refused::NoCamera)?;
     document.apply(Edit::EditNode(Some(shown)))
 }

@@ -54,11 +54,11 @@ pub unsafe extern "C" fn v_editor_set_scene(editor: *mut V_EDITOR, scene: *const
 
 /// Replaces the contents by a scene.
 fn replace(document: &mut Document, by: SceneDocument, fixed_speeds: bool) -> Result<()> {
-    let speeds = document.path().speeds;
+    let speeds = document.path().base_frames;
     replace_with(document, by.info, |document| {
         document.apply(Edit::ReplaceScene(Box::new(by.scene)))?;
         if fixed_speeds && document.edits_path() {
-            document.apply(Edit::SetSpeeds(speeds))?;
+            document.apply(Edit::SetBaseFrames(speeds))?;
         }
         Ok(())
     })

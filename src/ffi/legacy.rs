@@ -16,7 +16,7 @@ use crate::document::{Document, Edit, Object, Poses};
 use crate::editor::{self, Warning, Warnings};
 use crate::error::{Error, Result, TooMany, complain, try_box};
 use crate::instance::{self, Gone, Host, Id};
-use crate::path::BaseSpeeds;
+use crate::path::BaseFrames;
 
 type Rueck = unsafe extern "C" fn(daten: *mut V_KAMERAPAR, anzahl: c_int);
 type Ende = unsafe extern "C" fn() -> c_int;
@@ -91,13 +91,13 @@ pub unsafe extern "C" fn v_haupt(
 
 /// Opens the window, even if the object cannot be shown.
 fn open(
-    speeds: BaseSpeeds,
+    speeds: BaseFrames,
     object: Answer<Object>,
     warnings: &mut Warnings,
     host: Contract,
 ) -> Answer<()> {
     let mut document = Document::try_new()?;
-    document.apply(Edit::SetSpeeds(speeds))?;
+    document.apply(Edit::SetBaseFrames(speeds))?;
     let shown = object.and_then(|object| {
         let mut info = document.info().clone();
         info.object = object;

@@ -12,7 +12,7 @@ use crate::document::{Object, ObjectPoint};
 use crate::editor::{Warning, Warnings};
 use crate::error::{TooMany, vec_with_room};
 use crate::limits;
-use crate::path::BaseSpeeds;
+use crate::path::BaseFrames;
 
 /// Replaces an invalid speed; from the thesis's example.
 const USUAL_SPEED: f64 = 100.0;
@@ -66,7 +66,7 @@ pub(super) unsafe fn wireframe(mesh: *const V_MESH) -> Answer<Object> {
 
 /// The host's base speeds: move, orient, zoom, winkel (roll). Invalid ones are replaced, with a
 /// warning.
-pub(super) fn speeds(given: [f64; 4], warn: &mut Warnings) -> BaseSpeeds {
+pub(super) fn speeds(given: [f64; 4], warn: &mut Warnings) -> BaseFrames {
     let names = ["move_speed", "orient_speed", "zoom_speed", "winkel_speed"];
     let mut sound = given;
     for (speed, name) in sound.iter_mut().zip(names) {
@@ -80,7 +80,7 @@ pub(super) fn speeds(given: [f64; 4], warn: &mut Warnings) -> BaseSpeeds {
         }
     }
     let [movement, turning, zoom, rolling] = sound;
-    BaseSpeeds {
+    BaseFrames {
         movement,
         turning,
         zoom,

@@ -13,7 +13,7 @@ use crate::document::Edit;
 use crate::error::{Place, TooMany};
 use crate::limits::MAX_COMMENT_BYTES;
 use crate::path::camera_path::check_name;
-use crate::path::{BaseSpeeds, OrientationMode, ZoomMode};
+use crate::path::{BaseFrames, OrientationMode, ZoomMode};
 
 /// ==== Modes, see v_path_set_modes() ====
 ///
@@ -61,13 +61,13 @@ pub unsafe extern "C" fn v_path_set_base_frames(
     roll_frames: f64,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let speeds = BaseSpeeds {
+        let speeds = BaseFrames {
             movement: move_frames,
             turning: turn_frames,
             zoom: zoom_frames,
             rolling: roll_frames,
         };
-        edit(path, Edit::SetSpeeds(speeds))
+        edit(path, Edit::SetBaseFrames(speeds))
     })
 }
 
@@ -84,7 +84,7 @@ pub unsafe extern "C" fn v_path_get_base_frames(
     border(V_ERR_INTERNAL, || {
         let (movement, turning) = (Out::optional(move_frames)?, Out::optional(turn_frames)?);
         let (zoom, rolling) = (Out::optional(zoom_frames)?, Out::optional(roll_frames)?);
-        let speeds = read(path, |document| Ok(document.path().speeds))?;
+        let speeds = read(path, |document| Ok(document.path().base_frames))?;
         // SAFETY: room for a double each, as the header says.
         unsafe {
             movement.write(speeds.movement);

@@ -143,6 +143,11 @@ fn a_sampled_film_becomes_a_path_again() {
     }
     sentence(&run(&["fit", PYRAMID]), 1);
     sentence(&run(&["fit", poses, "--tolerance", "0"]), 1);
+    let huge = folder.join("huge.csv");
+    let holes = std::fs::File::create(&huge).unwrap();
+    holes.set_len(vides::limits::MAX_FILE_BYTES + 1).unwrap();
+    let complaint = sentence(&run(&["fit", huge.to_str().unwrap()]), 1);
+    assert!(complaint.contains("larger than"), "{complaint}");
 }
 
 #[test]

@@ -34,10 +34,10 @@ pub fn closed(mut path: CameraPath) -> CameraPath {
 
 /// All four base speeds of a path.
 pub fn set_speeds(path: &mut CameraPath, speed: f64) {
-    path.speeds.movement = speed;
-    path.speeds.turning = speed;
-    path.speeds.rolling = speed;
-    path.speeds.zoom = speed;
+    path.base_frames.movement = speed;
+    path.base_frames.turning = speed;
+    path.base_frames.rolling = speed;
+    path.base_frames.zoom = speed;
 }
 
 /// Everything computed of a path that is in order.

@@ -104,8 +104,8 @@ pub fn busy_path(
         path.points.push(point);
     }
     path.closed = random.chance(0.4);
-    path.speeds.movement = random.between(30.0, 100.0);
-    path.speeds.turning = random.between(30.0, 300.0);
+    path.base_frames.movement = random.between(30.0, 100.0);
+    path.base_frames.turning = random.between(30.0, 300.0);
     path
 }
 

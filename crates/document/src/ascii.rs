@@ -4,7 +4,7 @@
 use std::io::Write;
 use std::path::Path;
 
-use super::blocks::{self, Progress};
+use super::blocks;
 use super::save;
 use crate::error::Result;
 use crate::path::{Pose, Sampler};
@@ -14,7 +14,14 @@ use crate::path::{Pose, Sampler};
 /// # Errors
 /// `ErrorKind::Io` if `out` fails, `ErrorKind::Memory`.
 pub fn write_ascii(sampler: &Sampler, out: &mut dyn Write) -> Result<()> {
-    write_with_progress(sampler, out, &mut |_, _| {})
+    blocks::write(
+        Vec::new(),
+        sampler.frame_count(),
+        out,
+        &mut |_, _| {},
+        |done, poses| Ok(sampler.sample(done + 1, poses)?),
+        |text, _, pose| push_line(text, pose),
+    )
 }
 
 /// As [`write_ascii`], into a file that is replaced only when all is written ([`save::save_with`]).
@@ -23,16 +30,6 @@ pub fn write_ascii(sampler: &Sampler, out: &mut dyn Write) -> Result<()> {
 /// `ErrorKind::Io` naming the file, `ErrorKind::Memory`.
 pub fn write_ascii_file(sampler: &Sampler, file: &Path) -> Result<()> {
     save::save_with(file, &mut |out| write_ascii(sampler, out))
-}
-
-pub(super) fn write_with_progress(
-    sampler: &Sampler,
-    out: &mut dyn Write,
-    progress: Progress<'_>,
-) -> Result<()> {
-    blocks::write(sampler, out, progress, &mut |text, _, pose| {
-        push_line(text, pose);
-    })
 }
 
 pub(super) fn push_line(text: &mut Vec<u8>, pose: &Pose) {

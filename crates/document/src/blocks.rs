@@ -1,9 +1,9 @@
-//! Samples poses and writes them as text in blocks, so that memory does not grow with the film.
+//! Samples poses or states and writes them as text in blocks, so that memory does not grow with the
+//! film.
 
 use std::io::{self, Write};
 
 use crate::error::{Error, Result, vec_with_room};
-use crate::path::{Pose, Sampler};
 
 /// Called now and then with the number of poses written and the total.
 pub type Progress<'a> = &'a mut dyn FnMut(usize, usize);
@@ -14,29 +14,31 @@ const BLOCK: usize = 512;
 /// Expected bytes per pose; more only costs a reallocation.
 const BYTES: usize = 256;
 
-/// Writes all poses in order; `push` appends one, given its index from 0.
-pub(super) fn write(
-    sampler: &Sampler,
+/// Writes `text` and behind it `count` poses or states in order: `sample` fills in those from an
+/// index on, `push` appends one to the text.
+pub(super) fn write<T: Clone + Default>(
+    mut text: Vec<u8>,
+    count: usize,
     out: &mut dyn Write,
     progress: Progress<'_>,
-    push: &mut dyn FnMut(&mut Vec<u8>, usize, &Pose),
+    mut sample: impl FnMut(usize, &mut [T]) -> Result<()>,
+    mut push: impl FnMut(&mut Vec<u8>, usize, &T),
 ) -> Result<()> {
-    let all = sampler.frame_count();
-    let mut poses = vec_with_room(BLOCK)?;
-    poses.resize(BLOCK.min(all), Pose::default());
-    let mut text = vec_with_room(BLOCK * BYTES)?;
+    let mut room = vec_with_room(BLOCK)?;
+    room.resize(BLOCK.min(count), T::default());
+    text.try_reserve(BLOCK * BYTES)?;
     let mut done = 0;
-    while done < all {
-        let block = poses.len().min(all - done);
-        let poses = &mut poses[..block];
-        sampler.sample(done + 1, poses)?;
-        text.clear();
-        for (index, pose) in poses.iter().enumerate() {
-            push(&mut text, done + index, pose);
+    while done < count {
+        let block = room.len().min(count - done);
+        let block = &mut room[..block];
+        sample(done, block)?;
+        for (index, one) in block.iter().enumerate() {
+            push(&mut text, done + index, one);
         }
         out.write_all(&text).map_err(failed)?;
-        done += block;
-        progress(done, all);
+        text.clear();
+        done += block.len();
+        progress(done, count);
     }
     Ok(())
 }

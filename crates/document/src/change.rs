@@ -1,38 +1,65 @@
-//! The records behind the edits. Applying a record swaps its values in and returns the record that
-//! undoes it, so that undo and redo are one operation and restore every bit.
+//! The records behind the edits. Applying a record exchanges its values with those of the document,
+//! so that it undoes itself: undo and redo are one operation and restore every bit.
+
+use std::mem::{swap, take};
 
 use glam::DVec3;
 
-use super::around::Around;
+use super::edited_scene::{EditedScene, Pins};
 use super::info::Info;
 use super::vid::Comments;
 use crate::error::{Result, vec_with_room};
 use crate::path::{
-    BaseSpeeds, CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, Own, Plan,
+    BaseFrames, CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, Own, Plan,
     Space, SupportPoint, Tangents, Target, Tcb, UpVector, ZoomMode,
 };
 
 /// The state that records change.
 #[derive(Debug)]
-pub(super) struct Content {
+pub(super) struct State {
     pub(super) path: CameraPath,
-    pub(super) around: Option<Box<Around>>,
+    pub(super) edited_scene: Option<Box<EditedScene>>,
     pub(super) info: Info,
     /// Number of orientations of all points.
     pub(super) orientations: usize,
     pub(super) comments: Comments,
 }
 
-impl Content {
+impl State {
     pub(super) fn new(path: CameraPath, info: Info) -> Self {
         let orientations = count_orientations(&path.points);
         Self {
             path,
-            around: None,
+            edited_scene: None,
             info,
             orientations,
             comments: Comments::default(),
         }
+    }
+
+    /// Renumbers what is attached to points; see [`Comments::insert_points`].
+    fn points_inserted(&mut self, at: usize, count: usize, removal: u64) {
+        self.comments.insert_points(at, count, removal);
+        if let Some(edited) = &mut self.edited_scene {
+            edited.pins_mut().insert_points(at, count, removal);
+        }
+    }
+
+    /// The same for removed points; returns the number of the removal.
+    fn points_removed(&mut self, at: usize, count: usize) -> u64 {
+        let removal = self.comments.remove_points(at, count);
+        if let Some(edited) = &mut self.edited_scene {
+            edited.pins_mut().remove_points(at, count, removal);
+        }
+        removal
+    }
+
+    fn exchange_path(&mut self, path: &mut CameraPath, removal: &mut u64) {
+        let removed = self.comments.remove_points(0, self.path.points.len());
+        self.comments.insert_points(0, 0, *removal);
+        swap(&mut self.path, path);
+        self.orientations = count_orientations(&self.path.points);
+        *removal = removed;
     }
 }
 
@@ -64,7 +91,7 @@ pub(super) enum Change {
         preset: usize,
         tcb: Tcb,
     },
-    Speeds(BaseSpeeds),
+    BaseFrames(BaseFrames),
     Closed(bool),
     CurveKind(CurveKind),
     /// A whole point, orientations included.
@@ -107,10 +134,10 @@ pub(super) enum Change {
         at: usize,
     },
     Info(Box<Info>),
-    /// A path, and the removal that took its points away.
-    Path(Box<CameraPath>, u64),
-    /// As `Path`, with the scene around it.
-    Scene(Option<Box<Around>>, Box<CameraPath>, u64),
+    /// A path, its pins, and the removal that took its points away.
+    Path(Box<CameraPath>, Pins, u64),
+    /// As `Path`, with its scene, which has the pins.
+    Scene(Option<Box<EditedScene>>, Box<CameraPath>, u64),
 }
 
 impl Change {
@@ -142,8 +169,8 @@ impl Change {
     }
 
     /// Reserves memory for applying. Undo and redo need none, since vectors of a path never shrink.
-    pub(super) fn reserve(&self, content: &mut Content) -> Result<()> {
-        let points = &mut content.path.points;
+    pub(super) fn reserve(&self, state: &mut State) -> Result<()> {
+        let points = &mut state.path.points;
         match self {
             Self::InsertPoints { points: new, .. } => points.try_reserve(new.len())?,
             Self::InsertOrientation { point, .. } => {
@@ -152,7 +179,7 @@ impl Change {
             // Only the first one inserts; the others exchange values.
             Self::Several(changes) => {
                 if let Some(first) = changes.first() {
-                    first.reserve(content)?;
+                    first.reserve(state)?;
                 }
             }
             _ => {}
@@ -160,8 +187,8 @@ impl Change {
         Ok(())
     }
 
-    pub(super) fn is_idle(&self, content: &Content) -> bool {
-        let path = &content.path;
+    pub(super) fn is_idle(&self, state: &State) -> bool {
+        let path = &state.path;
         match self {
             Self::Position { at, position } => same_vector(path.points[*at].position, *position),
             Self::Name { at, name } => path.points[*at].name == *name,
@@ -176,8 +203,8 @@ impl Change {
                 orientation,
             } => same_orientation(&path.points[*point].orientations[*at], orientation),
             Self::Preset { preset, tcb } => same_tcb(path.presets[*preset], *tcb),
-            // Base speeds are > 0, so there is no −0.
-            Self::Speeds(speeds) => path.speeds == *speeds,
+            // Frames are > 0, so there is no −0.
+            Self::BaseFrames(frames) => path.base_frames == *frames,
             Self::Closed(closed) => path.closed == *closed,
             Self::CurveKind(curve) => path.curve == *curve,
             Self::Tangents { at, tangents } => same_tangents(path.points[*at].tangents, *tangents),
@@ -191,7 +218,7 @@ impl Change {
                     && there.orientations.len() == point.orientations.len()
                     && views.all(|(a, b)| same_orientation(a, b))
             }
-            Self::Several(changes) => changes.iter().all(|change| change.is_idle(content)),
+            Self::Several(changes) => changes.iter().all(|change| change.is_idle(state)),
             Self::Modes(orientation, zoom) => {
                 path.orientation_mode == *orientation && path.zoom_mode == *zoom
             }
@@ -203,110 +230,70 @@ impl Change {
         }
     }
 
-    pub(super) fn apply(self, content: &mut Content) -> Self {
-        let path = &mut content.path;
+    /// Exchanges its values with those of the document; it then undoes itself.
+    pub(super) fn apply(&mut self, state: &mut State, plan: &mut Plan) {
+        self.announce(plan);
+        self.exchange(state);
+    }
+
+    fn exchange(&mut self, state: &mut State) {
+        let path = &mut state.path;
         match self {
-            Self::Position { at, position } => Self::Position {
-                at,
-                position: std::mem::replace(&mut path.points[at].position, position),
-            },
-            Self::Name { at, name } => Self::Name {
-                at,
-                name: std::mem::replace(&mut path.points[at].name, name),
-            },
-            Self::Curve { at, curve } => Self::Curve {
-                at,
-                curve: std::mem::replace(&mut path.points[at].curve, curve),
-            },
+            Self::Position { at, position } => swap(&mut path.points[*at].position, position),
+            Self::Name { at, name } => swap(&mut path.points[*at].name, name),
+            Self::Curve { at, curve } => swap(&mut path.points[*at].curve, curve),
             Self::Orientation {
                 point,
                 at,
                 orientation,
-            } => Self::Orientation {
-                point,
-                at,
-                orientation: std::mem::replace(
-                    &mut path.points[point].orientations[at],
-                    orientation,
-                ),
-            },
-            Self::Preset { preset, tcb } => Self::Preset {
-                preset,
-                tcb: std::mem::replace(&mut path.presets[preset], tcb),
-            },
-            Self::Speeds(speeds) => Self::Speeds(std::mem::replace(&mut path.speeds, speeds)),
-            Self::Closed(closed) => Self::Closed(std::mem::replace(&mut path.closed, closed)),
-            Self::CurveKind(curve) => Self::CurveKind(std::mem::replace(&mut path.curve, curve)),
-            Self::Point { at, mut point } => {
-                let there = &mut path.points[at];
-                content.orientations += point.orientations.len();
-                content.orientations -= there.orientations.len();
-                std::mem::swap(there, &mut point);
-                Self::Point { at, point }
+            } => swap(&mut path.points[*point].orientations[*at], orientation),
+            Self::Preset { preset, tcb } => swap(&mut path.presets[*preset], tcb),
+            Self::BaseFrames(frames) => swap(&mut path.base_frames, frames),
+            Self::Closed(closed) => swap(&mut path.closed, closed),
+            Self::CurveKind(curve) => swap(&mut path.curve, curve),
+            Self::Point { at, point } => {
+                swap(&mut path.points[*at], point);
+                state.orientations -= point.orientations.len();
+                state.orientations += path.points[*at].orientations.len();
             }
-            Self::Tangents { at, tangents } => Self::Tangents {
-                at,
-                tangents: std::mem::replace(&mut path.points[at].tangents, tangents),
-            },
-            Self::Several(mut changes) => {
-                for change in &mut changes {
-                    let one = std::mem::replace(change, Self::Closed(false));
-                    *change = one.apply(content);
-                }
+            Self::Tangents { at, tangents } => swap(&mut path.points[*at].tangents, tangents),
+            Self::Several(changes) => {
+                changes.iter_mut().for_each(|change| change.exchange(state));
                 changes.reverse();
-                Self::Several(changes)
             }
-            Self::Modes(orientation, zoom) => Self::Modes(
-                std::mem::replace(&mut path.orientation_mode, orientation),
-                std::mem::replace(&mut path.zoom_mode, zoom),
-            ),
-            Self::Space(space) => Self::Space(std::mem::replace(&mut path.space, space)),
+            Self::Modes(orientation, zoom) => {
+                swap(&mut path.orientation_mode, orientation);
+                swap(&mut path.zoom_mode, zoom);
+            }
+            Self::Space(space) => swap(&mut path.space, space),
             Self::InsertPoints {
                 at,
-                mut points,
+                points,
                 removal,
             } => {
-                let count = points.len();
-                content.comments.insert_points(at, count, removal);
-                if let Some(around) = &mut content.around {
-                    around.pins_mut().insert_points(at, count, removal);
-                }
-                content.orientations += count_orientations(&points);
-                path.points.splice(at..at, points.drain(..));
-                Self::RemovePoints {
-                    at,
-                    count,
-                    room: points,
-                }
+                let (at, count, mut room) = (*at, points.len(), take(points));
+                state.orientations += count_orientations(&room);
+                path.points.splice(at..at, room.drain(..));
+                state.points_inserted(at, count, *removal);
+                *self = Self::RemovePoints { at, count, room };
             }
-            Self::RemovePoints {
-                at,
-                count,
-                mut room,
-            } => {
-                room.extend(path.points.drain(at..at + count));
-                content.orientations -= count_orientations(&room);
-                let removal = content.comments.remove_points(at, count);
-                if let Some(around) = &mut content.around {
-                    around.pins_mut().remove_points(at, count, removal);
-                }
-                Self::InsertPoints {
+            Self::RemovePoints { at, count, room } => {
+                let (at, mut points) = (*at, take(room));
+                points.extend(path.points.drain(at..at + *count));
+                state.orientations -= count_orientations(&points);
+                *self = Self::InsertPoints {
                     at,
-                    points: room,
-                    removal,
-                }
+                    points,
+                    removal: state.points_removed(at, *count),
+                };
             }
             Self::MovePoint { from, to } => {
                 // The insertion reuses the room of the removed point.
-                let point = path.points.remove(from);
-                path.points.insert(to, point);
-                let removal = content.comments.remove_points(from, 1);
-                content.comments.insert_points(to, 1, removal);
-                if let Some(around) = &mut content.around {
-                    around.pins_mut().remove_points(from, 1, removal);
-                    around.pins_mut().insert_points(to, 1, removal);
-                }
-                Self::MovePoint { from: to, to: from }
+                let point = path.points.remove(*from);
+                path.points.insert(*to, point);
+                let removal = state.points_removed(*from, 1);
+                state.points_inserted(*to, 1, removal);
+                swap(from, to);
             }
             Self::InsertOrientation {
                 point,
@@ -314,43 +301,38 @@ impl Change {
                 orientation,
                 removal,
             } => {
-                content.comments.insert_orientation(point, at, removal);
-                path.points[point].orientations.insert(at, orientation);
-                content.orientations += 1;
-                Self::RemoveOrientation { point, at }
+                let (point, at) = (*point, *at);
+                state.comments.insert_orientation(point, at, *removal);
+                let orientations = &mut path.points[point].orientations;
+                orientations.insert(at, take(orientation));
+                state.orientations += 1;
+                *self = Self::RemoveOrientation { point, at };
             }
             Self::RemoveOrientation { point, at } => {
-                content.orientations -= 1;
-                Self::InsertOrientation {
-                    point,
-                    at,
-                    orientation: path.points[point].orientations.remove(at),
-                    removal: content.comments.remove_orientation(point, at),
+                state.orientations -= 1;
+                *self = Self::InsertOrientation {
+                    point: *point,
+                    at: *at,
+                    orientation: path.points[*point].orientations.remove(*at),
+                    removal: state.comments.remove_orientation(*point, *at),
+                };
+            }
+            Self::Info(info) => swap(&mut state.info, info),
+            Self::Path(other, pins, removal) => {
+                if let Some(edited) = &mut state.edited_scene {
+                    swap(edited.pins_mut(), pins);
                 }
+                state.exchange_path(other, removal);
             }
-            Self::Info(mut info) => {
-                std::mem::swap(&mut content.info, &mut info);
-                Self::Info(info)
-            }
-            Self::Path(mut other, removal) => {
-                let old = content.comments.remove_points(0, path.points.len());
-                content.comments.insert_points(0, 0, removal);
-                std::mem::swap(path, &mut other);
-                content.orientations = count_orientations(&path.points);
-                Self::Path(other, old)
-            }
-            Self::Scene(mut around, path, removal) => {
-                std::mem::swap(&mut content.around, &mut around);
-                match Self::Path(path, removal).apply(content) {
-                    Self::Path(path, removal) => Self::Scene(around, path, removal),
-                    other => other,
-                }
+            Self::Scene(scene, path, removal) => {
+                swap(&mut state.edited_scene, scene);
+                state.exchange_path(path, removal);
             }
         }
     }
 
     /// Tells `plan` what applying it makes out of date.
-    pub(super) fn announce(&self, plan: &mut Plan) {
+    fn announce(&self, plan: &mut Plan) {
         match self {
             Self::Name { .. } | Self::Info(_) => {}
             Self::Position { at, .. } | Self::Curve { at, .. } | Self::Tangents { at, .. } => {
@@ -377,7 +359,7 @@ impl Change {
                     point: q, at: b, ..
                 },
             ) => (p, a) == (q, b),
-            (Self::Speeds(_), Self::Speeds(_))
+            (Self::BaseFrames(_), Self::BaseFrames(_))
             | (Self::Closed(_), Self::Closed(_))
             | (Self::CurveKind(_), Self::CurveKind(_))
             | (Self::Modes(..), Self::Modes(..))
@@ -411,9 +393,9 @@ impl Change {
             Self::InsertPoints { points, .. } => weigh(points),
             Self::RemovePoints { room, .. } => room.capacity() * size_of::<SupportPoint>(),
             Self::Info(info) => info.title.len() + info.comment.len() + size_of_val(&*info.object),
-            Self::Path(path, _) => weigh(&path.points),
-            Self::Scene(around, path, _) => {
-                weigh(&path.points) + around.as_ref().map_or(0, |around| around.weight())
+            Self::Path(path, ..) => weigh(&path.points),
+            Self::Scene(scene, path, _) => {
+                weigh(&path.points) + scene.as_ref().map_or(0, |scene| scene.weight())
             }
             Self::Point { point, .. } => weigh(std::slice::from_ref(point)),
             Self::Several(changes) => changes.iter().map(Self::weight).sum(),
@@ -434,27 +416,19 @@ fn weigh(points: &[SupportPoint]) -> usize {
         + owned * size_of::<Own>()
 }
 
-/// Bitwise equality: 0 and −0 differ.
-fn same_number(a: f64, b: f64) -> bool {
-    a.to_bits() == b.to_bits()
-}
-
+/// Bitwise equality, as that of all below: 0 and −0 differ.
 fn same_vector(a: DVec3, b: DVec3) -> bool {
     a.to_array().map(f64::to_bits) == b.to_array().map(f64::to_bits)
 }
 
 fn same_tangents(a: Option<Tangents>, b: Option<Tangents>) -> bool {
-    match (a, b) {
-        (None, None) => true,
-        (Some(a), Some(b)) => same_vector(a.before, b.before) && same_vector(a.after, b.after),
-        _ => false,
-    }
+    let bits = |own: Tangents| [own.before, own.after].map(|v| v.to_array().map(f64::to_bits));
+    a.map(bits) == b.map(bits)
 }
 
 fn same_tcb(a: Tcb, b: Tcb) -> bool {
-    same_number(a.tension, b.tension)
-        && same_number(a.continuity, b.continuity)
-        && same_number(a.bias, b.bias)
+    let bits = |tcb: Tcb| [tcb.tension, tcb.continuity, tcb.bias].map(f64::to_bits);
+    bits(a) == bits(b)
 }
 
 fn same_orientation(a: &Orientation, b: &Orientation) -> bool {
@@ -466,7 +440,7 @@ fn same_orientation(a: &Orientation, b: &Orientation) -> bool {
     };
     // Zoom and speeds are ≥ 1, so `==` is bitwise there.
     same_target
-        && same_number(a.roll, b.roll)
+        && a.roll.to_bits() == b.roll.to_bits()
         && same_tcb(a.turning, b.turning)
         && a.zoom == b.zoom
         && a.speeds == b.speeds

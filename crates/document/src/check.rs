@@ -42,21 +42,18 @@ impl Document {
     /// [`vides_engine::Error::Memory`]; [`vides_engine::Error::Range`] for a scene too far away.
     pub fn obstacles(&self) -> Result<Option<Mesh>> {
         let mut all = self.info().mesh()?;
-        if let Some(around) = self.around() {
-            let scene = around.with(self.path())?;
+        if let Some(edited) = self.edited_scene() {
+            let scene = edited.with(self.path())?;
             let frame = self.frame_of_scene(1.0);
             let mut states = vec_with_room(scene.nodes().len())?;
             states.resize(scene.nodes().len(), NodeState::default());
             let warnings = &mut Warnings::default();
             scene.evaluate(frame, &mut states, warnings)?;
-            let parent = around.node().and_then(|at| scene.nodes()[at].parent);
+            let parent = edited.node().and_then(|at| scene.nodes()[at].parent);
             let into = parent.map_or(DAffine3::IDENTITY, |at| states[at].world().inverse());
             // A parent scaled to zero has no inverse; use world coordinates.
-            let into = if into.is_finite() {
-                into
-            } else {
-                DAffine3::IDENTITY
-            };
+            let into = Some(into).filter(|into| into.is_finite());
+            let into = into.unwrap_or(DAffine3::IDENTITY);
             for (at, node) in scene.nodes().iter().enumerate() {
                 if let Kind::Object(object) = &node.kind
                     && states[at].visible != 0

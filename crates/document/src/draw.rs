@@ -35,7 +35,7 @@ pub(super) fn drawn(document: &Document, places: &[DVec3], tolerance: f64) -> Re
     for point in &mut made.points {
         point.orientations = vec![view.clone()];
     }
-    made.speeds = path.speeds;
+    made.base_frames = path.base_frames;
     made.space = path.space;
     Ok(made)
 }

@@ -7,7 +7,7 @@ use vides_engine::tools::block::Fit;
 
 use super::info::Info;
 use crate::path::{
-    BaseSpeeds, CameraPath, CurveKind, Orientation, OrientationMode, Space, Tangents, Tcb, ZoomMode,
+    BaseFrames, CameraPath, CurveKind, Orientation, OrientationMode, Space, Tangents, Tcb, ZoomMode,
 };
 
 /// A change of a document. Points, orientations, segments and presets count from 0.
@@ -145,8 +145,8 @@ pub enum Edit {
         /// Absolute (true) or relative (false).
         absolute: bool,
     },
-    /// The base speeds, each finite and > 0.
-    SetSpeeds(BaseSpeeds),
+    /// The frames of the base speeds, each finite and > 0.
+    SetBaseFrames(BaseFrames),
     /// Closes the path by a segment from the last point to the first, or opens it.
     SetClosed(bool),
     /// How the camera turns and how the zoom runs.

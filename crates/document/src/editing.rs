@@ -1,20 +1,14 @@
 //! The document: a path with its edits, its history and cached results.
 
-use std::io::Read;
-use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use super::around;
-use super::change::Content;
-use super::contents::Contents;
+use super::change::State;
 use super::edit::Edit;
+use super::fingerprint::Fingerprint;
 use super::history::{History, Step};
 use super::info::Info;
-use super::mesh_file;
 use super::prepare;
-use super::scene::{SceneDocument, folder_of};
-use super::vid::{self, Comments};
-use crate::error::{Error, Result, can_allocate};
+use crate::error::Result;
 use crate::limits;
 use crate::path::up_vector::check_ups;
 use crate::path::{CameraPath, Plan, Sampler, Space, Timeline, UpVector, ahead, alignment};
@@ -43,20 +37,20 @@ impl Selection {
 /// Reading takes `&self` and may happen on several threads at once.
 #[derive(Debug)]
 pub struct Document {
-    content: Content,
+    pub(super) state: State,
     selection: Selection,
     history: History,
     /// The open step, which collects edits.
     open: Option<Step>,
     /// Number of the present state; each edit makes a new one.
-    state: u64,
+    number: u64,
     newest: u64,
     saved: u64,
     /// Unique to these contents within the process.
     revision: u64,
     plan: Plan,
-    /// Contents of the file it was read from.
-    read: Option<Contents>,
+    /// That of the file it was read from.
+    pub(super) fingerprint: Option<Fingerprint>,
 }
 
 /// The next [`Document::revision`]: unique but unordered, so relaxed ordering is enough.
@@ -99,33 +93,33 @@ impl Document {
 
     fn with(path: CameraPath, info: Info) -> Self {
         Self {
-            content: Content::new(path, info),
+            state: State::new(path, info),
             selection: Selection::default(),
             history: History::new(limits::MAX_HISTORY_STEPS),
             open: None,
-            state: 0,
+            number: 0,
             newest: 0,
             saved: 0,
             revision: fresh_revision(),
             plan: Plan::new(),
-            read: None,
+            fingerprint: None,
         }
     }
 
     /// The same document as if just opened: unmodified, without a history.
     #[must_use]
     pub fn as_opened(self) -> Self {
-        let mut opened = Self::with(self.content.path, self.content.info);
-        opened.read = self.read;
-        opened.content.comments = self.content.comments;
-        opened.content.around = self.content.around;
+        let mut opened = Self::with(self.state.path, self.state.info);
+        opened.fingerprint = self.fingerprint;
+        opened.state.comments = self.state.comments;
+        opened.state.edited_scene = self.state.edited_scene;
         opened
     }
 
-    /// Contents of the file the document was read from, if any.
+    /// That of the file the document was read from, if any, as it was then.
     #[must_use]
-    pub fn read_contents(&self) -> Option<Contents> {
-        self.read
+    pub fn fingerprint(&self) -> Option<Fingerprint> {
+        self.fingerprint
     }
 
     /// The same document without a history from now on: `undo` has nothing to take back.
@@ -141,42 +135,38 @@ impl Document {
     /// # Errors
     /// `ErrorKind::Memory`.
     pub fn try_clone(&self) -> Result<Self> {
-        let path = self.content.path.try_clone()?;
-        let mut copy = Self::with(path, self.content.info.try_clone()?);
+        let path = self.state.path.try_clone()?;
+        let mut copy = Self::with(path, self.state.info.try_clone()?);
         copy.selection = self.selection;
-        copy.read = self.read;
-        copy.content.comments = self.content.comments.try_clone()?;
-        copy.content.around.clone_from(&self.content.around);
+        copy.fingerprint = self.fingerprint;
+        copy.state.comments = self.state.comments.try_clone()?;
+        copy.state.edited_scene.clone_from(&self.state.edited_scene);
         if !self.history.keeps_any() {
             copy = copy.without_history();
         }
         if self.is_modified() {
-            copy.state = 1;
+            copy.number = 1;
             copy.newest = 1;
         }
         Ok(copy)
     }
 
-    pub(super) fn content(&self) -> &Content {
-        &self.content
-    }
-
     /// The path and the info, without the rest.
     #[must_use]
     pub fn into_parts(self) -> (CameraPath, Info) {
-        (self.content.path, self.content.info)
+        (self.state.path, self.state.info)
     }
 
     /// The path.
     #[must_use]
     pub fn path(&self) -> &CameraPath {
-        &self.content.path
+        &self.state.path
     }
 
     /// What the file holds besides the path.
     #[must_use]
     pub fn info(&self) -> &Info {
-        &self.content.info
+        &self.state.info
     }
 
     /// The current point and orientation.
@@ -198,7 +188,7 @@ impl Document {
     /// # Errors
     /// `ErrorKind::Range` if there is no such point or orientation.
     pub fn select(&mut self, point: usize, orientation: usize) -> Result<()> {
-        prepare::orientation(&self.content.path, point, orientation)?;
+        prepare::orientation(&self.state.path, point, orientation)?;
         self.selection = Selection::at(point, orientation);
         Ok(())
     }
@@ -209,50 +199,43 @@ impl Document {
     /// Why the edit is impossible; the document is unchanged then.
     pub fn apply(&mut self, edit: Edit) -> Result<()> {
         let same_for_a_file = matches!(edit, Edit::EditNode(_));
-        let (change, selection) = prepare::prepare(&self.content, edit)?;
-        if change.is_idle(&self.content) {
+        let (mut change, selection) = prepare::prepare(&self.state, edit)?;
+        if change.is_idle(&self.state) {
             return Ok(());
         }
-        change.reserve(&mut self.content)?;
         let keeps_record = self.open.is_some() || self.history.keeps_any();
-        let mut own = Step::new(self.selection, self.state);
+        let mut own = Step::new(self.selection, self.number);
         let step = self.open.as_mut().unwrap_or(&mut own);
         if keeps_record {
             step.reserve()?;
             self.history.reserve()?;
         }
-        change.reserve(&mut self.content)?;
-        change.announce(&mut self.plan);
+        change.reserve(&mut self.state)?;
         let shapes = change.may_undefine_ups();
-        let inverse = change.apply(&mut self.content);
-        if shapes && let Err(error) = check_ups(&self.content.path) {
-            inverse.announce(&mut self.plan);
-            inverse.apply(&mut self.content);
-            return Err(error.into());
-        }
-        let held = prepare::held_by_pins(&self.content, &self.plan).and_then(|held| {
+        change.apply(&mut self.state, &mut self.plan);
+        let mut check = || -> Result<_> {
+            if shapes {
+                check_ups(&self.state.path)?;
+            }
+            let held = prepare::held_by_pins(&self.state, &self.plan)?;
             if held.is_some() && keeps_record {
                 step.reserve_more(2)?;
             }
             Ok(held)
-        });
-        let held = match held {
+        };
+        let mut held = match check() {
             Ok(held) => held,
             Err(error) => {
-                inverse.announce(&mut self.plan);
-                inverse.apply(&mut self.content);
+                change.apply(&mut self.state, &mut self.plan);
                 return Err(error);
             }
         };
-        if keeps_record {
-            step.push(inverse);
+        if let Some(held) = &mut held {
+            held.apply(&mut self.state, &mut self.plan);
         }
-        if let Some(held) = held {
-            held.announce(&mut self.plan);
-            let inverse = held.apply(&mut self.content);
-            if keeps_record {
-                step.push(inverse);
-            }
+        if keeps_record {
+            step.push(change);
+            held.into_iter().for_each(|held| step.push(held));
         }
         if self.open.is_none() {
             own.close();
@@ -263,7 +246,7 @@ impl Document {
         }
         if !same_for_a_file {
             self.newest += 1;
-            self.state = self.newest;
+            self.number = self.newest;
         }
         self.revision = fresh_revision();
         Ok(())
@@ -303,7 +286,7 @@ impl Document {
     /// Opens a step, such as a drag: all edits until [`Document::end_step`]. Ends an open one.
     pub fn begin_step(&mut self) {
         self.end_step();
-        self.open = Some(Step::new(self.selection, self.state));
+        self.open = Some(Step::new(self.selection, self.number));
     }
 
     /// Whether a step is open; see [`Document::begin_step`].
@@ -350,18 +333,18 @@ impl Document {
     /// Ends the open step and undoes the last one, selection included. False if there is none.
     /// Needs no memory.
     pub fn undo(&mut self) -> bool {
-        self.end_step();
-        let mut history = std::mem::replace(&mut self.history, History::new(0));
-        let done = history.back(|step| self.exchange(step));
-        self.history = history;
-        done
+        self.travel(false)
     }
 
     /// Redoes the step undone last, selection included. False if there is none. Needs no memory.
     pub fn redo(&mut self) -> bool {
+        self.travel(true)
+    }
+
+    fn travel(&mut self, redo: bool) -> bool {
         self.end_step();
         let mut history = std::mem::replace(&mut self.history, History::new(0));
-        let done = history.forth(|step| self.exchange(step));
+        let done = history.exchange(redo, |step| self.exchange(step));
         self.history = history;
         done
     }
@@ -379,25 +362,22 @@ impl Document {
     }
 
     fn exchange(&mut self, step: &mut Step) {
-        step.exchange(|change| {
-            change.announce(&mut self.plan);
-            change.apply(&mut self.content)
-        });
+        step.exchange(|change| change.apply(&mut self.state, &mut self.plan));
         std::mem::swap(&mut step.selection, &mut self.selection);
-        std::mem::swap(&mut step.state, &mut self.state);
+        std::mem::swap(&mut step.number, &mut self.number);
         self.revision = fresh_revision();
     }
 
     /// Whether there are unsaved changes. False again after undoing back to the saved state.
     #[must_use]
     pub fn is_modified(&self) -> bool {
-        self.state != self.saved
+        self.number != self.saved
     }
 
     /// Number of the present state: new after each edit, the old one again after undo.
     #[must_use]
     pub fn state_number(&self) -> u64 {
-        self.state
+        self.number
     }
 
     /// Marks every state, past and present, as unsaved.
@@ -407,7 +387,7 @@ impl Document {
 
     /// Marks the present state as the saved one.
     pub fn mark_saved(&mut self) {
-        self.saved = self.state;
+        self.saved = self.number;
     }
 
     /// Calls `f` with the current lengths and frame counts.
@@ -415,7 +395,7 @@ impl Document {
     /// # Errors
     /// `ErrorKind::Memory`.
     pub fn timeline<R>(&self, f: impl FnOnce(&Timeline) -> R) -> Result<R> {
-        Ok(self.plan.timeline(&self.content.path, f)?)
+        Ok(self.plan.timeline(&self.state.path, f)?)
     }
 
     /// The camera's up at an orientation, roll included: a unit vector in world coordinates,
@@ -438,7 +418,7 @@ impl Document {
     /// # Errors
     /// `ErrorKind::Memory`; `ErrorKind::Limit` for more than [`limits::MAX_FRAMES`] frames.
     pub fn sampler(&self) -> Result<&Sampler> {
-        Ok(self.plan.sampler(&self.content.path)?)
+        Ok(self.plan.sampler(&self.state.path)?)
     }
 
     /// The smallest space that holds the object, with a tenth to spare.
@@ -446,7 +426,7 @@ impl Document {
     /// # Errors
     /// As [`Space::around`].
     pub fn space_around_object(&self) -> Result<Space> {
-        let object = self.content.info.object.iter();
+        let object = self.state.info.object.iter();
         Ok(Space::around(
             object.map(|point| point.position),
             self.path().space.up,
@@ -466,170 +446,4 @@ impl Document {
             Ok(Space::around(along, self.path().space.up)?)
         })?
     }
-
-    /// Loads a path or scene from a `.vid` file, with the warnings of [`SceneDocument::warnings`].
-    /// Of a scene the shown camera's path is edited, if it has one; the rest is kept.
-    ///
-    /// # Errors
-    /// As [`Document::load`].
-    pub fn load_scene(file: &Path) -> Result<(Self, Vec<Error>)> {
-        let text = vid::read_text(file, limits::MAX_FILE_BYTES)?;
-        Self::scene_from_toml(&text, &absolute_folder_of(file))
-            .map_err(|error| error.at(file.display()))
-    }
-
-    /// As [`Document::load_scene`], from `reader`, which messages call `name`. Mesh names are
-    /// relative to the working directory.
-    ///
-    /// # Errors
-    /// As [`Document::load`].
-    pub fn load_scene_from(reader: &mut dyn Read, name: &str) -> Result<(Self, Vec<Error>)> {
-        let text = vid::read_from(reader, name)?;
-        Self::scene_from_toml(&text, Path::new(".")).map_err(|error| error.at(name))
-    }
-
-    /// As [`Document::load_scene`], from a text. Mesh names are relative to `folder`.
-    ///
-    /// # Errors
-    /// `ErrorKind::Format` with line and reason.
-    pub fn scene_from_toml(text: &str, folder: &Path) -> Result<(Self, Vec<Error>)> {
-        let (scene, info) = vid::scene_from_toml(text)?;
-        if vid::alone(&scene).is_some() {
-            let mut document = Self::from_toml(text)?;
-            let warnings = document.read_object(folder)?;
-            return Ok((document, Vec::from_iter(warnings)));
-        }
-        let mut loaded = SceneDocument::of(scene, info);
-        loaded.info.check(loaded.scene.space())?;
-        loaded.info.normalise();
-        let mut warnings = mesh_file::read_meshes(&mut loaded.scene, folder)?;
-        let space = loaded.scene.space();
-        warnings.extend(mesh_file::read_object(&mut loaded.info, space, folder)?);
-        let (around, path) = around::as_shown(loaded.scene)?;
-        let mut document = Self::from_parts(path, loaded.info)?;
-        can_allocate(size_of_val(&around))?;
-        document.content.around = Some(Box::new(around));
-        document.read = Some(Contents::of(text.as_bytes()));
-        Ok((document, warnings))
-    }
-
-    /// Loads the path in a `.vid` file.
-    ///
-    /// # Errors
-    /// `ErrorKind::Io` if it cannot be read; `ErrorKind::Format` with file, line and reason.
-    pub fn load(file: &Path) -> Result<Self> {
-        let text = vid::read_text(file, limits::MAX_FILE_BYTES)?;
-        let loaded = Self::from_toml(&text).and_then(|mut document| {
-            // Warnings are reported by `load_scene` only.
-            document.read_object(&absolute_folder_of(file))?;
-            Ok(document)
-        });
-        loaded.map_err(|error| error.at(file.display()))
-    }
-
-    /// Reads the object's mesh file, if it has one; returns a warning.
-    fn read_object(&mut self, folder: &Path) -> Result<Option<Error>> {
-        let space = self.content.path.space;
-        mesh_file::read_object(&mut self.content.info, space, folder)
-    }
-
-    /// As [`Document::load`], but of a scene it takes the shown camera's path and drops the rest.
-    ///
-    /// # Errors
-    /// As [`Document::load`]; `ErrorKind::Argument` if the scene has no camera on a path.
-    pub fn load_shown(file: &Path) -> Result<Self> {
-        let text = vid::read_text(file, limits::MAX_FILE_BYTES)?;
-        let shown = Self::shown(&text).and_then(|mut document| {
-            document.read_object(&absolute_folder_of(file))?;
-            Ok(document)
-        });
-        shown.map_err(|error| error.at(file.display()))
-    }
-
-    /// As [`Document::load_shown`], from `reader`, which messages call `name`.
-    ///
-    /// # Errors
-    /// As [`Document::load_shown`].
-    pub fn load_shown_from(reader: &mut dyn Read, name: &str) -> Result<Self> {
-        let text = vid::read_from(reader, name)?;
-        Self::shown(&text).map_err(|error| error.at(name))
-    }
-
-    fn shown(text: &str) -> Result<Self> {
-        let (path, info, alone) = vid::shown_from_toml(text)?;
-        let document = Self::from_parts(path, info)?;
-        if alone {
-            document.read_from(text)
-        } else {
-            Ok(document)
-        }
-    }
-
-    fn read_from(mut self, text: &str) -> Result<Self> {
-        self.read = Some(Contents::of(text.as_bytes()));
-        self.content.comments = Comments::of(text)?;
-        Ok(self)
-    }
-
-    /// As [`Document::load`], from `reader`, which messages call `name`.
-    ///
-    /// # Errors
-    /// As [`Document::load`].
-    pub fn load_from(reader: &mut dyn Read, name: &str) -> Result<Self> {
-        let text = vid::read_from(reader, name)?;
-        Self::from_toml(&text).map_err(|error| error.at(name))
-    }
-
-    /// The document in the text of a `.vid` file.
-    ///
-    /// # Errors
-    /// `ErrorKind::Format` with line and reason.
-    pub fn from_toml(text: &str) -> Result<Self> {
-        let (path, info) = vid::from_toml(text)?;
-        Self::from_parts(path, info)?.read_from(text)
-    }
-
-    /// The text of a `.vid` file, with the comments of the text it was read from, except those of
-    /// removed points. Loading it gives the same document, bit by bit.
-    ///
-    /// # Errors
-    /// `ErrorKind::Memory`.
-    pub fn to_toml(&self) -> Result<String> {
-        self.text_in(None)
-    }
-
-    /// As [`Document::to_toml`], with meshes in or below the file's folder named relative to it.
-    ///
-    /// # Errors
-    /// As [`Document::to_toml`]; `ErrorKind::Limit` if a scene is too long to be read again.
-    pub fn to_toml_for(&self, file: &Path) -> Result<String> {
-        self.text_in(Some(folder_of(file)))
-    }
-
-    fn text_in(&self, folder: Option<&Path>) -> Result<String> {
-        let content = &self.content;
-        let Some(around) = &content.around else {
-            return vid::to_toml(&content.path, &content.info, &content.comments, folder);
-        };
-        let scene = around.with(&content.path)?;
-        let text = vid::scene_to_toml(&scene, &content.info, &content.comments, folder)?;
-        if text.len() as u64 > limits::MAX_FILE_BYTES {
-            return Err(Error::FileTooLarge(limits::MAX_FILE_BYTES >> 20));
-        }
-        Ok(text)
-    }
-
-    /// Saves atomically and durably ([`super::save`]); see [`Document::mark_saved`].
-    ///
-    /// # Errors
-    /// `ErrorKind::Io` with the file and the system's reason; the old file is whole then.
-    pub fn save(&self, file: &Path) -> Result<()> {
-        super::save::save(file, self.to_toml_for(file)?.as_bytes())
-    }
-}
-
-/// Absolute, so that a change of the working directory does no harm.
-fn absolute_folder_of(file: &Path) -> PathBuf {
-    let folder = folder_of(file);
-    std::path::absolute(folder).unwrap_or_else(|_| folder.to_owned())
 }

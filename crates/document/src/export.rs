@@ -1,5 +1,6 @@
 //! Poses in the formats of the command `vides sample`.
 
+use std::fmt::Display;
 use std::io::Write;
 use std::path::Path;
 
@@ -10,7 +11,7 @@ use super::editing::Document;
 use super::export_node::write_node;
 use super::save;
 use crate::error::{Refused, Result};
-use crate::path::{Pose, Sampler, Space};
+use crate::path::{Pose, Space};
 
 /// A format of poses. All but ASCII write as many digits as give the same bits back.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -57,17 +58,30 @@ pub fn write(
     out: &mut dyn Write,
     progress: Progress<'_>,
 ) -> Result<()> {
-    if document.around().is_some() {
+    if document.edited_scene().is_some() {
         let scene = document.scene_document()?;
         let shown = scene.scene.shown_camera().ok_or(Refused::NoCamera)?;
         return write_node(&scene, shown, format, out, progress);
     }
     let sampler = document.sampler()?;
-    match format {
-        Format::Ascii => ascii::write_with_progress(sampler, out, progress),
-        Format::Csv => write_csv(document, sampler, out, progress),
-        Format::Json => write_json(document, sampler, out, progress),
-    }
+    let (count, first) = (sampler.frame_count(), document.info().first_frame);
+    let text = match format {
+        Format::Ascii => Vec::new(),
+        Format::Csv => HEADER.into(),
+        Format::Json => json_head(document, count),
+    };
+    blocks::write(
+        text,
+        count,
+        out,
+        progress,
+        |done, poses| Ok(sampler.sample(done + 1, poses)?),
+        |text, index, pose| {
+            let frame = i64::from(first) + index as i64;
+            push_pose(text, format, index, &frame, pose);
+        },
+    )?;
+    end(format, out)
 }
 
 /// As [`write()`], into a file that is replaced only when all is written ([`save::save_with`]).
@@ -86,42 +100,18 @@ pub fn write_file(
 pub(super) const HEADER: &str =
     "frame,vrp_x,vrp_y,vrp_z,vpn_x,vpn_y,vpn_z,vup_x,vup_y,vup_z,zoom\n";
 
-fn write_csv(
-    document: &Document,
-    sampler: &Sampler,
-    out: &mut dyn Write,
-    progress: Progress<'_>,
-) -> Result<()> {
-    let first = i64::from(document.info().first_frame);
-    out.write_all(HEADER.as_bytes()).map_err(blocks::failed)?;
-    blocks::write(sampler, out, progress, &mut |text, index, pose| {
-        // Writing into a vector cannot fail.
-        let _ = write!(text, "{}", first + index as i64);
-        for number in [pose.vrp, pose.vpn, pose.vup].as_flattened() {
-            let _ = write!(text, ",{number:?}");
-        }
-        let _ = writeln!(text, ",{:?}", pose.zoom);
-    })
-}
-
-fn write_json(
-    document: &Document,
-    sampler: &Sampler,
-    out: &mut dyn Write,
-    progress: Progress<'_>,
-) -> Result<()> {
+fn json_head(document: &Document, count: usize) -> Vec<u8> {
     let info = document.info();
     let mut head = Vec::new();
     head.extend_from_slice(b"{\n  \"title\": ");
     push_json_text(&mut head, &info.title);
     head.extend_from_slice(b",\n  \"comment\": ");
     push_json_text(&mut head, &info.comment);
+    // Writing into a vector cannot fail.
     let _ = write!(
         head,
-        ",\n  \"fps\": {:?},\n  \"first_frame\": {},\n  \"frame_count\": {},\n  \"space\": ",
-        info.fps,
-        info.first_frame,
-        sampler.frame_count()
+        ",\n  \"fps\": {:?},\n  \"first_frame\": {},\n  \"frame_count\": {count},\n  \"space\": ",
+        info.fps, info.first_frame,
     );
     let Space {
         centre,
@@ -135,20 +125,57 @@ fn write_json(
     );
     push_json_text(&mut head, &info.unit);
     let _ = write!(head, ", \"up\": \"{}\"}},\n  \"poses\": [", up.name());
-    out.write_all(&head).map_err(blocks::failed)?;
-    blocks::write(sampler, out, progress, &mut |text, index, pose| {
-        text.extend_from_slice(if index == 0 { b"\n    " } else { b",\n    " });
-        push_json_pose(text, pose);
-    })?;
-    out.write_all(b"\n  ]\n}\n").map_err(blocks::failed)
+    head
 }
 
-pub(super) fn push_json_pose(text: &mut Vec<u8>, pose: &Pose) {
-    for (name, [x, y, z]) in [("vrp", pose.vrp), ("vpn", pose.vpn), ("vup", pose.vup)] {
-        let open = if name == "vrp" { "{" } else { "" };
-        let _ = write!(text, "{open}\"{name}\": [{x:?}, {y:?}, {z:?}], ");
+/// Appends a pose, the `index`-th from 0.
+pub(super) fn push_pose(
+    text: &mut Vec<u8>,
+    format: Format,
+    index: usize,
+    frame: &dyn Display,
+    pose: &Pose,
+) {
+    let vectors = [("vrp", pose.vrp), ("vpn", pose.vpn), ("vup", pose.vup)];
+    match format {
+        Format::Ascii => ascii::push_line(text, pose),
+        Format::Csv => {
+            push_row(
+                text,
+                frame,
+                vectors.map(|(_, vector)| vector).as_flattened(),
+            );
+            let _ = writeln!(text, ",{:?}", pose.zoom);
+        }
+        Format::Json => {
+            push_json_begin(text, index);
+            for (name, vector) in vectors {
+                let _ = write!(text, "\"{name}\": {vector:?}, ");
+            }
+            let _ = write!(text, "\"zoom\": {:?}}}", pose.zoom);
+        }
     }
-    let _ = write!(text, "\"zoom\": {:?}}}", pose.zoom);
+}
+
+/// Appends the begin of a row of comma-separated values.
+pub(super) fn push_row(text: &mut Vec<u8>, frame: &dyn Display, numbers: &[f64]) {
+    let _ = write!(text, "{frame}");
+    for number in numbers {
+        let _ = write!(text, ",{number:?}");
+    }
+}
+
+/// Begins the `index`-th object from 0 of an array.
+pub(super) fn push_json_begin(text: &mut Vec<u8>, index: usize) {
+    text.extend_from_slice(if index == 0 { b"\n    {" } else { b",\n    {" });
+}
+
+/// What comes behind the last pose.
+pub(super) fn end(format: Format, out: &mut dyn Write) -> Result<()> {
+    match format {
+        Format::Json => out.write_all(b"\n  ]\n}\n").map_err(blocks::failed),
+        _ => Ok(()),
+    }
 }
 
 pub(super) fn push_json_text(out: &mut Vec<u8>, text: &str) {

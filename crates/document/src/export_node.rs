@@ -1,20 +1,16 @@
 //! A node of a scene, frame by frame, in the formats of the command `vides sample`: cameras and
 //! lights as poses, others as matrices to world coordinates, column by column as in OpenGL.
 
+use std::fmt::Display;
 use std::io::Write;
 
 use vides_engine::scene::{NodeState, Warnings};
 
-use super::blocks::{Progress, failed};
-use super::export::{Format, HEADER, push_json_pose, push_json_text};
+use super::blocks::{self, Progress};
+use super::export::{Format, HEADER, end, push_json_begin, push_json_text, push_pose, push_row};
 use super::{SceneDocument, ascii};
-use crate::error::{Place, Result, TooMany, vec_with_room};
+use crate::error::{Place, Result, TooMany};
 use crate::limits::MAX_FRAMES;
-
-const BLOCK: usize = 512;
-
-/// Expected bytes per state; more only costs a reallocation.
-const BYTES: usize = 512;
 
 /// Writes the states of a node at every whole step from the scene's first frame to its last. A host
 /// interpolation that is missing or fails is an error, since nobody would notice it in a file.
@@ -36,33 +32,29 @@ pub fn write_node(
     if all > MAX_FRAMES {
         return Err(TooMany::SceneFrames.into());
     }
-    let mut states = vec_with_room(BLOCK)?;
-    states.resize(BLOCK.min(all), NodeState::default());
-    let mut text: Vec<u8> = vec_with_room(BLOCK * BYTES)?;
+    let mut text = Vec::new();
     head(document, node, all, format, &mut text);
-    let mut done = 0;
-    while done < all {
-        let block = states.len().min(all - done);
-        let states = &mut states[..block];
-        let mut warnings = Warnings::default();
-        scene.sample(node, first + done as f64, 1.0, states, &mut warnings)?;
-        if let Some(error) = warnings.into_error() {
-            let name = scene.node(node)?.name.as_str();
-            return Err(error.at(Place::Node(name.into())).into());
-        }
-        for (at, state) in states.iter().enumerate() {
-            let frame = first + (done + at) as f64;
-            push(&mut text, format, looks, done + at, frame, state);
-        }
-        out.write_all(&text).map_err(failed)?;
-        text.clear();
-        done += block;
-        progress(done, all);
-    }
-    if format == Format::Json {
-        out.write_all(b"\n  ]\n}\n").map_err(failed)?;
-    }
-    Ok(())
+    let frame = |index: usize| first + index as f64;
+    blocks::write(
+        text,
+        all,
+        out,
+        progress,
+        |done, states: &mut [NodeState]| {
+            let mut warnings = Warnings::default();
+            scene.sample(node, frame(done), 1.0, states, &mut warnings)?;
+            let name = || Place::Node(scene.nodes()[node].name.as_str().into());
+            match warnings.into_error() {
+                Some(error) => Err(error.at(name()).into()),
+                None => Ok(()),
+            }
+        },
+        |text, index, state| match looks {
+            true => push_pose(text, format, index, &frame(index), &state.pose),
+            false => push_matrix(text, format, index, &frame(index), state),
+        },
+    )?;
+    end(format, out)
 }
 
 fn head(document: &SceneDocument, node: usize, all: usize, format: Format, text: &mut Vec<u8>) {
@@ -98,17 +90,14 @@ fn head(document: &SceneDocument, node: usize, all: usize, format: Format, text:
     }
 }
 
-fn push(
+fn push_matrix(
     text: &mut Vec<u8>,
     format: Format,
-    looks: bool,
     index: usize,
-    frame: f64,
+    frame: &dyn Display,
     state: &NodeState,
 ) {
-    let [vrp, vpn, vup] = [state.pose.vrp, state.pose.vpn, state.pose.vup];
     match format {
-        Format::Ascii if looks => ascii::push_line(text, &state.pose),
         Format::Ascii => {
             for (at, number) in state.matrix.iter().enumerate() {
                 text.extend_from_slice(if at == 0 { b"" } else { b" " });
@@ -117,32 +106,17 @@ fn push(
             text.push(b'\n');
         }
         Format::Csv => {
-            let _ = write!(text, "{frame}");
-            if looks {
-                let numbers = [vrp, vpn, vup];
-                for number in numbers.as_flattened().iter().chain([&state.pose.zoom]) {
-                    let _ = write!(text, ",{number:?}");
-                }
-            } else {
-                for number in state.matrix {
-                    let _ = write!(text, ",{number:?}");
-                }
-                let _ = write!(text, ",{}", state.visible);
-            }
-            text.push(b'\n');
+            push_row(text, frame, &state.matrix);
+            let _ = writeln!(text, ",{}", state.visible);
         }
         Format::Json => {
-            text.extend_from_slice(if index == 0 { b"\n    " } else { b",\n    " });
-            if looks {
-                push_json_pose(text, &state.pose);
-            } else {
-                let visible = state.visible != 0;
-                let _ = write!(
-                    text,
-                    "{{\"matrix\": {:?}, \"visible\": {visible}}}",
-                    state.matrix
-                );
-            }
+            push_json_begin(text, index);
+            let visible = state.visible != 0;
+            let _ = write!(
+                text,
+                "\"matrix\": {:?}, \"visible\": {visible}}}",
+                state.matrix
+            );
         }
     }
 }

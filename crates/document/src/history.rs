@@ -16,16 +16,16 @@ pub(super) struct Step {
     /// The selection on the other side.
     pub(super) selection: Selection,
     /// Number of the state on the other side.
-    pub(super) state: u64,
+    pub(super) number: u64,
     pub(super) name: Option<&'static str>,
 }
 
 impl Step {
-    pub(super) fn new(selection: Selection, state: u64) -> Self {
+    pub(super) fn new(selection: Selection, number: u64) -> Self {
         Self {
             changes: Vec::new(),
             selection,
-            state,
+            number,
             name: None,
         }
     }
@@ -78,12 +78,9 @@ impl Step {
         self.changes.is_empty()
     }
 
-    /// Applies each record and keeps its inverse.
-    pub(super) fn exchange(&mut self, mut apply: impl FnMut(Change) -> Change) {
-        for change in &mut self.changes {
-            let taken = std::mem::replace(change, Change::Closed(false));
-            *change = apply(taken);
-        }
+    /// Applies each record, which then undoes itself.
+    pub(super) fn exchange(&mut self, apply: impl FnMut(&mut Change)) {
+        self.changes.iter_mut().for_each(apply);
         self.changes.reverse();
     }
 
@@ -156,29 +153,17 @@ impl History {
         }
     }
 
-    /// Undoes the newest step by `exchange`. False if there is none.
-    pub(super) fn back(&mut self, exchange: impl FnOnce(&mut Step)) -> bool {
-        let Some(index) = self.done.checked_sub(1) else {
+    /// Undoes the newest step by `exchange`, or redoes the one undone last. False if there is none.
+    pub(super) fn exchange(&mut self, redo: bool, exchange: impl FnOnce(&mut Step)) -> bool {
+        let index = if redo {
+            Some(self.done)
+        } else {
+            self.done.checked_sub(1)
+        };
+        let Some((step, weight)) = index.and_then(|index| self.steps.get_mut(index)) else {
             return false;
         };
-        self.done = index;
-        self.exchange(index, exchange)
-    }
-
-    /// Redoes the step undone last by `exchange`. False if there is none.
-    pub(super) fn forth(&mut self, exchange: impl FnOnce(&mut Step)) -> bool {
-        let index = self.done;
-        if index == self.steps.len() {
-            return false;
-        }
-        self.done += 1;
-        self.exchange(index, exchange)
-    }
-
-    fn exchange(&mut self, index: usize, exchange: impl FnOnce(&mut Step)) -> bool {
-        let Some((step, weight)) = self.steps.get_mut(index) else {
-            return false;
-        };
+        self.done = if redo { self.done + 1 } else { self.done - 1 };
         exchange(step);
         // It now holds the other side's values.
         self.weight -= *weight;

@@ -6,21 +6,22 @@
 
 #![forbid(unsafe_code)]
 
-mod around;
 pub mod ascii;
 mod blocks;
 mod cage;
 mod change;
 mod check;
-mod contents;
 mod draw;
 mod edit;
+mod edited_scene;
 mod editing;
 pub mod error;
 pub mod export;
 mod export_node;
+mod fingerprint;
 mod history;
 mod info;
+mod loading;
 mod mesh_file;
 mod not_a_file;
 mod place;
@@ -34,19 +35,19 @@ pub mod tool;
 pub mod vid;
 mod wireframe;
 
-pub use around::{Around, Poses};
-pub use contents::Contents;
 pub use edit::Edit;
+pub use edited_scene::{EditedScene, Poses};
 pub use editing::{Document, Selection};
 pub use error::{Error, Result};
 pub use export_node::write_node;
+pub use fingerprint::Fingerprint;
 pub use info::{Info, Object, ObjectPoint};
 pub use mesh_file::{Watcher, load_mesh, load_object, watch_meshes};
 #[doc(hidden)]
 pub use not_a_file::NotAFile;
 pub use wireframe::features;
 
-pub use poses::{Recorded, load_poses, poses_of_text};
+pub use poses::{Recorded, load_poses, load_poses_from, poses_of_text};
 pub use prepare::no_longer_ahead;
 pub use scene::SceneDocument;
 

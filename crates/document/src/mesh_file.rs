@@ -6,6 +6,7 @@ use std::path::{Component, Path, PathBuf, absolute};
 use vides_engine::scene::{Kind, Mesh, MeshSource, Scene};
 use vides_mesh::Format;
 
+use super::fingerprint::Fingerprint;
 use super::info::{Info, Object};
 use super::vid::read_bytes;
 use crate::error::{Cause, EngineError, Error, Place, Result};
@@ -50,10 +51,11 @@ fn read(file: &Path, name: &str) -> Result<(MeshSource, Mesh)> {
     go_on(1.0);
     WATCHER.set(watcher);
     let mesh = mesh?;
+    let now = Fingerprint::of(&bytes);
     let source = MeshSource {
         file: name.to_owned(),
-        bytes: bytes.len() as u64,
-        checksum: checksum(&bytes),
+        bytes: now.bytes,
+        checksum: now.hash,
     };
     Ok((source, mesh))
 }
@@ -107,13 +109,6 @@ pub(super) fn read_object(info: &mut Info, space: Space, folder: &Path) -> Resul
         }
     };
     Ok(trouble)
-}
-
-/// 64-bit FNV-1a: detects changes, not tampering.
-fn checksum(bytes: &[u8]) -> u64 {
-    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, &byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3)
-    })
 }
 
 /// As [`read_object`], for all objects of a scene.

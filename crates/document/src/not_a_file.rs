@@ -1,8 +1,10 @@
 //! Paths that lead to something other than a regular file.
 
 use std::fmt;
-use std::fs::Metadata;
+use std::fs::{File, Metadata, OpenOptions};
 use std::io;
+use std::os::unix::fs::OpenOptionsExt;
+use std::path::Path;
 
 /// What a path leads to instead of a regular file; can be recognised within an [`io::Error`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -11,6 +13,17 @@ pub enum NotAFile {
     Directory,
     /// A pipe, a device, a socket.
     Special,
+}
+
+/// Opens a regular file for reading.
+pub(super) fn open(file: &Path) -> io::Result<File> {
+    // Without O_NONBLOCK, opening a pipe without a writer would block forever.
+    let opened = OpenOptions::new()
+        .read(true)
+        .custom_flags(libc::O_NONBLOCK | libc::O_NOCTTY)
+        .open(file)?;
+    NotAFile::refuse(&opened.metadata()?)?;
+    Ok(opened)
 }
 
 impl NotAFile {

@@ -1,10 +1,10 @@
 //! Recorded poses as text, as [`super::export`] writes them, with or without frame numbers.
 
+use std::io::Read;
 use std::path::Path;
 
-use super::vid::read_text;
+use super::vid;
 use crate::error::{Error, Key, Malformed, Result, Value};
-use crate::limits::MAX_FILE_BYTES;
 use crate::path::Pose;
 
 /// Poses, and their frame numbers if each has one.
@@ -17,8 +17,15 @@ const POSE: usize = 10;
 /// # Errors
 /// [`Error::Io`]; those of [`poses_of_text`] with the file.
 pub fn load_poses(file: &Path) -> Result<Recorded> {
-    let text = read_text(file, MAX_FILE_BYTES)?;
-    poses_of_text(&text).map_err(|error| error.at(file.display()))
+    vid::load(file, poses_of_text)
+}
+
+/// As [`load_poses`], from `reader`, which messages call `name`.
+///
+/// # Errors
+/// As [`load_poses`].
+pub fn load_poses_from(reader: &mut dyn Read, name: &str) -> Result<Recorded> {
+    vid::load_from(reader, name, poses_of_text)
 }
 
 /// The poses in a text, numbers separated by commas or blanks; a heading on line 1 is skipped.

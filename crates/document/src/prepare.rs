@@ -2,9 +2,9 @@
 
 use glam::DVec3;
 
-use super::around::{self, Around};
-use super::change::{Change, Content, count_orientations};
+use super::change::{Change, State, count_orientations};
 use super::edit::Edit;
+use super::edited_scene::{self, EditedScene, Pins};
 use super::editing::Selection;
 use super::place;
 use super::target;
@@ -14,7 +14,7 @@ use crate::error::{
 use crate::limits;
 use crate::math::orientation::wrap_degrees;
 use crate::path::ahead;
-use crate::path::camera_path::check_base_speeds;
+use crate::path::camera_path::check_base_frames;
 use crate::path::fit_frames::{Fixed, fit_frames};
 use crate::path::insertion::{self, Insertion};
 use crate::path::space::Move;
@@ -25,17 +25,16 @@ use crate::tools::{block, transform};
 use vides_engine::scene::pins::pinned;
 
 /// The record of an edit, and the selection it sets, if any.
-pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<Selection>)> {
-    let path = &content.path;
-    if content
-        .around
-        .as_ref()
-        .is_some_and(|around| around.node().is_none())
-        && !matches!(
-            edit,
-            Edit::EditNode(_) | Edit::ReplaceScene(_) | Edit::SetInfo(_)
-        )
-    {
+pub(super) type Prepared = (Change, Option<Selection>);
+
+pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
+    let path = &state.path;
+    let none_edited = matches!(&state.edited_scene, Some(edited) if edited.node().is_none());
+    let needs_path = !matches!(
+        edit,
+        Edit::EditNode(_) | Edit::ReplaceScene(_) | Edit::SetInfo(_)
+    );
+    if none_edited && needs_path {
         return Err(Refused::NoPathEdited.into());
     }
     let change = match edit {
@@ -47,25 +46,25 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
                 }
                 .into());
             }
-            let points = copies(content, at.saturating_sub(1), &[position])?;
+            let points = copies(state, at.saturating_sub(1), &[position])?;
             return Ok(inserted(at, points));
         }
         Edit::AppendAfterLast => {
             let position = place::beyond(path, End::Last)?;
             let count = path.points.len();
-            let points = copies(content, count - 1, &[position])?;
+            let points = copies(state, count - 1, &[position])?;
             return Ok(inserted(count, points));
         }
         Edit::PrependBeforeFirst => {
             let position = place::beyond(path, End::First)?;
-            return Ok(inserted(0, copies(content, 0, &[position])?));
+            return Ok(inserted(0, copies(state, 0, &[position])?));
         }
         Edit::DivideSegment { segment, points } => {
             let mut room = [DVec3::ZERO; limits::MAX_DIVISION];
             let positions = place::divide(path, segment, points, &mut room)?;
-            return Ok(inserted(segment + 1, copies(content, segment, positions)?));
+            return Ok(inserted(segment + 1, copies(state, segment, positions)?));
         }
-        Edit::InsertOnCurve { frame } => return on_curve(content, frame),
+        Edit::InsertOnCurve { frame } => return on_curve(state, frame),
         Edit::SetTangents { at, tangents } => {
             point(path, at)?;
             if let Some(tangents) = tangents {
@@ -126,58 +125,48 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
             point,
             at,
             orientation,
-        } => {
-            let orientation = new_orientation(content, point, at, orientation)?;
-            let change = Change::InsertOrientation {
-                point,
-                at,
-                orientation,
-                removal: 0,
-            };
-            return Ok((change, Some(Selection::at(point, at))));
-        }
-        Edit::RemoveOrientation { point: number, at } => {
-            orientation(path, number, at)?;
-            if path.points[number].orientations.len() == 1 {
+        } => return new_orientation(state, point, at, orientation),
+        Edit::RemoveOrientation { point, at } => {
+            orientation(path, point, at)?;
+            if path.points[point].orientations.len() == 1 {
                 return Err(Refused::OneOrientationRemains.into());
             }
-            let change = Change::RemoveOrientation { point: number, at };
-            let selection = Selection::at(number, at.saturating_sub(1));
+            let change = Change::RemoveOrientation { point, at };
+            let selection = Selection::at(point, at.saturating_sub(1));
             return Ok((change, Some(selection)));
         }
         Edit::SetOrientation {
-            point: number,
+            point,
             at,
             orientation: new,
         } => {
-            let old = orientation(path, number, at)?;
-            let new = checked(new, path.points[number].position, path.space)?;
+            let old = orientation(path, point, at)?;
+            let new = checked(new, path.points[point].position, path.space)?;
+            let orientation = without_the_outdated(old, new)?;
             Change::Orientation {
-                point: number,
+                point,
                 at,
-                orientation: without_the_outdated(old, new)?,
+                orientation,
             }
         }
         Edit::SetAbsolute {
-            point: number,
+            point,
             at,
             absolute,
         } => {
-            let mut new = orientation(path, number, at)?.clone();
-            let position = path.points[number].position;
-            if new.own.ahead.is_some() {
-                new = no_longer_ahead(path, number, at)?;
-            }
-            new.target = target::switched(new.target, position, absolute, path.space)?;
+            let mut orientation = no_longer_ahead(path, point, at)?;
+            let position = path.points[point].position;
+            let target = target::switched(orientation.target, position, absolute, path.space)?;
+            orientation.target = target;
             Change::Orientation {
-                point: number,
+                point,
                 at,
-                orientation: new,
+                orientation,
             }
         }
-        Edit::SetSpeeds(speeds) => {
-            check_base_speeds(speeds)?;
-            Change::Speeds(speeds)
+        Edit::SetBaseFrames(frames) => {
+            check_base_frames(frames)?;
+            Change::BaseFrames(frames)
         }
         Edit::SetClosed(closed) => Change::Closed(closed),
         Edit::SetModes(orientation, zoom) => Change::Modes(orientation, zoom),
@@ -186,13 +175,13 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
             info.normalise();
             Change::Info(info)
         }
-        Edit::EditNode(node) => return other_node(content, node),
+        Edit::EditNode(node) => return other_node(state, node),
         Edit::ReplaceScene(scene) => {
-            let (around, path) = around::as_shown(*scene)?;
-            content.info.check(around.scene().space())?;
-            return exchanged_scene(Some(around).filter(|around| !around.is_path_alone()), path);
+            let (edited, path) = edited_scene::as_shown(*scene)?;
+            state.info.check(edited.scene().space())?;
+            return exchanged_scene(Some(edited).filter(|edited| !edited.is_path_alone()), path);
         }
-        Edit::ReplacePath(path) => return replaced(content, *path),
+        Edit::ReplacePath(path) => return replaced(state, *path, |point| point),
         Edit::TransformPoints {
             points,
             matrix,
@@ -215,12 +204,20 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
             block,
             fit,
             with_targets,
-        } => return put_in(content, block::insert(path, at, &block, fit, with_targets)?),
-        Edit::Reverse => return replaced(content, block::reverse(path)?),
-        Edit::Repeat(times) => return replaced(content, block::repeat(path, times)?),
+        } => return put_in(state, block::insert(path, at, &block, fit, with_targets)?),
+        Edit::Reverse => {
+            let count = path.points.len();
+            // A closed path still begins at its first point.
+            let begin = if path.closed { count } else { count - 1 };
+            let number = |point| (begin - point) % count;
+            return replaced(state, block::reverse(path)?, number);
+        }
+        Edit::Repeat(times) => {
+            return replaced(state, block::repeat(path, times)?, |point| point);
+        }
         Edit::SetSpace { space, fit } => {
             space.check()?;
-            content.info.check(space)?;
+            state.info.check(space)?;
             if fit && path.space != space {
                 moved(path, space)?
             } else {
@@ -232,34 +229,41 @@ pub(super) fn prepare(content: &Content, edit: Edit) -> Result<(Change, Option<S
     Ok((change, None))
 }
 
-fn replaced(content: &Content, mut path: CameraPath) -> Result<(Change, Option<Selection>)> {
+/// Another path, in which a point has this number.
+fn replaced(
+    state: &State,
+    mut path: CameraPath,
+    number: impl Fn(usize) -> usize,
+) -> Result<Prepared> {
     normalise(&mut path)?;
-    content.info.check(path.space)?;
+    state.info.check(path.space)?;
+    let pins = match &state.edited_scene {
+        Some(edited) => edited.pins_in(path.points.len(), number)?,
+        None => Pins::default(),
+    };
     can_allocate(size_of::<CameraPath>())?;
-    Ok((Change::Path(Box::new(path), 0), Some(Selection::default())))
+    let change = Change::Path(Box::new(path), pins, 0);
+    Ok((change, Some(Selection::default())))
 }
 
-fn other_node(content: &Content, node: Option<usize>) -> Result<(Change, Option<Selection>)> {
-    let Some(around) = &content.around else {
+fn other_node(state: &State, node: Option<usize>) -> Result<Prepared> {
+    let Some(edited) = &state.edited_scene else {
         return match node {
             Some(0) => Ok((Change::Several(Vec::new()), None)),
             _ => Err(Refused::NoScene.into()),
         };
     };
-    if around.node() == node {
+    if edited.node() == node {
         return Ok((Change::Several(Vec::new()), None));
     }
-    let (around, path) = around::around(around.with(&content.path)?, node)?;
-    exchanged_scene(Some(around), path)
+    let (edited, path) = edited_scene::edit(edited.with(&state.path)?, node)?;
+    exchanged_scene(Some(edited), path)
 }
 
-fn exchanged_scene(
-    around: Option<Around>,
-    mut path: CameraPath,
-) -> Result<(Change, Option<Selection>)> {
+fn exchanged_scene(edited: Option<EditedScene>, mut path: CameraPath) -> Result<Prepared> {
     normalise(&mut path)?;
-    can_allocate(size_of::<CameraPath>() + size_of::<Around>())?;
-    let change = Change::Scene(around.map(Box::new), Box::new(path), 0);
+    can_allocate(size_of::<CameraPath>() + size_of::<EditedScene>())?;
+    let change = Change::Scene(edited.map(Box::new), Box::new(path), 0);
     Ok((change, Some(Selection::default())))
 }
 
@@ -271,15 +275,15 @@ fn exchanged(points: transform::Changed) -> Result<Change> {
     Ok(Change::Several(changes))
 }
 
-fn put_in(content: &Content, inserted: block::Inserted) -> Result<(Change, Option<Selection>)> {
+fn put_in(state: &State, inserted: block::Inserted) -> Result<Prepared> {
     let block::Inserted {
         at,
         count,
         mut path,
         changed,
     } = inserted;
-    let orientations = count_orientations(&path.points) - content.orientations;
-    check_room(content, count, orientations)?;
+    let orientations = count_orientations(&path.points) - state.orientations;
+    check_room(state, count, orientations)?;
     let mut take = |at: usize| std::mem::replace(&mut path.points[at], SupportPoint::nowhere());
     let mut changes = vec_with_room(1 + changed.len())?;
     if count > 0 {
@@ -320,12 +324,11 @@ fn bring_into_form(point: &mut SupportPoint) {
 /// The orientation with a view ahead along the path replaced by an equal relative target.
 ///
 /// # Errors
-/// `ErrorKind::Memory`.
+/// `ErrorKind::Range` if there is no such orientation; `ErrorKind::Memory`.
 pub fn no_longer_ahead(path: &CameraPath, point: usize, at: usize) -> Result<Orientation> {
-    let here = &path.points[point];
-    let mut new = here.orientations[at].clone();
+    let mut new = orientation(path, point, at)?.clone();
     if new.own.ahead.is_some() {
-        let far = new.target.offset_from(here.position).length();
+        let far = new.target.offset_from(path.points[point].position).length();
         new.target = Target::Relative(ahead::view(path, point, at) * far);
         new.own = new.own.with(|own| own.ahead = None)?;
     }
@@ -356,29 +359,19 @@ fn without_the_outdated(old: &Orientation, mut new: Orientation) -> Result<Orien
 }
 
 /// The record of an inserted point that keeps the motion.
-fn on_curve(content: &Content, frame: f64) -> Result<(Change, Option<Selection>)> {
-    check_room(content, 1, 1)?;
-    let Insertion {
-        at,
-        mut path,
-        changed,
-    } = insertion::on_curve(&content.path, frame)?;
-    let mut changes = vec_with_room(1 + changed.len())?;
-    let take = |points: &mut Vec<SupportPoint>, at: usize| {
-        std::mem::replace(&mut points[at], SupportPoint::nowhere())
-    };
-    let mut points = vec_with_room(1)?;
-    points.push(take(&mut path.points, at));
-    changes.push(Change::InsertPoints {
-        at,
-        points,
-        removal: 0,
-    });
-    for at in changed {
-        let point = take(&mut path.points, at);
-        changes.push(Change::Point { at, point });
-    }
-    Ok((Change::Several(changes), Some(Selection::at(at, 0))))
+fn on_curve(state: &State, frame: f64) -> Result<Prepared> {
+    check_room(state, 1, 1)?;
+    let Insertion { at, path, changed } = insertion::on_curve(&state.path, frame)?;
+    let count = 1;
+    put_in(
+        state,
+        block::Inserted {
+            at,
+            count,
+            path,
+            changed,
+        },
+    )
 }
 
 /// The record of mapping the path into another space.
@@ -401,10 +394,10 @@ fn fitted(path: &CameraPath, first: usize, last: usize, frames: usize) -> Result
 }
 
 /// The frame counts that the path's pins require; none if they already hold.
-pub(super) fn held_by_pins(content: &Content, plan: &Plan) -> Result<Option<Change>> {
-    let path = &content.path;
-    let pins = match &content.around {
-        Some(around) => around.pins(path),
+pub(super) fn held_by_pins(state: &State, plan: &Plan) -> Result<Option<Change>> {
+    let path = &state.path;
+    let pins = match &state.edited_scene {
+        Some(edited) => edited.pins(),
         None => return Ok(None),
     };
     if pins.is_empty() {
@@ -431,15 +424,15 @@ fn with_frames(path: &CameraPath, fixed: Vec<Fixed>) -> Result<Change> {
     Ok(Change::Several(changes))
 }
 
-fn check_room(content: &Content, points: usize, orientations: usize) -> Result<()> {
-    if content.path.points.len() + points > limits::MAX_POINTS {
+fn check_room(state: &State, points: usize, orientations: usize) -> Result<()> {
+    if state.path.points.len() + points > limits::MAX_POINTS {
         return Err(TooMany::SupportPoints.into());
     }
-    check_all_orientations(content.orientations + orientations)
+    check_all_orientations(state.orientations + orientations)
 }
 
 /// Inserts new points; the first becomes current.
-fn inserted(at: usize, points: Vec<SupportPoint>) -> (Change, Option<Selection>) {
+fn inserted(at: usize, points: Vec<SupportPoint>) -> Prepared {
     (
         Change::InsertPoints {
             at,
@@ -451,19 +444,19 @@ fn inserted(at: usize, points: Vec<SupportPoint>) -> (Change, Option<Selection>)
 }
 
 /// New points at `positions` with the properties of point `from`.
-fn copies(content: &Content, from: usize, positions: &[DVec3]) -> Result<Vec<SupportPoint>> {
-    let source = &content.path.points[from];
+fn copies(state: &State, from: usize, positions: &[DVec3]) -> Result<Vec<SupportPoint>> {
+    let source = &state.path.points[from];
     let orientations = positions.len() * source.orientations.len();
-    check_room(content, positions.len(), orientations)?;
+    check_room(state, positions.len(), orientations)?;
     let mut points = vec_with_room(positions.len())?;
     for &position in positions {
-        content.path.space.check_place(position)?;
+        state.path.space.check_place(position)?;
         let mut orientations = vec_with_room(source.orientations.len())?;
         for old in &source.orientations {
             let mut new = old.clone();
             if new.target == Target::Absolute(position) {
                 new.target =
-                    target::switched(old.target, source.position, false, content.path.space)?;
+                    target::switched(old.target, source.position, false, state.path.space)?;
             }
             new.own = old.own.for_a_copy()?;
             orientations.push(new);
@@ -482,12 +475,12 @@ fn copies(content: &Content, from: usize, positions: &[DVec3]) -> Result<Vec<Sup
 }
 
 fn new_orientation(
-    content: &Content,
+    state: &State,
     number: usize,
     at: usize,
     given: Option<Orientation>,
-) -> Result<Orientation> {
-    let point = point(&content.path, number)?;
+) -> Result<Prepared> {
+    let point = point(&state.path, number)?;
     let count = point.orientations.len();
     if at > count {
         return Err(Refused::NewOrientation { at, last: count }.into());
@@ -495,11 +488,18 @@ fn new_orientation(
     if count == limits::MAX_ORIENTATIONS {
         return Err(TooMany::Orientations.into());
     }
-    check_all_orientations(content.orientations + 1)?;
-    match given {
-        None => Ok(point.orientations[at.saturating_sub(1)].clone()),
-        Some(orientation) => checked(orientation, point.position, content.path.space),
-    }
+    check_all_orientations(state.orientations + 1)?;
+    let orientation = match given {
+        None => point.orientations[at.saturating_sub(1)].clone(),
+        Some(orientation) => checked(orientation, point.position, state.path.space)?,
+    };
+    let change = Change::InsertOrientation {
+        point: number,
+        at,
+        orientation,
+        removal: 0,
+    };
+    Ok((change, Some(Selection::at(number, at))))
 }
 
 /// Checks an orientation and wraps its roll into (−180, 180].
@@ -554,5 +554,21 @@ fn preset_number(preset: usize) -> Result<u8> {
     match u8::try_from(preset) {
         Ok(number) if preset < limits::PRESETS => Ok(number),
         _ => Err(OutOfRange::Between(Quantity::Preset, 0.0, 9.0).into()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::error::ErrorKind;
+
+    #[test]
+    fn no_orientation_that_is_missing_looks_elsewhere() {
+        let path = CameraPath::default();
+        assert!(no_longer_ahead(&path, 1, 0).is_ok());
+        for (point, at) in [(2, 0), (0, 1), (usize::MAX, usize::MAX)] {
+            let error = no_longer_ahead(&path, point, at).unwrap_err();
+            assert_eq!(error.kind(), ErrorKind::Range);
+        }
     }
 }

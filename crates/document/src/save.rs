@@ -5,7 +5,7 @@ use std::io::{self, BufWriter, Write};
 use std::os::unix::fs::{MetadataExt, OpenOptionsExt, PermissionsExt};
 use std::path::{Path, PathBuf};
 
-use super::{Contents, NotAFile};
+use super::{Fingerprint, NotAFile};
 use crate::error::{Error, Result, can_allocate};
 
 const BUFFER: usize = 32 << 10;
@@ -29,8 +29,8 @@ pub fn save(file: &Path, bytes: &[u8]) -> Result<()> {
 ///
 /// # Errors
 /// As [`save_with`].
-pub fn save_unless_changed(file: &Path, bytes: &[u8], known: Option<Contents>) -> Result<bool> {
-    let as_known = |target: &Path| match Contents::now(target) {
+pub fn save_unless_changed(file: &Path, bytes: &[u8], known: Option<Fingerprint>) -> Result<bool> {
+    let as_known = |target: &Path| match Fingerprint::now(target) {
         Ok(now) => now.is_none() || now == known,
         // An unreadable file cannot be known to be unchanged.
         Err(_) => false,

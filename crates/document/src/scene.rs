@@ -7,7 +7,6 @@ use super::info::Info;
 use super::mesh_file;
 use super::vid::{self, Comments};
 use crate::error::{Error, Result, can_allocate};
-use crate::limits::MAX_FILE_BYTES;
 use crate::path::CameraPath;
 use vides_engine::scene::{FollowPath, Scene};
 
@@ -41,12 +40,8 @@ impl SceneDocument {
     /// # Errors
     /// `ErrorKind::Memory`.
     pub fn try_new() -> Result<Self> {
-        Ok(Self {
-            scene: Scene::of_path(CameraPath::try_new()?)?,
-            info: Info::default(),
-            comments: Comments::default(),
-            warnings: Vec::new(),
-        })
+        let scene = Scene::of_path(CameraPath::try_new()?)?;
+        Ok(Self::of(scene, Info::default()))
     }
 
     pub(crate) fn of(scene: Scene, info: Info) -> Self {
@@ -63,10 +58,9 @@ impl SceneDocument {
     /// # Errors
     /// `ErrorKind::Io` if it cannot be read; `ErrorKind::Format` with file, line and reason.
     pub fn load(file: &Path) -> Result<Self> {
-        let text = vid::read_text(file, MAX_FILE_BYTES)?;
-        Self::from_toml(&text)
-            .and_then(|document| document.with_meshes(folder_of(file)))
-            .map_err(|error| error.at(file.display()))
+        vid::load(file, |text| {
+            Self::from_toml(text)?.with_meshes(folder_of(file))
+        })
     }
 
     /// As [`SceneDocument::load`], from `reader`, which messages call `name`.
@@ -74,10 +68,9 @@ impl SceneDocument {
     /// # Errors
     /// As [`SceneDocument::load`].
     pub fn load_from(reader: &mut dyn Read, name: &str) -> Result<Self> {
-        let text = vid::read_from(reader, name)?;
-        Self::from_toml(&text)
-            .and_then(|document| document.with_meshes(Path::new("")))
-            .map_err(|error| error.at(name))
+        vid::load_from(reader, name, |text| {
+            Self::from_toml(text)?.with_meshes(Path::new(""))
+        })
     }
 
     fn with_meshes(mut self, folder: &Path) -> Result<Self> {
@@ -105,10 +98,8 @@ impl SceneDocument {
             None => Comments::default(),
         };
         Ok(Self {
-            scene,
-            info,
             comments,
-            warnings: Vec::new(),
+            ..Self::of(scene, info)
         })
     }
 
@@ -121,11 +112,7 @@ impl SceneDocument {
     }
 
     fn text(&self, folder: Option<&Path>) -> Result<String> {
-        let text = vid::scene_to_toml(&self.scene, &self.info, &self.comments, folder)?;
-        if text.len() as u64 > MAX_FILE_BYTES {
-            return Err(Error::FileTooLarge(MAX_FILE_BYTES >> 20));
-        }
-        Ok(text)
+        vid::scene_to_toml(&self.scene, &self.info, &self.comments, folder)
     }
 
     /// Saves as a `.vid` file, atomically and durably ([`super::save`]).
@@ -150,10 +137,8 @@ impl SceneDocument {
         let info = self.info.try_clone()?;
         can_allocate(self.scene.heap_size())?;
         Ok(Self {
-            scene: self.scene.clone(),
-            info,
             comments: self.comments.try_clone()?,
-            warnings: Vec::new(),
+            ..Self::of(self.scene.clone(), info)
         })
     }
 }

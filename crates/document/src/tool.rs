@@ -1,13 +1,15 @@
 //! The interactive tools, each with a table of its parameters, from which window and texts are
 //! built, and the edit it makes; the mathematics is in [`vides_engine::tools`].
 
+mod table;
+
 use glam::{DQuat, DVec3};
-use vides_engine::deform::{Bounds, Deformation, LATTICE, identity_lattice};
+use vides_engine::deform::{Bounds, Deformation, identity_lattice};
 use vides_engine::tools::blend::blend;
 use vides_engine::tools::block::{self, Fit};
 use vides_engine::tools::fit::{Tolerance, fit};
 use vides_engine::tools::moves::{MOVES, Move};
-use vides_engine::tools::{Parameter, Unit, transform};
+use vides_engine::tools::{Parameter, transform};
 
 use super::draw::drawn;
 use super::edit::Edit;
@@ -16,8 +18,8 @@ use super::prepare::no_longer_ahead;
 use crate::cage;
 pub use crate::cage::Cage;
 use crate::error::{OutOfRange, Result};
-use crate::limits::{MAX_COORDINATE, MAX_FRAMES, MAX_POINTS};
 use crate::path::{CameraPath, Pose, Space, Target, Up};
+use table::{ABOUT, AXIS, FIRST, LAST, PUT, SEEN, TOOLS};
 
 /// A tool: its name, description and parameters.
 #[derive(Debug, Clone, Copy)]
@@ -84,257 +86,7 @@ enum Kind {
     Draw,
 }
 
-const AXES: &[&str] = &["x", "y", "z"];
-
 const FITS: [Fit; 4] = [Fit::None, Fit::Move, Fit::Turn, Fit::Scale];
-
-const fn one(name: &'static str, does: &'static str, default: f64) -> Parameter {
-    Parameter {
-        name,
-        does,
-        unit: Unit::One,
-        width: 1,
-        least: -1e3,
-        most: 1e3,
-        default,
-    }
-}
-
-const fn degrees(name: &'static str, does: &'static str, default: f64) -> Parameter {
-    Parameter {
-        unit: Unit::Degrees,
-        least: -360_000.0,
-        most: 360_000.0,
-        ..one(name, does, default)
-    }
-}
-
-const fn count(name: &'static str, does: &'static str, most: usize, default: f64) -> Parameter {
-    Parameter {
-        unit: Unit::Count,
-        least: 1.0,
-        most: most as f64,
-        ..one(name, does, default)
-    }
-}
-
-const FIRST: Parameter = count("first", "the first of the points", MAX_POINTS, 1.0);
-const LAST: Parameter = count("last", "the last of the points", MAX_POINTS, 2.0);
-const RANGE: &[Parameter] = &[FIRST, LAST];
-const SEEN: Parameter = Parameter {
-    unit: Unit::Switch,
-    least: 0.0,
-    most: 1.0,
-    ..one("with-targets", "what the cameras see goes along", 0.0)
-};
-const CHANGED: &[Parameter] = &[FIRST, LAST, SEEN];
-const AXIS: Parameter = Parameter::choice("axis", "the axis", AXES, 1);
-const ABOUT: Parameter = Parameter::choice(
-    "about",
-    "what stays where it is",
-    &["middle", "origin", "point", "target"],
-    0,
-);
-const PUT: &[Parameter] = &[Parameter::choice(
-    "put",
-    "as a new path, or behind the current point and how it is brought there",
-    &["new", "none", "move", "turn", "scale"],
-    0,
-)];
-
-const TOLERANCE: Parameter = Parameter {
-    unit: Unit::Length,
-    least: 1e-9,
-    most: MAX_COORDINATE,
-    ..one(
-        "tolerance",
-        "how far a position may be from what was given",
-        0.01,
-    )
-};
-
-const TOOLS: &[Tool] = &[
-    Tool {
-        name: "draw",
-        does: "makes a path of a line that is drawn in the space with the left button",
-        kind: Kind::Draw,
-        tables: [&[TOLERANCE], PUT],
-    },
-    Tool {
-        name: "move",
-        does: "moves points",
-        kind: Kind::Shift,
-        tables: [
-            &[Parameter {
-                width: 3,
-                unit: Unit::Length,
-                least: -MAX_COORDINATE,
-                most: MAX_COORDINATE,
-                ..one("by", "by how much", 0.0)
-            }],
-            CHANGED,
-        ],
-    },
-    Tool {
-        name: "turn",
-        does: "turns points about an axis",
-        kind: Kind::Turn,
-        tables: [
-            &[AXIS, degrees("angle", "by which angle", 90.0), ABOUT],
-            CHANGED,
-        ],
-    },
-    Tool {
-        name: "scale",
-        does: "scales points",
-        kind: Kind::Scale,
-        tables: [&[one("factor", "by which factor", 0.5), ABOUT], CHANGED],
-    },
-    Tool {
-        name: "mirror",
-        does: "mirrors points along an axis",
-        kind: Kind::Mirror,
-        tables: [
-            &[
-                Parameter {
-                    default: 0.0,
-                    ..AXIS
-                },
-                ABOUT,
-            ],
-            CHANGED,
-        ],
-    },
-    Tool {
-        name: "taper",
-        does: "makes one end of the points' box narrower",
-        kind: Kind::Deform("taper"),
-        tables: [
-            &[
-                AXIS,
-                one("r0", "how wide it is at one end", 1.0),
-                one("r1", "how wide it is at the other", 0.5),
-            ],
-            CHANGED,
-        ],
-    },
-    Tool {
-        name: "bulge",
-        does: "makes the middle of the points' box wider",
-        kind: Kind::Deform("taper"),
-        tables: [
-            &[AXIS, one("a", "how wide it is in the middle", 2.0)],
-            CHANGED,
-        ],
-    },
-    Tool {
-        name: "twist",
-        does: "twists the points' box about an axis",
-        kind: Kind::Deform("twist"),
-        tables: [&[AXIS, degrees("angle", "by which angle", 90.0)], CHANGED],
-    },
-    Tool {
-        name: "bend",
-        does: "bends the points' box along an axis",
-        kind: Kind::Deform("bend"),
-        tables: [&[AXIS, degrees("angle", "by which angle", 90.0)], CHANGED],
-    },
-    Tool {
-        name: "free-form",
-        does: "deforms the points' box by the squares in the space, which are dragged",
-        kind: Kind::Deform("free-form"),
-        tables: [
-            &[Parameter {
-                unit: Unit::Lattice,
-                width: 3 * LATTICE,
-                ..one(
-                    "lattice",
-                    "one of 4 × 4 × 4 squares, and where it is in the box",
-                    0.0,
-                )
-            }],
-            CHANGED,
-        ],
-    },
-    Tool {
-        name: "insert",
-        does: "puts a path from a file behind the current point",
-        kind: Kind::Insert,
-        tables: [
-            &[
-                Parameter::choice(
-                    "fit",
-                    "how it is brought there",
-                    &["none", "move", "turn", "scale"],
-                    1,
-                ),
-                Parameter {
-                    default: 1.0,
-                    ..SEEN
-                },
-            ],
-            &[],
-        ],
-    },
-    Tool {
-        name: "extract",
-        does: "writes points as a path of their own",
-        kind: Kind::Extract,
-        tables: [&[], RANGE],
-    },
-    Tool {
-        name: "blend",
-        does: "blends the path with another one from a file",
-        kind: Kind::Blend,
-        tables: [&[one("weight", "how much of the other path", 0.5)], &[]],
-    },
-    Tool {
-        name: "reverse",
-        does: "turns the way round",
-        kind: Kind::Reverse,
-        tables: [&[], &[]],
-    },
-    Tool {
-        name: "repeat",
-        does: "goes the way several times",
-        kind: Kind::Repeat,
-        tables: [&[count("times", "how often", 1000, 2.0)], &[]],
-    },
-    Tool {
-        name: "frames",
-        does: "brings points to a number of frames",
-        kind: Kind::Frames,
-        tables: [
-            &[count(
-                "frames",
-                "how many, the first and the last with them",
-                MAX_FRAMES,
-                250.0,
-            )],
-            RANGE,
-        ],
-    },
-    Tool {
-        name: "fit",
-        does: "makes a path of few points of recorded poses",
-        kind: Kind::Fit,
-        tables: [
-            &[
-                TOLERANCE,
-                Parameter {
-                    least: 1e-6,
-                    most: 180.0,
-                    ..degrees(
-                        "angle",
-                        "how far view, up and field of view may be from theirs",
-                        0.5,
-                    )
-                },
-            ],
-            &[],
-        ],
-    },
-];
 
 /// All tools, the moves first.
 pub fn tools() -> impl Iterator<Item = Tool> {
@@ -436,11 +188,7 @@ impl Tool {
         let half_size = document.path().space.half_size;
         Parameter::numbers(self.tables[0], first, half_size)?;
         Parameter::numbers(self.tables[1], second, half_size)?;
-        let given = Given {
-            tool: self,
-            numbers,
-            document,
-        };
+        let given = Given::new(self, document, numbers);
         let path = document.path();
         let block = |block: CameraPath, fit: f64, with_targets| Edit::InsertPath {
             at: document.selection().point,
@@ -455,7 +203,7 @@ impl Tool {
         Ok(Some(match (self.kind, material) {
             (Kind::Move(known), _) => {
                 let fps = document.info().fps;
-                put(known.path_with_speeds(first, path.space, fps, path.speeds)?)
+                put(known.path_with_base_frames(first, path.space, fps, path.base_frames)?)
             }
             (Kind::Draw, Material::Stroke(places)) => {
                 put(drawn(document, places, given.number("tolerance"))?)
@@ -504,7 +252,7 @@ impl Tool {
                 };
                 let (fps, seconds) = (document.info().fps, seconds.as_deref());
                 let mut made = fit(poses, seconds, fps, tolerance, &mut |_, _| true)?;
-                made.speeds = path.speeds;
+                made.base_frames = path.base_frames;
                 // The fit computes rolls for an upright y.
                 made.space = Space {
                     up: Up::Y,
@@ -523,11 +271,7 @@ impl Tool {
         let Kind::Deform(kind) = self.kind else {
             return None;
         };
-        let given = Given {
-            tool: self,
-            numbers,
-            document,
-        };
+        let given = Given::new(self, document, numbers);
         let own = numbers.get(..Parameter::count(self.tables[0]))?;
         let deformation = Deformation::new(kind, own).ok()?;
         let bounds = cage::bounds(kind, &given.places().ok()?);
@@ -539,11 +283,7 @@ impl Tool {
     /// # Errors
     /// `ErrorKind::Range` if there are no such points; `ErrorKind::Memory`.
     pub fn extracted(&self, document: &Document, numbers: &[f64]) -> Result<Document> {
-        let given = Given {
-            tool: self,
-            numbers,
-            document,
-        };
+        let given = Given::new(self, document, numbers);
         Document::from_parts(given.extracted()?, document.info().try_clone()?)
     }
 }
@@ -561,7 +301,15 @@ fn chosen(number: f64) -> usize {
     number as usize
 }
 
-impl Given<'_> {
+impl<'a> Given<'a> {
+    const fn new(tool: &'a Tool, document: &'a Document, numbers: &'a [f64]) -> Self {
+        Self {
+            tool,
+            numbers,
+            document,
+        }
+    }
+
     fn of(&self, name: &str) -> &[f64] {
         let start = self.tool.place_of(name);
         start.map_or(&[], |start| self.numbers.get(start..).unwrap_or_default())

@@ -11,10 +11,10 @@ use crate::limits;
 const SHARP: f64 = 0.866;
 
 /// More lines cannot be told apart and cost time.
-const MOST_LINES: usize = 30_000;
+const MAX_LINES: usize = 30_000;
 
 /// How many lines are shown of a mesh without edges, such as a ball.
-const OF_SMOOTH: usize = 3_000;
+const MAX_SMOOTH_LINES: usize = 3_000;
 
 impl Object {
     /// The lines of a mesh and the edges of its triangles, each once; its points if it has neither.
@@ -23,16 +23,13 @@ impl Object {
     /// As [`Mesh::check`]; `ErrorKind::Memory`; `Limit` for over [`limits::MAX_OBJECT_POINTS`].
     pub fn of_mesh(mesh: &Mesh) -> Result<Self> {
         mesh.check()?;
-        let mut edges = vec_with_room(3 * mesh.triangles.len())?;
-        for &[a, b, c] in &mesh.triangles {
-            edges.extend([[a, b], [b, c], [c, a]].map(|[a, b]| [a.min(b), a.max(b)]));
-        }
-        edges.sort_unstable();
-        edges.dedup();
-        if mesh.lines.is_empty() && edges.is_empty() {
+        let mut sides = sides(mesh)?;
+        sides.dedup_by_key(|(side, _)| *side);
+        if mesh.lines.is_empty() && sides.is_empty() {
             return of_lines(mesh, (0..).take(mesh.points.len()).map(|at| [at, at]));
         }
-        of_lines(mesh, mesh.lines.iter().chain(&edges).copied())
+        let edges = sides.iter().map(|(side, _)| side);
+        of_lines(mesh, mesh.lines.iter().chain(edges).copied())
     }
 
     /// The [`features`] of a mesh, few enough to be drawn at once.
@@ -40,7 +37,6 @@ impl Object {
     /// # Errors
     /// As [`Object::of_mesh`].
     pub fn features_of(mesh: &Mesh) -> Result<Self> {
-        mesh.check()?;
         of_lines(mesh, features(mesh)?)
     }
 }
@@ -78,18 +74,19 @@ fn of_lines(mesh: &Mesh, lines: impl IntoIterator<Item = [u32; 2]>) -> Result<Ob
 /// points as lines of length zero. Thinned evenly to some ten thousand.
 ///
 /// # Errors
-/// `ErrorKind::Memory`.
+/// As [`Mesh::check`]; `ErrorKind::Memory`.
 #[allow(clippy::cast_possible_truncation)]
 pub fn features(mesh: &Mesh) -> Result<Vec<[u32; 2]>> {
+    mesh.check()?;
     if mesh.lines.is_empty() && mesh.triangles.is_empty() {
-        let every = mesh.points.len().div_ceil(MOST_LINES).max(1);
+        let every = mesh.points.len().div_ceil(MAX_LINES).max(1);
         let chosen = (0..mesh.points.len() as u32).step_by(every);
         return Ok(chosen.map(|at| [at, at]).collect());
     }
     let mut all = edges(mesh)?;
     all.try_reserve(mesh.lines.len())?;
     all.extend(&mesh.lines);
-    Ok(thinned(all, MOST_LINES))
+    Ok(thinned(all, MAX_LINES))
 }
 
 fn thinned(all: Vec<[u32; 2]>, most: usize) -> Vec<[u32; 2]> {
@@ -100,6 +97,17 @@ fn thinned(all: Vec<[u32; 2]>, most: usize) -> Vec<[u32; 2]> {
     all.into_iter().step_by(every).collect()
 }
 
+/// The sides of the triangles, equal ones beside each other, and the triangle that each is of.
+fn sides(mesh: &Mesh) -> Result<Vec<([u32; 2], usize)>> {
+    let mut sides = vec_with_room(3 * mesh.triangles.len())?;
+    for (at, &[a, b, c]) in mesh.triangles.iter().enumerate() {
+        let side = |[a, b]: [u32; 2]| ([a.min(b), a.max(b)], at);
+        sides.extend([[a, b], [b, c], [c, a]].map(side));
+    }
+    sides.sort_unstable();
+    Ok(sides)
+}
+
 fn edges(mesh: &Mesh) -> Result<Vec<[u32; 2]>> {
     let place = |at: u32| mesh.points[at as usize];
     let normal = |&[a, b, c]: &[u32; 3]| {
@@ -108,12 +116,7 @@ fn edges(mesh: &Mesh) -> Result<Vec<[u32; 2]>> {
     };
     let mut normals = vec_with_room(mesh.triangles.len())?;
     normals.extend(mesh.triangles.iter().map(normal));
-    let mut sides: Vec<([u32; 2], usize)> = vec_with_room(3 * mesh.triangles.len())?;
-    for (at, &[a, b, c]) in mesh.triangles.iter().enumerate() {
-        let of_side = |[a, b]: [u32; 2]| ([a.min(b), a.max(b)], at);
-        sides.extend([[a, b], [b, c], [c, a]].map(of_side));
-    }
-    sides.sort_unstable();
+    let sides = sides(mesh)?;
     let groups = || sides.chunk_by(|a, b| a.0 == b.0);
     let sharp = |group: &&[([u32; 2], usize)]| match group {
         [(_, a), (_, b)] => {
@@ -128,7 +131,7 @@ fn edges(mesh: &Mesh) -> Result<Vec<[u32; 2]>> {
     let found: Vec<[u32; 2]> = found.filter(|&[a, b]| place(a) != place(b)).collect();
     if found.is_empty() {
         let all = groups().map(|group| group[0].0).collect();
-        return Ok(thinned(all, OF_SMOOTH));
+        return Ok(thinned(all, MAX_SMOOTH_LINES));
     }
     Ok(found)
 }
@@ -228,7 +231,22 @@ mod tests {
             ball.triangles.extend([[a, b, c], [b, d, c]]);
         }
         let found = features(&ball).unwrap().len();
-        assert!((OF_SMOOTH / 2..=OF_SMOOTH).contains(&found), "{found}");
+        assert!(
+            (MAX_SMOOTH_LINES / 2..=MAX_SMOOTH_LINES).contains(&found),
+            "{found}"
+        );
+    }
+
+    #[test]
+    fn a_mesh_whose_corners_are_missing_is_refused() {
+        for (lines, triangles) in [(vec![[0, 8]], vec![]), (vec![], vec![[0, 1, 8]])] {
+            let broken = Mesh {
+                lines,
+                triangles,
+                ..box_of(1.0)
+            };
+            assert!(features(&broken).is_err());
+        }
     }
 
     #[test]
@@ -238,7 +256,7 @@ mod tests {
             ..Mesh::default()
         };
         let found = features(&cloud).unwrap();
-        assert!((MOST_LINES / 2..=MOST_LINES).contains(&found.len()));
+        assert!((MAX_LINES / 2..=MAX_LINES).contains(&found.len()));
         assert!(found.iter().all(|[a, b]| a == b) && found.last().unwrap()[0] > 99_990);
         assert!(features(&Mesh::default()).unwrap().is_empty());
     }

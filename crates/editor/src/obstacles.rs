@@ -17,7 +17,7 @@ struct Prepared {
     /// Held so that no other object gets its address.
     object: Object,
     /// The number of the scene around the path.
-    around: Option<u64>,
+    scene: Option<u64>,
     tree: Option<Rc<Clearance>>,
 }
 
@@ -25,11 +25,11 @@ impl Editor {
     /// The tree over the objects; `None` if there are none.
     pub(crate) fn obstacles(&self) -> Result<Option<Rc<Clearance>>> {
         let object = &self.document.info().object;
-        let around = self.document.around().map(|around| around.number());
+        let scene = self.document.edited_scene().map(|edited| edited.number());
         let mut known = self.obstacles.0.borrow_mut();
         if let Some(old) = &*known
             && ptr::eq::<[_]>(&**object, &*old.object)
-            && old.around == around
+            && old.scene == scene
         {
             return Ok(old.tree.clone());
         }
@@ -38,7 +38,7 @@ impl Editor {
         let tree = mesh.as_ref().map(Clearance::new).transpose()?.map(Rc::new);
         *known = Some(Prepared {
             object: object.clone(),
-            around,
+            scene,
             tree: tree.clone(),
         });
         Ok(tree)

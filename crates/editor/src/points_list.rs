@@ -101,7 +101,7 @@ impl PointsList {
         let open = self.is_open(ui.ctx());
         let width = match open {
             // Nodes are indented, and have their kinds beside their names.
-            true if editor.document.around().is_some() => WIDTH[1],
+            true if editor.document.edited_scene().is_some() => WIDTH[1],
             true => (SHARE * whole).clamp(WIDTH[0], WIDTH[1]).floor(),
             false => FOLDED,
         };
@@ -118,7 +118,7 @@ impl PointsList {
                     return;
                 }
                 let edits_path = editor.document.edits_path();
-                if editor.document.around().is_some() {
+                if editor.document.edited_scene().is_some() {
                     let share = if edits_path { 0.4 } else { 1.0 };
                     let highest = ui.available_height() * share;
                     let frame = egui::Frame::new().inner_margin(egui::Margin::symmetric(6, 0));
@@ -157,8 +157,8 @@ impl PointsList {
         ui.painter()
             .add(Shape::convex_polygon(corners, color, Stroke::NONE));
         if open {
-            let around = editor.document.around();
-            let scene = around.map(|_| editor.texts().scene.title);
+            let edited = editor.document.edited_scene();
+            let scene = edited.map(|_| editor.texts().scene.title);
             title(ui, rect, scene.unwrap_or(texts.heading));
         }
         if response.on_hover_text(name).clicked() {

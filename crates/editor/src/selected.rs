@@ -47,7 +47,7 @@ impl Of {
         Self {
             current: document.selection().point,
             count: document.path().points.len(),
-            node: document.around().and_then(|around| around.node()),
+            node: document.edited_scene().and_then(|edited| edited.node()),
         }
     }
 }

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use crate::actions::Action;
-use crate::document::{Contents, Document, Edit};
+use crate::document::{Document, Edit, Fingerprint};
 use crate::error::{Error, Result};
 use crate::files::Folders;
 use crate::files::Then;
@@ -105,7 +105,7 @@ pub struct Editor {
     pub(super) hands_over: bool,
     pub(super) host_pane: Option<HostPane>,
     /// What the file contained when it was last read or written here, if there was one.
-    pub(super) known: Option<Contents>,
+    pub(super) known: Option<Fingerprint>,
     /// The file's time and length when it was last looked at.
     pub(super) written: Option<(std::time::SystemTime, u64)>,
     /// The state last handed over, where a hand-over saves.
@@ -152,7 +152,7 @@ impl Editor {
     /// # Errors
     /// `ErrorKind::Memory`.
     pub fn new(options: Options) -> Result<Self> {
-        let known = options.document.read_contents();
+        let known = options.document.fingerprint();
         let mut editor = Self {
             written: None,
             known: known.filter(|_| options.file.is_some()),

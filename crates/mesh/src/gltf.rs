@@ -15,16 +15,16 @@ const OBJECT: usize = 700;
 const VALUE: usize = 160;
 
 /// Limit on the memory of the parsed JSON.
-const MOST_JSON: usize = 512 << 20;
+const MAX_JSON: usize = 512 << 20;
 
 /// Limits on placed points, and on corners: so many, and so many per byte of the file.
-const PLACED: usize = 50_000;
-const FOR_A_BYTE: usize = 4;
+const ROOM: usize = 50_000;
+const ROOM_PER_BYTE: usize = 4;
 
-const MOST_PRIMITIVES: usize = 100_000;
+const MAX_PRIMITIVES: usize = 100_000;
 
 /// Maximum depth of the node tree.
-const DEPTH: usize = 256;
+const MAX_DEPTH: usize = 256;
 
 /// Component types of the format.
 const BYTE: u64 = 5121;
@@ -45,7 +45,7 @@ pub(super) fn read(
     go_on: &mut dyn FnMut(f64) -> bool,
 ) -> Result<Mesh> {
     let (json, chunk) = parts(bytes)?;
-    if weight(json) > MOST_JSON {
+    if weight(json) > MAX_JSON {
         return Err(Error::File(Problem::Long));
     }
     let document: Value = serde_json::from_slice(json).map_err(|_| FORMAT)?;
@@ -77,7 +77,7 @@ pub(super) fn read(
         document: &document,
         buffers: &buffers,
         mesh: Mesh::default(),
-        room: PLACED.saturating_add(all.saturating_mul(FOR_A_BYTE)),
+        room: ROOM.saturating_add(all.saturating_mul(ROOM_PER_BYTE)),
         corners: 0,
     };
     reader.scene(go_on)?;
@@ -86,9 +86,9 @@ pub(super) fn read(
 
 /// Approximate bytes of the parsed JSON.
 fn weight(json: &[u8]) -> usize {
-    json.iter().fold(2 * json.len(), |weight, sign| {
+    json.iter().fold(2 * json.len(), |weight, byte| {
         weight
-            + match sign {
+            + match byte {
                 b'{' => OBJECT,
                 b'[' | b',' | b':' => VALUE,
                 _ => 0,
@@ -159,6 +159,11 @@ fn index(value: &Value) -> Option<usize> {
     usize::try_from(value.as_u64()?).ok()
 }
 
+/// The element of a list that has this number.
+fn element<'a, T>(list: &'a [T], number: &Value) -> Result<&'a T> {
+    index(number).and_then(|at| list.get(at)).ok_or(INDICES)
+}
+
 fn numbers<const N: usize>(value: &Value) -> Option<[f64; N]> {
     let found = list(value);
     let mut numbers = [0.0; N];
@@ -182,11 +187,11 @@ fn of_uri(uri: &str, beside: Beside<'_>) -> Result<Vec<u8>> {
 fn unescaped(uri: &str) -> Option<String> {
     let mut bytes = Vec::new();
     let mut rest = uri.as_bytes();
-    while let Some((&sign, behind)) = rest.split_first() {
+    while let Some((&byte, behind)) = rest.split_first() {
         bytes.try_reserve(1).ok()?;
-        let two = behind.get(..2).filter(|_| sign == b'%');
+        let two = behind.get(..2).filter(|_| byte == b'%');
         let code = two.and_then(|two| u8::from_str_radix(str::from_utf8(two).ok()?, 16).ok());
-        bytes.push(code.unwrap_or(sign));
+        bytes.push(code.unwrap_or(byte));
         rest = if code.is_some() { &behind[2..] } else { behind };
     }
     String::from_utf8(bytes).ok()
@@ -194,14 +199,14 @@ fn unescaped(uri: &str) -> Option<String> {
 
 /// RFC 4648; none if invalid.
 fn base64(text: &str) -> Option<Vec<u8>> {
-    const SIGNS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    const ALPHABET: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let signs = text.trim_end_matches('=').as_bytes();
     let mut bytes = Vec::new();
     bytes.try_reserve_exact(signs.len() / 4 * 3 + 3).ok()?;
     for four in signs.chunks(4) {
         let mut word = 0_u32;
-        for &sign in four {
-            let value = SIGNS.iter().position(|known| *known == sign)?;
+        for &byte in four {
+            let value = ALPHABET.iter().position(|known| *known == byte)?;
             word = word << 6 | value as u32;
         }
         word <<= 6 * (4 - four.len());
@@ -275,19 +280,19 @@ impl<'a> Reader<'a> {
         let mut seen = Vec::new();
         seen.try_reserve_exact(nodes.len())?;
         seen.resize(nodes.len(), false);
-        let mut push = |waiting: &mut Vec<_>, node: &Value, place: DAffine3, depth: usize| {
+        let mut push = |waiting: &mut Vec<_>, node: &Value, transform: DAffine3, depth: usize| {
             let at = index(node).ok_or(INDICES)?;
             // Each node has at most one parent, so there are no cycles.
-            if depth > DEPTH || std::mem::replace(seen.get_mut(at).ok_or(INDICES)?, true) {
+            if depth > MAX_DEPTH || std::mem::replace(seen.get_mut(at).ok_or(INDICES)?, true) {
                 return Err(INDICES);
             }
             waiting.try_reserve(1)?;
-            waiting.push((at, place, depth));
+            waiting.push((at, transform, depth));
             Ok(())
         };
         let shown = match &document["scene"] {
             Value::Null => scenes.first(),
-            number => Some(index(number).and_then(|at| scenes.get(at)).ok_or(INDICES)?),
+            number => Some(element(scenes, number)?),
         };
         if let Some(scene) = shown {
             for node in list(&scene["nodes"]).iter().rev() {
@@ -305,32 +310,31 @@ impl<'a> Reader<'a> {
             }
         }
         let (mut done, mut placed) = (0, 0);
-        while let Some((at, place, depth)) = waiting.pop() {
+        while let Some((at, transform, depth)) = waiting.pop() {
             if !go_on(done as f64 / nodes.len() as f64) {
                 return Err(Error::Stopped);
             }
             done += 1;
             let node = &nodes[at];
-            let place = place * own_place(node)?;
+            let transform = transform * local_transform(node)?;
             if let Some(mesh) = node.get("mesh") {
-                let meshes = list(&document["meshes"]);
-                let mesh = index(mesh).and_then(|at| meshes.get(at)).ok_or(INDICES)?;
+                let mesh = element(list(&document["meshes"]), mesh)?;
                 for primitive in list(&mesh["primitives"]) {
                     placed += 1;
-                    if placed > MOST_PRIMITIVES {
+                    if placed > MAX_PRIMITIVES {
                         return Err(Error::File(Problem::Long));
                     }
-                    self.primitive(primitive, &place)?;
+                    self.primitive(primitive, &transform)?;
                 }
             }
             for child in list(&node["children"]).iter().rev() {
-                push(&mut waiting, child, place, depth + 1)?;
+                push(&mut waiting, child, transform, depth + 1)?;
             }
         }
         Ok(())
     }
 
-    fn primitive(&mut self, primitive: &Value, place: &DAffine3) -> Result<()> {
+    fn primitive(&mut self, primitive: &Value, transform: &DAffine3) -> Result<()> {
         let attributes = &primitive["attributes"];
         let Some(positions) = attributes.get("POSITION") else {
             return Ok(());
@@ -359,7 +363,7 @@ impl<'a> Reader<'a> {
         self.mesh.points.try_reserve(positions.count)?;
         self.mesh.points.extend((0..positions.count).map(|at| {
             let point = [0, 1, 2].map(|part| positions.number(at, part));
-            place.transform_point3(DVec3::from_array(point))
+            transform.transform_point3(DVec3::from_array(point))
         }));
         let corners = match primitive.get("indices") {
             None => None,
@@ -381,7 +385,7 @@ impl<'a> Reader<'a> {
                 .ok_or(INDICES)
         };
         // Mirrored triangles are reversed, or they would face inwards.
-        let turned = place.matrix3.determinant() < 0.0;
+        let turned = transform.matrix3.determinant() < 0.0;
         let lines = &mut self.mesh.lines;
         let mut line = |from: usize, to: usize| -> Result<()> {
             lines.try_reserve(1)?;
@@ -412,10 +416,7 @@ impl<'a> Reader<'a> {
 
     /// The elements of an accessor, `width` numbers each (0: three or four).
     fn accessor(&self, number: &Value, width: usize, components: &[u64]) -> Result<Accessor<'a>> {
-        let accessors = list(&self.document["accessors"]);
-        let accessor = index(number)
-            .and_then(|at| accessors.get(at))
-            .ok_or(INDICES)?;
+        let accessor = element(list(&self.document["accessors"]), number)?;
         let found = match accessor["type"].as_str() {
             Some("SCALAR") => 1,
             Some("VEC3") => 3,
@@ -427,13 +428,8 @@ impl<'a> Reader<'a> {
         if !fits || !components.contains(&component) || accessor.get("sparse").is_some() {
             return Err(FORMAT);
         }
-        let views = list(&self.document["bufferViews"]);
-        let view = index(&accessor["bufferView"])
-            .and_then(|at| views.get(at))
-            .ok_or(INDICES)?;
-        let buffer = index(&view["buffer"])
-            .and_then(|at| self.buffers.get(at))
-            .ok_or(INDICES)?;
+        let view = element(list(&self.document["bufferViews"]), &accessor["bufferView"])?;
+        let buffer = element(self.buffers, &view["buffer"])?;
         let offset = |value: &Value| match value {
             Value::Null => Ok(0),
             value => index(value).ok_or(FORMAT),
@@ -464,7 +460,7 @@ impl<'a> Reader<'a> {
 }
 
 /// Transform of a node relative to its parent.
-fn own_place(node: &Value) -> Result<DAffine3> {
+fn local_transform(node: &Value) -> Result<DAffine3> {
     if let Some(matrix) = node.get("matrix") {
         let matrix = numbers::<16>(matrix).ok_or(FORMAT)?;
         return Ok(DAffine3::from_mat4(DMat4::from_cols_array(&matrix)));
@@ -475,7 +471,7 @@ fn own_place(node: &Value) -> Result<DAffine3> {
     };
     let rotation = match node.get("rotation") {
         None => Some(DQuat::IDENTITY),
-        Some(value) => numbers::<4>(value).map(|[x, y, z, w]| DQuat::from_xyzw(x, y, z, w)),
+        Some(value) => numbers(value).map(DQuat::from_array),
     };
     let (Some(at), Some(rotation), Some(scale)) = (
         part("translation", DVec3::ZERO),

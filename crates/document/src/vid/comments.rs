@@ -64,6 +64,40 @@ impl Comment {
     }
 }
 
+/// Shifts what is attached to a point for inserted ones, or restores what `removal`, unless 0,
+/// parked.
+pub(crate) const fn insert_points(
+    point: &mut usize,
+    parked: &mut u64,
+    at: usize,
+    count: usize,
+    removal: u64,
+) {
+    if *parked == 0 && *point >= at {
+        *point += count;
+    } else if *parked == removal && removal != 0 {
+        *parked = 0;
+        *point += at;
+    }
+}
+
+/// Shifts what is attached to a point for removed ones, or parks it.
+pub(crate) const fn remove_points(
+    point: &mut usize,
+    parked: &mut u64,
+    at: usize,
+    count: usize,
+    removal: u64,
+) {
+    if *parked != 0 || *point < at {
+    } else if *point >= at + count {
+        *point -= count;
+    } else {
+        *parked = removal;
+        *point -= at;
+    }
+}
+
 /// A file's comments, in the order of their places.
 #[derive(Debug, Default)]
 pub(crate) struct Comments {
@@ -113,12 +147,7 @@ impl Comments {
     pub(crate) fn insert_points(&mut self, at: usize, count: usize, removal: u64) {
         for comment in &mut self.all {
             if let Table::Point(point, _) = &mut comment.table {
-                if comment.parked == 0 && *point >= at {
-                    *point += count;
-                } else if comment.parked == removal && removal != 0 {
-                    comment.parked = 0;
-                    *point += at;
-                }
+                insert_points(point, &mut comment.parked, at, count, removal);
             }
         }
     }
@@ -126,14 +155,9 @@ impl Comments {
     /// Parks the comments of removed points; returns the number of the removal.
     pub(crate) fn remove_points(&mut self, at: usize, count: usize) -> u64 {
         self.removals += 1;
-        for comment in self.all.iter_mut().filter(|comment| comment.parked == 0) {
+        for comment in &mut self.all {
             if let Table::Point(point, _) = &mut comment.table {
-                if *point >= at + count {
-                    *point -= count;
-                } else if *point >= at {
-                    comment.parked = self.removals;
-                    *point -= at;
-                }
+                remove_points(point, &mut comment.parked, at, count, self.removals);
             }
         }
         self.removals

@@ -84,7 +84,7 @@ impl<'a> Field<'a> {
     }
 
     /// Its byte offset in the file.
-    pub fn place(&self) -> usize {
+    pub fn offset(&self) -> usize {
         self.source.start + self.offset
     }
 
@@ -188,6 +188,18 @@ impl<'a> Field<'a> {
             DeValue::String(text) => Ok(text),
             _ => Err(self.mismatch(Value::TextInQuotes)),
         }
+    }
+
+    /// The value that one of these names stands for.
+    pub fn one_of<T, const N: usize>(
+        &self,
+        names: &'static [&'static str; N],
+        values: [T; N],
+    ) -> Result<T> {
+        let name = self.text()?;
+        let mut known = names.iter().zip(values);
+        let found = known.find_map(|(known, value)| (*known == name).then_some(value));
+        found.ok_or_else(|| self.error(Malformed::OneOf(names)))
     }
 
     /// The fields of a table.

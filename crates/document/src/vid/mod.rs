@@ -39,16 +39,14 @@ mod scene_write;
 mod weight;
 mod write;
 
-use std::fs::OpenOptions;
 use std::io::Read;
-use std::os::unix::fs::OpenOptionsExt;
 use std::path::Path;
 
-use super::NotAFile;
+use super::not_a_file::open;
 use crate::error::{EngineError, Error, Malformed, Result, can_allocate, vec_with_room};
 use crate::limits::MAX_FILE_BYTES;
 
-pub(super) use comments::Comments;
+pub(super) use comments::{Comments, insert_points, remove_points};
 pub(super) use read::{from_toml, scene_from_toml, shown_from_toml};
 pub(super) use scene_write::{alone, scene_to_toml};
 pub(super) use write::to_toml;
@@ -59,10 +57,21 @@ const VERSION: i64 = 1;
 /// For names, messages and the like: the standard library aborts if it cannot allocate them.
 const ROOM: usize = 32 << 10;
 
-/// The text from a reader, to its end.
-pub(super) fn read_from(reader: &mut dyn Read, name: &str) -> Result<String> {
+/// What `parse` makes of the text of a file; all errors name it.
+pub(super) fn load<T>(file: &Path, parse: impl FnOnce(&str) -> Result<T>) -> Result<T> {
+    let text = read_text(file, MAX_FILE_BYTES)?;
+    parse(&text).map_err(|error| error.at(file.display()))
+}
+
+/// The same of a reader, to its end, which errors call `name`.
+pub(super) fn load_from<T>(
+    reader: &mut dyn Read,
+    name: &str,
+    parse: impl FnOnce(&str) -> Result<T>,
+) -> Result<T> {
     read_all(reader, name, 0, MAX_FILE_BYTES)
         .and_then(text_of)
+        .and_then(|text| parse(&text))
         .map_err(|error| error.at(name))
 }
 
@@ -84,19 +93,13 @@ pub(crate) fn read_bytes(file: &Path, most: u64) -> Result<Vec<u8>> {
         place: file.display().to_string(),
         source,
     };
-    // Without O_NONBLOCK, opening a pipe without a writer would block forever.
-    let mut opened = OpenOptions::new()
-        .read(true)
-        .custom_flags(libc::O_NONBLOCK | libc::O_NOCTTY)
-        .open(file)
-        .map_err(io)?;
-    let metadata = opened.metadata().map_err(io)?;
-    NotAFile::refuse(&metadata).map_err(io)?;
-    if metadata.len() > most {
+    let mut opened = open(file).map_err(io)?;
+    let size = opened.metadata().map_err(io)?.len();
+    if size > most {
         return Err(too_large(most));
     }
     // One byte more, so that reading to the end does not grow it.
-    let room = usize::try_from(metadata.len()).map_err(|_| EngineError::Memory)? + 1;
+    let room = usize::try_from(size).map_err(|_| EngineError::Memory)? + 1;
     read_all(&mut opened, &place, room, most)
 }
 

@@ -6,7 +6,6 @@ use std::sync::Arc;
 use glam::{DQuat, DVec3};
 
 use super::field::Field;
-use super::write::{Vector, list};
 use crate::error::{Malformed, Result, TooMany, vec_with_room};
 use crate::limits;
 use crate::path::Space;
@@ -131,12 +130,10 @@ fn up(field: Field<'_>, so_far: &mut SoFar) -> Result<UpVector> {
                 None => Err(field.error(Malformed::NoUpPath)),
             }
         }
-        _ => match field.text()? {
-            "axis" => Ok(UpVector::Axis),
-            "minimal" => Ok(UpVector::Minimal),
-            "frenet" => Ok(UpVector::Frenet),
-            _ => Err(field.error(Malformed::OneOf(&["axis", "minimal", "frenet"]))),
-        },
+        _ => {
+            let ups = [UpVector::Axis, UpVector::Minimal, UpVector::Frenet];
+            field.one_of(&["axis", "minimal", "frenet"], ups)
+        }
     }
 }
 
@@ -214,11 +211,8 @@ fn ease(table: Field<'_>) -> Result<Ease> {
     for field in table.fields()? {
         match field.key {
             "kind" => {
-                ease.kind = match field.text()? {
-                    "sine" => EaseKind::Sine,
-                    "parabolic" => EaseKind::Parabolic,
-                    _ => return Err(field.error(Malformed::OneOf(&["sine", "parabolic"]))),
-                }
+                let kinds = [EaseKind::Sine, EaseKind::Parabolic];
+                ease.kind = field.one_of(&["sine", "parabolic"], kinds)?;
             }
             "rise" => ease.rise = field.number()?,
             "fall" => ease.fall = field.number()?,
@@ -304,8 +298,11 @@ fn pace_part(table: Field<'_>) -> Result<PacePart> {
 }
 
 pub(super) fn write_tangents(out: &mut impl Write, tangents: &Tangents) -> fmt::Result {
-    let (before, after) = (Vector(tangents.before), Vector(tangents.after));
-    writeln!(out, "tangents = {{ before = {before}, after = {after} }}")
+    let [before, after] = [tangents.before, tangents.after].map(|v| v.to_array());
+    writeln!(
+        out,
+        "tangents = {{ before = {before:?}, after = {after:?} }}"
+    )
 }
 
 /// The up paths written so far, by number.
@@ -314,7 +311,7 @@ pub(super) type UpPaths<'a> = [Option<&'a UpVector>; limits::MAX_UP_PATHS];
 fn write_up<'a>(out: &mut impl Write, up: &'a UpVector, written: &mut UpPaths<'a>) -> fmt::Result {
     match up {
         UpVector::Axis => Ok(()),
-        UpVector::Point(place) => writeln!(out, "up_point = {}", Vector(*place)),
+        UpVector::Point(place) => writeln!(out, "up_point = {:?}", place.to_array()),
         UpVector::Path(path) => {
             let same = |known: &Option<&UpVector>| known.is_none_or(|known| known == up);
             let place = written.iter().position(same).unwrap_or(0);
@@ -323,9 +320,9 @@ fn write_up<'a>(out: &mut impl Write, up: &'a UpVector, written: &mut UpPaths<'a
             }
             write!(out, "up_path = ")?;
             for (k, point) in path.points().iter().enumerate() {
-                out.write_str(if k == 0 { "[" } else { ", " })?;
                 let numbers = [point.position, point.before, point.after].map(|v| v.to_array());
-                list(out, numbers.as_flattened())?;
+                let separator = if k == 0 { "[" } else { ", " };
+                write!(out, "{separator}{:?}", numbers.as_flattened())?;
             }
             writeln!(out, "]")
         }
@@ -358,10 +355,7 @@ pub(super) fn write<'a>(
             write_ease(out, ease)?;
             writeln!(out)?;
         }
-        Pace::Distance(keys) => {
-            write_distance(out, keys)?;
-            writeln!(out)?;
-        }
+        Pace::Distance(keys) => writeln!(out, "distance = {keys:?}")?,
         Pace::Part(part) => {
             write!(
                 out,
@@ -374,8 +368,7 @@ pub(super) fn write<'a>(
                     before,
                     after,
                 } => {
-                    write!(out, "speed_curve = ")?;
-                    list(out, speeds)?;
+                    write!(out, "speed_curve = {speeds:?}")?;
                     if let Some(before) = before {
                         write!(out, ", facing_before = {before:?}")?;
                     }
@@ -384,28 +377,24 @@ pub(super) fn write<'a>(
                     }
                 }
                 Whole::Ease(ease) => write_ease(out, ease)?,
-                Whole::Distance(keys) => write_distance(out, keys)?,
+                Whole::Distance(keys) => write!(out, "distance = {keys:?}")?,
             }
             writeln!(out, " }}")?;
         }
     }
     if let Some(Velocities { reach, leave }) = own.velocities {
-        let (reach, leave) = (Vector(reach), Vector(leave));
+        let [reach, leave] = [reach, leave].map(|v| v.to_array());
         writeln!(
             out,
-            "velocity_degrees = {{ reach = {reach}, leave = {leave} }}"
+            "velocity_degrees = {{ reach = {reach:?}, leave = {leave:?} }}"
         )?;
     }
     if let Some(TurningPart { control, from, to }) = own.turning {
-        write!(
+        let control = control.map(|q| [q.w, q.x, q.y, q.z]);
+        writeln!(
             out,
-            "turning_part = {{ from = {from:?}, to = {to:?}, control = "
+            "turning_part = {{ from = {from:?}, to = {to:?}, control = {control:?} }}"
         )?;
-        for (k, q) in control.iter().enumerate() {
-            out.write_str(if k == 0 { "[" } else { ", " })?;
-            list(out, &[q.w, q.x, q.y, q.z])?;
-        }
-        writeln!(out, "] }}")?;
     }
     if let Some(slope) = own.roll_slope {
         writeln!(out, "roll_slope_degrees = {slope:?}")?;
@@ -428,13 +417,4 @@ fn write_ease(out: &mut impl Write, ease: &Ease) -> fmt::Result {
         out,
         "ease = {{ kind = \"{kind}\", rise = {rise:?}, fall = {fall:?}, cruise = {cruise:?} }}"
     )
-}
-
-fn write_distance(out: &mut impl Write, keys: &[[f64; 2]]) -> fmt::Result {
-    write!(out, "distance = ")?;
-    for (k, key) in keys.iter().enumerate() {
-        out.write_str(if k == 0 { "[" } else { ", " })?;
-        list(out, key)?;
-    }
-    out.write_str("]")
 }

@@ -16,7 +16,7 @@ use crate::path::camera_path::{
     check_base_speed, check_curve_speed, check_hold, check_name, check_shape, check_zoom,
 };
 use crate::path::{
-    BaseSpeeds, CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, Space,
+    BaseFrames, CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, Space,
     SupportPoint, Target, Tcb, Up, ZoomMode, space,
 };
 use vides_engine::scene::Scene;
@@ -187,19 +187,15 @@ impl Reader {
                     let first = field.integer_in(i32::MIN.into(), i32::MAX.into())?;
                     info.first_frame = first as i32;
                 }
-                "closed" => path.closed = field.boolean()?,
-                "curve" => path.curve = curve_kind(field)?,
-                "orientation_mode" => path.orientation_mode = orientation_mode(field)?,
-                "zoom_mode" => path.zoom_mode = zoom_mode(field)?,
-                "base_speeds" => path.speeds = base_speeds(field)?,
-                "presets" => presets(field, &mut path.presets)?,
                 "check" => info.limits = limits_of_checks(field)?,
                 "object" => info.object = object(field, path.space)?,
                 "point" => points(field, &mut path.points, &mut self.so_far, path.space)?,
                 "marker" => self.scene.markers(field)?,
                 "node" => self.scene.nodes(field, &mut self.so_far, path.space)?,
                 // Version and space are already read.
-                _ => {}
+                _ => {
+                    read_setting(field, path)?;
+                }
             }
         }
         Ok(())
@@ -230,34 +226,32 @@ pub(super) fn one_line(field: Field<'_>) -> Result<String> {
     Ok(line.to_owned())
 }
 
-pub(super) fn curve_kind(field: Field<'_>) -> Result<CurveKind> {
-    match field.text()? {
-        "tcb" => Ok(CurveKind::Tcb),
-        "cubic" => Ok(CurveKind::Cubic),
-        "linear" => Ok(CurveKind::Linear),
-        _ => Err(field.error(Malformed::OneOf(&["tcb", "cubic", "linear"]))),
+/// Reads what holds for a whole path; false if the key is of something else.
+pub(super) fn read_setting(field: Field<'_>, path: &mut CameraPath) -> Result<bool> {
+    match field.key {
+        "closed" => path.closed = field.boolean()?,
+        "curve" => {
+            let kinds = [CurveKind::Tcb, CurveKind::Cubic, CurveKind::Linear];
+            path.curve = field.one_of(&["tcb", "cubic", "linear"], kinds)?;
+        }
+        "orientation_mode" => {
+            use OrientationMode::{BarryGoldman, Slerp, Tcb};
+            let modes = [Tcb, BarryGoldman, Slerp];
+            path.orientation_mode = field.one_of(&["tcb", "barry-goldman", "slerp"], modes)?;
+        }
+        "zoom_mode" => {
+            let modes = [ZoomMode::Smooth, ZoomMode::Linear];
+            path.zoom_mode = field.one_of(&["smooth", "linear"], modes)?;
+        }
+        "base_speeds" => path.base_frames = base_speeds(field)?,
+        "presets" => presets(field, &mut path.presets)?,
+        _ => return Ok(false),
     }
+    Ok(true)
 }
 
-pub(super) fn orientation_mode(field: Field<'_>) -> Result<OrientationMode> {
-    match field.text()? {
-        "tcb" => Ok(OrientationMode::Tcb),
-        "barry-goldman" => Ok(OrientationMode::BarryGoldman),
-        "slerp" => Ok(OrientationMode::Slerp),
-        _ => Err(field.error(Malformed::OneOf(&["tcb", "barry-goldman", "slerp"]))),
-    }
-}
-
-pub(super) fn zoom_mode(field: Field<'_>) -> Result<ZoomMode> {
-    match field.text()? {
-        "smooth" => Ok(ZoomMode::Smooth),
-        "linear" => Ok(ZoomMode::Linear),
-        _ => Err(field.error(Malformed::OneOf(&["smooth", "linear"]))),
-    }
-}
-
-pub(super) fn base_speeds(table: Field<'_>) -> Result<BaseSpeeds> {
-    let mut speeds = BaseSpeeds::default();
+fn base_speeds(table: Field<'_>) -> Result<BaseFrames> {
+    let mut speeds = BaseFrames::default();
     for field in table.fields()? {
         let speed = match field.key {
             "move_frames" => &mut speeds.movement,
@@ -279,7 +273,7 @@ pub(super) fn base_speeds(table: Field<'_>) -> Result<BaseSpeeds> {
     Ok(speeds)
 }
 
-pub(super) fn presets(table: Field<'_>, presets: &mut [Tcb; limits::PRESETS]) -> Result<()> {
+fn presets(table: Field<'_>, presets: &mut [Tcb; limits::PRESETS]) -> Result<()> {
     for field in table.fields()? {
         // Exactly one digit: 01 and +1 are not other names of 1.
         let preset = match field.key.as_bytes() {
@@ -319,13 +313,7 @@ pub(super) fn space(
                 space.half_size = field.number()?;
                 field.checked(space::check_half_size(space.half_size))?;
             }
-            ("up", _) => {
-                space.up = match field.text()? {
-                    "y" => Up::Y,
-                    "z" => Up::Z,
-                    _ => return Err(field.error(Malformed::OneOf(&["y", "z"]))),
-                }
-            }
+            ("up", _) => space.up = field.one_of(&["y", "z"], [Up::Y, Up::Z])?,
             ("unit", Some(unit)) => **unit = one_line(field)?,
             ("scale" | "origin", _) => {
                 return Err(field.error(Malformed::Space));

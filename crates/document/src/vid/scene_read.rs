@@ -5,9 +5,7 @@ use glam::{DQuat, DVec3};
 use super::field::{Field, Source, at_line};
 use super::mesh_source;
 use super::own::SoFar;
-use super::read::{
-    base_speeds, curve_kind, one_line, orientation_mode, points, presets, space, zoom_mode,
-};
+use super::read::{one_line, points, read_setting, space};
 use crate::error::{EngineError, Error, Invalid, Malformed, Place, Result, TooMany, vec_with_room};
 use crate::limits;
 use crate::path::{CameraPath, Space};
@@ -31,13 +29,19 @@ type Named = (usize, String);
 
 /// A node whose links are not resolved yet.
 struct Draft {
-    place: usize,
     node: Node,
+    parent: Option<Named>,
+    aim: Option<Named>,
+    rest: Rest,
+}
+
+/// What is added to a node in its scene, each with its byte offset.
+#[derive(Default)]
+struct Rest {
+    offset: usize,
     shapes: Vec<(usize, Shape)>,
     weights: Option<(usize, Vec<f64>)>,
     tracks: Vec<(usize, Track)>,
-    parent: Option<Named>,
-    aim: Option<Named>,
     pins: Vec<(usize, usize, String)>,
 }
 
@@ -73,7 +77,7 @@ impl Drafts {
             if self.markers.len() >= limits::MAX_MARKERS {
                 return Err(table.error(TooMany::Markers));
             }
-            self.markers.push((table.place(), name, frame));
+            self.markers.push((table.offset(), name, frame));
         }
         Ok(())
     }
@@ -98,19 +102,19 @@ impl Drafts {
 
     pub(super) fn finish(mut self, text: &str) -> Result<Scene> {
         let source = Source { text, start: 0 };
-        let placed = |place, error| placed(source.line(place), error);
+        let placed = |offset, error| placed(source.line(offset), error);
         let drafts = std::mem::take(&mut self.nodes);
         let mut numbers: Vec<usize> = vec_with_room(drafts.len())?;
         numbers.extend(0..drafts.len());
         numbers.sort_by(|&a, &b| drafts[a].node.name.cmp(&drafts[b].node.name));
         let find = |named: &Option<Named>, what: Place| {
-            let Some((place, name)) = named else {
+            let Some((offset, name)) = named else {
                 return Ok(None);
             };
             let found = numbers.binary_search_by(|&at| drafts[at].node.name.cmp(name));
             found.map(|at| Some(numbers[at])).map_err(|_| {
                 let missing = EngineError::from(Invalid::NoNodeNamed(name.into()));
-                source.complain(*place, missing.at(what))
+                source.complain(*offset, missing.at(what))
             })
         };
         let mut links = vec_with_room(drafts.len())?;
@@ -126,56 +130,51 @@ impl Drafts {
             draft.node.parent = parent;
             draft.node.aim = aim;
             nodes.push(draft.node);
-            rests.push((
-                draft.place,
-                draft.shapes,
-                draft.weights,
-                draft.tracks,
-                draft.pins,
-            ));
+            rests.push(draft.rest);
         }
-        let mut scene = Scene::from_nodes(nodes)
-            .map_err(|(node, error)| placed(rests.get(node).map_or(0, |rest| rest.0), error))?;
+        let mut scene = Scene::from_nodes(nodes).map_err(|(node, error)| {
+            placed(rests.get(node).map_or(0, |rest| rest.offset), error)
+        })?;
         let mut pins = Vec::new();
-        for (node, (_, shapes, weights, tracks, own_pins)) in rests.into_iter().enumerate() {
-            for (place, shape) in shapes {
+        for (node, rest) in rests.into_iter().enumerate() {
+            for (offset, shape) in rest.shapes {
                 scene
                     .add_shape(node, shape)
-                    .map_err(|e| placed(place, at_node(&scene, node, e)))?;
+                    .map_err(|e| placed(offset, at_node(&scene, node, e)))?;
             }
-            if let Some((place, weights)) = weights {
+            if let Some((offset, weights)) = rest.weights {
                 scene
                     .set_weights(node, &weights)
-                    .map_err(|e| placed(place, at_node(&scene, node, e)))?;
+                    .map_err(|e| placed(offset, at_node(&scene, node, e)))?;
             }
-            for (place, track) in tracks {
+            for (offset, track) in rest.tracks {
                 let channel = Place::Channel(track.channel().into());
                 let set = match scene.nodes()[node].keys().track(track.channel()) {
                     Some(_) => Err(Invalid::GivenTwice.into()),
                     None => scene.set_track(node, track),
                 };
-                set.map_err(|e| placed(place, at_node(&scene, node, e.at(channel))))?;
+                set.map_err(|e| placed(offset, at_node(&scene, node, e.at(channel))))?;
             }
-            pins.extend(own_pins.into_iter().map(|pin| (node, pin)));
+            pins.extend(rest.pins.into_iter().map(|pin| (node, pin)));
         }
         let mut scene = self.mark(scene, text)?;
-        for (node, (place, point, marker)) in pins {
+        for (node, (offset, point, marker)) in pins {
             scene
                 .pin(node, point, Some(&marker))
-                .map_err(|e| placed(place, at_node(&scene, node, e)))?;
+                .map_err(|e| placed(offset, at_node(&scene, node, e)))?;
         }
         Ok(scene)
     }
 
     pub(super) fn mark(self, mut scene: Scene, text: &str) -> Result<Scene> {
         let source = Source { text, start: 0 };
-        for (place, name, frame) in self.markers {
+        for (offset, name, frame) in self.markers {
             if scene.markers().iter().any(|marker| marker.name == name) {
-                return Err(source.complain(place, Malformed::MarkerTwice((&name).into())));
+                return Err(source.complain(offset, Malformed::MarkerTwice((&name).into())));
             }
             scene
                 .set_marker(&name, frame)
-                .map_err(|e| placed(source.line(place), e))?;
+                .map_err(|e| placed(source.line(offset), e))?;
         }
         Ok(scene)
     }
@@ -225,22 +224,21 @@ fn draft(table: Field<'_>, so_far: &mut SoFar, space: Space) -> Result<Draft> {
     };
     let name = node_name(name)?;
     let mut draft = Draft {
-        place: table.place(),
         node: Node::new(&name, kind(table)?),
-        shapes: Vec::new(),
-        weights: None,
-        tracks: Vec::new(),
         parent: None,
         aim: None,
-        pins: Vec::new(),
+        rest: Rest {
+            offset: table.offset(),
+            ..Rest::default()
+        },
     };
-    let node = &mut draft.node;
+    let (node, added) = (&mut draft.node, &mut draft.rest);
     for field in table.fields()? {
         let rest = &mut node.rest;
         match field.key {
             "name" | "kind" => {}
-            "parent" => draft.parent = Some((field.place(), field.text()?.to_owned())),
-            "aim" => draft.aim = Some((field.place(), field.text()?.to_owned())),
+            "parent" => draft.parent = Some((field.offset(), field.text()?.to_owned())),
+            "aim" => draft.aim = Some((field.offset(), field.text()?.to_owned())),
             "pivot" => node.pivot = field.vector()?,
             "position" => rest.position = field.vector()?,
             "rotation" => {
@@ -270,7 +268,8 @@ fn draft(table: Field<'_>, so_far: &mut SoFar, space: Space) -> Result<Draft> {
                 let Kind::Light(light) = &mut node.kind else {
                     return Err(misplaced(&field, &node.kind));
                 };
-                *light = light_kind(field)?;
+                let kinds = [Light::Directional, Light::Point, Light::Spot];
+                *light = field.one_of(&["directional", "point", "spot"], kinds)?;
             }
             "mesh" => {
                 let (source, mesh) = mesh(field)?;
@@ -291,17 +290,19 @@ fn draft(table: Field<'_>, so_far: &mut SoFar, space: Space) -> Result<Draft> {
             }
             "shape" => {
                 for element in field.elements()? {
-                    draft.shapes.push((element.place(), shape(element)?));
+                    added.shapes.push((element.offset(), shape(element)?));
                 }
             }
-            "weights" => draft.weights = Some((field.place(), numbers(field, None)?)),
+            "weights" => added.weights = Some((field.offset(), numbers(field, None)?)),
             "path" => {
-                let path = path(field, so_far, &mut draft.pins, space)?;
+                let path = path(field, so_far, &mut added.pins, space)?;
                 field.checked(node.set_path(Some(path)))?;
             }
             "track" => {
                 for element in field.elements()? {
-                    draft.tracks.push((element.place(), track(element, &name)?));
+                    added
+                        .tracks
+                        .push((element.offset(), track(element, &name)?));
                 }
             }
             _ => return Err(field.unknown(&KEYS)),
@@ -321,21 +322,13 @@ fn kind(table: Field<'_>) -> Result<Kind> {
     let Some(field) = table.find("kind")? else {
         return Err(table.error(Malformed::NoKind));
     };
-    match field.text()? {
-        "group" => Ok(Kind::Group),
-        "object" => Ok(Kind::Object(Object::default())),
-        "light" => Ok(Kind::Light(Light::default())),
-        "camera" => Ok(Kind::Camera(Camera::default())),
-        _ => Err(field.error(Malformed::OneOf(&["group", "object", "light", "camera"]))),
-    }
-}
-
-fn light_kind(field: Field<'_>) -> Result<Light> {
-    let name = field.text()?;
-    [Light::Directional, Light::Point, Light::Spot]
-        .into_iter()
-        .find(|light| light.name() == name)
-        .ok_or_else(|| field.error(Malformed::OneOf(&["directional", "point", "spot"])))
+    let kinds = [
+        Kind::Group,
+        Kind::Object(Object::default()),
+        Kind::Light(Light::default()),
+        Kind::Camera(Camera::default()),
+    ];
+    field.one_of(&["group", "object", "light", "camera"], kinds)
 }
 
 fn beyond(field: Field<'_>) -> Result<Extrapolation> {
@@ -509,12 +502,6 @@ fn path(
         match field.key {
             "start_frame" => start = field.number()?,
             "beyond" => after = beyond(field)?,
-            "closed" => path.closed = field.boolean()?,
-            "curve" => path.curve = curve_kind(field)?,
-            "orientation_mode" => path.orientation_mode = orientation_mode(field)?,
-            "zoom_mode" => path.zoom_mode = zoom_mode(field)?,
-            "base_speeds" => path.speeds = base_speeds(field)?,
-            "presets" => presets(field, &mut path.presets)?,
             "point" => points(field, &mut path.points, so_far, path.space)?,
             "space" => {}
             "pins" => {
@@ -522,6 +509,7 @@ fn path(
                     pins.push(pin(element)?);
                 }
             }
+            _ if read_setting(field, &mut path)? => {}
             _ => {
                 return Err(field.unknown(&[
                     "start_frame",
@@ -552,13 +540,13 @@ fn pin(table: Field<'_>) -> Result<(usize, usize, String)> {
         }
     }
     match (point, marker) {
-        (Some(point), Some(marker)) => Ok((table.place(), point, marker)),
+        (Some(point), Some(marker)) => Ok((table.offset(), point, marker)),
         _ => Err(table.error(Malformed::Pin)),
     }
 }
 
 fn track(table: Field<'_>, node: &str) -> Result<Track> {
-    let place = |field: &Field<'_>, error: EngineError| {
+    let complain = |field: &Field<'_>, error: EngineError| {
         placed(field.line(), error.at(Place::Node(node.into())))
     };
     let (mut channel, mut interpolation) = (None, None);
@@ -568,11 +556,11 @@ fn track(table: Field<'_>, node: &str) -> Result<Track> {
         match field.key {
             "channel" => {
                 let made = Channel::parse(field.text()?);
-                channel = Some(made.map_err(|error| place(&field, error))?);
+                channel = Some(made.map_err(|error| complain(&field, error))?);
             }
             "interpolation" => {
                 let made = Interpolation::parse(field.text()?);
-                interpolation = Some(made.map_err(|error| place(&field, error))?);
+                interpolation = Some(made.map_err(|error| complain(&field, error))?);
             }
             "before" => before = beyond(field)?,
             "after" => after = beyond(field)?,
@@ -600,5 +588,5 @@ fn track(table: Field<'_>, node: &str) -> Result<Track> {
     let values = numbers(values, Some(frames.len()))?;
     Track::new(channel, interpolation, frames, values, shape)
         .and_then(|track| track.with_extrapolation(before, after))
-        .map_err(|error| place(&table, error))
+        .map_err(|error| complain(&table, error))
 }

@@ -1,17 +1,20 @@
 //! From a scene to the text of its `.vid` file.
 
-use std::fmt::{self, Write};
+use std::fmt::{self, Debug, Write, from_fn};
 use std::path::Path;
 
+use glam::DVec3;
+
 use super::comments::Comments;
-use super::mesh_source;
 use super::own::UpPaths;
 use super::write::{
-    Quoted, Shape as TcbShape, Text, Vector, curve, head, list, orientation_mode, place, point,
-    space, to_toml, zoom_mode,
+    Quoted, Shape as TcbShape, Text, base_speeds, head, place, point, shape_and_modes, space,
+    to_toml,
 };
+use super::{mesh_source, too_large};
 use crate::error::{EngineError, Result};
 use crate::info::Info;
+use crate::limits::MAX_FILE_BYTES;
 use crate::path::Space;
 use crate::path::camera_path::DEFAULT_PRESETS;
 use vides_engine::deform::{Bounds, Deformation};
@@ -20,8 +23,9 @@ use vides_engine::scene::{
     Values,
 };
 
-/// The text of a scene, or of its path if it is just a camera on that. Node values equal to the
-/// defaults are omitted; mesh files are named relative to `folder`.
+/// The text of a scene, or of its path if it is just a camera on that; refused if it is too long to
+/// be read. Node values equal to the defaults are omitted; mesh files are named relative to
+/// `folder`.
 pub(crate) fn scene_to_toml(
     scene: &Scene,
     info: &Info,
@@ -34,6 +38,9 @@ pub(crate) fn scene_to_toml(
     let mut out = Text(String::new());
     // Only running out of memory fails here.
     document(&mut out, scene, info, folder).map_err(|_| EngineError::Memory)?;
+    if out.0.len() as u64 > MAX_FILE_BYTES {
+        return Err(too_large(MAX_FILE_BYTES));
+    }
     Ok(out.0)
 }
 
@@ -116,15 +123,14 @@ fn node(
         }
     }
     if !same(&node.pivot.to_array(), &[0.0; 3]) {
-        writeln!(out, "pivot = {}", Vector(node.pivot))?;
+        writeln!(out, "pivot = {:?}", node.pivot.to_array())?;
     }
     let default = rest(&Values::default());
     for ((key, numbers), (_, default)) in rest(&node.rest).iter().zip(&default) {
         if !same(numbers, default) {
-            write!(out, "{key} = ")?;
             match numbers[..] {
-                [number] => writeln!(out, "{number:?}")?,
-                _ => line(out, numbers)?,
+                [number] => writeln!(out, "{key} = {number:?}")?,
+                _ => writeln!(out, "{key} = {numbers:?}")?,
             }
         }
     }
@@ -149,34 +155,21 @@ fn node(
     tracks.try_for_each(|track| self::track(out, track))
 }
 
-fn line(out: &mut Text, numbers: &[f64]) -> fmt::Result {
-    list(out, numbers)?;
-    writeln!(out)
-}
-
-fn rows<T: Copy>(
-    out: &mut Text,
-    key: &str,
-    rows: impl IntoIterator<Item = T>,
-    mut write: impl FnMut(&mut Text, T) -> fmt::Result,
-) -> fmt::Result {
+fn rows<T: Debug>(out: &mut Text, key: &str, rows: impl IntoIterator<Item = T>) -> fmt::Result {
     let mut rows = rows.into_iter().peekable();
     if rows.peek().is_none() {
         return Ok(());
     }
     writeln!(out, "{key} = [")?;
     for row in rows {
-        write!(out, "  ")?;
-        write(out, row)?;
-        writeln!(out, ",")?;
+        writeln!(out, "  {row:?},")?;
     }
     writeln!(out, "]")
 }
 
 fn object(out: &mut Text, object: &Object, folder: Option<&Path>) -> fmt::Result {
     if object.weights().iter().any(|weight| weight.to_bits() != 0) {
-        write!(out, "weights = ")?;
-        line(out, object.weights())?;
+        writeln!(out, "weights = {:?}", object.weights())?;
     }
     if let Some(source) = object.source() {
         writeln!(out, "\n[node.mesh]")?;
@@ -193,28 +186,16 @@ fn object(out: &mut Text, object: &Object, folder: Option<&Path>) -> fmt::Result
 
 fn mesh(out: &mut Text, mesh: &Mesh) -> fmt::Result {
     writeln!(out, "\n[node.mesh]")?;
-    rows(out, "points", &mesh.points, |out, point| {
-        write!(out, "{}", Vector(*point))
-    })?;
-    rows(out, "colours", &mesh.colours, |out, colour| {
-        write!(out, "{colour:?}")
-    })?;
-    rows(out, "lines", &mesh.lines, |out, ends| {
-        write!(out, "{ends:?}")
-    })?;
-    rows(out, "triangles", &mesh.triangles, |out, corners| {
-        write!(out, "{corners:?}")
-    })
+    rows(out, "points", mesh.points.iter().map(DVec3::to_array))?;
+    rows(out, "colours", &mesh.colours)?;
+    rows(out, "lines", &mesh.lines)?;
+    rows(out, "triangles", &mesh.triangles)
 }
 
 fn shape(out: &mut Text, shape: &Shape) -> fmt::Result {
     writeln!(out, "\n[[node.shape]]\nname = {}", Quoted(&shape.name))?;
-    rows(out, "points", &shape.points, |out, point| {
-        write!(out, "{}", Vector(*point))
-    })?;
-    rows(out, "colours", &shape.colours, |out, colour| {
-        write!(out, "{colour:?}")
-    })
+    rows(out, "points", shape.points.iter().map(DVec3::to_array))?;
+    rows(out, "colours", &shape.colours)
 }
 
 fn deformation(out: &mut Text, deformation: &Deformation, bounds: &Option<Bounds>) -> fmt::Result {
@@ -223,12 +204,10 @@ fn deformation(out: &mut Text, deformation: &Deformation, bounds: &Option<Bounds
         "\n[[node.deformation]]\nkind = \"{}\"",
         deformation.kind()
     )?;
-    write!(out, "parameters = ")?;
-    line(out, deformation.parameters())?;
+    writeln!(out, "parameters = {:?}", deformation.parameters())?;
     if let Some(bounds) = bounds {
-        let (min, max) = (bounds.min(), bounds.max());
-        write!(out, "box = ")?;
-        line(out, &[min.x, min.y, min.z, max.x, max.y, max.z])?;
+        let ends = [bounds.min(), bounds.max()].map(|end| end.to_array());
+        writeln!(out, "box = {:?}", ends.as_flattened())?;
     }
     Ok(())
 }
@@ -241,24 +220,14 @@ fn path(out: &mut Text, follow: &FollowPath, pins: &[Pin], space: Space) -> fmt:
         follow.start_frame()
     )?;
     writeln!(out, "beyond = \"{}\"", follow.extrapolation().name())?;
-    writeln!(out, "closed = {}", path.closed)?;
-    curve(out, path)?;
-    writeln!(out, "orientation_mode = \"{}\"", orientation_mode(path))?;
-    writeln!(out, "zoom_mode = \"{}\"", zoom_mode(path))?;
-    rows(out, "pins", pins, |out, pin| {
-        write!(
-            out,
-            "{{ point = {}, marker = {} }}",
-            pin.point,
-            Quoted(&pin.marker)
-        )
-    })?;
-    let speeds = path.speeds;
+    shape_and_modes(out, path)?;
+    let pins = pins.iter().map(|pin| {
+        let (point, marker) = (pin.point, Quoted(&pin.marker));
+        from_fn(move |out| write!(out, "{{ point = {point}, marker = {marker} }}"))
+    });
+    rows(out, "pins", pins)?;
     writeln!(out, "\n[node.path.base_speeds]")?;
-    writeln!(out, "move_frames = {:?}", speeds.movement)?;
-    writeln!(out, "turn_frames = {:?}", speeds.turning)?;
-    writeln!(out, "zoom_frames = {:?}", speeds.zoom)?;
-    writeln!(out, "roll_frames = {:?}", speeds.rolling)?;
+    base_speeds(out, path)?;
     writeln!(out, "\n[node.path.presets]")?;
     for (number, preset) in path.presets.iter().enumerate() {
         let of = |tcb: &crate::path::Tcb| [tcb.tension, tcb.continuity, tcb.bias];
@@ -286,8 +255,7 @@ fn track(out: &mut Text, track: &Track) -> fmt::Result {
             writeln!(out, "{key} = \"{}\"", beyond.name())?;
         }
     }
-    write!(out, "frames = ")?;
-    line(out, track.frames())?;
+    writeln!(out, "frames = {:?}", track.frames())?;
     keys(out, "values", track.values(), track.frames().len())?;
     keys(out, "shape", track.shape(), track.frames().len())
 }
@@ -296,10 +264,7 @@ fn track(out: &mut Text, track: &Track) -> fmt::Result {
 fn keys(out: &mut Text, key: &str, numbers: &[f64], count: usize) -> fmt::Result {
     let width = numbers.len() / count;
     if width == 1 {
-        write!(out, "{key} = ")?;
-        return line(out, numbers);
+        return writeln!(out, "{key} = {numbers:?}");
     }
-    rows(out, key, numbers.chunks_exact(width.max(1)), |out, row| {
-        list(out, row)
-    })
+    rows(out, key, numbers.chunks_exact(width.max(1)))
 }

@@ -1,9 +1,8 @@
-//! From a document to the text of its `.vid` file.
+//! From a document to the text of its `.vid` file. Of numbers and lists of them `{:?}` writes TOML,
+//! with the fewest digits that parse to the same bits.
 
 use std::fmt::{self, Write};
 use std::path::Path;
-
-use glam::DVec3;
 
 use super::comments::{Comments, OURS};
 use super::own::UpPaths;
@@ -43,18 +42,9 @@ impl Write for Text {
 
 fn document(out: &mut Text, path: &CameraPath, info: &Info, folder: Option<&Path>) -> fmt::Result {
     head(out, info)?;
-    writeln!(out, "closed = {}", path.closed)?;
-    curve(out, path)?;
-    writeln!(out, "orientation_mode = \"{}\"", orientation_mode(path))?;
-    writeln!(out, "zoom_mode = \"{}\"", zoom_mode(path))?;
-
-    let speeds = path.speeds;
+    shape_and_modes(out, path)?;
     writeln!(out, "\n{}\n{}\n[base_speeds]", OURS[0], OURS[1])?;
-    writeln!(out, "move_frames = {:?}", speeds.movement)?;
-    writeln!(out, "turn_frames = {:?}", speeds.turning)?;
-    writeln!(out, "zoom_frames = {:?}", speeds.zoom)?;
-    writeln!(out, "roll_frames = {:?}", speeds.rolling)?;
-
+    base_speeds(out, path)?;
     writeln!(out, "\n[presets]")?;
     for (number, preset) in path.presets.iter().enumerate() {
         writeln!(out, "{number} = {}", Shape(*preset))?;
@@ -67,13 +57,31 @@ fn document(out: &mut Text, path: &CameraPath, info: &Info, folder: Option<&Path
         .try_for_each(|point| self::point(out, "point", point, &mut up_paths))
 }
 
-/// The curve kind, unless it is the default.
-pub(super) fn curve(out: &mut Text, path: &CameraPath) -> fmt::Result {
+pub(super) fn shape_and_modes(out: &mut Text, path: &CameraPath) -> fmt::Result {
+    writeln!(out, "closed = {}", path.closed)?;
     match path.curve {
-        CurveKind::Tcb => Ok(()),
-        CurveKind::Cubic => writeln!(out, "curve = \"cubic\""),
-        CurveKind::Linear => writeln!(out, "curve = \"linear\""),
+        CurveKind::Tcb => {}
+        CurveKind::Cubic => writeln!(out, "curve = \"cubic\"")?,
+        CurveKind::Linear => writeln!(out, "curve = \"linear\"")?,
     }
+    let mode = match path.orientation_mode {
+        OrientationMode::Tcb => "tcb",
+        OrientationMode::BarryGoldman => "barry-goldman",
+        OrientationMode::Slerp => "slerp",
+    };
+    let zoom = match path.zoom_mode {
+        ZoomMode::Smooth => "smooth",
+        ZoomMode::Linear => "linear",
+    };
+    writeln!(out, "orientation_mode = \"{mode}\"\nzoom_mode = \"{zoom}\"")
+}
+
+pub(super) fn base_speeds(out: &mut Text, path: &CameraPath) -> fmt::Result {
+    let speeds = path.base_frames;
+    writeln!(out, "move_frames = {:?}", speeds.movement)?;
+    writeln!(out, "turn_frames = {:?}", speeds.turning)?;
+    writeln!(out, "zoom_frames = {:?}", speeds.zoom)?;
+    writeln!(out, "roll_frames = {:?}", speeds.rolling)
 }
 
 pub(super) fn head(out: &mut Text, info: &Info) -> fmt::Result {
@@ -110,24 +118,9 @@ pub(super) fn space(
 }
 
 pub(super) fn place(out: &mut Text, space: Space) -> fmt::Result {
-    writeln!(out, "centre = {}", Vector(space.centre))?;
+    writeln!(out, "centre = {:?}", space.centre.to_array())?;
     writeln!(out, "half_size = {:?}", space.half_size)?;
     writeln!(out, "up = \"{}\"", space.up.name())
-}
-
-pub(super) fn orientation_mode(path: &CameraPath) -> &'static str {
-    match path.orientation_mode {
-        OrientationMode::Tcb => "tcb",
-        OrientationMode::BarryGoldman => "barry-goldman",
-        OrientationMode::Slerp => "slerp",
-    }
-}
-
-pub(super) fn zoom_mode(path: &CameraPath) -> &'static str {
-    match path.zoom_mode {
-        ZoomMode::Smooth => "smooth",
-        ZoomMode::Linear => "linear",
-    }
 }
 
 fn object(out: &mut Text, points: &Object, folder: Option<&Path>) -> fmt::Result {
@@ -148,7 +141,7 @@ fn object(out: &mut Text, points: &Object, folder: Option<&Path>) -> fmt::Result
         } else {
             write!(out, "],\n  [")?;
         }
-        write!(out, "{}", Vector(point.position))?;
+        write!(out, "{:?}", point.position.to_array())?;
     }
     writeln!(out, "],\n]")
 }
@@ -164,7 +157,7 @@ pub(super) fn point<'a>(
     if let Some(name) = &point.name {
         writeln!(out, "name = {}", Quoted(name))?;
     }
-    writeln!(out, "position = {}", Vector(point.position))?;
+    writeln!(out, "position = {:?}", point.position.to_array())?;
     match point.curve {
         CurveParameters::Preset(preset) => writeln!(out, "preset = {preset}")?,
         CurveParameters::Own(tcb) => writeln!(out, "own = {}", Shape(tcb))?,
@@ -186,8 +179,8 @@ fn orientation<'a>(
 ) -> fmt::Result {
     writeln!(out, "\n[[{header}.orientation]]")?;
     match orientation.target {
-        Target::Absolute(target) => writeln!(out, "target = {}", Vector(target))?,
-        Target::Relative(offset) => writeln!(out, "offset = {}", Vector(offset))?,
+        Target::Absolute(target) => writeln!(out, "target = {:?}", target.to_array())?,
+        Target::Relative(offset) => writeln!(out, "offset = {:?}", offset.to_array())?,
     }
     writeln!(out, "roll_degrees = {:?}", orientation.roll)?;
     writeln!(out, "zoom_mm = {:?}", orientation.zoom)?;
@@ -207,29 +200,9 @@ fn orientation<'a>(
         writeln!(out, "hold_frames = {}", orientation.hold)?;
     }
     if orientation.speeds.iter().any(|&speed| speed != BASE_SPEED) {
-        write!(out, "speed_curve = ")?;
-        list(out, &orientation.speeds)?;
-        writeln!(out)?;
+        writeln!(out, "speed_curve = {:?}", orientation.speeds)?;
     }
     own::write(out, &orientation.own, up_paths)
-}
-
-pub(super) fn list(out: &mut impl Write, numbers: &[f64]) -> fmt::Result {
-    let mut separator = "[";
-    for number in numbers {
-        // `{:?}` gives the fewest digits that parse to the same bits.
-        write!(out, "{separator}{number:?}")?;
-        separator = ", ";
-    }
-    out.write_str("]")
-}
-
-pub(super) struct Vector(pub(super) DVec3);
-
-impl fmt::Display for Vector {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        list(out, &self.0.to_array())
-    }
 }
 
 pub(super) struct Shape(pub(super) Tcb);
@@ -285,7 +258,7 @@ mod tests {
     use crate::path::{
         MayOwn, Own, Pace, PacePart, Tangents, TurningPart, UpVector, Velocities, Whole,
     };
-    use glam::DQuat;
+    use glam::{DQuat, DVec3};
 
     /// The most characters that a number takes.
     const LONGEST: f64 = -1.234_567_890_123_456_7e-300;

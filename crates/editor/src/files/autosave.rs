@@ -60,7 +60,7 @@ impl Editor {
     pub(crate) fn restore(&mut self, found: &Found) -> Result<()> {
         let mut document = found.document()?;
         if self.fixed_speeds && document.edits_path() {
-            document.apply(Edit::SetSpeeds(self.document.path().speeds))?;
+            document.apply(Edit::SetBaseFrames(self.document.path().base_frames))?;
             document = unsaved_copy(&document)?;
         }
         self.document = document;

@@ -30,7 +30,7 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use crate::document::tool::Material;
-use crate::document::{Contents, Document, Edit, export, load_object, load_poses, save};
+use crate::document::{Document, Edit, Fingerprint, export, load_object, load_poses, save};
 use crate::error::{EngineError, Error, Result, TooMany};
 use crate::host::Warnings;
 use crate::limits;
@@ -131,7 +131,7 @@ impl Editor {
         }
         self.written = written;
         // What cannot be read is reported when it is saved.
-        if let Ok(Some(now)) = Contents::now(file)
+        if let Ok(Some(now)) = Fingerprint::now(file)
             && Some(now) != self.known
         {
             self.windows.changed = Some(Question::newer());
@@ -197,7 +197,7 @@ impl Editor {
         let texts = self.texts();
         match self.loaded(file) {
             Ok((document, warnings)) => {
-                self.known = document.read_contents();
+                self.known = document.fingerprint();
                 self.document = document;
                 self.handed = None;
                 self.windows.path_replaced();
@@ -222,7 +222,7 @@ impl Editor {
             return Ok((loaded, warnings));
         }
         if loaded.edits_path() {
-            loaded.apply(Edit::SetSpeeds(self.document.path().speeds))?;
+            loaded.apply(Edit::SetBaseFrames(self.document.path().base_frames))?;
         }
         if !self.document.info().object.is_empty() {
             let mut info = loaded.info().clone();
@@ -260,7 +260,7 @@ impl Editor {
         }
         self.document.mark_saved();
         self.file = Some(file.to_owned());
-        self.known = Some(Contents::of(bytes));
+        self.known = Some(Fingerprint::of(bytes));
         self.note_file(file);
         self.say(fill(self.texts().output.saved, &[&short(file)]));
         Ok(true)

@@ -19,7 +19,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use super::folders;
-use crate::document::{Contents, Document};
+use crate::document::{Document, Fingerprint};
 use crate::error::{Error, Result};
 use crate::limits::MAX_FILE_BYTES;
 
@@ -51,7 +51,7 @@ pub(crate) struct Origin<'a> {
     /// The program whose window it is in.
     pub(crate) program: &'a str,
     pub(crate) file: Option<&'a Path>,
-    pub(crate) known: Option<Contents>,
+    pub(crate) known: Option<Fingerprint>,
 }
 
 static NEXT: AtomicU64 = AtomicU64::new(0);
@@ -301,7 +301,7 @@ pub(crate) struct Found {
     pub(crate) program: Option<String>,
     /// The file that it was a change of.
     pub(crate) original: Option<PathBuf>,
-    pub(crate) known: Option<Contents>,
+    pub(crate) known: Option<Fingerprint>,
     pub(crate) written: SystemTime,
     text: String,
 }

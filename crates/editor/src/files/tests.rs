@@ -381,9 +381,9 @@ fn the_hosts_speeds_and_object_stand() {
     let file = folder.path().join("a.vid");
     Document::new().save(&file).expect("saved");
     let mut hosts = Document::new();
-    let mut speeds = hosts.path().speeds;
+    let mut speeds = hosts.path().base_frames;
     speeds.movement = 7.0;
-    hosts.apply(Edit::SetSpeeds(speeds)).expect("possible");
+    hosts.apply(Edit::SetBaseFrames(speeds)).expect("possible");
     let mut info = hosts.info().clone();
     let point = ObjectPoint {
         position: DVec3::ONE,
@@ -403,7 +403,7 @@ fn the_hosts_speeds_and_object_stand() {
     window.state_mut().load_path(&file).expect("loaded");
     window.run();
     let document = &window.state().document;
-    assert_eq!(document.path().speeds.movement, 7.0);
+    assert_eq!(document.path().base_frames.movement, 7.0);
     assert_eq!(document.info().object.len(), 1);
     assert!(!document.is_modified() && !document.can_undo());
 }

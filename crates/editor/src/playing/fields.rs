@@ -74,7 +74,7 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         UiBuilder::new().max_rect(rect).layout(layout)
     };
     // A scene ends when everything in it has ended: its length is not that of one path.
-    let of_scene = editor.document.around().is_some();
+    let of_scene = editor.document.edited_scene().is_some();
     // The frames of the whole path; each section gets its share of them.
     let points = editor.document.path().points.len();
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]

@@ -42,7 +42,7 @@ fn the_area_under_the_graph_is_the_way() {
             .map(|pair| f64::from(pair[0] + pair[1]) / 2.0)
             .sum::<f64>()
             / PIECES as f64;
-        let way = mean / BASE_SPEED * section.frames as f64 / path.speeds.movement;
+        let way = mean / BASE_SPEED * section.frames as f64 / path.base_frames.movement;
         assert!(
             (way / section.amount - 1.0).abs() < 0.01,
             "{way} {section:?}"

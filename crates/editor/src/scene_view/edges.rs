@@ -8,7 +8,7 @@ use crate::document::features;
 
 #[derive(Debug, Default)]
 pub(super) struct Edges {
-    /// Their scene: [`crate::document::Around::number`].
+    /// Their scene: [`crate::document::EditedScene::number`].
     number: u64,
     of_nodes: HashMap<usize, Vec<[u32; 2]>>,
 }

@@ -43,16 +43,16 @@ pub(super) struct Now {
     pub(super) into_path: DAffine3,
     /// A node that cannot move as it should, and why.
     pub(super) trouble: Option<(usize, Error)>,
-    /// [`crate::document::Around::number`] and [`Document::revision`].
+    /// [`crate::document::EditedScene::number`] and [`Document::revision`].
     pub(super) made_of: (u64, u64),
 }
 
 impl Now {
     fn of(document: &Document, frame: f64, old: Option<Self>) -> Result<Option<Self>> {
-        let Some(around) = document.around() else {
+        let Some(edited) = document.edited_scene() else {
             return Ok(None);
         };
-        let made_of = (around.number(), document.revision());
+        let made_of = (edited.number(), document.revision());
         let same = old.filter(|old| old.made_of.0 == made_of.0);
         if let Some(old) = same {
             if old.made_of == made_of && old.frame == frame {
@@ -60,7 +60,7 @@ impl Now {
             }
             let mut now = old;
             if now.made_of != made_of {
-                around.put_in(&mut now.scene, document.path())?;
+                edited.replace_path(&mut now.scene, document.path())?;
             }
             (now.made_of, now.frame) = (made_of, frame);
             now.evaluate()?;
@@ -71,7 +71,7 @@ impl Now {
             states: vec![NodeState::default(); scene.nodes().len()],
             scene,
             frame,
-            edited: around.node(),
+            edited: edited.node(),
             into_path: DAffine3::IDENTITY,
             trouble: None,
             made_of,
@@ -127,7 +127,7 @@ impl Editor {
 
     /// Looks at the scene at the playhead, if there is one.
     pub(super) fn with_scene<R>(&self, look: impl FnOnce(&Now) -> R) -> Result<Option<R>> {
-        if self.document.around().is_none() {
+        if self.document.edited_scene().is_none() {
             return Ok(None);
         }
         let frame = self.scene_frame()?;
@@ -139,8 +139,8 @@ impl Editor {
 
     /// The movement space of the scene, or of the path where there is none.
     pub(super) fn shown_space(&self) -> Space {
-        let around = self.document.around();
-        around.map_or(self.document.path().space, |around| around.scene().space())
+        let edited = self.document.edited_scene();
+        edited.map_or(self.document.path().space, |edited| edited.scene().space())
     }
 
     /// The pose of the camera that is shown; `None`: that of the path's own.

@@ -20,7 +20,7 @@ const ROWS: f32 = 12.0;
 
 /// Shows the list in a window of its own, if there is a scene and the column of lists is folded.
 pub(crate) fn show(editor: &Editor, context: &Context, viewport: Rect, actions: &mut Vec<Action>) {
-    if editor.document.around().is_none() || editor.points_list.is_open(context) {
+    if editor.document.edited_scene().is_none() || editor.points_list.is_open(context) {
         return;
     }
     egui::Window::new(editor.texts().scene.title)
@@ -34,10 +34,10 @@ pub(crate) fn show(editor: &Editor, context: &Context, viewport: Rect, actions: 
 
 /// The list, at most this high, if there is a scene.
 pub(crate) fn list(editor: &Editor, ui: &mut Ui, highest: f32, actions: &mut Vec<Action>) {
-    let Some(around) = editor.document.around() else {
+    let Some(edited) = editor.document.edited_scene() else {
         return;
     };
-    let rows = rows(around.scene());
+    let rows = rows(edited.scene());
     ui.spacing_mut().item_spacing.y = 0.0;
     ScrollArea::vertical()
         .id_salt("scene")
@@ -46,7 +46,7 @@ pub(crate) fn list(editor: &Editor, ui: &mut Ui, highest: f32, actions: &mut Vec
         .show_rows(ui, theme::ROW, rows.len() + 1, |ui, shown| {
             for row in shown {
                 let of = row.checked_sub(1).map(|row| rows[row]);
-                actions.extend(row_of(editor, ui, around.scene(), of));
+                actions.extend(row_of(editor, ui, edited.scene(), of));
             }
         });
     if let Some(trouble) = trouble(editor) {
@@ -90,7 +90,7 @@ fn row_of(
 ) -> Option<Action> {
     let texts = &editor.texts().scene;
     let node = of.map(|(at, level)| (at, level, &scene.nodes()[at]));
-    let edited = editor.document.around()?.node();
+    let edited = editor.document.edited_scene()?.node();
     let chosen = edited == of.map(|(at, _)| at);
     let (name, kind, hint, possible) = match node {
         None => (texts.whole, "", texts.whole_hint, true),

@@ -140,7 +140,7 @@ fn one_chooses_whose_path_is_edited() {
     for language in BOTH {
         let mut window = window_of_flights(language);
         let texts = &language.texts().scene;
-        let edited = |window: &Window| window.state().document().around().unwrap().node();
+        let edited = |window: &Window| window.state().document().edited_scene().unwrap().node();
         assert_eq!(edited(&window), Some(2));
         assert_eq!(window.state().frame().unwrap(), 21.0);
         let before = window.state().document().scene().unwrap();
@@ -256,7 +256,7 @@ fn a_path_alone_has_no_list_and_no_scene() {
             .query_by_label(Language::English.texts().scene.whole)
             .is_none()
     );
-    assert!(window.state().document().around().is_none());
+    assert!(window.state().document().edited_scene().is_none());
     assert!(window.state().with_scene(|_| ()).unwrap().is_none());
 }
 

@@ -285,7 +285,7 @@ fn caption(editor: &Editor, ui: &mut Ui, size: Vec2, camera: &Camera, actions: &
     let flown = editor.flown().is_some() && setup.camera_place != CameraPlace::Corner;
     let what = match editor.shown_frame() {
         _ if flown => texts.free_view.to_owned(),
-        _ if editor.document.around().is_some() => scene_label(editor),
+        _ if editor.document.edited_scene().is_some() => scene_label(editor),
         Some(frame) => fill(texts.camera_at_frame, &[&frame]),
         None => {
             let selection = editor.document.selection();

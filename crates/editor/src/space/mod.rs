@@ -153,8 +153,8 @@ pub(super) fn cube(space: path::Space) -> impl Iterator<Item = (DVec3, DVec3)> {
 /// A small picture of a path in the default view: its space's edges, and the curve as one line.
 pub(super) fn thumbnail(document: &Document, size: Vec2) -> (Vec<[Pos2; 2]>, Vec<Pos2>) {
     let viewport = Rect::from_min_size(Pos2::ZERO, size);
-    let around = document.around().filter(|_| !document.edits_path());
-    let space = around.map_or(document.path().space, |around| around.scene().space());
+    let edited = document.edited_scene().filter(|_| !document.edits_path());
+    let space = edited.map_or(document.path().space, |edited| edited.scene().space());
     let projection = Projection::of(&View::default(), viewport, space);
     let edges = cube(space).map(|(from, to)| [from, to].map(|end| projection.pos(end)));
     let curve = document.timeline(|timeline| {
@@ -179,7 +179,7 @@ pub(super) fn thumbnail(document: &Document, size: Vec2) -> (Vec<[Pos2; 2]>, Vec
 /// The same for a scene in which no path is edited: its lines.
 pub(super) fn thumbnail_of_scene(document: &Document, size: Vec2) -> Option<Vec<[Pos2; 2]>> {
     let scene = document
-        .around()
+        .edited_scene()
         .filter(|_| !document.edits_path())?
         .scene();
     let viewport = Rect::from_min_size(Pos2::ZERO, size);
@@ -298,7 +298,7 @@ impl Space {
         }
         let trouble = self.scene.update(document, &look);
         add_shared(self.scene.still());
-        if document.around().is_some() {
+        if document.edited_scene().is_some() {
             add_shared(self.nodes.update(editor, &look)?);
             nodes::names(editor, painter, &look);
         }

@@ -51,9 +51,9 @@ proptest! {
 #[test]
 fn the_ribbon_of_a_long_path_is_thinned() {
     let mut document = pyramid();
-    let mut speeds = document.path().speeds;
+    let mut speeds = document.path().base_frames;
     speeds.movement = 5000.0;
-    document.apply(Edit::SetSpeeds(speeds)).unwrap();
+    document.apply(Edit::SetBaseFrames(speeds)).unwrap();
     let mut ribbon = Ribbon::default();
     ribbon.update(&document).unwrap();
     let sampler = document.sampler().unwrap();

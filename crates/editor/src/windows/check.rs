@@ -133,8 +133,8 @@ fn is_quick(editor: &Editor) -> bool {
         .sampler()
         .map(|sampler| sampler.frame_count());
     let mut pieces = editor.document.info().object.len();
-    if let Some(around) = editor.document.around() {
-        for node in around.scene().nodes() {
+    if let Some(edited) = editor.document.edited_scene() {
+        for node in edited.scene().nodes() {
             if let vides_engine::scene::Kind::Object(object) = &node.kind {
                 let mesh = object.mesh();
                 pieces += mesh.triangles.len() + mesh.lines.len() + mesh.points.len();

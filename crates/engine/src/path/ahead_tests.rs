@@ -183,10 +183,10 @@ fn views_do_not_jump() {
             }
         }
         let steps = |path: &mut CameraPath, frames: f64| {
-            path.speeds.movement = frames;
-            path.speeds.turning = frames;
-            path.speeds.zoom = frames;
-            path.speeds.rolling = frames;
+            path.base_frames.movement = frames;
+            path.base_frames.turning = frames;
+            path.base_frames.zoom = frames;
+            path.base_frames.rolling = frames;
             let sampler = sampler(path);
             let mut all = vec![Pose::default(); sampler.frame_count()];
             sampler.sample(1, &mut all).unwrap();

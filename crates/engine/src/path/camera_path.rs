@@ -213,7 +213,7 @@ impl SupportPoint {
 
 /// The four base speeds (thesis B.2.2): frames for one unit of change at speed 50, finite and > 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BaseSpeeds {
+pub struct BaseFrames {
     /// `move_speed`: frames for a way of one half size of the space.
     pub movement: f64,
     /// `orient_speed`: frames for turning the view by 180°.
@@ -224,7 +224,7 @@ pub struct BaseSpeeds {
     pub rolling: f64,
 }
 
-impl Default for BaseSpeeds {
+impl Default for BaseFrames {
     /// 100 each, as in the host program of Anhang C.
     fn default() -> Self {
         Self {
@@ -286,7 +286,7 @@ pub struct CameraPath {
     /// How the zoom runs.
     pub zoom_mode: ZoomMode,
     /// The base speeds.
-    pub speeds: BaseSpeeds,
+    pub base_frames: BaseFrames,
     /// Where it lies in the world.
     pub space: Space,
 }
@@ -336,7 +336,7 @@ impl CameraPath {
             curve: CurveKind::default(),
             orientation_mode: OrientationMode::default(),
             zoom_mode: ZoomMode::default(),
-            speeds: BaseSpeeds::default(),
+            base_frames: BaseFrames::default(),
             space: Space::default(),
         }
     }
@@ -403,7 +403,7 @@ impl CameraPath {
         for preset in self.presets {
             preset.check()?;
         }
-        check_base_speeds(self.speeds)?;
+        check_base_frames(self.base_frames)?;
         space.check()?;
         for (index, point) in self.points.iter().enumerate() {
             point
@@ -558,7 +558,7 @@ pub fn check_base_speed(speed: f64) -> Result<()> {
 ///
 /// # Errors
 /// [`crate::Error::Argument`] otherwise.
-pub fn check_base_speeds(speeds: BaseSpeeds) -> Result<()> {
-    let all = [speeds.movement, speeds.turning, speeds.zoom, speeds.rolling];
+pub fn check_base_frames(frames: BaseFrames) -> Result<()> {
+    let all = [frames.movement, frames.turning, frames.zoom, frames.rolling];
     all.into_iter().try_for_each(check_base_speed)
 }

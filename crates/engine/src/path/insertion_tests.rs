@@ -189,7 +189,7 @@ fn where_there_is_no_way_to_divide_it_says_so() {
 #[test]
 fn a_section_of_one_frame_becomes_two() {
     let mut path = CameraPath::default();
-    path.speeds.movement = 0.5;
+    path.base_frames.movement = 0.5;
     assert_eq!(poses(&path).1.len(), 2);
     let inserted = on_curve(&path, 1.25).unwrap();
     let place = inserted.path.points[1].position;

@@ -52,7 +52,7 @@ pub(crate) mod test_support;
 
 pub use ambiguity::{Ambiguity, ambiguity};
 pub use camera_path::{
-    BaseSpeeds, CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, SupportPoint,
+    BaseFrames, CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, SupportPoint,
     Target, Tcb, ZoomMode,
 };
 pub use ease::{Ease, EaseKind};

@@ -46,9 +46,9 @@ fn path(mode: OrientationMode, closed: bool) -> CameraPath {
     ];
     path.closed = closed;
     path.orientation_mode = mode;
-    path.speeds.movement = 40.0;
-    path.speeds.turning = 200.0;
-    path.speeds.zoom = 30.0;
+    path.base_frames.movement = 40.0;
+    path.base_frames.turning = 200.0;
+    path.base_frames.zoom = 30.0;
     path
 }
 

@@ -560,10 +560,10 @@ fn last_hold(path: &CameraPath) -> usize {
 /// Frames of a section that moves, not yet rounded.
 fn unrounded(path: &CameraPath, change: Change, amount: f64, mean_speed: f64) -> f64 {
     let base = match change {
-        Change::Position => path.speeds.movement,
-        Change::View => path.speeds.turning,
-        Change::Roll => path.speeds.rolling,
-        Change::Zoom | Change::Nothing => path.speeds.zoom,
+        Change::Position => path.base_frames.movement,
+        Change::View => path.base_frames.turning,
+        Change::Roll => path.base_frames.rolling,
+        Change::Zoom | Change::Nothing => path.base_frames.zoom,
     };
     amount * base * BASE_SPEED / mean_speed
 }

@@ -151,9 +151,9 @@ fn acceleration() {
         [0.5, 0.0, 0.5],
         [0.0, 0.0, 0.5],
     ]);
-    fast.speeds.movement = 10.0;
+    fast.base_frames.movement = 10.0;
     assert!(found(&fast).contains(&"acceleration"));
-    fast.speeds.movement = 200.0;
+    fast.base_frames.movement = 200.0;
     assert!(!found(&fast).contains(&"acceleration"));
 }
 

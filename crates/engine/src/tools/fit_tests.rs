@@ -30,7 +30,7 @@ fn flight(random: &mut Random, count: usize, poses: usize) -> Vec<Pose> {
         ..CameraPath::default()
     };
     let timeline = Timeline::new(&path).unwrap();
-    path.speeds.movement *= poses as f64 / timeline.frame_count().unwrap() as f64;
+    path.base_frames.movement *= poses as f64 / timeline.frame_count().unwrap() as f64;
     sampled(&path)
 }
 

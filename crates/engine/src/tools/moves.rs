@@ -14,7 +14,7 @@ use crate::error::{Invalid, OutOfRange, Result, vec_with_room};
 use crate::limits::{MAX_COORDINATE, MAX_ZOOM, MIN_ZOOM};
 use crate::path::fit_frames::fit_frames;
 use crate::path::{
-    BaseSpeeds, CameraPath, CurveParameters, Orientation, Space, SupportPoint, Tangents, Target,
+    BaseFrames, CameraPath, CurveParameters, Orientation, Space, SupportPoint, Tangents, Target,
     Timeline,
 };
 
@@ -362,7 +362,7 @@ impl Move {
     /// # Errors
     /// What is wrong with the numbers; [`crate::Error::Limit`], [`crate::Error::Memory`].
     pub fn path(&self, given: &[f64], space: Space, fps: f64) -> Result<CameraPath> {
-        self.path_with_speeds(given, space, fps, BaseSpeeds::default())
+        self.path_with_base_frames(given, space, fps, BaseFrames::default())
     }
 
     /// The same with base speeds, which count where `seconds` is 0: as long as its way.
@@ -370,12 +370,12 @@ impl Move {
     /// # Errors
     /// As [`Move::path`].
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-    pub fn path_with_speeds(
+    pub fn path_with_base_frames(
         &self,
         given: &[f64],
         space: Space,
         fps: f64,
-        speeds: BaseSpeeds,
+        speeds: BaseFrames,
     ) -> Result<CameraPath> {
         let numbers = Parameter::numbers(self.parameters, given, space.half_size)?;
         let given = Given {
@@ -387,7 +387,7 @@ impl Move {
         let mut path = CameraPath::try_new()?;
         path.points = points;
         path.space = space;
-        path.speeds = speeds;
+        path.base_frames = speeds;
         path.check()?;
         let seconds = given.number("seconds");
         if seconds > 0.0 {

@@ -17,7 +17,7 @@ use crate::actions::Action;
 use crate::document::{Edit, Info, Selection};
 use crate::limits::{MAX_FPS, MAX_FRAMES, MAX_HOLD, SPEEDS};
 use crate::number::{Entry, Number};
-use crate::path::{BaseSpeeds, Orientation, Own, Pace, Timing};
+use crate::path::{BaseFrames, Orientation, Own, Pace, Timing};
 use crate::state::Editor;
 use crate::texts::fill;
 use crate::theme;
@@ -350,9 +350,9 @@ fn numbers(editor: &Editor, ui: &mut Ui, section: &Section, actions: &mut Vec<Ac
 
 /// The frames that each kind of change takes at speed 50, for the whole path.
 fn base_speeds(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
-    type Part = fn(&mut BaseSpeeds) -> &mut f64;
+    type Part = fn(&mut BaseFrames) -> &mut f64;
     let texts = &editor.texts().speed_window;
-    let speeds = editor.document.path().speeds;
+    let speeds = editor.document.path().base_frames;
     let parts: [(&str, &str, Part); 4] = [
         (texts.base_move, texts.base_move_hint, |speeds| {
             &mut speeds.movement
@@ -388,7 +388,7 @@ fn base_speeds(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
             let entry = entry.map(|frames| {
                 let mut speeds = speeds;
                 *part(&mut speeds) = frames;
-                Edit::SetSpeeds(speeds)
+                Edit::SetBaseFrames(speeds)
             });
             actions.push(Action::Enter(entry));
         }

@@ -1,4 +1,4 @@
-//! The scene around the edited path: everything but the path of the one node that is edited.
+//! The scene in which a path is edited: everything but the path of that one node.
 //!
 //! Where no node is edited, a stand-in path lasts as long as the scene and refuses edits. A record
 //! of the history exchanges all of it at once ([`super::change`]).
@@ -12,14 +12,16 @@ use super::editing::{Document, fresh_revision};
 use super::info::Info;
 use super::scene::SceneDocument;
 use super::vid;
-use crate::error::{EngineError, Refused, Result, can_allocate, vec_with_room};
+use crate::error::{
+    EngineError, OutOfRange, Refused, Result, TooMany, can_allocate, vec_with_room,
+};
 use crate::limits::MAX_FRAMES;
 use crate::path::fit_frames::frames_between;
 use crate::path::{CameraPath, Pose, Sampler};
 
 /// A scene, and the node whose path is edited.
 #[derive(Debug, Clone)]
-pub struct Around {
+pub struct EditedScene {
     /// Holds the edited path as it was when the node was chosen.
     scene: Arc<Scene>,
     node: Option<usize>,
@@ -30,7 +32,7 @@ pub struct Around {
 }
 
 /// A scene set up to edit the path of a node, and that path.
-pub(super) fn around(scene: Scene, node: Option<usize>) -> Result<(Around, CameraPath)> {
+pub(super) fn edit(scene: Scene, node: Option<usize>) -> Result<(EditedScene, CameraPath)> {
     let path = match node {
         Some(at) => {
             let node = scene.node(at)?;
@@ -42,21 +44,21 @@ pub(super) fn around(scene: Scene, node: Option<usize>) -> Result<(Around, Camer
         None => stand_in(&scene)?,
     };
     can_allocate(size_of::<Scene>() + 64)?;
-    let around = Around {
+    let edited = EditedScene {
         weight: scene.heap_size(),
         pins: Pins::of(&scene, node)?,
         scene: Arc::new(scene),
         node,
         number: fresh_revision(),
     };
-    Ok((around, path))
+    Ok((edited, path))
 }
 
 /// A scene as first edited: the shown camera's path, if it has one.
-pub(super) fn as_shown(scene: Scene) -> Result<(Around, CameraPath)> {
+pub(super) fn as_shown(scene: Scene) -> Result<(EditedScene, CameraPath)> {
     let shown = scene.shown_camera();
     let node = shown.filter(|&at| scene.nodes()[at].path().is_some());
-    around(scene, node)
+    edit(scene, node)
 }
 
 fn stand_in(scene: &Scene) -> Result<CameraPath> {
@@ -76,7 +78,7 @@ fn stand_in(scene: &Scene) -> Result<CameraPath> {
     Ok(document.into_parts().0)
 }
 
-impl Around {
+impl EditedScene {
     /// The scene; the edited path in it is as it was when the node was chosen.
     #[must_use]
     pub fn scene(&self) -> &Scene {
@@ -117,7 +119,7 @@ impl Around {
     ///
     /// # Errors
     /// As [`FollowPath::new`].
-    pub fn put_in(&self, scene: &mut Scene, path: &CameraPath) -> Result<()> {
+    pub fn replace_path(&self, scene: &mut Scene, path: &CameraPath) -> Result<()> {
         if let (Some(node), Some(follow)) = (self.node, self.follow())
             && (scene.nodes()[node].path().map(FollowPath::path) != Some(path)
                 || !self.pins.are_those_of(scene, node))
@@ -129,9 +131,8 @@ impl Around {
         Ok(())
     }
 
-    pub(super) fn pins(&self, path: &CameraPath) -> Vec<(usize, f64)> {
+    pub(super) fn pins(&self) -> Vec<(usize, f64)> {
         let there = self.pins.there();
-        let there = there.filter(|(point, _)| *point < path.points.len());
         let pins = there.filter_map(|(point, name)| Some((point, self.scene.marker(&name)?)));
         pins.collect()
     }
@@ -140,10 +141,24 @@ impl Around {
         &mut self.pins
     }
 
+    /// The pins of a path of `count` points that takes the place of this one; `number` is the one
+    /// that a point gets in it. Pins of points that it lacks go.
+    pub(super) fn pins_in(&self, count: usize, number: impl Fn(usize) -> usize) -> Result<Pins> {
+        let mut pins = vec_with_room(self.pins.0.len())?;
+        let there = self.pins.there().map(|(point, marker)| Pinned {
+            point: number(point),
+            marker,
+            parked: 0,
+        });
+        pins.extend(there.filter(|pin| pin.point < count));
+        pins.sort_by_key(|pin: &Pinned| pin.point);
+        Ok(Pins(pins))
+    }
+
     pub(super) fn with(&self, path: &CameraPath) -> Result<Scene> {
         can_allocate(self.scene.heap_size())?;
         let mut scene = Scene::clone(&self.scene);
-        self.put_in(&mut scene, path)?;
+        self.replace_path(&mut scene, path)?;
         Ok(scene)
     }
 }
@@ -187,39 +202,30 @@ impl Pins {
 
     pub(super) fn insert_points(&mut self, at: usize, count: usize, removal: u64) {
         for pin in &mut self.0 {
-            if pin.parked == 0 && pin.point >= at {
-                pin.point += count;
-            } else if pin.parked == removal && removal != 0 {
-                pin.parked = 0;
-                pin.point += at;
-            }
+            vid::insert_points(&mut pin.point, &mut pin.parked, at, count, removal);
         }
         self.0.sort_by_key(|pin| pin.point);
     }
 
     pub(super) fn remove_points(&mut self, at: usize, count: usize, removal: u64) {
-        for pin in self.0.iter_mut().filter(|pin| pin.parked == 0) {
-            if pin.point >= at + count {
-                pin.point -= count;
-            } else if pin.point >= at {
-                pin.parked = removal;
-                pin.point -= at;
-            }
+        for pin in &mut self.0 {
+            vid::remove_points(&mut pin.point, &mut pin.parked, at, count, removal);
         }
     }
 }
 
 impl Document {
-    /// The scene around the path; none if it is nothing but one camera on this path.
+    /// The scene in which the path is edited; none if it is nothing but one camera on this path.
     #[must_use]
-    pub fn around(&self) -> Option<&Around> {
-        self.content().around.as_deref()
+    pub fn edited_scene(&self) -> Option<&EditedScene> {
+        self.state.edited_scene.as_deref()
     }
 
     /// Whether the path can be edited.
     #[must_use]
     pub fn edits_path(&self) -> bool {
-        self.around().is_none_or(|around| around.node.is_some())
+        self.edited_scene()
+            .is_none_or(|edited| edited.node.is_some())
     }
 
     /// The present scene; of a path alone that of a camera on it.
@@ -227,8 +233,8 @@ impl Document {
     /// # Errors
     /// `ErrorKind::Memory`; `ErrorKind::Limit` for too many frames.
     pub fn scene(&self) -> Result<Scene> {
-        match self.around() {
-            Some(around) => around.with(self.path()),
+        match self.edited_scene() {
+            Some(edited) => edited.with(self.path()),
             None => Ok(Scene::of_path(self.path().try_clone()?)?),
         }
     }
@@ -250,10 +256,10 @@ impl Document {
     /// The scene frame of the path's first pose; 1 without a scene.
     #[must_use]
     pub fn start_frame(&self) -> f64 {
-        let Some(around) = self.around() else {
+        let Some(edited) = self.edited_scene() else {
             return 1.0;
         };
-        let pins = around.pins(self.path());
+        let pins = edited.pins();
         let before = |point| {
             self.timeline(|timeline| frames_between(self.path(), timeline, 0, point))
                 .ok()
@@ -262,7 +268,7 @@ impl Document {
             #[allow(clippy::cast_precision_loss)]
             Some(frame - before(point)? as f64)
         });
-        pinned.unwrap_or_else(|| around.start_frame())
+        pinned.unwrap_or_else(|| edited.start_frame())
     }
 
     /// The inverse of [`Document::frame_of_scene`].
@@ -276,14 +282,14 @@ impl Document {
     /// # Errors
     /// `ErrorKind::Argument` if there is no shown camera or it has no path; `ErrorKind::Memory`.
     pub fn shown_path(&self) -> Result<Self> {
-        let Some(around) = self.around() else {
+        let Some(edited) = self.edited_scene() else {
             return self.try_clone();
         };
-        let shown = around.scene.shown_camera().ok_or(Refused::NoCamera)?;
-        let path = if around.node == Some(shown) {
+        let shown = edited.scene.shown_camera().ok_or(Refused::NoCamera)?;
+        let path = if edited.node == Some(shown) {
             self.path()
         } else {
-            let follow = around.scene.nodes()[shown].path();
+            let follow = edited.scene.nodes()[shown].path();
             follow.ok_or(Refused::NoCamera)?.path()
         };
         Self::from_parts(path.try_clone()?, self.info().try_clone()?)
@@ -293,26 +299,27 @@ impl Document {
     /// edited.
     #[must_use]
     pub fn shows_path(&self) -> Option<bool> {
-        let Some(around) = self.around() else {
+        let Some(edited) = self.edited_scene() else {
             return Some(true);
         };
-        let shown = around.scene.shown_camera();
-        let shown = shown.filter(|_| around.node == shown)?;
-        Some(is_plain(&around.scene.nodes()[shown]))
+        let shown = edited.scene.shown_camera();
+        let shown = shown.filter(|_| edited.node == shown)?;
+        Some(is_plain(&edited.scene.nodes()[shown]))
     }
 
-    /// All present poses of the shown camera.
+    /// All present poses of the shown camera: those of its path's frames, or if it has none, of the
+    /// scene's. [`export::write`](crate::export::write) writes those of the scene's in any case.
     ///
     /// # Errors
     /// `ErrorKind::Argument` without a camera; `ErrorKind::Limit` for too many frames;
     /// `ErrorKind::Memory`.
     pub fn poses(&self) -> Result<Poses<'_>> {
-        let Some(around) = self.around() else {
+        let Some(edited) = self.edited_scene() else {
             return Ok(Poses::Path(self.sampler()?));
         };
-        let shown = around.scene.shown_camera().ok_or(Refused::NoCamera)?;
-        let node = &around.scene.nodes()[shown];
-        if around.node == Some(shown) && is_plain(node) {
+        let shown = edited.scene.shown_camera().ok_or(Refused::NoCamera)?;
+        let node = &edited.scene.nodes()[shown];
+        if edited.node == Some(shown) && is_plain(node) {
             return Ok(Poses::Path(self.sampler()?));
         }
         if let Some(follow) = node.path()
@@ -320,7 +327,7 @@ impl Document {
         {
             return Ok(Poses::Path(follow.sampler()?));
         }
-        let scene = around.with(self.path())?;
+        let scene = edited.with(self.path())?;
         let (first, last) = match scene.nodes()[shown].path() {
             Some(follow) => follow.first_and_last(),
             None => scene.frame_range(),
@@ -328,7 +335,7 @@ impl Document {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
         let count = (last - first).floor() as usize + 1;
         if count > MAX_FRAMES {
-            return Err(crate::error::TooMany::SceneFrames.into());
+            return Err(TooMany::SceneFrames.into());
         }
         scene.prepare(first)?;
         Ok(Poses::Scene {
@@ -389,8 +396,12 @@ impl Poses<'_> {
                 scene,
                 camera,
                 first: start,
-                ..
+                count,
             } => {
+                let inside = (1..=count + 1).contains(&first);
+                if !inside || poses.len() > count + 1 - first {
+                    return Err(OutOfRange::FrameOfPath.into());
+                }
                 let mut states = vec_with_room(poses.len().min(BLOCK))?;
                 states.resize(poses.len().min(BLOCK), NodeState::default());
                 for (block, poses) in poses.chunks_mut(BLOCK).enumerate() {
@@ -414,5 +425,5 @@ impl Poses<'_> {
 const BLOCK: usize = 512;
 
 #[cfg(test)]
-#[path = "around_tests.rs"]
+#[path = "edited_scene_tests.rs"]
 mod tests;

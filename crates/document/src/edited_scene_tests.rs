@@ -3,6 +3,7 @@ use vides_engine::scene::{Camera, Extrapolation, Marker};
 use super::*;
 use crate::Edit;
 use crate::error::ErrorKind;
+use crate::export::Format;
 use crate::path::Space;
 use glam::DVec3;
 
@@ -41,7 +42,7 @@ fn move_first(document: &mut Document) {
 fn what_is_edited_goes_back_into_the_scene_and_nothing_else_changes() {
     let before = scene();
     let mut document = document(&before);
-    assert_eq!(document.around().unwrap().node(), Some(1));
+    assert_eq!(document.edited_scene().unwrap().node(), Some(1));
     assert_eq!(document.scene().unwrap(), before);
     move_first(&mut document);
     let after = document.scene().unwrap();
@@ -66,7 +67,7 @@ fn a_file_of_a_scene_has_all_of_it_again() {
     // A path alone is the document of that path.
     let text = Document::new().to_toml().unwrap();
     let (alone, _) = Document::scene_from_toml(&text, "".as_ref()).unwrap();
-    assert!(alone.around().is_none());
+    assert!(alone.edited_scene().is_none());
 }
 
 #[test]
@@ -75,7 +76,7 @@ fn another_node_is_edited_and_that_is_no_change_of_the_file() {
     let mut document = document(&before);
     document.apply(Edit::EditNode(Some(0))).unwrap();
     assert!(!document.is_modified());
-    assert_eq!(document.around().unwrap().node(), Some(0));
+    assert_eq!(document.edited_scene().unwrap().node(), Some(0));
     assert_eq!(document.frame_of_scene(3.0), 3.0);
     move_first(&mut document);
     document.apply(Edit::EditNode(Some(1))).unwrap();
@@ -117,14 +118,14 @@ fn a_scene_takes_the_place_of_a_path_and_the_other_way_round() {
     let old = document.path().clone();
     let edit = Edit::ReplaceScene(Box::new(scene()));
     document.apply(edit).unwrap();
-    assert!(document.is_modified() && document.around().is_some());
+    assert!(document.is_modified() && document.edited_scene().is_some());
     let alone = Scene::of_path(CameraPath::default()).unwrap();
     document.apply(Edit::ReplaceScene(Box::new(alone))).unwrap();
-    assert!(document.around().is_none());
+    assert!(document.edited_scene().is_none());
     document.undo();
     assert_eq!(document.scene().unwrap(), scene());
     document.undo();
-    assert!(document.around().is_none() && *document.path() == old);
+    assert!(document.edited_scene().is_none() && *document.path() == old);
 }
 
 #[test]
@@ -143,6 +144,23 @@ fn poses_are_those_of_the_camera_that_is_shown() {
         document.shown_path().unwrap().path(),
         &CameraPath::default()
     );
+}
+
+/// A program that takes the poses wants the flight; a file has the frames that all else is at.
+#[test]
+fn poses_begin_with_the_path_and_files_with_the_scene() {
+    let document = document(&scene());
+    let poses = document.poses().unwrap();
+    let mut first = [Pose::default()];
+    poses.sample(1, &mut first).unwrap();
+    let mut text = Vec::new();
+    crate::export::write(&document, Format::Csv, &mut text, &mut |_, _| {}).unwrap();
+    let lines = String::from_utf8(text).unwrap();
+    // The car goes from frame 1 on, the camera from frame 11 to the last.
+    assert_eq!(lines.lines().count(), 1 + 10 + poses.frame_count());
+    let (written, frames) = crate::poses_of_text(&lines).unwrap();
+    assert_eq!(frames.unwrap()[10], 11.0);
+    assert_eq!(written[10], first[0]);
 }
 
 #[test]
@@ -164,6 +182,10 @@ fn poses_of_a_camera_that_moves_by_keys_are_those_of_the_scene() {
     let mut last = [Pose::default(); 2];
     poses.sample(6, &mut last).unwrap();
     assert_eq!(last, all[5..]);
+    for (first, count) in [(0, 1), (7, 2), (8, 1), (usize::MAX, 1)] {
+        let error = poses.sample(first, &mut all[..count]).unwrap_err();
+        assert_eq!(error.to_string(), "there is no such frame of the path");
+    }
     assert_eq!(
         document.shown_path().unwrap_err().kind(),
         ErrorKind::Argument
@@ -259,6 +281,83 @@ fn pins_hold_whatever_is_done_to_the_path() {
     while document.undo() {}
     document.apply(Edit::EditNode(Some(0))).unwrap();
     assert_eq!(document.scene().unwrap(), before);
+}
+
+/// The points of the first node that are pinned.
+fn pinned(document: &Document) -> Vec<usize> {
+    let scene = document.scene().unwrap();
+    let pins = scene.pins().iter().filter(|pin| pin.node == 0);
+    pins.map(|pin| pin.point).collect()
+}
+
+/// The scene of [`scene`] with its car edited, which has four points and meets "there" at one.
+fn pinned_at(point: usize) -> Document {
+    let mut document = document(&scene());
+    document.apply(Edit::EditNode(Some(0))).unwrap();
+    document
+        .apply(Edit::DivideSegment {
+            segment: 0,
+            points: 2,
+        })
+        .unwrap();
+    let mut scene = document.scene().unwrap();
+    scene.pin(0, point, Some("there")).unwrap();
+    document.apply(Edit::ReplaceScene(Box::new(scene))).unwrap();
+    document.apply(Edit::EditNode(Some(0))).unwrap();
+    document
+}
+
+#[test]
+fn a_pin_stays_at_its_point_where_the_way_is_turned_round() {
+    let mut document = pinned_at(1);
+    assert_eq!(pinned(&document), [1]);
+    let place = document.path().points[1].position;
+    document.apply(Edit::Reverse).unwrap();
+    assert_eq!(pinned(&document), [2]);
+    assert_eq!(document.path().points[2].position, place);
+    assert_eq!(reached(&document), [5.0]);
+    document.undo();
+    assert_eq!(
+        (pinned(&document), reached(&document)),
+        (vec![1], vec![5.0])
+    );
+    document.redo();
+    assert_eq!(pinned(&document), [2]);
+    // A closed path still begins at its first point.
+    document.apply(Edit::SetClosed(true)).unwrap();
+    document.apply(Edit::MovePoint { from: 2, to: 1 }).unwrap();
+    document.apply(Edit::Reverse).unwrap();
+    assert_eq!(pinned(&document), [3]);
+    // Two would be met in the wrong order: refused, as wherever a marker comes too early.
+    let mut scene = document.scene().unwrap();
+    scene.set_marker("yonder", 1.0).unwrap();
+    scene.pin(0, 1, Some("yonder")).unwrap();
+    document
+        .apply(Edit::ReplaceScene(Box::new(scene.clone())))
+        .unwrap();
+    document.apply(Edit::EditNode(Some(0))).unwrap();
+    assert!(document.apply(Edit::Reverse).is_err());
+    assert_eq!(document.scene().unwrap(), scene);
+}
+
+#[test]
+fn pins_of_points_that_another_path_lacks_go_the_others_hold() {
+    let mut document = pinned_at(3);
+    let (long, short) = (document.path().clone(), CameraPath::default());
+    let replace = |path: &CameraPath| Edit::ReplacePath(Box::new(path.clone()));
+    document.apply(replace(&short)).unwrap();
+    assert_eq!(pinned(&document), [0; 0]);
+    document.apply(replace(&long)).unwrap();
+    assert_eq!(pinned(&document), [0; 0]);
+    while pinned(&document).is_empty() {
+        assert!(document.undo());
+    }
+    assert_eq!((pinned(&document), document.path()), (vec![3], &long));
+    document.apply(Edit::Repeat(2)).unwrap();
+    assert_eq!(
+        (pinned(&document), reached(&document)),
+        (vec![3], vec![5.0])
+    );
 }
 
 #[test]

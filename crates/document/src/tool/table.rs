@@ -1,0 +1,257 @@
+//! The tools but the moves, which the engine lists, with their parameters.
+
+use vides_engine::deform::LATTICE;
+use vides_engine::tools::{Parameter, Unit};
+
+use super::{Kind, Tool};
+use crate::limits::{MAX_COORDINATE, MAX_FRAMES, MAX_POINTS};
+
+const AXES: &[&str] = &["x", "y", "z"];
+
+const fn one(name: &'static str, does: &'static str, default: f64) -> Parameter {
+    Parameter {
+        name,
+        does,
+        unit: Unit::One,
+        width: 1,
+        least: -1e3,
+        most: 1e3,
+        default,
+    }
+}
+
+const fn degrees(name: &'static str, does: &'static str, default: f64) -> Parameter {
+    Parameter {
+        unit: Unit::Degrees,
+        least: -360_000.0,
+        most: 360_000.0,
+        ..one(name, does, default)
+    }
+}
+
+const fn count(name: &'static str, does: &'static str, most: usize, default: f64) -> Parameter {
+    Parameter {
+        unit: Unit::Count,
+        least: 1.0,
+        most: most as f64,
+        ..one(name, does, default)
+    }
+}
+
+pub(super) const FIRST: Parameter = count("first", "the first of the points", MAX_POINTS, 1.0);
+pub(super) const LAST: Parameter = count("last", "the last of the points", MAX_POINTS, 2.0);
+const RANGE: &[Parameter] = &[FIRST, LAST];
+pub(super) const SEEN: Parameter = Parameter {
+    unit: Unit::Switch,
+    least: 0.0,
+    most: 1.0,
+    ..one("with-targets", "what the cameras see goes along", 0.0)
+};
+const CHANGED: &[Parameter] = &[FIRST, LAST, SEEN];
+pub(super) const AXIS: Parameter = Parameter::choice("axis", "the axis", AXES, 1);
+pub(super) const ABOUT: Parameter = Parameter::choice(
+    "about",
+    "what stays where it is",
+    &["middle", "origin", "point", "target"],
+    0,
+);
+pub(super) const PUT: &[Parameter] = &[Parameter::choice(
+    "put",
+    "as a new path, or behind the current point and how it is brought there",
+    &["new", "none", "move", "turn", "scale"],
+    0,
+)];
+
+const TOLERANCE: Parameter = Parameter {
+    unit: Unit::Length,
+    least: 1e-9,
+    most: MAX_COORDINATE,
+    ..one(
+        "tolerance",
+        "how far a position may be from what was given",
+        0.01,
+    )
+};
+
+pub(super) const TOOLS: &[Tool] = &[
+    Tool {
+        name: "draw",
+        does: "makes a path of a line that is drawn in the space with the left button",
+        kind: Kind::Draw,
+        tables: [&[TOLERANCE], PUT],
+    },
+    Tool {
+        name: "move",
+        does: "moves points",
+        kind: Kind::Shift,
+        tables: [
+            &[Parameter {
+                width: 3,
+                unit: Unit::Length,
+                least: -MAX_COORDINATE,
+                most: MAX_COORDINATE,
+                ..one("by", "by how much", 0.0)
+            }],
+            CHANGED,
+        ],
+    },
+    Tool {
+        name: "turn",
+        does: "turns points about an axis",
+        kind: Kind::Turn,
+        tables: [
+            &[AXIS, degrees("angle", "by which angle", 90.0), ABOUT],
+            CHANGED,
+        ],
+    },
+    Tool {
+        name: "scale",
+        does: "scales points",
+        kind: Kind::Scale,
+        tables: [&[one("factor", "by which factor", 0.5), ABOUT], CHANGED],
+    },
+    Tool {
+        name: "mirror",
+        does: "mirrors points along an axis",
+        kind: Kind::Mirror,
+        tables: [
+            &[
+                Parameter {
+                    default: 0.0,
+                    ..AXIS
+                },
+                ABOUT,
+            ],
+            CHANGED,
+        ],
+    },
+    Tool {
+        name: "taper",
+        does: "makes one end of the points' box narrower",
+        kind: Kind::Deform("taper"),
+        tables: [
+            &[
+                AXIS,
+                one("r0", "how wide it is at one end", 1.0),
+                one("r1", "how wide it is at the other", 0.5),
+            ],
+            CHANGED,
+        ],
+    },
+    Tool {
+        name: "bulge",
+        does: "makes the middle of the points' box wider",
+        kind: Kind::Deform("taper"),
+        tables: [
+            &[AXIS, one("a", "how wide it is in the middle", 2.0)],
+            CHANGED,
+        ],
+    },
+    Tool {
+        name: "twist",
+        does: "twists the points' box about an axis",
+        kind: Kind::Deform("twist"),
+        tables: [&[AXIS, degrees("angle", "by which angle", 90.0)], CHANGED],
+    },
+    Tool {
+        name: "bend",
+        does: "bends the points' box along an axis",
+        kind: Kind::Deform("bend"),
+        tables: [&[AXIS, degrees("angle", "by which angle", 90.0)], CHANGED],
+    },
+    Tool {
+        name: "free-form",
+        does: "deforms the points' box by the squares in the space, which are dragged",
+        kind: Kind::Deform("free-form"),
+        tables: [
+            &[Parameter {
+                unit: Unit::Lattice,
+                width: 3 * LATTICE,
+                ..one(
+                    "lattice",
+                    "one of 4 × 4 × 4 squares, and where it is in the box",
+                    0.0,
+                )
+            }],
+            CHANGED,
+        ],
+    },
+    Tool {
+        name: "insert",
+        does: "puts a path from a file behind the current point",
+        kind: Kind::Insert,
+        tables: [
+            &[
+                Parameter::choice(
+                    "fit",
+                    "how it is brought there",
+                    &["none", "move", "turn", "scale"],
+                    1,
+                ),
+                Parameter {
+                    default: 1.0,
+                    ..SEEN
+                },
+            ],
+            &[],
+        ],
+    },
+    Tool {
+        name: "extract",
+        does: "writes points as a path of their own",
+        kind: Kind::Extract,
+        tables: [&[], RANGE],
+    },
+    Tool {
+        name: "blend",
+        does: "blends the path with another one from a file",
+        kind: Kind::Blend,
+        tables: [&[one("weight", "how much of the other path", 0.5)], &[]],
+    },
+    Tool {
+        name: "reverse",
+        does: "turns the way round",
+        kind: Kind::Reverse,
+        tables: [&[], &[]],
+    },
+    Tool {
+        name: "repeat",
+        does: "goes the way several times",
+        kind: Kind::Repeat,
+        tables: [&[count("times", "how often", 1000, 2.0)], &[]],
+    },
+    Tool {
+        name: "frames",
+        does: "brings points to a number of frames",
+        kind: Kind::Frames,
+        tables: [
+            &[count(
+                "frames",
+                "how many, the first and the last with them",
+                MAX_FRAMES,
+                250.0,
+            )],
+            RANGE,
+        ],
+    },
+    Tool {
+        name: "fit",
+        does: "makes a path of few points of recorded poses",
+        kind: Kind::Fit,
+        tables: [
+            &[
+                TOLERANCE,
+                Parameter {
+                    least: 1e-6,
+                    most: 180.0,
+                    ..degrees(
+                        "angle",
+                        "how far view, up and field of view may be from theirs",
+                        0.5,
+                    )
+                },
+            ],
+            &[],
+        ],
+    },
+];
