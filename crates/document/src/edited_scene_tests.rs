@@ -184,7 +184,10 @@ fn poses_of_a_camera_that_moves_by_keys_are_those_of_the_scene() {
     assert_eq!(last, all[5..]);
     for (first, count) in [(0, 1), (7, 2), (8, 1), (usize::MAX, 1)] {
         let error = poses.sample(first, &mut all[..count]).unwrap_err();
-        assert_eq!(error.to_string(), "there is no such frame of the path");
+        assert_eq!(
+            error.to_string(),
+            "a frame must lie between 1 and the number of frames"
+        );
     }
     assert_eq!(
         document.shown_path().unwrap_err().kind(),
