@@ -244,7 +244,7 @@ pub fn change<R>(id: Id, f: impl FnOnce(&mut Document) -> R) -> Option<R> {
 /// called for what its own callback changes.
 pub fn command<R>(id: Id, f: impl FnOnce(&mut Editor) -> R) -> Option<R> {
     let within = within_a_call();
-    let done = registry::work(id, &mut None, |window, _| window.command(within, f));
+    let done = registry::work(id, |window, _| window.command(within, f));
     registry::ring();
     done
 }
@@ -259,7 +259,7 @@ pub fn look<R>(id: Id, f: impl FnOnce(&Editor) -> R) -> Option<R> {
 /// # Errors
 /// `ErrorKind::Display` if its X server went away.
 pub fn raise(id: Id) -> Option<Result<()>> {
-    let done = registry::work(id, &mut None, |window, _| window.raise());
+    let done = registry::work(id, |window, _| window.raise());
     registry::ring();
     done
 }
