@@ -85,6 +85,17 @@ fn shift_and_ctrl_with_a_click_select_and_no_longer() {
 }
 
 #[test]
+fn without_the_current_point_the_nearest_one_becomes_current() {
+    let mut harness = pyramid_window();
+    click_point(&mut harness, 5, Modifiers::NONE);
+    for (points, nearest) in [([0, 3], 3), ([0, 1], 1), ([2, 4], 2)] {
+        choose(&mut harness, &points);
+        assert_eq!(selected(&harness), points);
+        assert_eq!(current(&harness), nearest);
+    }
+}
+
+#[test]
 fn all_are_selected_by_a_key_and_one_by_escape_a_click_or_another_point() {
     let mut harness = pyramid_window();
     let all: Vec<usize> = (0..6).collect();
