@@ -11,8 +11,8 @@ use crate::error::Result;
 use crate::files::{Purpose, Then};
 use crate::limits::SPEEDS;
 use crate::number::Entry;
-use crate::panels::orientation::{Held, look_ahead, set_up};
-use crate::path::{CameraPath, Orientation, Target, UpVector, insertion};
+use crate::panels::orientation::Held;
+use crate::path::{CameraPath, Target, UpVector, insertion};
 use crate::playing::Pace;
 use crate::selected::Choice;
 use crate::setup::{CameraPlace, ColourWindow, DisplayWindow, Setup, Theme, View};
@@ -186,14 +186,10 @@ pub(super) enum Action {
 }
 
 /// The edit that aims an orientation at a place.
-fn aimed(path: &CameraPath, point: usize, at: usize, place: DVec3) -> Option<Edit> {
-    let target = Target::Absolute(place);
-    let orientation = no_longer_ahead(path, point, at).ok()?;
-    let orientation = Orientation {
-        target,
-        ..orientation
-    };
-    Some(Edit::SetOrientation {
+fn aimed(path: &CameraPath, point: usize, at: usize, place: DVec3) -> Result<Edit> {
+    let mut orientation = no_longer_ahead(path, point, at)?;
+    orientation.target = Target::Absolute(place);
+    Ok(Edit::SetOrientation {
         point,
         at,
         orientation,
@@ -304,7 +300,11 @@ impl Editor {
         shown
     }
 
-    pub(super) fn act_all(&mut self, actions: Vec<Action>, context: &egui::Context) {
+    pub(super) fn act_all(
+        &mut self,
+        actions: impl IntoIterator<Item = Action>,
+        context: &egui::Context,
+    ) {
         for action in actions {
             self.act(action, context);
         }
@@ -379,8 +379,11 @@ impl Editor {
                     absolute,
                 });
             }
-            Action::LookAhead => self.set_orientation(|current| look_ahead(current, 0.0)),
-            Action::SetUp(up) => self.set_orientation(|current| set_up(current, up)),
+            Action::LookAhead => {
+                let edit = self.own_action(|own| own.ahead = Some(0.0));
+                self.act_all(edit, context);
+            }
+            Action::SetUp(up) => self.act_all(self.own_action(|own| own.up = up), context),
             Action::SwitchAbsolute => {
                 let target = self.orientation().map(|current| current.target);
                 let absolute = matches!(target, Some(Target::Absolute(_)));
@@ -463,13 +466,12 @@ impl Editor {
             }
             Action::Choose(choice) => self.choose(choice),
             Action::MoveSelected(before) => self.move_selected(before),
-            Action::AimAt(place) => {
-                let here = self.document.selection();
-                let path = self.document.path();
-                if let Some(edit) = aimed(path, here.point, here.orientation, place) {
+            Action::AimAt(place) => match aimed(self.document.path(), point, orientation, place) {
+                Ok(edit) => {
                     self.edit_selected(edit);
                 }
-            }
+                Err(error) => self.complain_of(&error),
+            },
             Action::AimAllAt(place) => self.aim_all_at(place),
             Action::View(view) => self.setup.view = view,
             Action::Playhead(entry) => self.enter_frame(entry),
@@ -615,11 +617,15 @@ impl Editor {
             .enumerate()
             .flat_map(|(point, of_point)| {
                 let all = 0..of_point.orientations.len();
-                all.filter_map(move |at| aimed(path, point, at, place))
+                all.map(move |at| aimed(path, point, at, place))
             });
-        let edits: Vec<Edit> = edits.collect();
-        if self.edit_all(edits) {
-            self.say(self.texts().orientation.all_aimed);
+        match edits.collect::<Result<Vec<Edit>>>() {
+            Ok(edits) => {
+                if self.edit_all(edits) {
+                    self.say(self.texts().orientation.all_aimed);
+                }
+            }
+            Err(error) => self.complain_of(&error),
         }
     }
 

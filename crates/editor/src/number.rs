@@ -39,13 +39,19 @@ pub(super) enum Entry<T = f64> {
 impl Entry {
     /// The same with what the value stands for.
     pub(super) fn map<T>(self, to: impl FnOnce(f64) -> T) -> Entry<T> {
+        self.try_map(|value| Ok(to(value)))
+    }
+
+    /// The same for what may be refused, in words.
+    pub(super) fn try_map<T>(self, to: impl FnOnce(f64) -> Result<T, String>) -> Entry<T> {
+        let refused = |made: Result<Entry<T>, String>| made.unwrap_or_else(Entry::Wrong);
         match self {
             Self::Idle => Entry::Idle,
             Self::Begin => Entry::Begin,
-            Self::Drag(value) => Entry::Drag(to(value)),
+            Self::Drag(value) => refused(to(value).map(Entry::Drag)),
             Self::End => Entry::End,
             Self::Cancel => Entry::Cancel,
-            Self::Set(value) => Entry::Set(to(value)),
+            Self::Set(value) => refused(to(value).map(Entry::Set)),
             Self::Wrong(text) => Entry::Wrong(text),
         }
     }
@@ -549,6 +555,16 @@ mod tests {
         ] {
             assert_eq!(parse(text, "°"), None, "{text}");
         }
+    }
+
+    #[test]
+    fn what_is_refused_is_told() {
+        let refused = |_| Err::<f64, _>("no memory".to_owned());
+        for entry in [Entry::Drag(1.0), Entry::Set(1.0)] {
+            let told = Entry::Wrong("no memory".to_owned());
+            assert_eq!(entry.try_map(refused), told);
+        }
+        assert_eq!(Entry::Cancel.try_map(refused), Entry::Cancel);
     }
 
     #[test]

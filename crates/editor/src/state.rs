@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use crate::actions::Action;
-use crate::document::{Contents, Document, Edit};
+use crate::document::{Contents, Document, Edit, Selection};
 use crate::error::{Error, Result};
 use crate::files::Folders;
 use crate::files::Then;
@@ -13,10 +13,12 @@ use crate::host::pane::HostPane;
 use crate::host::{Program, Standing};
 use crate::number::Entry;
 use crate::obstacles::Obstacles;
-use crate::path::{Orientation, Pose, SupportPoint};
+use crate::panels::orientation::with;
+use crate::path::{Orientation, Own, Pose, SupportPoint};
 use crate::selected::Selected;
 use crate::setup::{Element, Setup};
 use crate::space::Camera;
+use crate::texts::refusals::reason_of;
 use crate::texts::{Language, Texts, fill};
 use crate::theme;
 use crate::{playing, points_list, scene_view, space, windows};
@@ -354,14 +356,25 @@ impl Editor {
     }
 
     pub(super) fn orientation_edit(&self, change: impl FnOnce(&mut Orientation)) -> Option<Edit> {
-        let at = self.document.selection();
-        let mut orientation = self.orientation()?.clone();
-        change(&mut orientation);
-        Some(Edit::SetOrientation {
-            point: at.point,
-            at: at.orientation,
-            orientation,
-        })
+        Some(with(self.document.selection(), self.orientation()?, change))
+    }
+
+    /// The edit that changes what an orientation owns; an error in words, since that takes memory.
+    pub(super) fn with_own(
+        &self,
+        at: Selection,
+        current: &Orientation,
+        change: impl FnOnce(&mut Own),
+    ) -> Result<Edit, String> {
+        let own = current.own.with(change);
+        let own = own.map_err(|error| reason_of(self.language(), &error.into()))?;
+        Ok(with(at, current, |new| new.own = own))
+    }
+
+    /// The same for the current orientation, as an action.
+    pub(super) fn own_action(&self, change: impl FnOnce(&mut Own)) -> Option<Action> {
+        let edit = self.with_own(self.document.selection(), self.orientation()?, change);
+        Some(edit.map_or_else(Action::Complain, Action::Edit))
     }
 
     pub(super) fn set_orientation(&mut self, change: impl FnOnce(&mut Orientation)) {

@@ -120,7 +120,9 @@ fn target(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Action>
             .in_space(editor.document.path().space)
             .range(0.0..=f64::MAX)
             .show(ui, editor.language(), "ahead", ui.available_width());
-        let entry = entry.map(|distance| with(selection, current, |new| look_ahead(new, distance)));
+        let entry = entry.try_map(|distance| {
+            editor.with_own(selection, current, |own| own.ahead = Some(distance))
+        });
         actions.push(Action::enter(missing, entry));
         return;
     }
@@ -129,12 +131,12 @@ fn target(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Action>
         Target::Relative(way) => (("direction", texts.direction, texts.direction_hint), way),
     };
     let edit = |to| {
-        with(selection, current, |new| {
+        Ok(with(selection, current, |new| {
             new.target = match new.target {
                 Target::Absolute(_) => Target::Absolute(to),
                 Target::Relative(_) => Target::Relative(to),
             };
-        })
+        }))
     };
     three_numbers(editor, ui, words, vector, missing, edit, actions);
 }
@@ -189,8 +191,8 @@ fn up(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Action>) {
     if let UpVector::Point(place) = *current {
         let words = ("up", texts.up_at, texts.up_at_hint);
         let edit = |to| {
-            with(shown.at, &shown.orientation, |new| {
-                set_up(new, UpVector::Point(to))
+            editor.with_own(shown.at, &shown.orientation, |own| {
+                own.up = UpVector::Point(to)
             })
         };
         three_numbers(
@@ -310,23 +312,8 @@ fn path_for_up(path: &CameraPath) -> Option<UpVector> {
     Some(found.own.up.clone())
 }
 
-pub(crate) fn set_up(orientation: &mut Orientation, up: UpVector) {
-    // Out of memory, all stays as it is.
-    if let Ok(own) = orientation.own.with(|own| own.up = up) {
-        orientation.own = own;
-    }
-}
-
-/// Looks along the path from now on (0), or at the place `distance` ahead on it.
-pub(crate) fn look_ahead(orientation: &mut Orientation, distance: f64) {
-    // Out of memory, all stays as it is.
-    if let Ok(own) = orientation.own.with(|own| own.ahead = Some(distance)) {
-        orientation.own = own;
-    }
-}
-
 /// The edit that changes an orientation.
-pub(super) fn with(
+pub(crate) fn with(
     at: Selection,
     current: &Orientation,
     change: impl FnOnce(&mut Orientation),

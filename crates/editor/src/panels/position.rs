@@ -157,7 +157,7 @@ fn coordinates(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Ac
         ("position", texts.coordinate, texts.coordinate_hint),
         position,
         missing,
-        |position| Edit::SetPosition { at, position },
+        |position| Ok(Edit::SetPosition { at, position }),
         actions,
     );
 }
@@ -169,7 +169,7 @@ pub(super) fn three_numbers(
     (id, name, hint): (&str, &str, &str),
     vector: DVec3,
     missing: bool,
-    edit: impl Fn(DVec3) -> Edit,
+    edit: impl Fn(DVec3) -> Result<Edit, String>,
     actions: &mut Vec<Action>,
 ) {
     let space = editor.document.path().space;
@@ -185,7 +185,7 @@ pub(super) fn three_numbers(
                 .faint(missing)
                 .in_space(space)
                 .show(ui, editor.language(), &format!("{id}.{letter}"), width);
-            let entry = entry.map(|value| {
+            let entry = entry.try_map(|value| {
                 let mut new = vector;
                 new[axis] = value;
                 edit(new)

@@ -9,14 +9,15 @@ use egui::{
 use super::curve::Curve;
 use super::{Marks, as_frame, plot, scrub_by_mouse};
 use crate::actions::Action;
-use crate::document::{Document, Edit, Selection};
+use crate::document::{Document, Selection};
 use crate::error::Result;
 use crate::limits::{MAX_SPEED, MIN_SPEED, SPEEDS};
 use crate::number::Entry;
-use crate::path::{self, Change};
+use crate::path::Change;
 use crate::state::Editor;
 use crate::texts::fill;
 use crate::theme::{self, Palette};
+use crate::windows::goes_by_ten;
 
 pub(super) const HEIGHT: f32 = 76.0;
 
@@ -319,14 +320,10 @@ fn moved_border(editor: &Editor, held: &Held, at: f32, ripple: bool) -> Vec<Acti
     let moved = wanted.min(most).max(1 - length(frames));
     let set = |(at, frames): (Selection, i64)| {
         let point = editor.document.path().points.get(at.point)?;
-        let mut orientation = point.orientations.get(at.orientation)?.clone();
+        let orientation = point.orientations.get(at.orientation)?;
         let frames = u32::try_from(frames).ok()?;
-        orientation.own = orientation.own.with(|own| own.frames = frames).ok()?;
-        Some(Action::Edit(Edit::SetOrientation {
-            point: at.point,
-            at: at.orientation,
-            orientation,
-        }))
+        let edit = editor.with_own(at, orientation, |own| own.frames = frames);
+        Some(edit.map_or_else(Action::Complain, Action::Edit))
     };
     let before = (first, length(frames) + moved);
     let after = after.map(|(at, frames)| (at, length(frames) - moved));
@@ -349,7 +346,7 @@ fn squares(editor: &Editor, held: &mut Held, ui: &Ui, scale: &Scale, actions: &m
     };
     let ends = Rangef::new(scale.x(stretch.start as f32), scale.x(stretch.end as f32));
     let step = ends.span() / (SPEEDS - 1) as f32;
-    if step < GRIP || orientation.own.pace != path::own::Pace::Speeds {
+    if step < GRIP || !goes_by_ten(&orientation.own.pace) {
         return;
     }
     let palette = theme::palette(ui);

@@ -18,7 +18,7 @@ pub(super) use curve::CurveWindow;
 pub(super) use help::HelpWindow;
 pub(super) use points::PointsWindow;
 pub(super) use space::SpaceWindow;
-pub(super) use speed::SpeedWindow;
+pub(super) use speed::{SpeedWindow, goes_by_ten};
 pub(super) use tool::ToolWindow;
 
 use crate::actions::Action;

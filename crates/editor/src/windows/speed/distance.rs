@@ -3,10 +3,10 @@
 use egui::{Button, CursorIcon, Id, Key, Modifiers, Rect, Sense, Ui, Vec2, WidgetInfo, pos2};
 
 use super::graph::{Frame, Handle};
-use super::{Section, SpeedWindow, entered};
+use super::{Section, SpeedWindow, entered_own};
 use crate::actions::Action;
 use crate::number::Number;
-use crate::path::{Orientation, Pace, Timing};
+use crate::path::{MayOwn, Orientation, Pace, Timing};
 use crate::state::Editor;
 use crate::texts::fill;
 use crate::theme;
@@ -31,8 +31,14 @@ pub(super) fn sampled(timing: &Timing) -> Vec<[f64; 2]> {
     for parts in PARTS {
         let times = (0..=parts).map(|part| part as f64 / parts as f64);
         keys = times.map(|time| [time, timing.fraction(time)]).collect();
-        let mut orientation = Orientation::default();
-        super::pace::set(&mut orientation, Pace::Distance(keys.as_slice().into()));
+        let pace = Pace::Distance(keys.as_slice().into());
+        let Ok(own) = MayOwn::default().with(|own| own.pace = pace) else {
+            break;
+        };
+        let orientation = Orientation {
+            own,
+            ..Orientation::default()
+        };
         let Ok(now) = Timing::new(&orientation, None, None) else {
             break;
         };
@@ -45,9 +51,7 @@ pub(super) fn sampled(timing: &Timing) -> Vec<[f64; 2]> {
 }
 
 fn set(editor: &Editor, keys: Vec<[f64; 2]>) -> Option<Action> {
-    let pace = Pace::Distance(keys.into());
-    let edit = editor.orientation_edit(|orientation| super::pace::set(orientation, pace));
-    edit.map(Action::Edit)
+    editor.own_action(|own| own.pace = Pace::Distance(keys.into()))
 }
 
 /// The keys with one of them at another place, as far as its neighbours leave room.
@@ -199,10 +203,10 @@ impl SpeedWindow {
                     .fixed_if(fixed);
                 let id = format!("speed.key.{part}");
                 let entry = number.show(ui, editor.language(), &id, 104.0);
-                actions.extend(entered(editor, entry, |orientation, value| {
+                actions.extend(entered_own(editor, entry, |own, value| {
                     let mut keys = keys.to_vec();
                     keys[at][part] = value / 100.0;
-                    super::pace::set(orientation, Pace::Distance(keys.into()));
+                    own.pace = Pace::Distance(keys.into());
                 }));
             }
             if ui

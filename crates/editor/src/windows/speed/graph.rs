@@ -5,7 +5,7 @@ use egui::{
     Response, Sense, Shape, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
 
-use super::{SCALE, Section};
+use super::{SCALE, Section, goes_by_ten};
 use crate::actions::Action;
 use crate::limits::{BASE_SPEED, MAX_SPEED, MIN_SPEED, SPEEDS};
 use crate::number::Entry;
@@ -89,7 +89,7 @@ impl Frame {
         let curve = quantity.curve(section);
         let highest = curve.iter().map(|point| point[1].abs()).fold(0.0, f64::max);
         let (low, high) = match quantity {
-            Quantity::Speed if section.goes_by_ten() => (MIN_SPEED, MAX_SPEED),
+            Quantity::Speed if goes_by_ten(&section.pace) => (MIN_SPEED, MAX_SPEED),
             Quantity::Speed if highest <= MAX_SPEED => (0.0, MAX_SPEED),
             Quantity::Speed => (0.0, round_above(highest)),
             Quantity::Distance => (0.0, 100.0),
