@@ -343,8 +343,8 @@ impl Editor {
                 self.add_here();
             }
             Action::RemovePoint => self.remove_selected(),
-            Action::PreviousPoint => self.go_by_points(-1),
-            Action::NextPoint => self.go_by_points(1),
+            Action::PreviousPoint => self.go_by_points(false),
+            Action::NextPoint => self.go_by_points(true),
             Action::AppendPoint => {
                 self.edit(Edit::AppendAfterLast);
             }
@@ -370,8 +370,8 @@ impl Editor {
                     at: orientation,
                 });
             }
-            Action::PreviousOrientation => self.go_by_orientations(-1),
-            Action::NextOrientation => self.go_by_orientations(1),
+            Action::PreviousOrientation => self.go_by_orientations(false),
+            Action::NextOrientation => self.go_by_orientations(true),
             Action::SetAbsolute(absolute) => {
                 self.edit_selected(Edit::SetAbsolute {
                     point,
@@ -445,7 +445,7 @@ impl Editor {
             Action::Keys => windows::open::<HelpWindow>(self, context),
             Action::EditNode(node) => {
                 self.document.end_step();
-                let moment = self.scene_frame();
+                let moment = self.frame();
                 if self.edit(Edit::EditNode(node))
                     && let Ok(moment) = moment
                 {
@@ -642,13 +642,16 @@ impl Editor {
     }
 
     /// Goes on by one point, round and round.
-    fn go_by_points(&mut self, by: isize) {
+    fn go_by_points(&mut self, forward: bool) {
         let count = self.document.path().points.len();
-        self.select(round(self.document.selection().point, by, count), 0);
+        self.select(
+            step_around(self.document.selection().point, forward, count),
+            0,
+        );
     }
 
     /// Goes on by one orientation of this point, round and round.
-    fn go_by_orientations(&mut self, by: isize) {
+    fn go_by_orientations(&mut self, forward: bool) {
         let Selection { point, orientation } = self.document.selection();
         let points = &self.document.path().points;
         let count = points
@@ -657,7 +660,7 @@ impl Editor {
         if count == 1 {
             self.say(self.texts().orientation.only_one);
         } else {
-            self.select(point, round(orientation, by, count));
+            self.select(point, step_around(orientation, forward, count));
         }
     }
 
@@ -666,13 +669,8 @@ impl Editor {
     }
 }
 
-/// `at` + `by` modulo `count`; `by` is 1 or -1.
-pub(super) fn round(at: usize, by: isize, count: usize) -> usize {
+/// The next one of `count`, or the one before, round and round.
+pub(super) fn step_around(at: usize, forward: bool, count: usize) -> usize {
     let count = count.max(1);
-    let at = at % count;
-    match by {
-        1 if at + 1 == count => 0,
-        1 => at + 1,
-        _ => at.checked_sub(1).unwrap_or(count - 1),
-    }
+    (at % count + if forward { 1 } else { count - 1 }) % count
 }

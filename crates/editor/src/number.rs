@@ -9,12 +9,13 @@
 
 use std::ops::RangeInclusive;
 
-use egui::text::{CCursor, CCursorRange};
 use egui::{
-    Align2, Color32, CornerRadius, CursorIcon, Id, Key, Margin, Modifiers, Rect, Role, Sense,
-    Stroke, StrokeKind, TextEdit, Ui, WidgetInfo, vec2,
+    Align2, Color32, Context, CornerRadius, CursorIcon, Id, Key, Margin, Modifiers, Rect, Role,
+    Sense, Stroke, StrokeKind, TextEdit, Ui, WidgetInfo, vec2,
 };
 
+use crate::actions::Action;
+use crate::keys;
 use crate::path::Space;
 use crate::texts::{Language, fill};
 use crate::theme;
@@ -53,6 +54,36 @@ impl Entry {
             Self::Cancel => Entry::Cancel,
             Self::Set(value) => refused(to(value).map(Entry::Set)),
             Self::Wrong(text) => Entry::Wrong(text),
+        }
+    }
+}
+
+impl<T> Entry<T> {
+    /// The end of a drag: Escape cancels it. (egui ends it before anybody sees the key.)
+    pub(super) fn of_end(context: &Context) -> Self {
+        match keys::consume_escape(context) {
+            true => Self::Cancel,
+            false => Self::End,
+        }
+    }
+}
+
+impl Entry {
+    /// Applies it to a value of a window's own, which is kept in `before` while it is dragged.
+    pub(super) fn apply<T: Clone>(
+        self,
+        before: &mut Option<T>,
+        value: &mut T,
+        set: impl FnOnce(&mut T, f64),
+        actions: &mut Vec<Action>,
+    ) {
+        match self {
+            Self::Idle => {}
+            Self::Begin => *before = Some(value.clone()),
+            Self::Drag(new) | Self::Set(new) => set(value, new),
+            Self::End => *before = None,
+            Self::Cancel => *value = before.take().unwrap_or_else(|| value.clone()),
+            Self::Wrong(text) => actions.push(Action::Complain(text)),
         }
     }
 }
@@ -318,13 +349,7 @@ impl<'a> Number<'a> {
             .filter(|typing| typing.value == value)
             .unwrap_or_else(fresh);
         if selects {
-            let all = CCursorRange::two(
-                CCursor::default(),
-                CCursor::new(typing.text.chars().count()),
-            );
-            let mut state = TextEdit::load_state(ui.ctx(), id).unwrap_or_default();
-            state.cursor.set_char_range(Some(all));
-            TextEdit::store_state(ui.ctx(), id, state);
+            theme::select(ui, id, &typing.text);
         }
         let response = ui.put(
             rect,

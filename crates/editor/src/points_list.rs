@@ -3,7 +3,6 @@
 //!
 //! It is folded in a narrow window at first; a click on its heading folds or unfolds it.
 
-use egui::text::{CCursor, CCursorRange};
 use egui::{
     Align2, Color32, Context, CornerRadius, EventFilter, Id, Key, Modifiers, Painter, Rect,
     Response, Role, ScrollArea, Sense, Shape, Stroke, TextEdit, Ui, UiBuilder, WidgetInfo, pos2,
@@ -393,11 +392,7 @@ impl Renaming {
         let texts = &editor.texts().points_list;
         let id = Id::unique("name of a point");
         if self.fresh {
-            let end = CCursor::new(self.text.chars().count());
-            let all = CCursorRange::two(CCursor::default(), end);
-            let mut state = TextEdit::load_state(ui.ctx(), id).unwrap_or_default();
-            state.cursor.set_char_range(Some(all));
-            TextEdit::store_state(ui.ctx(), id, state);
+            theme::select(ui, id, &self.text);
             ui.memory_mut(|memory| memory.request_focus(id));
         }
         let edit = TextEdit::singleline(&mut self.text)

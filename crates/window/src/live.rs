@@ -124,7 +124,7 @@ impl Live {
         }
         // A path that cannot be sampled has no poses; the window says so.
         let view = || editor.view().ok();
-        let frame = || Some((editor.document().revision(), editor.scene_frame().ok()?));
+        let frame = || Some((editor.document().revision(), editor.frame().ok()?));
         if watches && let Some(((pose, at), reason)) = self.view.next(now, view) {
             return Some(Call::View(pose, at, reason));
         }

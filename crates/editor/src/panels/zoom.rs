@@ -6,6 +6,7 @@ use super::heading;
 use super::orientation::{Held, own, with};
 use crate::actions::Action;
 use crate::limits::{MAX_ZOOM, MIN_ZOOM};
+use crate::math::view::HALF_FILM_HEIGHT;
 use crate::number::{Entry, Number};
 use crate::state::Editor;
 
@@ -13,9 +14,6 @@ const FIELD: f32 = 56.0;
 
 /// Width of the button that gives a slope back.
 const OWN: f32 = 76.0;
-
-/// Half the height of the picture of a 36×24 mm camera, in mm.
-const HALF_HEIGHT: f64 = 12.0;
 
 pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let texts = &editor.texts().zoom;
@@ -26,7 +24,7 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let missing = shown.has_no_orientation();
     let owns = Held::Zoom.is_owned(&shown);
     let (selection, current) = (shown.at, shown.orientation);
-    let angle = 2.0 * (HALF_HEIGHT / current.zoom).atan().to_degrees();
+    let angle = 2.0 * (HALF_FILM_HEIGHT / current.zoom).atan().to_degrees();
     let words = format!("{}°", language.number(angle, 1));
     heading(ui, texts.heading, &words).on_hover_text(texts.angle_hint);
     ui.horizontal(|ui| {

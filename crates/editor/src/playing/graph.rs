@@ -2,8 +2,8 @@
 //! Borders of sections are dragged sideways, the ten speeds of the current section up and down.
 
 use egui::{
-    Align2, CornerRadius, CursorIcon, Id, Key, Modifiers, Painter, Pos2, Rangef, Rect, Response,
-    Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
+    Align2, CornerRadius, CursorIcon, Id, Painter, Pos2, Rangef, Rect, Response, Sense, Stroke,
+    StrokeKind, Ui, WidgetInfo, pos2, vec2,
 };
 
 use super::curve::Curve;
@@ -409,13 +409,7 @@ fn ended(ui: &Ui, response: &Response, held: &mut Held, actions: &mut Vec<Action
         return;
     }
     *held = Held::Nothing;
-    // egui ends a drag on Escape before anybody sees the key.
-    let escaped = ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
-    actions.push(Action::Enter(if escaped {
-        Entry::Cancel
-    } else {
-        Entry::End
-    }));
+    actions.push(Action::Enter(Entry::of_end(ui.ctx())));
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! Tests of [`super`].
 
-use egui::{Event, PointerButton};
+use egui::{Event, Key, Modifiers, PointerButton};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 

@@ -365,25 +365,24 @@ impl Space {
                 add(overlay::ring(&look, at, color, held.is_some()));
             }
         }
+        let add_camera = |camera: &Camera, points, width, color| {
+            let mut strokes = Strokes::new(look.projection, viewport);
+            cameras::camera(&mut strokes, &look, camera, points, width, color);
+            add(strokes.finish());
+        };
         if let Some(color) = look.of(Element::Player)
             && let Some((camera, true)) = editor.camera()
         {
-            let mut strokes = Strokes::new(look.projection, viewport);
-            cameras::camera(&mut strokes, &look, &camera, 44.0, 1.8, color);
-            add(strokes.finish());
+            add_camera(&camera, 44.0, 1.8, color);
         }
         if let Some(color) = look.of(Element::Player)
             && let Some(flown) = editor.flown()
         {
-            let mut strokes = Strokes::new(look.projection, viewport);
-            cameras::camera(&mut strokes, &look, &flown, 44.0, 1.8, color);
-            add(strokes.finish());
+            add_camera(&flown, 44.0, 1.8, color);
         }
         if let Some(ghost) = editor.ghost.map(Camera::from) {
             let color = editor.setup.theme().palette().text.gamma_multiply(0.65);
-            let mut strokes = Strokes::new(look.projection, viewport);
-            cameras::camera(&mut strokes, &look, &ghost, 40.0, 1.4, color);
-            add(strokes.finish());
+            add_camera(&ghost, 40.0, 1.4, color);
             overlay::name(painter, &look, &ghost, editor.host_name(), color);
         }
         let pointed = match pointer.hover {

@@ -15,6 +15,7 @@ use super::tangents::Side;
 use super::tool::{self, Kind, Next, Tool};
 use super::typed::Typed;
 use crate::actions::Action;
+use crate::keys;
 use crate::selected::Choice;
 use crate::setup::View;
 use crate::state::Editor;
@@ -304,8 +305,7 @@ impl PointerController {
                 ..
             } if self.hold.is_none() && surface.keyboard && editor.several().is_some() => {
                 actions.push(Action::Choose(Choice::Current));
-                (surface.context)
-                    .input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
+                keys::consume_escape(surface.context);
             }
             Event::Key {
                 key: Key::Escape,
@@ -313,8 +313,7 @@ impl PointerController {
                 ..
             } if self.hold.is_some() => {
                 self.cancel(actions);
-                (surface.context)
-                    .input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
+                keys::consume_escape(surface.context);
             }
             Event::Key {
                 key,
@@ -338,12 +337,10 @@ impl PointerController {
                     hold.freedom = Freedom::of_key(&projection, kept);
                     let now = hold.now;
                     self.motion(editor, surface, now, actions);
-                } else if surface.keyboard && self.hold.is_none() && modifiers.is_none() {
-                    if !self.begin_tool(editor, surface, key, actions) {
-                        let pressed = (key, modifiers);
-                        keyboard::press(self, editor, surface.viewport, pressed, actions);
-                    }
-                } else if surface.keyboard && self.hold.is_none() {
+                } else if surface.keyboard
+                    && self.hold.is_none()
+                    && !(modifiers.is_none() && self.begin_tool(editor, surface, key, actions))
+                {
                     keyboard::press(self, editor, surface.viewport, (key, modifiers), actions);
                 }
             }

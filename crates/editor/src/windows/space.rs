@@ -6,7 +6,7 @@ use egui::{Button, Grid, Ui, vec2};
 use super::{SubWindow, Windows, row_at_right, sub_window};
 use crate::actions::Action;
 use crate::document::Edit;
-use crate::number::{Entry, Number};
+use crate::number::Number;
 use crate::path::{Space, Up};
 use crate::state::Editor;
 use crate::texts::refusals;
@@ -197,18 +197,8 @@ impl SpaceWindow {
             half_size,
             ..self.space
         });
-        match number.pending().show(ui, editor.language(), id, NUMBER) {
-            Entry::Idle => {}
-            Entry::Begin => self.before = Some(self.space),
-            Entry::Drag(value) | Entry::Set(value) => set(&mut self.space, value),
-            Entry::End => self.before = None,
-            Entry::Cancel => {
-                if let Some(before) = self.before.take() {
-                    self.space = before;
-                }
-            }
-            Entry::Wrong(text) => actions.push(Action::Complain(text)),
-        }
+        let entry = number.pending().show(ui, editor.language(), id, NUMBER);
+        entry.apply(&mut self.before, &mut self.space, set, actions);
     }
 
     /// Applies what is pending as one step; `closes` the window, too, unless that was refused.

@@ -291,13 +291,7 @@ impl Handle<'_> {
             to = Some((pointer - grip, ui.input(|input| input.modifiers.shift)));
         }
         if response.drag_stopped() && mine.is_some() {
-            // egui ends a drag on Escape before anybody sees the key.
-            let escaped = ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
-            actions.push(Action::Enter(if escaped {
-                Entry::Cancel
-            } else {
-                Entry::End
-            }));
+            actions.push(Action::Enter(Entry::of_end(ui.ctx())));
             *held = None;
         }
         let focused = response.has_focus();
