@@ -90,15 +90,13 @@ impl Curve {
                 trapezoid(&mut shade, pair, foot, palette.accent.gamma_multiply(part));
                 add(pair[0], pair[1], width, color);
             }
-            match before {
-                Some((last, end)) if last.end == first.start => {
-                    if (last.speeds[PIECES] - first.speeds[0]).abs() > JUMP {
-                        add(end, left, 1.5, palette.error);
-                    }
+            if let Some((last, end)) = before {
+                if last.end != first.start {
+                    // It rests there.
+                    add(pos2(end.x, foot), pos2(left.x, foot), 1.3, plain);
+                } else if (last.speeds[PIECES] - first.speeds[0]).abs() > JUMP {
+                    add(end, left, 1.5, palette.error);
                 }
-                // It rests there.
-                Some((_, end)) => add(pos2(end.x, foot), pos2(left.x, foot), 1.3, plain),
-                None => {}
             }
             before = Some((last, right));
         }
