@@ -11,7 +11,7 @@ use crate::error::Result;
 use crate::files::{Purpose, Then};
 use crate::limits::SPEEDS;
 use crate::number::Entry;
-use crate::panels::orientation::Held;
+use crate::panels::orientation::OwnedMotion;
 use crate::path::{CameraPath, Target, UpVector, insertion};
 use crate::playing::Pace;
 use crate::selected::Choice;
@@ -69,7 +69,7 @@ pub(super) enum Action {
     /// `Abs.` (true) or `Rel.` (false).
     SetAbsolute(bool),
     /// Take away what the current orientation owns of this.
-    GiveBack(Held),
+    GiveBack(OwnedMotion),
     /// Let the current orientation look along the way.
     LookAhead,
     SetUp(UpVector),
@@ -400,9 +400,11 @@ impl Editor {
             },
             Action::LoadObject => self.choose_file(Purpose::LoadObject),
             Action::Export => self.choose_file(Purpose::Export),
-            Action::HandOver if self.hand_over => self.requests.push(Request::HandOver),
+            Action::HandOver if self.host_takes_poses => self.requests.push(Request::HandOver),
             Action::HandOver => self.complain(self.texts().menu.nobody_takes),
-            Action::SwitchHandsOver => self.hands_over = !self.hands_over && self.hand_over,
+            Action::SwitchHandsOver => {
+                self.auto_hand_over = !self.auto_hand_over && self.host_takes_poses
+            }
             Action::TakeOver { replace } => self.ask_for_view(replace),
             Action::Tool(tool) => {
                 self.open_tool(tool);
@@ -443,16 +445,7 @@ impl Editor {
             Action::SwitchSpeedGraph => self.setup.speed_graph = !self.setup.speed_graph,
             Action::PlayOrPause => self.play_or_pause(context),
             Action::Keys => windows::open::<HelpWindow>(self, context),
-            Action::EditNode(node) => {
-                self.document.end_step();
-                let moment = self.frame();
-                if self.edit(Edit::EditNode(node))
-                    && let Ok(moment) = moment
-                {
-                    // As far as the other path goes.
-                    self.scrub(self.document.frame_of_path(moment));
-                }
-            }
+            Action::EditNode(node) => self.edit_node(node),
             Action::Edit(edit) => {
                 self.edit_selected(edit);
             }
@@ -466,12 +459,7 @@ impl Editor {
             }
             Action::Choose(choice) => self.choose(choice),
             Action::MoveSelected(before) => self.move_selected(before),
-            Action::AimAt(place) => match aimed(self.document.path(), point, orientation, place) {
-                Ok(edit) => {
-                    self.edit_selected(edit);
-                }
-                Err(error) => self.complain_of(&error),
-            },
+            Action::AimAt(place) => self.aim_at(place),
             Action::AimAllAt(place) => self.aim_all_at(place),
             Action::View(view) => self.setup.view = view,
             Action::Playhead(entry) => self.enter_frame(entry),
@@ -501,6 +489,18 @@ impl Editor {
             Action::Overwrite(then) => self.overwrite(then),
             Action::Say(text) => self.say(text),
             Action::Complain(text) => self.complain(text),
+        }
+    }
+
+    /// Edits the path of another node at the same moment of the scene.
+    fn edit_node(&mut self, node: Option<usize>) {
+        self.document.end_step();
+        let moment = self.frame();
+        if self.edit(Edit::EditNode(node))
+            && let Ok(moment) = moment
+        {
+            // As far as the other path goes.
+            self.scrub(self.document.frame_of_path(moment));
         }
     }
 
@@ -590,6 +590,16 @@ impl Editor {
         let _ = self.document.select(segment + 1, 0);
         if !within {
             self.document.end_step();
+        }
+    }
+
+    fn aim_at(&mut self, place: DVec3) {
+        let Selection { point, orientation } = self.document.selection();
+        match aimed(self.document.path(), point, orientation, place) {
+            Ok(edit) => {
+                self.edit_selected(edit);
+            }
+            Err(error) => self.complain_of(&error),
         }
     }
 

@@ -24,7 +24,7 @@ const WIDTH: [f32; 2] = [140.0, 210.0];
 const FOLDED: f32 = 18.0;
 
 /// A narrower window shows it folded at first.
-const ROOMY: f32 = 1100.0;
+const MIN_WIDTH_UNFOLDED: f32 = 1100.0;
 
 const HEADING: f32 = 40.0;
 const ROW: f32 = 22.0;
@@ -92,7 +92,7 @@ fn id() -> Id {
 impl PointsList {
     pub(super) fn is_open(&self, context: &Context) -> bool {
         let whole = context.content_rect().width();
-        self.open.unwrap_or(whole >= ROOMY)
+        self.open.unwrap_or(whole >= MIN_WIDTH_UNFOLDED)
     }
 
     fn show(&mut self, editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {

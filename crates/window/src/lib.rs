@@ -160,7 +160,7 @@ impl Options {
                 file: None,
                 title: None,
                 language: None,
-                hand_over: true,
+                host_takes_poses: true,
                 fixed_speeds: false,
                 folders: editor::Folders::of_environment(),
                 program: host_program(true),
@@ -269,12 +269,12 @@ pub fn raise(id: Id) -> Option<Result<()>> {
 /// # Errors
 /// `ErrorKind::Limit` where the system gives no more descriptors.
 pub fn descriptor() -> Result<RawFd> {
-    told();
+    host_serves();
     registry::descriptor()
 }
 
 /// The host serves its windows itself, or is about to: it needs no hint.
-pub fn told() {
+pub fn host_serves() {
     hint::served();
     lookout::end(true);
 }
@@ -285,7 +285,10 @@ pub fn wait() -> Option<Duration> {
 }
 
 /// Serves the windows of this thread in an Xt application context, for a host that makes its
-/// context after it has opened windows.
+/// context after it has opened windows. Within the result is whether Xt takes them.
+///
+/// # Errors
+/// `ErrorKind::Limit` where the system gives no more descriptors.
 pub fn set_app_context(context: *mut c_void) -> Result<std::result::Result<(), Refusal>> {
     Ok(xt::watch_in(context, registry::descriptor()?))
 }

@@ -113,7 +113,7 @@ fn serve(id: Id) -> bool {
 /// # Errors
 /// `ErrorKind::Limit` without descriptors.
 pub fn main_loop() -> Result<Served> {
-    super::told();
+    super::host_serves();
     let mut lost = None;
     loop {
         let mut served = dispatch();
@@ -145,7 +145,7 @@ pub fn close_all(ask: bool) -> Result<bool> {
             if registry::look(id, |window| window.editor().asks_to_close()) != Some(true) {
                 return Ok(false);
             }
-            super::told();
+            super::host_serves();
             registry::sleep()?;
         }
     }

@@ -292,7 +292,7 @@ fn open_for(host: Rc<dyn Host>, host_view: HostView) -> (Id, Rc<Remote>) {
         file: None,
         title: None,
         language: Some(Language::English),
-        hand_over: true,
+        host_takes_poses: true,
         fixed_speeds: true,
         folders: Folders::default(),
         program: crate::host_program(false),

@@ -128,7 +128,7 @@ impl Editor {
             return;
         };
         let written = state.modified().ok().map(|time| (time, state.len()));
-        if self.windows.ask() || written == self.written {
+        if self.windows.has_modal() || written == self.written {
             return;
         }
         self.written = written;
@@ -202,7 +202,7 @@ impl Editor {
             loaded.map_err(|error| self.refusal(texts.errors.cannot_load, file, &error))?;
         self.known = document.read_contents();
         self.document = document;
-        self.handed = None;
+        self.handed_state = None;
         self.windows.path_replaced();
         self.file = Some(file.to_owned());
         self.note_file(file);

@@ -4,7 +4,7 @@ use egui::{Button, Popup, Role, Ui, WidgetInfo};
 use glam::DVec3;
 
 use super::position::three_numbers;
-use super::{Key, heading, keys, round, share};
+use super::{PanelButton, button_row, heading, pager, share};
 use crate::actions::Action;
 use crate::document::{Edit, Selection};
 use crate::error::Result;
@@ -34,46 +34,46 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         _ => texts.in_direction,
     };
     heading(ui, texts.heading, how);
-    keys(
+    button_row(
         editor,
         ui,
         &[
-            Key::new(texts.add, texts.add_hint, Action::AddOrientation),
-            Key::new(texts.remove, texts.remove_hint, Action::RemoveOrientation),
+            PanelButton::new(texts.add, texts.add_hint, Action::AddOrientation),
+            PanelButton::new(texts.remove, texts.remove_hint, Action::RemoveOrientation),
         ],
         actions,
     );
-    round(
+    pager(
         editor,
         ui,
         [
-            &Key::new(
+            &PanelButton::new(
                 texts.previous,
                 texts.previous_hint,
                 Action::PreviousOrientation,
             ),
-            &Key::new(texts.next, texts.next_hint, Action::NextOrientation),
+            &PanelButton::new(texts.next, texts.next_hint, Action::NextOrientation),
         ],
         &Editor::number_of(texts.count, here.orientation, count),
         actions,
     );
-    keys(
+    button_row(
         editor,
         ui,
         &[
-            Key::new(
+            PanelButton::new(
                 texts.absolute,
                 texts.absolute_hint,
                 Action::SetAbsolute(true),
             )
             .chosen(absolute),
-            Key::new(
+            PanelButton::new(
                 texts.relative,
                 texts.relative_hint,
                 Action::SetAbsolute(false),
             )
             .chosen(!absolute && !ahead),
-            Key::new(texts.ahead, texts.ahead_hint, Action::LookAhead).chosen(ahead),
+            PanelButton::new(texts.ahead, texts.ahead_hint, Action::LookAhead).chosen(ahead),
         ],
         actions,
     );
@@ -152,14 +152,14 @@ fn up(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Action>) {
         UpVector::Minimal => (texts.up_minimal, texts.up_minimal_hint),
         UpVector::Frenet => (texts.up_frenet, texts.up_frenet_hint),
     };
-    let turns = Held::Turning.is_owned(shown);
+    let turns = OwnedMotion::Turning.is_owned(shown);
     let width = share(ui, 1 + usize::from(turns));
     let row = ui.horizontal(|ui| {
         ui.spacing_mut().button_padding.x = 0.0;
         let button = Button::new(fill(texts.up, &[&words(current).0]));
         let response = ui.add_sized([width, theme::ROW], button);
         if turns {
-            own(editor, ui, Held::Turning, width, actions);
+            own(editor, ui, OwnedMotion::Turning, width, actions);
         }
         response
     });
@@ -209,14 +209,14 @@ fn up(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Action>) {
 
 /// Something of a motion that an orientation may own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Held {
+pub(crate) enum OwnedMotion {
     /// Angular velocities, a part of a turning, the slope of the roll.
     Turning,
     /// The slope of its zoom.
     Zoom,
 }
 
-impl Held {
+impl OwnedMotion {
     pub(super) fn is_owned(self, shown: &Shown) -> bool {
         let own = &shown.orientation.own;
         let turns = || own.velocities.is_some() || own.turning.is_some();
@@ -229,19 +229,25 @@ impl Held {
 }
 
 /// Says that the orientation owns this, and gives it back.
-pub(super) fn own(editor: &Editor, ui: &mut Ui, what: Held, width: f32, actions: &mut Vec<Action>) {
+pub(super) fn own(
+    editor: &Editor,
+    ui: &mut Ui,
+    what: OwnedMotion,
+    width: f32,
+    actions: &mut Vec<Action>,
+) {
     let texts = &editor.texts().orientation;
     let (text, hint) = match what {
-        Held::Turning => (texts.own_turning, texts.own_turning_hint),
-        Held::Zoom => (texts.own_slope, texts.own_slope_hint),
+        OwnedMotion::Turning => (texts.own_turning, texts.own_turning_hint),
+        OwnedMotion::Zoom => (texts.own_slope, texts.own_slope_hint),
     };
-    let key = Key::new(text, hint, Action::GiveBack(what)).chosen(true);
-    key.show(editor, ui, width, actions);
+    let button = PanelButton::new(text, hint, Action::GiveBack(what)).chosen(true);
+    button.show(editor, ui, width, actions);
 }
 
 impl Editor {
     /// Removes what the current orientation owns of this.
-    pub(crate) fn give_back(&mut self, what: Held) {
+    pub(crate) fn give_back(&mut self, what: OwnedMotion) {
         match self.without(what) {
             Ok(edits) => {
                 self.edit_all(edits);
@@ -250,7 +256,7 @@ impl Editor {
         }
     }
 
-    fn without(&self, what: Held) -> Result<Vec<Edit>> {
+    fn without(&self, what: OwnedMotion) -> Result<Vec<Edit>> {
         let path = self.document.path();
         let here = self.document.selection();
         let mut edits = Vec::new();
@@ -265,8 +271,8 @@ impl Editor {
             Ok(())
         };
         match what {
-            Held::Zoom => change(here, &|own| own.zoom_slope = None)?,
-            Held::Turning => {
+            OwnedMotion::Zoom => change(here, &|own| own.zoom_slope = None)?,
+            OwnedMotion::Turning => {
                 change(here, &|own| {
                     own.velocities = None;
                     own.turning = None;

@@ -4,7 +4,7 @@ use egui::{
     Align2, CornerRadius, Pos2, Rect, Response, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
 };
 
-use super::{Key, heading, keys};
+use super::{PanelButton, button_row, heading};
 use crate::actions::Action;
 use crate::limits::{BASE_SPEED, MAX_SPEED, MIN_SPEED, SPEEDS};
 use crate::path::speed_curve::INTERVALS;
@@ -47,8 +47,8 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, height: f32, actions: &mut Vec<
     if response.on_hover_text(texts.picture_hint).clicked() {
         actions.push(Action::SpeedCurve);
     }
-    let change = Key::new(texts.change, texts.change_hint, Action::SpeedCurve);
-    keys(editor, ui, &[change], actions);
+    let change = PanelButton::new(texts.change, texts.change_hint, Action::SpeedCurve);
+    button_row(editor, ui, &[change], actions);
 }
 
 /// Whether there is more room above the first speeds than below them.

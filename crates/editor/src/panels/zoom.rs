@@ -3,7 +3,7 @@
 use egui::{Slider, SliderClamping, Ui};
 
 use super::heading;
-use super::orientation::{Held, own, with};
+use super::orientation::{OwnedMotion, own, with};
 use crate::actions::Action;
 use crate::limits::{MAX_ZOOM, MIN_ZOOM};
 use crate::math::view::HALF_FILM_HEIGHT;
@@ -22,7 +22,7 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         return;
     };
     let missing = shown.has_no_orientation();
-    let owns = Held::Zoom.is_owned(&shown);
+    let owns = OwnedMotion::Zoom.is_owned(&shown);
     let (selection, current) = (shown.at, shown.orientation);
     let angle = 2.0 * (HALF_FILM_HEIGHT / current.zoom).atan().to_degrees();
     let words = format!("{}°", language.number(angle, 1));
@@ -61,7 +61,7 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         actions.push(Action::enter(missing, entry.map(edit)));
         if owns {
             ui.spacing_mut().button_padding.x = 0.0;
-            own(editor, ui, Held::Zoom, OWN, actions);
+            own(editor, ui, OwnedMotion::Zoom, OWN, actions);
         }
     });
 }

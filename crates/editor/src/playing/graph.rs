@@ -99,7 +99,7 @@ impl Graph {
 
 /// What is being dragged.
 #[derive(Debug, Default)]
-enum Held {
+enum Dragged {
     #[default]
     Nothing,
     /// A border: the sections at its sides with their frames, and where it was pressed.
@@ -160,7 +160,7 @@ impl Scale {
 /// What the graph remembers from pass to pass.
 #[derive(Debug, Default)]
 pub(super) struct Memory {
-    held: Held,
+    held: Dragged,
     curve: Curve,
 }
 
@@ -188,7 +188,7 @@ pub(super) fn show(
         return;
     }
     let scale = Scale::new(rail.x_range(), ground, marks);
-    if matches!(held, Held::Nothing) {
+    if matches!(held, Dragged::Nothing) {
         scrub_by_mouse(editor, ui, &response, rail, actions);
     }
     seconds(editor, &painter, &scale, ground, palette);
@@ -244,7 +244,7 @@ fn seconds(editor: &Editor, painter: &Painter, scale: &Scale, ground: Rect, pale
 /// The borders between sections, each as far as it has room.
 fn borders(
     editor: &Editor,
-    held: &mut Held,
+    held: &mut Dragged,
     ui: &Ui,
     scale: &Scale,
     ground: Rect,
@@ -274,7 +274,7 @@ fn borders(
         {
             let next = stretches.get(index + 1);
             let of = |stretch: &Stretch| (stretch.from, stretch.end - stretch.start);
-            *held = Held::Border {
+            *held = Dragged::Border {
                 before: of(stretch),
                 after: next.map(of),
                 from: pointer.x,
@@ -302,8 +302,8 @@ fn borders(
 }
 
 /// The edits for a dragged border; with `ripple` the section after it keeps its frames and shifts.
-fn moved_border(editor: &Editor, held: &Held, at: f32, ripple: bool) -> Vec<Action> {
-    let &Held::Border {
+fn moved_border(editor: &Editor, held: &Dragged, at: f32, ripple: bool) -> Vec<Action> {
+    let &Dragged::Border {
         before: (first, frames),
         after,
         from,
@@ -335,7 +335,7 @@ fn moved_border(editor: &Editor, held: &Held, at: f32, ripple: bool) -> Vec<Acti
 }
 
 /// The ten speeds of the current section, if there is room for them.
-fn squares(editor: &Editor, held: &mut Held, ui: &Ui, scale: &Scale, actions: &mut Vec<Action>) {
+fn squares(editor: &Editor, held: &mut Dragged, ui: &Ui, scale: &Scale, actions: &mut Vec<Action>) {
     let selection = editor.document.selection();
     let stretches = &editor.playing.marks.graph.stretches;
     let Some(orientation) = editor.orientation() else {
@@ -362,10 +362,10 @@ fn squares(editor: &Editor, held: &mut Held, ui: &Ui, scale: &Scale, actions: &m
         if response.drag_started()
             && let Some(pointer) = ui.input(|input| input.pointer.press_origin())
         {
-            *held = Held::Speed(at, pointer.y - middle.y);
+            *held = Dragged::Speed(at, pointer.y - middle.y);
             actions.push(Action::Enter(Entry::Begin));
         }
-        if let Held::Speed(held, grip) = *held
+        if let Dragged::Speed(held, grip) = *held
             && held == at
             && response.dragged()
             && let Some(pointer) = response.interact_pointer_pos()
@@ -404,11 +404,11 @@ fn squares(editor: &Editor, held: &mut Held, ui: &Ui, scale: &Scale, actions: &m
 }
 
 /// Ends a drag; Escape undoes it.
-fn ended(ui: &Ui, response: &Response, held: &mut Held, actions: &mut Vec<Action>) {
-    if !response.drag_stopped() || matches!(held, Held::Nothing) {
+fn ended(ui: &Ui, response: &Response, held: &mut Dragged, actions: &mut Vec<Action>) {
+    if !response.drag_stopped() || matches!(held, Dragged::Nothing) {
         return;
     }
-    *held = Held::Nothing;
+    *held = Dragged::Nothing;
     actions.push(Action::Enter(Entry::of_end(ui.ctx())));
 }
 

@@ -29,7 +29,7 @@ const WIDTH: f32 = 228.0;
 const CAPTION: f32 = 19.0;
 
 /// A narrower caption has no room for what is rarely wanted.
-const ROOMY: f32 = 330.0;
+const MIN_WIDTH_FOR_OPTIONS: f32 = 330.0;
 
 /// Distance of the front plane, in half sizes of the movement space.
 const FRONT: f64 = 1e-3;
@@ -328,7 +328,7 @@ fn caption(editor: &Editor, ui: &mut Ui, size: Vec2, camera: &Camera, actions: &
                 changed.camera_place = setup.camera_place.switched(place);
             }
         }
-        if strip.width() > ROOMY {
+        if strip.width() > MIN_WIDTH_FOR_OPTIONS {
             let on = setup.safe_frame;
             let (safe, painter) = icon(ui, texts.safe_frame, texts.safe_frame_tip, on);
             let stroke = stroke_of(ui, &safe, on);

@@ -581,7 +581,7 @@ fn what_is_moved_against_a_face_says_how_far_it_came() {
         assert!(by != DVec3::ZERO);
         let [x, y, z] = by.to_array().map(|by| editor.language().number(by, 3));
         let words = fill(editor.texts().space.moved_by, &[&x, &y, &z]);
-        let tool = editor.space.pointer.tool.as_ref().unwrap();
+        let tool = editor.space.pointer.transform.as_ref().unwrap();
         let hint = tool.hint(editor, &projection_of(editor, viewport(&harness)));
         assert!(hint.starts_with(&words), "{words}: {hint}");
     }

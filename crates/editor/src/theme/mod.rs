@@ -41,6 +41,15 @@ pub(super) struct Palette {
     pub(super) focus: Color32,
 }
 
+/// A label as wide as others above and below it.
+pub(super) fn label(ui: &mut Ui, width: f32, text: &str) -> Response {
+    let row = ui.horizontal(|ui| {
+        ui.set_width(width);
+        ui.label(text)
+    });
+    row.inner
+}
+
 /// Selects a text that stands at the beginning of a field.
 pub(super) fn select(ui: &Ui, field: Id, text: &str) {
     let range = CCursorRange::two(CCursor::default(), CCursor::new(text.chars().count()));

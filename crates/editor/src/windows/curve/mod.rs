@@ -269,7 +269,7 @@ impl CurveWindow {
             .spacing(vec2(theme::GAP, theme::GAP))
             .show(ui, |ui| {
                 for (part, (name, hint)) in names.into_iter().enumerate() {
-                    let label = in_column(ui, name).on_hover_text(hint);
+                    let label = theme::label(ui, LABEL, name).on_hover_text(hint);
                     let value = parts(self.pending.tcb(&editor.document))[part];
                     let mut slid = value.clamp(-1.0, 1.0);
                     ui.spacing_mut().slider_width = 2.0 * number(ui) + theme::GAP;
@@ -350,7 +350,7 @@ impl CurveWindow {
             .spacing(vec2(theme::GAP, theme::GAP))
             .show(ui, |ui| {
                 let position = self.pending.position(&editor.document);
-                in_column(ui, texts.position);
+                theme::label(ui, LABEL, texts.position);
                 for (axis, sign) in ["x", "y", "z"].into_iter().enumerate() {
                     let name = format!("{} {sign}", texts.position);
                     let number = Number::new(&name, position[axis])
@@ -360,7 +360,8 @@ impl CurveWindow {
                 }
                 ui.end_row();
                 let target = self.pending.target(&editor.document);
-                in_column(ui, &format!("{} ({kind})", texts.orientation)).on_hover_text(hint);
+                let name = format!("{} ({kind})", texts.orientation);
+                theme::label(ui, LABEL, &name).on_hover_text(hint);
                 for (axis, sign) in ["x", "y", "z"].into_iter().enumerate() {
                     let name = format!("{} {sign}", texts.orientation);
                     let number = Number::new(&name, target[axis])
@@ -371,7 +372,7 @@ impl CurveWindow {
                 }
                 ui.end_row();
                 let roll = self.pending.roll(&editor.document);
-                in_column(ui, texts.roll).on_hover_text(texts.roll_hint);
+                theme::label(ui, LABEL, texts.roll).on_hover_text(texts.roll_hint);
                 let number = Number::new(texts.roll, roll)
                     .hint(texts.roll_hint)
                     .unit("°")
@@ -440,15 +441,6 @@ fn number(ui: &Ui) -> f32 {
 /// Width of what stands beside the list.
 fn rest(ui: &Ui) -> f32 {
     LABEL + 3.0 * (number(ui) + theme::GAP)
-}
-
-/// A label as wide as all others.
-fn in_column(ui: &mut Ui, text: &str) -> egui::Response {
-    ui.horizontal(|ui| {
-        ui.set_width(LABEL);
-        ui.label(text)
-    })
-    .inner
 }
 
 fn parts(tcb: Tcb) -> [f64; 3] {

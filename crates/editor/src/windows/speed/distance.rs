@@ -2,7 +2,7 @@
 
 use egui::{Button, CursorIcon, Id, Key, Modifiers, Rect, Sense, Ui, Vec2, WidgetInfo, pos2};
 
-use super::graph::{Frame, Handle};
+use super::graph::{Axes, Handle};
 use super::{Section, SpeedWindow, entered_own};
 use crate::actions::Action;
 use crate::number::Number;
@@ -72,25 +72,25 @@ impl SpeedWindow {
         &mut self,
         editor: &Editor,
         ui: &Ui,
-        frame: &Frame,
+        axes: &Axes,
         (section, keys): (&Section, &Keys),
         actions: &mut Vec<Action>,
     ) {
         let texts = &editor.texts().speed_window;
         let palette = theme::palette(ui);
-        let place = |[time, way]: [f64; 2]| pos2(frame.x(time), frame.y(100.0 * way));
+        let place = |[time, way]: [f64; 2]| pos2(axes.x(time), axes.y(100.0 * way));
         // Drags too, or they would move the window.
         let sense = Sense::click_and_drag();
-        let ground = ui.interact(frame.rect, Id::unique("way over time"), sense);
+        let ground = ui.interact(axes.rect, Id::unique("way over time"), sense);
         ground.widget_info(|| WidgetInfo::labeled(egui::Role::Canvas, true, texts.way_graph));
         let on_curve = |pointer: egui::Pos2| {
-            let time = frame.time(pointer.x);
+            let time = axes.time(pointer.x);
             let key = [time, section.timing.fraction(time)];
             (place(key).distance(pointer) < NEAR && time > 0.0 && time < 1.0).then_some(key)
         };
         if let Some(key) = ground.hover_pos().and_then(on_curve) {
             ui.set_cursor_icon(CursorIcon::Crosshair);
-            frame.paint_fixed(ui.painter(), palette, place(key));
+            axes.paint_fixed(ui.painter(), palette, place(key));
         }
         let clicked = ground.interact_pointer_pos().filter(|_| ground.clicked());
         if let Some(key) = clicked.and_then(on_curve) {
@@ -101,7 +101,7 @@ impl SpeedWindow {
         for (at, &key) in keys.iter().enumerate() {
             let middle = place(key);
             if at == 0 || at + 1 == keys.len() {
-                frame.paint_fixed(ui.painter(), palette, middle);
+                axes.paint_fixed(ui.painter(), palette, middle);
                 continue;
             }
             let [time, way] = key.map(|share| editor.language().number(100.0 * share, 1));
@@ -115,11 +115,11 @@ impl SpeedWindow {
                 rises: true,
                 cursor: CursorIcon::Move,
             };
-            let moved = handle.show(&mut self.held, ui, frame.rect, actions);
+            let moved = handle.show(&mut self.held, ui, axes.rect, actions);
             let mut to = None;
             if let Some((to_pos, fine)) = moved.to {
                 let scale = if fine { 1e4 } else { 1e3 };
-                let place = [frame.time(to_pos.x), frame.value(to_pos.y) / 100.0];
+                let place = [axes.time(to_pos.x), axes.value(to_pos.y) / 100.0];
                 to = Some(place.map(|share| (share * scale).round() / scale));
             }
             if moved.steps != [0.0; 2] {
@@ -136,7 +136,7 @@ impl SpeedWindow {
             }
         }
         if let Some(&key) = keys.get(self.shown(keys)) {
-            frame.paint_chosen(ui.painter(), palette, place(key));
+            axes.paint_chosen(ui.painter(), palette, place(key));
         }
         if let Some(at) = removed {
             actions.extend(self.remove(editor, keys, at));
@@ -178,7 +178,7 @@ impl SpeedWindow {
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = theme::GAP;
             let which = fill(texts.which_key, &[&(at + 1), &keys.len()]);
-            super::pace::label(ui, 112.0, &which);
+            theme::label(ui, 112.0, &which);
             let parts = [
                 (texts.key_time, texts.key_time_hint),
                 (texts.key_way, texts.key_way_hint),

@@ -2,7 +2,7 @@
 
 use egui::{CursorIcon, Id, Rangef, Rect, Ui, pos2};
 
-use super::graph::{Frame, Handle, Held, Quantity};
+use super::graph::{Axes, Handle, Held, Quantity};
 use super::{Section, entered_own};
 use crate::actions::Action;
 use crate::limits::{MAX_SPEED, MIN_SPEED};
@@ -22,7 +22,7 @@ pub(super) fn corners(
     editor: &Editor,
     held: &mut Held,
     ui: &Ui,
-    (frame, quantity): (&Frame, Quantity),
+    (axes, quantity): (&Axes, Quantity),
     (section, ease): (&Section, Ease),
     actions: &mut Vec<Action>,
 ) {
@@ -34,7 +34,7 @@ pub(super) fn corners(
             // It jumps there.
             Quantity::Acceleration => 0.0,
         };
-        pos2(frame.x(u), frame.y(value))
+        pos2(axes.x(u), axes.y(value))
     });
     // Where both are together, one is grabbed at its left, the other at its right.
     let between = ((fall.x - rise.x) / 2.0).clamp(0.0, GRIP);
@@ -62,10 +62,10 @@ pub(super) fn corners(
             rises: false,
             cursor: CursorIcon::ResizeHorizontal,
         };
-        let moved = handle.show(held, ui, frame.rect, actions);
+        let moved = handle.show(held, ui, axes.rect, actions);
         let mut new = None;
         if let Some((to, fine)) = moved.to {
-            let u = frame.time(to.x);
+            let u = axes.time(to.x);
             let scale = if fine { 1000.0 } else { 100.0 };
             let share = if sign > 0.0 { u } else { 1.0 - u };
             new = Some((share * scale).round() / scale);

@@ -74,7 +74,7 @@ impl Quantity {
 }
 
 /// Places shares of the time, and values, in the picture.
-pub(super) struct Frame {
+pub(super) struct Axes {
     pub(super) rect: Rect,
     /// The distance between two of ten equally distant places.
     step: f32,
@@ -84,7 +84,7 @@ pub(super) struct Frame {
     pub(super) quantity: Quantity,
 }
 
-impl Frame {
+impl Axes {
     pub(super) fn new(rect: Rect, step: f32, quantity: Quantity, section: &Section) -> Self {
         let curve = quantity.curve(section);
         let highest = curve.iter().map(|point| point[1].abs()).fold(0.0, f64::max);

@@ -11,7 +11,7 @@ mod pace;
 mod shapes;
 mod ten;
 
-use self::graph::{Frame, Held, Quantity};
+use self::graph::{Axes, Held, Quantity};
 use super::{SubWindow, Windows, is_cramped, sub_window};
 use crate::actions::Action;
 use crate::document::{Edit, Info, Selection};
@@ -268,8 +268,8 @@ impl SpeedWindow {
     ) {
         let size = Size::of(ui);
         let (rect, _) = ui.allocate_exact_size(vec2(size.width(), size.height), Sense::hover());
-        let frame = Frame::new(rect, size.step, self.shown, section);
-        frame.paint(
+        let axes = Axes::new(rect, size.step, self.shown, section);
+        axes.paint(
             editor,
             &ui.painter().with_clip_rect(rect.expand(1.0)),
             section,
@@ -277,14 +277,14 @@ impl SpeedWindow {
         match (&section.pace, self.shown) {
             (Pace::Speeds | Pace::Part(_), _) => {
                 let state = (&mut self.held, &mut self.choose);
-                ten::squares(editor, state, ui, &frame, section, actions);
+                ten::squares(editor, state, ui, &axes, section, actions);
             }
             (Pace::Ease(ease), shown) => {
                 let what = (section, *ease);
-                ease::corners(editor, &mut self.held, ui, (&frame, shown), what, actions);
+                ease::corners(editor, &mut self.held, ui, (&axes, shown), what, actions);
             }
             (Pace::Distance(keys), Quantity::Distance) => {
-                self.keys(editor, ui, &frame, (section, keys), actions);
+                self.keys(editor, ui, &axes, (section, keys), actions);
             }
             _ => {}
         }

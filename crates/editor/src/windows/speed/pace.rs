@@ -139,7 +139,7 @@ fn one_of<T: Copy + PartialEq, const N: usize>(
     let mut clicked = None;
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = theme::GAP;
-        label(ui, 48.0, title);
+        theme::label(ui, 48.0, title);
         for (value, name, hint) in all {
             let chosen = value == now;
             let button = ui.add(Button::selectable(chosen, name).frame_when_inactive(true));
@@ -153,12 +153,4 @@ fn one_of<T: Copy + PartialEq, const N: usize>(
         }
     });
     clicked
-}
-
-/// A label as wide as others below it.
-pub(super) fn label(ui: &mut Ui, width: f32, text: &str) {
-    ui.horizontal(|ui| {
-        ui.set_width(width);
-        ui.label(text);
-    });
 }
