@@ -231,7 +231,7 @@ pub fn close(id: Id) -> bool {
 
 /// Looks at the path of a window; `None` if it is not open.
 pub fn read<R>(id: Id, f: impl FnOnce(&Document) -> R) -> Option<R> {
-    registry::look(id, |window| f(window.document()))
+    look(id, |editor| f(editor.document()))
 }
 
 /// Changes the path of a window; `None` if it is not open. The host is not called for what its own

@@ -187,7 +187,7 @@ pub(super) fn insert(window: Box<Window>, host: Rc<dyn Host>) -> Result<Id> {
         if table.calls == 0 {
             table.lost = None;
         }
-        if let Some(work) = window.work_file() {
+        if let Some(work) = window.editor().work_file() {
             ending::opened(id, work.to_owned(), window.screen().socket());
         }
         table.slots.push(Slot {
