@@ -219,7 +219,7 @@ unsafe fn begin(options: &V_EDITOR_OPTIONS) -> Answer<Beginning> {
             file: file.map(PathBuf::from),
             title,
             language,
-            hand_over: options.on_poses.is_some(),
+            host_takes_poses: options.on_poses.is_some(),
             fixed_speeds,
             folders: editor::Folders::of_environment(),
             program: program(options, application.as_deref()),

@@ -78,7 +78,7 @@ pub extern "C" fn v_timeout() -> c_int {
 #[unsafe(no_mangle)]
 pub extern "C" fn v_dispatch() -> c_int {
     border(0, || {
-        instance::told();
+        instance::host_serves();
         let served = instance::dispatch();
         super::status::clear_last_error();
         tell(served.lost.as_ref());

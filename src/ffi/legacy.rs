@@ -119,7 +119,7 @@ fn open(
             file: None,
             title: None,
             language: None,
-            hand_over: host.rueck.is_some() || !host.list.is_null(),
+            host_takes_poses: host.rueck.is_some() || !host.list.is_null(),
             fixed_speeds: true,
             folders: editor::Folders::of_environment(),
             program: instance::host_program(true),

@@ -11,8 +11,8 @@ use crate::error::Result;
 use crate::files::{Purpose, Then};
 use crate::limits::SPEEDS;
 use crate::number::Entry;
-use crate::panels::orientation::{Held, look_ahead, set_up};
-use crate::path::{CameraPath, Orientation, Target, UpVector, insertion};
+use crate::panels::orientation::OwnedMotion;
+use crate::path::{CameraPath, Target, UpVector, insertion};
 use crate::playing::Pace;
 use crate::selected::Choice;
 use crate::setup::{CameraPlace, ColourWindow, DisplayWindow, Setup, Theme, View};
@@ -69,7 +69,7 @@ pub(super) enum Action {
     /// `Abs.` (true) or `Rel.` (false).
     SetAbsolute(bool),
     /// Take away what the current orientation owns of this.
-    GiveBack(Held),
+    GiveBack(OwnedMotion),
     /// Let the current orientation look along the way.
     LookAhead,
     SetUp(UpVector),
@@ -186,14 +186,10 @@ pub(super) enum Action {
 }
 
 /// The edit that aims an orientation at a place.
-fn aimed(path: &CameraPath, point: usize, at: usize, place: DVec3) -> Option<Edit> {
-    let target = Target::Absolute(place);
-    let orientation = no_longer_ahead(path, point, at).ok()?;
-    let orientation = Orientation {
-        target,
-        ..orientation
-    };
-    Some(Edit::SetOrientation {
+fn aimed(path: &CameraPath, point: usize, at: usize, place: DVec3) -> Result<Edit> {
+    let mut orientation = no_longer_ahead(path, point, at)?;
+    orientation.target = Target::Absolute(place);
+    Ok(Edit::SetOrientation {
         point,
         at,
         orientation,
@@ -304,7 +300,11 @@ impl Editor {
         shown
     }
 
-    pub(super) fn act_all(&mut self, actions: Vec<Action>, context: &egui::Context) {
+    pub(super) fn act_all(
+        &mut self,
+        actions: impl IntoIterator<Item = Action>,
+        context: &egui::Context,
+    ) {
         for action in actions {
             self.act(action, context);
         }
@@ -343,8 +343,8 @@ impl Editor {
                 self.add_here();
             }
             Action::RemovePoint => self.remove_selected(),
-            Action::PreviousPoint => self.go_by_points(-1),
-            Action::NextPoint => self.go_by_points(1),
+            Action::PreviousPoint => self.go_by_points(false),
+            Action::NextPoint => self.go_by_points(true),
             Action::AppendPoint => {
                 self.edit(Edit::AppendAfterLast);
             }
@@ -370,8 +370,8 @@ impl Editor {
                     at: orientation,
                 });
             }
-            Action::PreviousOrientation => self.go_by_orientations(-1),
-            Action::NextOrientation => self.go_by_orientations(1),
+            Action::PreviousOrientation => self.go_by_orientations(false),
+            Action::NextOrientation => self.go_by_orientations(true),
             Action::SetAbsolute(absolute) => {
                 self.edit_selected(Edit::SetAbsolute {
                     point,
@@ -379,8 +379,11 @@ impl Editor {
                     absolute,
                 });
             }
-            Action::LookAhead => self.set_orientation(|current| look_ahead(current, 0.0)),
-            Action::SetUp(up) => self.set_orientation(|current| set_up(current, up)),
+            Action::LookAhead => {
+                let edit = self.own_action(|own| own.ahead = Some(0.0));
+                self.act_all(edit, context);
+            }
+            Action::SetUp(up) => self.act_all(self.own_action(|own| own.up = up), context),
             Action::SwitchAbsolute => {
                 let target = self.orientation().map(|current| current.target);
                 let absolute = matches!(target, Some(Target::Absolute(_)));
@@ -397,9 +400,11 @@ impl Editor {
             },
             Action::LoadObject => self.choose_file(Purpose::LoadObject),
             Action::Export => self.choose_file(Purpose::Export),
-            Action::HandOver if self.hand_over => self.requests.push(Request::HandOver),
+            Action::HandOver if self.host_takes_poses => self.requests.push(Request::HandOver),
             Action::HandOver => self.complain(self.texts().menu.nobody_takes),
-            Action::SwitchHandsOver => self.hands_over = !self.hands_over && self.hand_over,
+            Action::SwitchHandsOver => {
+                self.auto_hand_over = !self.auto_hand_over && self.host_takes_poses
+            }
             Action::TakeOver { replace } => self.ask_for_view(replace),
             Action::Tool(tool) => {
                 self.open_tool(tool);
@@ -440,16 +445,7 @@ impl Editor {
             Action::SwitchSpeedGraph => self.setup.speed_graph = !self.setup.speed_graph,
             Action::PlayOrPause => self.play_or_pause(context),
             Action::Keys => windows::open::<HelpWindow>(self, context),
-            Action::EditNode(node) => {
-                self.document.end_step();
-                let moment = self.scene_frame();
-                if self.edit(Edit::EditNode(node))
-                    && let Ok(moment) = moment
-                {
-                    // As far as the other path goes.
-                    self.scrub(self.document.frame_of_path(moment));
-                }
-            }
+            Action::EditNode(node) => self.edit_node(node),
             Action::Edit(edit) => {
                 self.edit_selected(edit);
             }
@@ -463,13 +459,7 @@ impl Editor {
             }
             Action::Choose(choice) => self.choose(choice),
             Action::MoveSelected(before) => self.move_selected(before),
-            Action::AimAt(place) => {
-                let here = self.document.selection();
-                let path = self.document.path();
-                if let Some(edit) = aimed(path, here.point, here.orientation, place) {
-                    self.edit_selected(edit);
-                }
-            }
+            Action::AimAt(place) => self.aim_at(place),
             Action::AimAllAt(place) => self.aim_all_at(place),
             Action::View(view) => self.setup.view = view,
             Action::Playhead(entry) => self.enter_frame(entry),
@@ -499,6 +489,18 @@ impl Editor {
             Action::Overwrite(then) => self.overwrite(then),
             Action::Say(text) => self.say(text),
             Action::Complain(text) => self.complain(text),
+        }
+    }
+
+    /// Edits the path of another node at the same moment of the scene.
+    fn edit_node(&mut self, node: Option<usize>) {
+        self.document.end_step();
+        let moment = self.frame();
+        if self.edit(Edit::EditNode(node))
+            && let Ok(moment) = moment
+        {
+            // As far as the other path goes.
+            self.scrub(self.document.frame_of_path(moment));
         }
     }
 
@@ -591,6 +593,16 @@ impl Editor {
         }
     }
 
+    fn aim_at(&mut self, place: DVec3) {
+        let Selection { point, orientation } = self.document.selection();
+        match aimed(self.document.path(), point, orientation, place) {
+            Ok(edit) => {
+                self.edit_selected(edit);
+            }
+            Err(error) => self.complain_of(&error),
+        }
+    }
+
     /// Lets every orientation look where the current one does, as one step; no point may be there.
     fn aim_all(&mut self) {
         let Some((position, current)) = self
@@ -615,11 +627,15 @@ impl Editor {
             .enumerate()
             .flat_map(|(point, of_point)| {
                 let all = 0..of_point.orientations.len();
-                all.filter_map(move |at| aimed(path, point, at, place))
+                all.map(move |at| aimed(path, point, at, place))
             });
-        let edits: Vec<Edit> = edits.collect();
-        if self.edit_all(edits) {
-            self.say(self.texts().orientation.all_aimed);
+        match edits.collect::<Result<Vec<Edit>>>() {
+            Ok(edits) => {
+                if self.edit_all(edits) {
+                    self.say(self.texts().orientation.all_aimed);
+                }
+            }
+            Err(error) => self.complain_of(&error),
         }
     }
 
@@ -636,13 +652,16 @@ impl Editor {
     }
 
     /// Goes on by one point, round and round.
-    fn go_by_points(&mut self, by: isize) {
+    fn go_by_points(&mut self, forward: bool) {
         let count = self.document.path().points.len();
-        self.select(round(self.document.selection().point, by, count), 0);
+        self.select(
+            step_around(self.document.selection().point, forward, count),
+            0,
+        );
     }
 
     /// Goes on by one orientation of this point, round and round.
-    fn go_by_orientations(&mut self, by: isize) {
+    fn go_by_orientations(&mut self, forward: bool) {
         let Selection { point, orientation } = self.document.selection();
         let points = &self.document.path().points;
         let count = points
@@ -651,7 +670,7 @@ impl Editor {
         if count == 1 {
             self.say(self.texts().orientation.only_one);
         } else {
-            self.select(point, round(orientation, by, count));
+            self.select(point, step_around(orientation, forward, count));
         }
     }
 
@@ -660,13 +679,8 @@ impl Editor {
     }
 }
 
-/// `at` + `by` modulo `count`; `by` is 1 or -1.
-pub(super) fn round(at: usize, by: isize, count: usize) -> usize {
+/// The next one of `count`, or the one before, round and round.
+pub(super) fn step_around(at: usize, forward: bool, count: usize) -> usize {
     let count = count.max(1);
-    let at = at % count;
-    match by {
-        1 if at + 1 == count => 0,
-        1 => at + 1,
-        _ => at.checked_sub(1).unwrap_or(count - 1),
-    }
+    (at % count + if forward { 1 } else { count - 1 }) % count
 }

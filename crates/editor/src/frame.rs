@@ -38,7 +38,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
         editor.look_after_file();
     }
     let mut actions = Vec::from_iter(editor.waiting.take());
-    if !editor.windows.ask() {
+    if !editor.windows.has_modal() {
         points_list::take_keys(editor, &context);
         windows::take_keys(editor, &context);
         actions.extend(keys::pressed(&context));
@@ -88,7 +88,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     windows::show(editor, &context);
     for (number, action) in actions.into_iter().chain(picked).enumerate() {
         // The first may have raised a question: the rest was typed blindly.
-        if number > 0 && editor.windows.ask() {
+        if number > 0 && editor.windows.has_modal() {
             break;
         }
         editor.act(action, &context);

@@ -174,7 +174,12 @@ pub(super) fn take_escape(context: &Context) -> bool {
         && !egui::Popup::is_any_open(context)
         // egui ends a drag on Escape before anybody sees the key.
         && !context.input(|input| input.pointer.any_down())
-        && context.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape))
+        && consume_escape(context)
+}
+
+/// The same whoever has use for it.
+pub(super) fn consume_escape(context: &Context) -> bool {
+    context.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape))
 }
 
 fn typing_id() -> Id {

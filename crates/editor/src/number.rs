@@ -9,12 +9,13 @@
 
 use std::ops::RangeInclusive;
 
-use egui::text::{CCursor, CCursorRange};
 use egui::{
-    Align2, Color32, CornerRadius, CursorIcon, Id, Key, Margin, Modifiers, Rect, Role, Sense,
-    Stroke, StrokeKind, TextEdit, Ui, WidgetInfo, vec2,
+    Align2, Color32, Context, CornerRadius, CursorIcon, Id, Key, Margin, Modifiers, Rect, Role,
+    Sense, Stroke, StrokeKind, TextEdit, Ui, WidgetInfo, vec2,
 };
 
+use crate::actions::Action;
+use crate::keys;
 use crate::path::Space;
 use crate::texts::{Language, fill};
 use crate::theme;
@@ -39,14 +40,50 @@ pub(super) enum Entry<T = f64> {
 impl Entry {
     /// The same with what the value stands for.
     pub(super) fn map<T>(self, to: impl FnOnce(f64) -> T) -> Entry<T> {
+        self.try_map(|value| Ok(to(value)))
+    }
+
+    /// The same for what may be refused, in words.
+    pub(super) fn try_map<T>(self, to: impl FnOnce(f64) -> Result<T, String>) -> Entry<T> {
+        let refused = |made: Result<Entry<T>, String>| made.unwrap_or_else(Entry::Wrong);
         match self {
             Self::Idle => Entry::Idle,
             Self::Begin => Entry::Begin,
-            Self::Drag(value) => Entry::Drag(to(value)),
+            Self::Drag(value) => refused(to(value).map(Entry::Drag)),
             Self::End => Entry::End,
             Self::Cancel => Entry::Cancel,
-            Self::Set(value) => Entry::Set(to(value)),
+            Self::Set(value) => refused(to(value).map(Entry::Set)),
             Self::Wrong(text) => Entry::Wrong(text),
+        }
+    }
+}
+
+impl<T> Entry<T> {
+    /// The end of a drag: Escape cancels it. (egui ends it before anybody sees the key.)
+    pub(super) fn of_end(context: &Context) -> Self {
+        match keys::consume_escape(context) {
+            true => Self::Cancel,
+            false => Self::End,
+        }
+    }
+}
+
+impl Entry {
+    /// Applies it to a value of a window's own, which is kept in `before` while it is dragged.
+    pub(super) fn apply<T: Clone>(
+        self,
+        before: &mut Option<T>,
+        value: &mut T,
+        set: impl FnOnce(&mut T, f64),
+        actions: &mut Vec<Action>,
+    ) {
+        match self {
+            Self::Idle => {}
+            Self::Begin => *before = Some(value.clone()),
+            Self::Drag(new) | Self::Set(new) => set(value, new),
+            Self::End => *before = None,
+            Self::Cancel => *value = before.take().unwrap_or_else(|| value.clone()),
+            Self::Wrong(text) => actions.push(Action::Complain(text)),
         }
     }
 }
@@ -312,13 +349,7 @@ impl<'a> Number<'a> {
             .filter(|typing| typing.value == value)
             .unwrap_or_else(fresh);
         if selects {
-            let all = CCursorRange::two(
-                CCursor::default(),
-                CCursor::new(typing.text.chars().count()),
-            );
-            let mut state = TextEdit::load_state(ui.ctx(), id).unwrap_or_default();
-            state.cursor.set_char_range(Some(all));
-            TextEdit::store_state(ui.ctx(), id, state);
+            theme::select(ui, id, &typing.text);
         }
         let response = ui.put(
             rect,
@@ -549,6 +580,16 @@ mod tests {
         ] {
             assert_eq!(parse(text, "°"), None, "{text}");
         }
+    }
+
+    #[test]
+    fn what_is_refused_is_told() {
+        let refused = |_| Err::<f64, _>("no memory".to_owned());
+        for entry in [Entry::Drag(1.0), Entry::Set(1.0)] {
+            let told = Entry::Wrong("no memory".to_owned());
+            assert_eq!(entry.try_map(refused), told);
+        }
+        assert_eq!(Entry::Cancel.try_map(refused), Entry::Cancel);
     }
 
     #[test]

@@ -3,7 +3,6 @@
 //!
 //! It is folded in a narrow window at first; a click on its heading folds or unfolds it.
 
-use egui::text::{CCursor, CCursorRange};
 use egui::{
     Align2, Color32, Context, CornerRadius, EventFilter, Id, Key, Modifiers, Painter, Rect,
     Response, Role, ScrollArea, Sense, Shape, Stroke, TextEdit, Ui, UiBuilder, WidgetInfo, pos2,
@@ -25,7 +24,7 @@ const WIDTH: [f32; 2] = [140.0, 210.0];
 const FOLDED: f32 = 18.0;
 
 /// A narrower window shows it folded at first.
-const ROOMY: f32 = 1100.0;
+const MIN_WIDTH_UNFOLDED: f32 = 1100.0;
 
 const HEADING: f32 = 40.0;
 const ROW: f32 = 22.0;
@@ -93,7 +92,7 @@ fn id() -> Id {
 impl PointsList {
     pub(super) fn is_open(&self, context: &Context) -> bool {
         let whole = context.content_rect().width();
-        self.open.unwrap_or(whole >= ROOMY)
+        self.open.unwrap_or(whole >= MIN_WIDTH_UNFOLDED)
     }
 
     fn show(&mut self, editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
@@ -393,11 +392,7 @@ impl Renaming {
         let texts = &editor.texts().points_list;
         let id = Id::unique("name of a point");
         if self.fresh {
-            let end = CCursor::new(self.text.chars().count());
-            let all = CCursorRange::two(CCursor::default(), end);
-            let mut state = TextEdit::load_state(ui.ctx(), id).unwrap_or_default();
-            state.cursor.set_char_range(Some(all));
-            TextEdit::store_state(ui.ctx(), id, state);
+            theme::select(ui, id, &self.text);
             ui.memory_mut(|memory| memory.request_focus(id));
         }
         let edit = TextEdit::singleline(&mut self.text)

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use crate::actions::Action;
-use crate::document::{Document, Edit, Fingerprint};
+use crate::document::{Document, Edit, Fingerprint, Selection};
 use crate::error::{Error, Result};
 use crate::files::Folders;
 use crate::files::Then;
@@ -13,10 +13,12 @@ use crate::host::pane::HostPane;
 use crate::host::{Program, Standing};
 use crate::number::Entry;
 use crate::obstacles::Obstacles;
-use crate::path::{Orientation, Pose, SupportPoint};
+use crate::panels::orientation::with;
+use crate::path::{Orientation, Own, Pose, SupportPoint};
 use crate::selected::Selected;
 use crate::setup::{Element, Setup};
 use crate::space::Camera;
+use crate::texts::refusals::reason_of;
 use crate::texts::{Language, Texts, fill};
 use crate::theme;
 use crate::{playing, points_list, scene_view, space, windows};
@@ -33,7 +35,7 @@ pub struct Options {
     /// The window's language unless the user has set one up; the environment's if none.
     pub language: Option<Language>,
     /// The host takes poses that are handed over directly.
-    pub hand_over: bool,
+    pub host_takes_poses: bool,
     /// The base speeds are the host's: a loaded file's are ignored.
     pub fixed_speeds: bool,
     /// Where setup, unsaved work and recent files are kept.
@@ -92,7 +94,7 @@ pub struct Editor {
     pub(super) title: Option<String>,
     /// The window's language unless the setup has one.
     pub(super) given_language: Language,
-    pub(super) hand_over: bool,
+    pub(super) host_takes_poses: bool,
     pub(super) fixed_speeds: bool,
     pub(super) folders: Folders,
     pub(super) program: Program,
@@ -102,14 +104,14 @@ pub struct Editor {
     /// Where the camera of the picture has flown, and what was shown then.
     pub(super) flown: Option<(Camera, Standing)>,
     /// Poses are handed over after each change.
-    pub(super) hands_over: bool,
+    pub(super) auto_hand_over: bool,
     pub(super) host_pane: Option<HostPane>,
     /// What the file contained when it was last read or written here, if there was one.
     pub(super) known: Option<Fingerprint>,
     /// The file's time and length when it was last looked at.
     pub(super) written: Option<(std::time::SystemTime, u64)>,
     /// The state last handed over, where a hand-over saves.
-    pub(super) handed: Option<u64>,
+    pub(super) handed_state: Option<u64>,
     pub(super) obstacles: Obstacles,
     pub(super) copied: Option<Orientation>,
     /// The points selected together with the current one.
@@ -127,7 +129,7 @@ pub struct Editor {
     pub(super) message: Option<Message>,
     pub(super) requests: Vec<Request>,
     pub(super) setup: Setup,
-    pub(super) space: space::Space,
+    pub(super) space: space::MovementWindow,
     pub(super) scene_view: scene_view::SceneView,
     pub(super) playing: playing::Playing,
     pub(super) points_list: points_list::PointsList,
@@ -156,19 +158,19 @@ impl Editor {
         let mut editor = Self {
             written: None,
             known: known.filter(|_| options.file.is_some()),
-            handed: None,
+            handed_state: None,
             document: options.document,
             file: options.file,
             title: options.title,
             given_language: options.language.unwrap_or_else(Language::of_environment),
-            hand_over: options.hand_over,
+            host_takes_poses: options.host_takes_poses,
             fixed_speeds: options.fixed_speeds,
             folders: options.folders,
             program: options.program,
             host_view: options.host_view,
             ghost: None,
             flown: None,
-            hands_over: false,
+            auto_hand_over: false,
             host_pane: None,
             obstacles: Obstacles::default(),
             copied: None,
@@ -181,7 +183,7 @@ impl Editor {
             message: None,
             requests: Vec::new(),
             setup: Setup::default(),
-            space: space::Space::default(),
+            space: space::MovementWindow::default(),
             scene_view: scene_view::SceneView::default(),
             playing: playing::Playing::default(),
             points_list: points_list::PointsList::default(),
@@ -215,12 +217,12 @@ impl Editor {
     pub fn asks_to_close(&self) -> bool {
         self.waiting == Some(Action::Quit)
             || self.requests.contains(&Request::Close)
-            || self.windows.ask()
+            || self.windows.has_modal()
     }
 
     /// Whether poses are to be handed over after each change.
-    pub fn hands_over(&self) -> bool {
-        self.hands_over
+    pub fn auto_hand_over(&self) -> bool {
+        self.auto_hand_over
     }
 
     /// Takes the oldest open request.
@@ -264,7 +266,7 @@ impl Editor {
         match result {
             Ok(count) => {
                 if self.program.hand_over_saves {
-                    self.handed = Some(self.document.state_number());
+                    self.handed_state = Some(self.document.state_number());
                 }
                 if !asked {
                     return;
@@ -278,7 +280,7 @@ impl Editor {
     /// Whether work would be lost with the window: work in no file and, where a hand-over saves,
     /// not with the host.
     pub fn is_unsaved(&self) -> bool {
-        self.document.is_modified() && self.handed != Some(self.document.state_number())
+        self.document.is_modified() && self.handed_state != Some(self.document.state_number())
     }
 
     /// The window's title: begins with `VIDES`, marks unsaved work.
@@ -354,14 +356,25 @@ impl Editor {
     }
 
     pub(super) fn orientation_edit(&self, change: impl FnOnce(&mut Orientation)) -> Option<Edit> {
-        let at = self.document.selection();
-        let mut orientation = self.orientation()?.clone();
-        change(&mut orientation);
-        Some(Edit::SetOrientation {
-            point: at.point,
-            at: at.orientation,
-            orientation,
-        })
+        Some(with(self.document.selection(), self.orientation()?, change))
+    }
+
+    /// The edit that changes what an orientation owns; an error in words, since that takes memory.
+    pub(super) fn with_own(
+        &self,
+        at: Selection,
+        current: &Orientation,
+        change: impl FnOnce(&mut Own),
+    ) -> Result<Edit, String> {
+        let own = current.own.with(change);
+        let own = own.map_err(|error| reason_of(self.language(), &error.into()))?;
+        Ok(with(at, current, |new| new.own = own))
+    }
+
+    /// The same for the current orientation, as an action.
+    pub(super) fn own_action(&self, change: impl FnOnce(&mut Own)) -> Option<Action> {
+        let edit = self.with_own(self.document.selection(), self.orientation()?, change);
+        Some(edit.map_or_else(Action::Complain, Action::Edit))
     }
 
     pub(super) fn set_orientation(&mut self, change: impl FnOnce(&mut Orientation)) {

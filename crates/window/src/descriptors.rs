@@ -130,6 +130,18 @@ pub(super) fn sleep_on(epoll: RawFd) {
     let _ = unsafe { libc::epoll_wait(epoll, &mut event, 1, -1) };
 }
 
+/// Which of these events of poll(2) a descriptor has now, or that it is at its end.
+pub(super) fn events_of(descriptor: RawFd, events: libc::c_short) -> libc::c_short {
+    let mut poll = libc::pollfd {
+        fd: descriptor,
+        events,
+        revents: 0,
+    };
+    // SAFETY: one element, alive during the call.
+    let found = unsafe { libc::poll(&mut poll, 1, 0) };
+    if found == 1 { poll.revents } else { 0 }
+}
+
 fn timespec(duration: Duration) -> libc::timespec {
     libc::timespec {
         tv_sec: libc::time_t::try_from(duration.as_secs()).unwrap_or(libc::time_t::MAX),

@@ -38,7 +38,7 @@ pub fn edit(file: Option<&Path>, object: Option<&Path>) -> Result<()> {
             file: file.map(Path::to_path_buf),
             title: None,
             language: None,
-            hand_over: false,
+            host_takes_poses: false,
             fixed_speeds: false,
             folders: Folders::of_environment(),
             program: own_program(),

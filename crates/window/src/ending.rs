@@ -20,6 +20,7 @@ use std::path::PathBuf;
 use std::sync::{Mutex, MutexGuard, PoisonError, TryLockError};
 use std::time::Duration;
 
+use super::descriptors::events_of;
 use super::{Id, own_thread};
 
 /// The windows that keep work, of all threads.
@@ -162,12 +163,6 @@ impl Address {
 }
 
 fn is_hung_up(descriptor: RawFd) -> bool {
-    let mut poll = libc::pollfd {
-        fd: descriptor,
-        events: libc::POLLRDHUP,
-        revents: 0,
-    };
     let ended = libc::POLLHUP | libc::POLLRDHUP | libc::POLLERR;
-    // SAFETY: one element, alive during the call.
-    unsafe { libc::poll(&mut poll, 1, 0) == 1 && poll.revents & ended != 0 }
+    events_of(descriptor, libc::POLLRDHUP) & ended != 0
 }

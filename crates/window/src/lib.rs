@@ -160,7 +160,7 @@ impl Options {
                 file: None,
                 title: None,
                 language: None,
-                hand_over: true,
+                host_takes_poses: true,
                 fixed_speeds: false,
                 folders: editor::Folders::of_environment(),
                 program: host_program(true),
@@ -231,7 +231,7 @@ pub fn close(id: Id) -> bool {
 
 /// Looks at the path of a window; `None` if it is not open.
 pub fn read<R>(id: Id, f: impl FnOnce(&Document) -> R) -> Option<R> {
-    registry::look(id, |window| f(window.document()))
+    look(id, |editor| f(editor.document()))
 }
 
 /// Changes the path of a window; `None` if it is not open. The host is not called for what its own
@@ -244,7 +244,7 @@ pub fn change<R>(id: Id, f: impl FnOnce(&mut Document) -> R) -> Option<R> {
 /// called for what its own callback changes.
 pub fn command<R>(id: Id, f: impl FnOnce(&mut Editor) -> R) -> Option<R> {
     let within = within_a_call();
-    let done = registry::work(id, &mut None, |window, _| window.command(within, f));
+    let done = registry::work(id, |window, _| window.command(within, f));
     registry::ring();
     done
 }
@@ -259,7 +259,7 @@ pub fn look<R>(id: Id, f: impl FnOnce(&Editor) -> R) -> Option<R> {
 /// # Errors
 /// `ErrorKind::Display` if its X server went away.
 pub fn raise(id: Id) -> Option<Result<()>> {
-    let done = registry::work(id, &mut None, |window, _| window.raise());
+    let done = registry::work(id, |window, _| window.raise());
     registry::ring();
     done
 }
@@ -269,12 +269,12 @@ pub fn raise(id: Id) -> Option<Result<()>> {
 /// # Errors
 /// `ErrorKind::Limit` where the system gives no more descriptors.
 pub fn descriptor() -> Result<RawFd> {
-    told();
+    host_serves();
     registry::descriptor()
 }
 
 /// The host serves its windows itself, or is about to: it needs no hint.
-pub fn told() {
+pub fn host_serves() {
     hint::served();
     lookout::end(true);
 }
@@ -285,7 +285,10 @@ pub fn wait() -> Option<Duration> {
 }
 
 /// Serves the windows of this thread in an Xt application context, for a host that makes its
-/// context after it has opened windows.
+/// context after it has opened windows. Within the result is whether Xt takes them.
+///
+/// # Errors
+/// `ErrorKind::Limit` where the system gives no more descriptors.
 pub fn set_app_context(context: *mut c_void) -> Result<std::result::Result<(), Refusal>> {
     Ok(xt::watch_in(context, registry::descriptor()?))
 }

@@ -34,9 +34,9 @@ pub(super) enum Call {
 #[derive(Debug, Default)]
 pub(super) struct Live {
     seen: Option<Standing>,
-    view: Told<(Pose, f64)>,
+    view: Notified<(Pose, f64)>,
     /// The revision and the frame: after a change the same frame may look different.
-    frame: Told<(u64, f64)>,
+    frame: Notified<(u64, f64)>,
     /// The last step it knows of.
     step: Option<(u64, u64)>,
     /// The revision of the path whose poses it has.
@@ -48,7 +48,7 @@ pub(super) struct Live {
 
 /// What the host has been told of one thing that follows the pointer.
 #[derive(Debug, Default)]
-struct Told<T> {
+struct Notified<T> {
     /// The reason for what is still to be told.
     waits: Option<Reason>,
     last: Option<T>,
@@ -56,7 +56,7 @@ struct Told<T> {
     rest: Option<Instant>,
 }
 
-impl<T: Copy + PartialEq> Told<T> {
+impl<T: Copy + PartialEq> Notified<T> {
     /// What to tell now, if it differs from what was told last.
     fn next(&mut self, now: Instant, what: impl FnOnce() -> Option<T>) -> Option<(T, Reason)> {
         let reason = self.waits.take()?;
@@ -124,7 +124,7 @@ impl Live {
         }
         // A path that cannot be sampled has no poses; the window says so.
         let view = || editor.view().ok();
-        let frame = || Some((editor.document().revision(), editor.scene_frame().ok()?));
+        let frame = || Some((editor.document().revision(), editor.frame().ok()?));
         if watches && let Some(((pose, at), reason)) = self.view.next(now, view) {
             return Some(Call::View(pose, at, reason));
         }
@@ -152,13 +152,13 @@ impl Live {
         };
         self.view.waits = reason.or(self.view.waits);
         self.frame.waits = reason.or(self.frame.waits);
-        if !editor.hands_over() {
+        if !editor.auto_hand_over() {
             self.handed = None;
         }
     }
 
     fn owes_poses(&self, editor: &Editor) -> bool {
-        editor.hands_over() && self.handed != Some(editor.document().revision())
+        editor.auto_hand_over() && self.handed != Some(editor.document().revision())
     }
 
     /// When there is something to do without news from the screen.
@@ -205,7 +205,7 @@ impl Live {
         if step {
             self.step = Some(editor.step_number());
         }
-        if poses && editor.hands_over() {
+        if poses && editor.auto_hand_over() {
             self.handed = Some(editor.document().revision());
         }
         done

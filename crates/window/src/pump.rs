@@ -18,11 +18,11 @@ use crate::inject;
 const ROUNDS: u32 = 8;
 
 /// What happened in a call that served the windows.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub struct Served {
     /// Windows that are open now.
     pub open: usize,
-    /// Why the last of the lost windows is gone.
+    /// Why the last of the windows is gone that were lost since the last such call.
     pub lost: Option<Lost>,
 }
 
@@ -32,73 +32,74 @@ pub fn dispatch() -> Served {
     super::hint::served();
     let _serving = super::lookout::serving();
     inject::point(inject::Place::Dispatch);
-    let mut served = Served::default();
     registry::leave_those_that_call();
     let mut more = true;
     for _ in 0..ROUNDS {
-        more = round(&mut served.lost);
+        more = round();
         if !more {
             break;
         }
     }
     registry::set_timer(more);
-    served.open = registry::count();
-    served
+    Served {
+        open: registry::count(),
+        lost: registry::last_lost(),
+    }
 }
 
 /// Gives every window one turn; true if one of them did anything.
-fn round(lost: &mut Option<Lost>) -> bool {
+fn round() -> bool {
     let mut busy = false;
     let mut last = None;
     while let Some(id) = registry::next_after(last) {
         last = Some(id);
-        busy |= serve(id, lost);
+        busy |= serve(id);
     }
     busy
 }
 
 /// Gives one window its turn, and calls the host for it.
-fn serve(id: Id, lost: &mut Option<Lost>) -> bool {
-    let Some(polled) = registry::work(id, lost, |window, host| window.poll(id, host)) else {
+fn serve(id: Id) -> bool {
+    let Some(polled) = registry::work(id, |window, host| window.poll(id, host)) else {
         // Gone by a fault: there may be work for the others.
         return true;
     };
     let polled = match polled {
         Ok(polled) => polled,
         Err(error) => {
-            registry::lose(id, None, Lost::screen(&error), lost);
+            registry::lose(id, None, Lost::screen(&error));
             return true;
         }
     };
     match polled.request {
         None => return polled.busy,
         Some(HostRequest::HandOver) => {
-            registry::call(id, lost, |host| host.hand_over(id));
+            registry::call(id, |host| host.hand_over(id));
         }
         Some(HostRequest::Capture { replace }) => {
-            if let Some(view) = registry::call(id, lost, |host| host.capture(id)) {
-                registry::work(id, lost, |window, _| {
+            if let Some(view) = registry::call(id, |host| host.capture(id)) {
+                registry::work(id, |window, _| {
                     window.command(false, |editor| editor.take_over(view.as_ref(), replace));
                 });
             }
         }
         Some(HostRequest::Live(call)) => {
             let began = Instant::now();
-            registry::call(id, lost, |host| match call {
+            registry::call(id, |host| match call {
                 Call::View(pose, frame, reason) => host.view(id, &pose, frame, reason),
                 Call::Frame(frame, reason) => host.frame(id, frame, reason),
                 Call::Changed => host.changed(id),
                 Call::HandOver => host.hand_over(id),
             });
-            registry::work(id, lost, |window, _| window.called(began));
+            registry::work(id, |window, _| window.called(began));
         }
         Some(HostRequest::Pane(pane)) => {
             let (window, size) =
                 pane.map_or((0, [0; 2]), |pane| (pane.window, [pane.width, pane.height]));
-            registry::call(id, lost, |host| host.pane(id, window, size));
+            registry::call(id, |host| host.pane(id, window, size));
         }
         Some(HostRequest::Close) => {
-            if registry::call(id, lost, |host| host.may_close(id)) == Some(true) {
+            if registry::call(id, |host| host.may_close(id)) == Some(true) {
                 registry::close_for_the_user(id);
             }
         }
@@ -112,7 +113,7 @@ fn serve(id: Id, lost: &mut Option<Lost>) -> bool {
 /// # Errors
 /// `ErrorKind::Limit` without descriptors.
 pub fn main_loop() -> Result<Served> {
-    super::told();
+    super::host_serves();
     let mut lost = None;
     loop {
         let mut served = dispatch();
@@ -135,7 +136,7 @@ pub fn close_all(ask: bool) -> Result<bool> {
             registry::close(id);
             continue;
         }
-        registry::work(id, &mut None, |window, _| window.ask_to_close()).transpose()?;
+        registry::work(id, |window, _| window.ask_to_close()).transpose()?;
         loop {
             dispatch();
             if !registry::is_open(id) {
@@ -144,7 +145,7 @@ pub fn close_all(ask: bool) -> Result<bool> {
             if registry::look(id, |window| window.editor().asks_to_close()) != Some(true) {
                 return Ok(false);
             }
-            super::told();
+            super::host_serves();
             registry::sleep()?;
         }
     }

@@ -40,8 +40,11 @@ struct Table {
     descriptors: Option<Descriptors>,
     /// Calls into the host under way.
     calls: usize,
-    /// The last loss reported: a server that goes away takes many windows, and one line is enough.
-    told: String,
+    /// The last loss that a host was told: a server that goes away takes many windows, and one
+    /// line is enough.
+    last_loss: String,
+    /// The last loss, until a call that serves has returned it.
+    lost: Option<Lost>,
 }
 
 struct Slot {
@@ -73,17 +76,22 @@ impl Table {
             slots: Vec::new(),
             descriptors: None,
             calls: 0,
-            told: String::new(),
+            last_loss: String::new(),
+            lost: None,
         }
     }
 
+    fn place(&self, id: Id) -> Option<usize> {
+        self.slots.binary_search_by_key(&id, |slot| slot.id).ok()
+    }
+
     fn slot(&mut self, id: Id) -> Option<&mut Slot> {
-        let place = self.slots.binary_search_by_key(&id, |slot| slot.id).ok()?;
+        let place = self.place(id)?;
         self.slots.get_mut(place)
     }
 
     fn remove(&mut self, id: Id) -> Option<Slot> {
-        let place = self.slots.binary_search_by_key(&id, |slot| slot.id).ok()?;
+        let place = self.place(id)?;
         let slot = self.slots.remove(place);
         ending::closed(id);
         if let (Some(window), Some(descriptors), true) =
@@ -175,8 +183,11 @@ pub(super) fn insert(window: Box<Window>, host: Rc<dyn Host>) -> Result<Id> {
         let descriptors = table.descriptors()?;
         descriptors.watch(window.screen().connection())?;
         descriptors.ring();
-        table.told.clear();
-        if let Some(work) = window.work_file() {
+        table.last_loss.clear();
+        if table.calls == 0 {
+            table.lost = None;
+        }
+        if let Some(work) = window.editor().work_file() {
             ending::opened(id, work.to_owned(), window.screen().socket());
         }
         table.slots.push(Slot {
@@ -210,6 +221,14 @@ pub fn within_a_call() -> bool {
 
 pub(super) fn descriptor() -> Result<RawFd> {
     table(|table| Ok(table.descriptors()?.raw()))
+}
+
+/// Why the last window was lost; once, except to callbacks.
+pub(super) fn last_lost() -> Option<Lost> {
+    table(|table| match table.calls {
+        0 => table.lost.take(),
+        _ => table.lost.clone(),
+    })
 }
 
 /// How long until the timer makes the descriptor readable.
@@ -277,12 +296,8 @@ pub(super) fn look<R>(id: Id, f: impl FnOnce(&Window) -> R) -> Option<R> {
 }
 
 /// Takes a window out, lets `f` work with it, and puts it back. `None` if there is none of this id,
-/// if it is at work already, or after a panic: then the window is gone and `lost` tells why.
-pub(super) fn work<R>(
-    id: Id,
-    lost: &mut Option<Lost>,
-    f: impl FnOnce(&mut Window, &Rc<dyn Host>) -> R,
-) -> Option<R> {
+/// if it is at work already, or after a panic: then the window is lost.
+pub(super) fn work<R>(id: Id, f: impl FnOnce(&mut Window, &Rc<dyn Host>) -> R) -> Option<R> {
     let (mut window, host) = table(|table| {
         let slot = table.slot(id)?;
         Some((slot.window.take()?, Rc::clone(&slot.host)))
@@ -302,7 +317,7 @@ pub(super) fn work<R>(
             Some(done)
         }
         Err(panic) => {
-            lose(id, Some(window), Lost::fault(&*panic), lost);
+            lose(id, Some(window), Lost::fault(&*panic));
             None
         }
     }
@@ -328,15 +343,16 @@ impl Lost {
 }
 
 /// Removes a window that cannot go on.
-pub(super) fn lose(id: Id, window: Option<Box<Window>>, why: Lost, lost: &mut Option<Lost>) {
+pub(super) fn lose(id: Id, window: Option<Box<Window>>, why: Lost) {
     let (slot, new) = table(|table| {
         // Closing the connection would not end the watch if a child shares it.
         if let (Some(window), Some(descriptors)) = (&window, &table.descriptors) {
             descriptors.leave(window.screen().connection());
         }
         let slot = table.remove(id);
-        let new = table.told != why.why;
-        table.told.clone_from(&why.why);
+        let new = table.last_loss != why.why;
+        table.last_loss.clone_from(&why.why);
+        table.lost = Some(why.clone());
         (slot, new)
     });
     let mut shows_pane = discard(window);
@@ -351,7 +367,6 @@ pub(super) fn lose(id: Id, window: Option<Box<Window>>, why: Lost, lost: &mut Op
             pane_closed(id, &slot.host);
         }
     }
-    *lost = Some(why);
 }
 
 /// Closes a window, after its work or its call if one is under way. False if there is none.
@@ -381,11 +396,7 @@ pub(super) fn close_for_the_user(id: Id) {
 }
 
 /// Runs host code for a window, which is not served meanwhile. `None`: no such window, or a panic.
-pub(super) fn call<R>(
-    id: Id,
-    lost: &mut Option<Lost>,
-    f: impl FnOnce(&dyn Host) -> R,
-) -> Option<R> {
+pub(super) fn call<R>(id: Id, f: impl FnOnce(&dyn Host) -> R) -> Option<R> {
     let host = table(|table| {
         let slot = table.slot(id)?;
         slot.calling = true;
@@ -399,7 +410,7 @@ pub(super) fn call<R>(
     }));
     let closed = table(|table| {
         table.calls = table.calls.saturating_sub(1);
-        let place = table.slots.binary_search_by_key(&id, |slot| slot.id).ok()?;
+        let place = table.place(id)?;
         let slot = &mut table.slots[place];
         slot.calling = false;
         if slot.closing {
@@ -417,7 +428,7 @@ pub(super) fn call<R>(
     match done {
         Ok(done) => Some(done),
         Err(panic) => {
-            lose(id, None, Lost::fault(&*panic), lost);
+            lose(id, None, Lost::fault(&*panic));
             None
         }
     }

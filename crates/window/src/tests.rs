@@ -17,7 +17,9 @@ use egui::{PlatformOutput, RawInput};
 use super::pump::Served;
 use super::screen::Screen;
 use super::window::Window;
-use super::{Gone, Host, Id, close, dispatch, is_open, main_loop, registry, wait, within_a_call};
+use super::{
+    Gone, Host, Id, change, close, dispatch, is_open, main_loop, registry, wait, within_a_call,
+};
 use crate::document::{Document, Poses};
 use crate::editor::{Editor, Folders, HostView, Language, Options};
 use crate::error::EngineError;
@@ -290,7 +292,7 @@ fn open_for(host: Rc<dyn Host>, host_view: HostView) -> (Id, Rc<Remote>) {
         file: None,
         title: None,
         language: Some(Language::English),
-        hand_over: true,
+        host_takes_poses: true,
         fixed_speeds: true,
         folders: Folders::default(),
         program: crate::host_program(false),
@@ -539,6 +541,33 @@ fn a_panic_spoils_one_window() {
     two.send(CLOSE);
     assert_eq!(settle(&[]).open, 0);
     assert!(!is_open(id) && one.dropped.get());
+}
+
+#[test]
+fn what_a_panic_took_outside_the_loop_is_told_by_it() {
+    let (id, ..) = open();
+    let (asking, one, calls) = open();
+    assert!(change(id, |_| panic!("on purpose")).is_none());
+    let lost = dispatch().lost.expect("told");
+    assert!(lost.fault && lost.why.contains("on purpose"));
+    assert!(dispatch().lost.is_none(), "told again");
+    // From within a callback, also if that serves the others.
+    let (id, ..) = open();
+    *calls.on_close.borrow_mut() = Some(Box::new(move |_| {
+        assert!(change(id, |_| panic!("within a call")).is_none());
+        assert!(dispatch().lost.is_some());
+        false
+    }));
+    one.send(CLOSE);
+    let lost = settle(&[&one]).lost.expect("told");
+    assert!(lost.fault && lost.why.contains("within a call"));
+    // A window that opens later is another matter.
+    let (id, ..) = open();
+    assert!(change(id, |_| panic!("on purpose")).is_none());
+    let (id, ..) = open();
+    assert!(dispatch().lost.is_none());
+    close(id);
+    close(asking);
 }
 
 #[test]

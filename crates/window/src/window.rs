@@ -3,7 +3,6 @@
 //! [`Window::poll`] does what there is to do and never waits. What only the host can do comes out
 //! of it as one [`HostRequest`] at a time, since the host may change everything before the next.
 
-use std::path::Path;
 use std::rc::Rc;
 use std::time::{Duration, Instant};
 
@@ -12,7 +11,6 @@ use egui::{ClippedPrimitive, Context, FullOutput, ViewportId};
 use super::live::{Call, Live};
 use super::screen::Screen;
 use super::{Host, Id};
-use crate::document::Document;
 use crate::editor::{Editor, Request};
 use crate::error::Result;
 use crate::inject::{self, Place};
@@ -112,15 +110,6 @@ impl Window {
     /// Whether the host knows of a pane to draw in.
     pub(super) fn shows_pane(&self) -> bool {
         self.pane.is_some()
-    }
-
-    pub(super) fn document(&self) -> &Document {
-        self.editor.document()
-    }
-
-    /// The file of its unsaved work, if there is one.
-    pub(super) fn work_file(&self) -> Option<&Path> {
-        self.editor.work_file()
     }
 
     /// For a change from outside: it is shown in the next turn.

@@ -21,6 +21,7 @@ use std::os::fd::RawFd;
 use std::ptr;
 use std::sync::OnceLock;
 
+use super::descriptors::events_of;
 use super::xt::named;
 
 /// A `Display`, opaque here.
@@ -156,7 +157,7 @@ pub(super) fn falls_asleep(context: usize, windows: Option<RawFd>) -> Sleep {
     let Some(calls) = Calls::find() else {
         return Sleep::default();
     };
-    let quiet = windows.is_some_and(|fd| !is_readable(fd))
+    let quiet = windows.is_some_and(|fd| events_of(fd, libc::POLLIN) == 0)
         && !calls.displays(context, |displays| calls.any_queued(displays));
     Sleep {
         at: Some(calls.processed(context)),
@@ -201,14 +202,4 @@ pub(super) fn wake(context: usize) {
             (calls.put_back)(display, event.as_mut_ptr());
         }
     });
-}
-
-fn is_readable(descriptor: RawFd) -> bool {
-    let mut poll = libc::pollfd {
-        fd: descriptor,
-        events: libc::POLLIN,
-        revents: 0,
-    };
-    // SAFETY: one element, alive during the call.
-    unsafe { libc::poll(&mut poll, 1, 0) == 1 }
 }

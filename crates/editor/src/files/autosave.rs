@@ -67,7 +67,7 @@ impl Editor {
         self.windows.path_replaced();
         self.file.clone_from(&found.original);
         self.known = found.known;
-        self.handed = None;
+        self.handed_state = None;
         // Kept as this window's before the old file is removed.
         self.write_work()?;
         self.say(self.texts().recovery.restored);

@@ -7,9 +7,7 @@
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
-use egui::{
-    Button, Context, Id, Key, Label, Modifiers, RichText, ScrollArea, Sense, TextEdit, Ui, vec2,
-};
+use egui::{Button, Context, Key, Label, Modifiers, RichText, ScrollArea, Sense, Ui, vec2};
 
 use super::listing::{Folder, MAX_ENTRIES, fits, is_hidden};
 use crate::actions::Action;
@@ -69,7 +67,7 @@ impl FileWindow {
             Purpose::LoadObject => (String::new(), "*.obj *.ply *.stl *.gltf *.glb"),
             Purpose::Export => (editor.proposal(texts.poses, "txt"), "*.txt *.csv *.json"),
             Purpose::LoadSetup => (String::new(), "*.toml"),
-            Purpose::SaveSetup => ("setup.toml".to_owned(), "*.toml"),
+            Purpose::SaveSetup => (folders::SETUP_NAME.to_owned(), "*.toml"),
         };
         let mut window = Self {
             purpose,
@@ -281,7 +279,9 @@ impl FileWindow {
             if self.fresh {
                 self.fresh = false;
                 response.request_focus();
-                select_stem(ui, response.id, &self.name);
+                // Without the ending, so that typing replaces the rest of a proposed name.
+                let end = self.name.rfind('.').unwrap_or(self.name.len());
+                theme::select(ui, response.id, &self.name[..end]);
             }
             if response.changed() {
                 self.chosen = None;
@@ -310,13 +310,9 @@ impl FileWindow {
             Label::new(RichText::new(trouble).color(palette.error)).halign(egui::Align::Min),
         );
         let take = match self.purpose {
-            Purpose::LoadPath
-            | Purpose::LoadObject
-            | Purpose::LoadSetup
-            | Purpose::LoadBlock
-            | Purpose::LoadPoses => texts.load,
-            Purpose::SavePath(_) | Purpose::SaveSetup | Purpose::SaveBlock => texts.save,
             Purpose::Export => texts.write,
+            _ if self.loads() => texts.load,
+            _ => texts.save,
         };
         let [cancel, taken] = buttons(ui, [texts.cancel, take]);
         done.cancel |= cancel.on_hover_text(texts.cancel_hint).clicked();
@@ -570,16 +566,6 @@ fn with_ending(path: PathBuf, purpose: Purpose) -> PathBuf {
 
 fn entered(ui: &Ui, response: &egui::Response) -> bool {
     response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter))
-}
-
-/// Selects a proposed name up to its ending, so that typing replaces it.
-fn select_stem(ui: &Ui, id: Id, name: &str) {
-    use egui::text::{CCursor, CCursorRange};
-    let stem = name.rfind('.').map_or(name, |end| &name[..end]);
-    let range = CCursorRange::two(CCursor::default(), CCursor::new(stem.chars().count()));
-    let mut state = TextEdit::load_state(ui.ctx(), id).unwrap_or_default();
-    state.cursor.set_char_range(Some(range));
-    TextEdit::store_state(ui.ctx(), id, state);
 }
 
 fn buttons(ui: &mut Ui, texts: [&str; 2]) -> [egui::Response; 2] {

@@ -105,14 +105,16 @@ impl Editor {
             self.choose_file(Purpose::SavePath(then));
             return;
         };
-        match self.write_path(&file, false) {
+        match self.write(&file, false) {
             Ok(true) => {
                 if let Some(then) = then {
                     self.go_on(then);
                 }
             }
             Ok(false) => self.windows.changed = Some(Question::changed(then)),
-            Err(text) => self.complain(text),
+            Err(error) => {
+                self.complain(self.refusal(self.texts().errors.cannot_save, &file, &error));
+            }
         }
     }
 
@@ -126,7 +128,7 @@ impl Editor {
             return;
         };
         let written = state.modified().ok().map(|time| (time, state.len()));
-        if self.windows.ask() || written == self.written {
+        if self.windows.has_modal() || written == self.written {
             return;
         }
         self.written = written;
@@ -195,25 +197,20 @@ impl Editor {
     /// and its object if it gave one. The error is a sentence; what is open then stays.
     pub(crate) fn load_path(&mut self, file: &Path) -> Result<(), String> {
         let texts = self.texts();
-        match self.loaded(file) {
-            Ok((document, warnings)) => {
-                self.known = document.fingerprint();
-                self.document = document;
-                self.handed = None;
-                self.windows.path_replaced();
-                self.file = Some(file.to_owned());
-                self.note_file(file);
-                self.say(fill(texts.output.loaded, &[&short(file)]));
-                let mut meshes = Warnings::default();
-                meshes.add_meshes(warnings);
-                self.warn(&meshes);
-                Ok(())
-            }
-            Err(error) => {
-                let why = self.without_name(&error);
-                Err(fill(texts.errors.cannot_load, &[&short(file), &why]))
-            }
-        }
+        let loaded = self.loaded(file);
+        let (document, warnings) =
+            loaded.map_err(|error| self.refusal(texts.errors.cannot_load, file, &error))?;
+        self.known = document.fingerprint();
+        self.document = document;
+        self.handed_state = None;
+        self.windows.path_replaced();
+        self.file = Some(file.to_owned());
+        self.note_file(file);
+        self.say(fill(texts.output.loaded, &[&short(file)]));
+        let mut meshes = Warnings::default();
+        meshes.add_meshes(warnings);
+        self.warn(&meshes);
+        Ok(())
     }
 
     fn loaded(&self, file: &Path) -> Result<(Document, Vec<Error>)> {
@@ -237,19 +234,11 @@ impl Editor {
 
     /// Saves the path as this file, whatever is there, and edits it from now on.
     pub(crate) fn save_path(&mut self, file: &Path) -> Result<(), String> {
-        self.write_path(file, true).map(drop)
+        let done = self.write(file, true).map(drop);
+        done.map_err(|error| self.refusal(self.texts().errors.cannot_save, file, &error))
     }
 
     /// The same; false, without writing, if the file was changed and is not to be `replaced`.
-    fn write_path(&mut self, file: &Path, replaced: bool) -> Result<bool, String> {
-        let texts = self.texts();
-        self.write(file, replaced).map_err(|error| {
-            let why = self.without_name(&error);
-            fill(texts.errors.cannot_save, &[&short(file), &why])
-        })
-    }
-
-    /// The same, for callers that report the error themselves.
     pub(crate) fn write(&mut self, file: &Path, replaced: bool) -> Result<bool> {
         let text = self.document.to_toml_for(file)?;
         let bytes = text.as_bytes();
@@ -269,22 +258,16 @@ impl Editor {
     /// Shows the mesh of a file as the object, in an undoable step.
     fn load_object(&mut self, file: &Path) -> Result<(), String> {
         let texts = self.texts();
-        match load_object(file).and_then(|object| self.set_object(object)) {
-            Ok(()) => {
-                let whole = self.document.space_around_object();
-                let space = self.document.path().space;
-                let text = match whole {
-                    Ok(whole) if whole.half_size > 1.2 * space.half_size => texts.output.too_large,
-                    _ => texts.output.loaded,
-                };
-                self.say(fill(text, &[&short(file)]));
-                Ok(())
-            }
-            Err(error) => {
-                let why = self.without_name(&error);
-                Err(fill(texts.errors.cannot_load, &[&short(file), &why]))
-            }
-        }
+        let done = load_object(file).and_then(|object| self.set_object(object));
+        done.map_err(|error| self.refusal(texts.errors.cannot_load, file, &error))?;
+        let whole = self.document.space_around_object();
+        let space = self.document.path().space;
+        let text = match whole {
+            Ok(whole) if whole.half_size > 1.2 * space.half_size => texts.output.too_large,
+            _ => texts.output.loaded,
+        };
+        self.say(fill(text, &[&short(file)]));
+        Ok(())
     }
 
     /// Begins with the tool that uses the file.
@@ -301,37 +284,24 @@ impl Editor {
                 Material::Poses(poses, frames.map(seconds))
             })
         };
-        match read {
-            Ok(material) => {
-                self.begin_tool_with(material);
-                Ok(())
-            }
-            Err(error) => {
-                let why = self.without_name(&error);
-                let text = self.texts().errors.cannot_load;
-                Err(fill(text, &[&short(file), &why]))
-            }
-        }
+        let material =
+            read.map_err(|error| self.refusal(self.texts().errors.cannot_load, file, &error))?;
+        self.begin_tool_with(material);
+        Ok(())
     }
 
     /// Writes the points named in the tool's window.
     fn save_block(&mut self, file: &Path) -> Result<(), String> {
-        let saved = match &self.windows.tool {
-            Some(window) => window.write(&self.document, file),
-            None => return Ok(()),
+        let Some(window) = &self.windows.tool else {
+            return Ok(());
         };
-        match saved {
-            Ok([first, last]) => {
-                self.windows.tool = None;
-                let text = self.texts().tools.block_written;
-                self.say(fill(text, &[&first, &last, &short(file)]));
-                Ok(())
-            }
-            Err(error) => {
-                let why = self.without_name(&error);
-                Err(fill(self.texts().errors.cannot_save, &[&short(file), &why]))
-            }
-        }
+        let saved = window.write(&self.document, file);
+        let [first, last] =
+            saved.map_err(|error| self.refusal(self.texts().errors.cannot_save, file, &error))?;
+        self.windows.tool = None;
+        let text = self.texts().tools.block_written;
+        self.say(fill(text, &[&first, &last, &short(file)]));
+        Ok(())
     }
 
     /// Writes the poses as the file's name says: lines of ten numbers (thesis B.2.3), CSV or JSON.
@@ -339,16 +309,15 @@ impl Editor {
         let texts = self.texts();
         let mut count = 0;
         let format = export::Format::of_file(file);
-        match export::write_file(&self.document, format, file, &mut |done, _| count = done) {
-            Ok(()) => {
-                self.say(fill(texts.output.written, &[&count, &short(file)]));
-                Ok(())
-            }
-            Err(error) => {
-                let why = self.without_name(&error);
-                Err(fill(texts.errors.cannot_write, &[&short(file), &why]))
-            }
-        }
+        export::write_file(&self.document, format, file, &mut |done, _| count = done)
+            .map_err(|error| self.refusal(texts.errors.cannot_write, file, &error))?;
+        self.say(fill(texts.output.written, &[&count, &short(file)]));
+        Ok(())
+    }
+
+    /// What could not be done with a file, and why.
+    fn refusal(&self, text: &str, file: &Path, error: &Error) -> String {
+        fill(text, &[&short(file), &self.without_name(error)])
     }
 
     /// Why it failed, without the file's name.

@@ -1,9 +1,10 @@
 //! The questions before unsaved work is lost, or a file changed elsewhere since it was read here.
 
-use egui::{Button, Key, Modifiers, vec2};
+use egui::{Button, vec2};
 
 use crate::actions::Action;
 use crate::files::{Then, short};
+use crate::keys;
 use crate::state::Editor;
 use crate::texts::fill;
 use crate::windows::{modal, row_at_right};
@@ -24,6 +25,15 @@ enum About {
 
 /// An answer: its words, its hint, what it does.
 type Answer = (&'static str, &'static str, Option<Action>);
+
+struct Parts {
+    /// The window's name, title, width and least button width.
+    place: (&'static str, &'static str, f32, f32),
+    text: String,
+    answers: Vec<Answer>,
+    /// The answer that loses nothing, by its number: the keyboard is there.
+    safe: usize,
+}
 
 impl Question {
     /// Unsaved work would be lost.
@@ -50,10 +60,19 @@ impl Question {
         context: &egui::Context,
         actions: &mut Vec<Action>,
     ) -> bool {
+        let Some(parts) = self.parts(editor) else {
+            return false;
+        };
+        self.ask(context, parts, actions)
+    }
+
+    /// What it shows; none if what it is about is gone.
+    fn parts(&self, editor: &Editor) -> Option<Parts> {
         let (texts, files) = (&editor.texts().questions, &editor.texts().files);
         let name = editor.file.as_deref().map(short);
         let cancel = (texts.cancel, texts.cancel_hint, None);
-        match self.about {
+        let reload = (texts.reload, texts.reload_hint, Some(Action::Reload));
+        Some(match self.about {
             About::Unsaved(then) => {
                 let text = match then {
                     Then::Close => texts.before_close,
@@ -61,82 +80,61 @@ impl Question {
                     Then::Restore(_) => texts.before_restore,
                 };
                 let name = name.unwrap_or_else(|| texts.this_path.to_owned());
-                let save = Action::SaveBefore(then);
-                let discard = Action::GoOn(then);
-                let answers = [
-                    (texts.save, texts.save_hint, Some(save)),
-                    (texts.discard, texts.discard_hint, Some(discard)),
-                    cancel,
-                ];
-                let place = ("question", texts.unsaved, 380.0, 96.0);
-                self.ask(context, place, &fill(text, &[&name]), answers, 0, actions)
+                let (save, discard) = (Action::SaveBefore(then), Action::GoOn(then));
+                Parts {
+                    place: ("question", texts.unsaved, 380.0, 96.0),
+                    text: fill(text, &[&name]),
+                    answers: vec![
+                        (texts.save, texts.save_hint, Some(save)),
+                        (texts.discard, texts.discard_hint, Some(discard)),
+                        cancel,
+                    ],
+                    safe: 0,
+                }
             }
             About::Newer => {
-                let Some(name) = name else {
-                    return false;
-                };
-                let answers = [
-                    (texts.reload, texts.reload_hint, Some(Action::Reload)),
-                    (texts.keep, texts.keep_hint, None),
-                ];
                 let modified = editor.document.is_modified();
                 let text = if modified {
                     texts.newer_unsaved
                 } else {
                     texts.newer
                 };
-                let place = ("changed", texts.changed, 420.0, 112.0);
-                // The keyboard is at the answer that loses nothing.
-                let first = usize::from(modified);
-                self.ask(
-                    context,
-                    place,
-                    &fill(text, &[&name]),
-                    answers,
-                    first,
-                    actions,
-                )
+                Parts {
+                    place: ("changed", texts.changed, 420.0, 112.0),
+                    text: fill(text, &[&name?]),
+                    answers: vec![reload, (texts.keep, texts.keep_hint, None)],
+                    safe: usize::from(modified),
+                }
             }
             About::Changed(then) => {
-                let Some(name) = name else {
-                    return false;
-                };
-                let (overwrite, hint) = (files.overwrite, files.overwrite_hint);
-                let save_as = Action::SaveAsBefore(then);
-                let answers = [
-                    (texts.reload, texts.reload_hint, Some(Action::Reload)),
-                    (texts.save_as, texts.save_as_hint, Some(save_as)),
-                    (overwrite, hint, Some(Action::Overwrite(then))),
-                    cancel,
-                ];
-                let text = fill(texts.changed_since, &[&name]);
-                let place = ("changed", texts.changed, 480.0, 112.0);
-                // The keyboard is at the answer that loses nothing.
-                self.ask(context, place, &text, answers, 1, actions)
+                let (save_as, overwrite) = (Action::SaveAsBefore(then), Action::Overwrite(then));
+                Parts {
+                    place: ("changed", texts.changed, 480.0, 112.0),
+                    text: fill(texts.changed_since, &[&name?]),
+                    answers: vec![
+                        reload,
+                        (texts.save_as, texts.save_as_hint, Some(save_as)),
+                        (files.overwrite, files.overwrite_hint, Some(overwrite)),
+                        cancel,
+                    ],
+                    safe: 1,
+                }
             }
-        }
+        })
     }
 
-    /// Asks in a window with this name, title, width and least button width, `first` focused.
-    fn ask<const N: usize>(
-        &mut self,
-        context: &egui::Context,
-        (id, title, width, least): (&'static str, &str, f32, f32),
-        text: &str,
-        answers: [Answer; N],
-        first: usize,
-        actions: &mut Vec<Action>,
-    ) -> bool {
+    fn ask(&mut self, context: &egui::Context, parts: Parts, actions: &mut Vec<Action>) -> bool {
+        let (id, title, width, least) = parts.place;
         let mut open = true;
         modal(context, id, title, width, |ui| {
-            ui.label(text);
+            ui.label(parts.text);
             ui.add_space(8.0);
-            let words = answers.each_ref().map(|&(text, ..)| text);
+            let words: Vec<_> = parts.answers.iter().map(|&(text, ..)| text).collect();
             row_at_right(ui, &words, least, |ui| {
-                for (number, (text, hint, action)) in answers.into_iter().enumerate() {
+                for (number, (text, hint, action)) in parts.answers.into_iter().enumerate() {
                     let button = Button::new(text).min_size(vec2(least, 28.0));
                     let response = ui.add(button).on_hover_text(hint);
-                    if number == first && std::mem::take(&mut self.fresh) {
+                    if number == parts.safe && std::mem::take(&mut self.fresh) {
                         response.request_focus();
                     }
                     if response.clicked() {
@@ -146,7 +144,7 @@ impl Question {
                 }
             });
         });
-        if context.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape)) {
+        if keys::consume_escape(context) {
             actions.clear();
             open = false;
         }

@@ -233,7 +233,7 @@ fn editor(folder: &Path) -> Editor {
         file: None,
         title: None,
         language: Some(Language::English),
-        hand_over: false,
+        host_takes_poses: false,
         fixed_speeds: false,
         folders: Folders {
             state: Some(folder.to_owned()),

@@ -79,7 +79,7 @@ impl Editor {
     /// # Errors
     /// `ErrorKind::Memory`; `ErrorKind::Limit` for too many frames.
     pub fn frame(&self) -> Result<f64> {
-        self.scene_frame()
+        Ok(self.document.frame_of_scene(self.path_frame()?))
     }
 
     /// The frame of the path at the playhead.

@@ -17,14 +17,14 @@ use crate::setup::Theme;
 use crate::state::Editor;
 use crate::texts::{Language, Texts, fill};
 use crate::theme;
+use crate::windows::is_cramped;
 
 /// Room for a mark before an entry's text.
 const MARK: f32 = 28.0;
 /// Beside a menu's title.
 const TITLE_MARGIN: f32 = 6.0;
-/// The same in a window narrower than `ROOMY`.
+/// The same in a narrow window.
 const NARROW_MARGIN: f32 = 3.0;
-const ROOMY: f32 = 1000.0;
 /// Between the texts and their keys.
 const APART: f32 = 32.0;
 
@@ -237,11 +237,11 @@ fn output(editor: &Editor) -> Vec<Entry> {
         Entry::new(texts.export, hints.export, Action::Export).letter(Key::D),
         Entry::new(texts.hand_over, hints.hand_over, Action::HandOver)
             .letter(Key::U)
-            .only_if(editor.hand_over, texts.nobody_takes),
+            .only_if(editor.host_takes_poses, texts.nobody_takes),
         Entry::new(texts.hands_over, hints.hands_over, Action::SwitchHandsOver)
             .letter(Key::L)
-            .on(editor.hands_over)
-            .only_if(editor.hand_over, texts.nobody_takes),
+            .on(editor.auto_hand_over)
+            .only_if(editor.host_takes_poses, texts.nobody_takes),
     ]
 }
 
@@ -323,7 +323,7 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui) -> Option<Action> {
     let open = bar.open(ui.ctx());
     bar.popups.clear();
     bar.entries.clear();
-    let margin = if ui.ctx().content_rect().width() < ROOMY {
+    let margin = if is_cramped(ui.ctx()) {
         NARROW_MARGIN
     } else {
         TITLE_MARGIN

@@ -227,7 +227,7 @@ fn handing_over_is_grey_where_nobody_takes_it() {
     for language in BOTH {
         let texts = &language.texts().menu;
         let options = Options {
-            hand_over: false,
+            host_takes_poses: false,
             ..options(language)
         };
         let mut window = window_of(options, LARGE, 1.0, Theme::Dark);

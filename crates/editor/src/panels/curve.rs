@@ -2,7 +2,7 @@
 
 use egui::{Button, Popup, Response, RichText, Role, Ui, WidgetInfo};
 
-use super::{Key, share};
+use super::{PanelButton, share};
 use crate::actions::Action;
 use crate::document::Edit;
 use crate::path::CurveKind;
@@ -15,7 +15,7 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let width = share(ui, 3);
     ui.horizontal(|ui| {
         ui.spacing_mut().button_padding.x = 0.0;
-        let change = Key::new(texts.change, texts.change_hint, Action::Curve);
+        let change = PanelButton::new(texts.change, texts.change_hint, Action::Curve);
         change.show(editor, ui, width, actions);
         kind(editor, ui, width, actions);
         tangents(editor, ui, width, actions);

@@ -18,7 +18,7 @@ use crate::theme;
 pub(super) const WIDTH: f32 = 236.0;
 
 /// A lower window has smaller gaps between the rows.
-const ROOMY: f32 = 580.0;
+const MIN_HEIGHT_FOR_GAPS: f32 = 580.0;
 
 /// Distance between two panels, in points.
 const APART: f32 = 8.0;
@@ -32,7 +32,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     };
     ScrollArea::vertical().show(ui, |ui| {
         ui.set_width(WIDTH);
-        if height < ROOMY {
+        if height < MIN_HEIGHT_FOR_GAPS {
             ui.spacing_mut().item_spacing.y -= 1.0;
         }
         panel(ui, &position::show);
@@ -109,7 +109,7 @@ fn heading_with_room(ui: &mut Ui, text: &str, remark: &str, room: f32) -> Respon
 }
 
 /// A button of a panel.
-struct Key<'a> {
+struct PanelButton<'a> {
     text: &'a str,
     hint: &'a str,
     action: Action,
@@ -117,7 +117,7 @@ struct Key<'a> {
     chosen: Option<bool>,
 }
 
-impl<'a> Key<'a> {
+impl<'a> PanelButton<'a> {
     const fn new(text: &'a str, hint: &'a str, action: Action) -> Self {
         Self {
             text,
@@ -157,22 +157,27 @@ impl<'a> Key<'a> {
 }
 
 /// Buttons of equal width that fill a row.
-fn keys(editor: &Editor, ui: &mut Ui, keys: &[Key<'_>], actions: &mut Vec<Action>) {
-    let width = share(ui, keys.len());
+fn button_row(
+    editor: &Editor,
+    ui: &mut Ui,
+    buttons: &[PanelButton<'_>],
+    actions: &mut Vec<Action>,
+) {
+    let width = share(ui, buttons.len());
     ui.horizontal(|ui| {
         // The width is fixed: the words have all of it.
         ui.spacing_mut().button_padding.x = 0.0;
-        for key in keys {
-            key.show(editor, ui, width, actions);
+        for button in buttons {
+            button.show(editor, ui, width, actions);
         }
     });
 }
 
 /// A button to go back, the current place, a button to go on.
-fn round(
+fn pager(
     editor: &Editor,
     ui: &mut Ui,
-    [back, on]: [&Key<'_>; 2],
+    [back, on]: [&PanelButton<'_>; 2],
     place: &str,
     actions: &mut Vec<Action>,
 ) {

@@ -4,7 +4,7 @@ use egui::{Button, Popup, Role, Ui, WidgetInfo};
 use glam::DVec3;
 
 use super::position::three_numbers;
-use super::{Key, heading, keys, round, share};
+use super::{PanelButton, button_row, heading, pager, share};
 use crate::actions::Action;
 use crate::document::{Edit, Selection};
 use crate::error::Result;
@@ -34,46 +34,46 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         _ => texts.in_direction,
     };
     heading(ui, texts.heading, how);
-    keys(
+    button_row(
         editor,
         ui,
         &[
-            Key::new(texts.add, texts.add_hint, Action::AddOrientation),
-            Key::new(texts.remove, texts.remove_hint, Action::RemoveOrientation),
+            PanelButton::new(texts.add, texts.add_hint, Action::AddOrientation),
+            PanelButton::new(texts.remove, texts.remove_hint, Action::RemoveOrientation),
         ],
         actions,
     );
-    round(
+    pager(
         editor,
         ui,
         [
-            &Key::new(
+            &PanelButton::new(
                 texts.previous,
                 texts.previous_hint,
                 Action::PreviousOrientation,
             ),
-            &Key::new(texts.next, texts.next_hint, Action::NextOrientation),
+            &PanelButton::new(texts.next, texts.next_hint, Action::NextOrientation),
         ],
         &Editor::number_of(texts.count, here.orientation, count),
         actions,
     );
-    keys(
+    button_row(
         editor,
         ui,
         &[
-            Key::new(
+            PanelButton::new(
                 texts.absolute,
                 texts.absolute_hint,
                 Action::SetAbsolute(true),
             )
             .chosen(absolute),
-            Key::new(
+            PanelButton::new(
                 texts.relative,
                 texts.relative_hint,
                 Action::SetAbsolute(false),
             )
             .chosen(!absolute && !ahead),
-            Key::new(texts.ahead, texts.ahead_hint, Action::LookAhead).chosen(ahead),
+            PanelButton::new(texts.ahead, texts.ahead_hint, Action::LookAhead).chosen(ahead),
         ],
         actions,
     );
@@ -120,7 +120,9 @@ fn target(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Action>
             .in_space(editor.document.path().space)
             .range(0.0..=f64::MAX)
             .show(ui, editor.language(), "ahead", ui.available_width());
-        let entry = entry.map(|distance| with(selection, current, |new| look_ahead(new, distance)));
+        let entry = entry.try_map(|distance| {
+            editor.with_own(selection, current, |own| own.ahead = Some(distance))
+        });
         actions.push(Action::enter(missing, entry));
         return;
     }
@@ -129,12 +131,12 @@ fn target(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Action>
         Target::Relative(way) => (("direction", texts.direction, texts.direction_hint), way),
     };
     let edit = |to| {
-        with(selection, current, |new| {
+        Ok(with(selection, current, |new| {
             new.target = match new.target {
                 Target::Absolute(_) => Target::Absolute(to),
                 Target::Relative(_) => Target::Relative(to),
             };
-        })
+        }))
     };
     three_numbers(editor, ui, words, vector, missing, edit, actions);
 }
@@ -150,14 +152,14 @@ fn up(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Action>) {
         UpVector::Minimal => (texts.up_minimal, texts.up_minimal_hint),
         UpVector::Frenet => (texts.up_frenet, texts.up_frenet_hint),
     };
-    let turns = Held::Turning.is_owned(shown);
+    let turns = OwnedMotion::Turning.is_owned(shown);
     let width = share(ui, 1 + usize::from(turns));
     let row = ui.horizontal(|ui| {
         ui.spacing_mut().button_padding.x = 0.0;
         let button = Button::new(fill(texts.up, &[&words(current).0]));
         let response = ui.add_sized([width, theme::ROW], button);
         if turns {
-            own(editor, ui, Held::Turning, width, actions);
+            own(editor, ui, OwnedMotion::Turning, width, actions);
         }
         response
     });
@@ -189,8 +191,8 @@ fn up(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Action>) {
     if let UpVector::Point(place) = *current {
         let words = ("up", texts.up_at, texts.up_at_hint);
         let edit = |to| {
-            with(shown.at, &shown.orientation, |new| {
-                set_up(new, UpVector::Point(to))
+            editor.with_own(shown.at, &shown.orientation, |own| {
+                own.up = UpVector::Point(to)
             })
         };
         three_numbers(
@@ -207,14 +209,14 @@ fn up(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Action>) {
 
 /// Something of a motion that an orientation may own.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Held {
+pub(crate) enum OwnedMotion {
     /// Angular velocities, a part of a turning, the slope of the roll.
     Turning,
     /// The slope of its zoom.
     Zoom,
 }
 
-impl Held {
+impl OwnedMotion {
     pub(super) fn is_owned(self, shown: &Shown) -> bool {
         let own = &shown.orientation.own;
         let turns = || own.velocities.is_some() || own.turning.is_some();
@@ -227,19 +229,25 @@ impl Held {
 }
 
 /// Says that the orientation owns this, and gives it back.
-pub(super) fn own(editor: &Editor, ui: &mut Ui, what: Held, width: f32, actions: &mut Vec<Action>) {
+pub(super) fn own(
+    editor: &Editor,
+    ui: &mut Ui,
+    what: OwnedMotion,
+    width: f32,
+    actions: &mut Vec<Action>,
+) {
     let texts = &editor.texts().orientation;
     let (text, hint) = match what {
-        Held::Turning => (texts.own_turning, texts.own_turning_hint),
-        Held::Zoom => (texts.own_slope, texts.own_slope_hint),
+        OwnedMotion::Turning => (texts.own_turning, texts.own_turning_hint),
+        OwnedMotion::Zoom => (texts.own_slope, texts.own_slope_hint),
     };
-    let key = Key::new(text, hint, Action::GiveBack(what)).chosen(true);
-    key.show(editor, ui, width, actions);
+    let button = PanelButton::new(text, hint, Action::GiveBack(what)).chosen(true);
+    button.show(editor, ui, width, actions);
 }
 
 impl Editor {
     /// Removes what the current orientation owns of this.
-    pub(crate) fn give_back(&mut self, what: Held) {
+    pub(crate) fn give_back(&mut self, what: OwnedMotion) {
         match self.without(what) {
             Ok(edits) => {
                 self.edit_all(edits);
@@ -248,7 +256,7 @@ impl Editor {
         }
     }
 
-    fn without(&self, what: Held) -> Result<Vec<Edit>> {
+    fn without(&self, what: OwnedMotion) -> Result<Vec<Edit>> {
         let path = self.document.path();
         let here = self.document.selection();
         let mut edits = Vec::new();
@@ -263,8 +271,8 @@ impl Editor {
             Ok(())
         };
         match what {
-            Held::Zoom => change(here, &|own| own.zoom_slope = None)?,
-            Held::Turning => {
+            OwnedMotion::Zoom => change(here, &|own| own.zoom_slope = None)?,
+            OwnedMotion::Turning => {
                 change(here, &|own| {
                     own.velocities = None;
                     own.turning = None;
@@ -310,23 +318,8 @@ fn path_for_up(path: &CameraPath) -> Option<UpVector> {
     Some(found.own.up.clone())
 }
 
-pub(crate) fn set_up(orientation: &mut Orientation, up: UpVector) {
-    // Out of memory, all stays as it is.
-    if let Ok(own) = orientation.own.with(|own| own.up = up) {
-        orientation.own = own;
-    }
-}
-
-/// Looks along the path from now on (0), or at the place `distance` ahead on it.
-pub(crate) fn look_ahead(orientation: &mut Orientation, distance: f64) {
-    // Out of memory, all stays as it is.
-    if let Ok(own) = orientation.own.with(|own| own.ahead = Some(distance)) {
-        orientation.own = own;
-    }
-}
-
 /// The edit that changes an orientation.
-pub(super) fn with(
+pub(crate) fn with(
     at: Selection,
     current: &Orientation,
     change: impl FnOnce(&mut Orientation),

@@ -8,7 +8,6 @@ use crate::number::decimals;
 use crate::path::ahead;
 use crate::playing::playhead::Missing;
 use crate::state::Editor;
-use crate::texts::Language;
 use crate::theme;
 
 /// One part of the setting.
@@ -200,14 +199,10 @@ fn columns(editor: &Editor) -> Vec<Column> {
         },
         Column {
             label: texts.zoom,
-            values: vec![zoom(language, orientation.zoom)],
+            values: vec![language.number(orientation.zoom, 1)],
             widest: "00.0",
         },
     ]
-}
-
-fn zoom(language: Language, zoom: f64) -> String {
-    language.number(zoom, 1)
 }
 
 /// The setting as a sentence.

@@ -5,7 +5,7 @@ use egui::{Button, Color32, Popup, RichText, Role, Sense, Shape, Stroke, Ui, Wid
 use glam::DVec3;
 
 use super::curve::{self, in_place_of_tangents, without_shape, words_of};
-use super::{Key, heading_with_room, keys, round, share, words};
+use super::{PanelButton, button_row, heading_with_room, pager, share, words};
 use crate::actions::Action;
 use crate::document::Edit;
 use crate::limits::PRESETS;
@@ -17,7 +17,7 @@ use crate::texts::fill;
 use crate::theme;
 
 /// A lower window does not show the shape at the next point.
-const ROOMY: f32 = 630.0;
+const MIN_HEIGHT_FOR_NEXT_SHAPE: f32 = 630.0;
 
 /// Room for the arrow beside the preset's name.
 const ARROW: f32 = 14.0;
@@ -30,22 +30,22 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         return;
     };
     presets(editor, ui, actions);
-    keys(
+    button_row(
         editor,
         ui,
         &[
-            Key::new(texts.add, texts.add_hint, Action::AddPoint),
-            Key::new(texts.add_many, texts.add_many_hint, Action::AskPoints),
-            Key::new(texts.remove, texts.remove_hint, Action::RemovePoint),
+            PanelButton::new(texts.add, texts.add_hint, Action::AddPoint),
+            PanelButton::new(texts.add_many, texts.add_many_hint, Action::AskPoints),
+            PanelButton::new(texts.remove, texts.remove_hint, Action::RemovePoint),
         ],
         actions,
     );
-    round(
+    pager(
         editor,
         ui,
         [
-            &Key::new(texts.previous, texts.previous_hint, Action::PreviousPoint),
-            &Key::new(texts.next, texts.next_hint, Action::NextPoint),
+            &PanelButton::new(texts.previous, texts.previous_hint, Action::PreviousPoint),
+            &PanelButton::new(texts.next, texts.next_hint, Action::NextPoint),
         ],
         &Editor::number_of(texts.count, selection.point, count),
         actions,
@@ -53,7 +53,7 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     coordinates(editor, ui, &shown, actions);
     if shown.missing == Missing::Nothing {
         shape(editor, ui, false, actions);
-        if ui.ctx().content_rect().height() >= ROOMY {
+        if ui.ctx().content_rect().height() >= MIN_HEIGHT_FOR_NEXT_SHAPE {
             shape(editor, ui, true, actions);
         }
     } else {
@@ -142,8 +142,8 @@ fn add_here(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Actio
     } else {
         texts.add_orientation_here
     };
-    let key = Key::new(text, texts.add_here_hint, Action::AddHere);
-    keys(editor, ui, &[key], actions);
+    let button = PanelButton::new(text, texts.add_here_hint, Action::AddHere);
+    button_row(editor, ui, &[button], actions);
     let width = ui.available_width();
     words(ui, texts.in_between, width, theme::palette(ui).weak);
 }
@@ -157,7 +157,7 @@ fn coordinates(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Ac
         ("position", texts.coordinate, texts.coordinate_hint),
         position,
         missing,
-        |position| Edit::SetPosition { at, position },
+        |position| Ok(Edit::SetPosition { at, position }),
         actions,
     );
 }
@@ -169,7 +169,7 @@ pub(super) fn three_numbers(
     (id, name, hint): (&str, &str, &str),
     vector: DVec3,
     missing: bool,
-    edit: impl Fn(DVec3) -> Edit,
+    edit: impl Fn(DVec3) -> Result<Edit, String>,
     actions: &mut Vec<Action>,
 ) {
     let space = editor.document.path().space;
@@ -185,7 +185,7 @@ pub(super) fn three_numbers(
                 .faint(missing)
                 .in_space(space)
                 .show(ui, editor.language(), &format!("{id}.{letter}"), width);
-            let entry = entry.map(|value| {
+            let entry = entry.try_map(|value| {
                 let mut new = vector;
                 new[axis] = value;
                 edit(new)

@@ -4,14 +4,15 @@ use egui::{
     Align2, CornerRadius, Pos2, Rect, Response, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
 };
 
-use super::{Key, heading, keys};
+use super::{PanelButton, button_row, heading};
 use crate::actions::Action;
 use crate::limits::{BASE_SPEED, MAX_SPEED, MIN_SPEED, SPEEDS};
 use crate::path::speed_curve::INTERVALS;
-use crate::path::{Change, Orientation, Pace, Section, Timing};
+use crate::path::{Change, Section, Timing};
 use crate::state::Editor;
 use crate::texts::fill;
 use crate::theme;
+use crate::windows::goes_by_ten;
 
 /// Height of all panels but this picture.
 const OTHERS: f32 = 488.0;
@@ -24,11 +25,9 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, height: f32, actions: &mut Vec<
     let words = section.map_or_else(|| texts.end.to_owned(), |section| frames(editor, section));
     heading(ui, texts.heading, &words);
     let height = (height - OTHERS).clamp(HEIGHTS.0, HEIGHTS.1);
-    let orientation = editor.orientation();
-    let goes_by_ten =
-        |current: &&Orientation| matches!(current.own.pace, Pace::Speeds | Pace::Part(_));
-    let speeds = orientation
-        .filter(goes_by_ten)
+    let current = editor.orientation();
+    let speeds = current
+        .filter(|current| goes_by_ten(&current.own.pace))
         .map(|current| current.speeds);
     let (rect, response) =
         ui.allocate_exact_size(vec2(ui.available_width(), height.floor()), Sense::click());
@@ -48,8 +47,8 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, height: f32, actions: &mut Vec<
     if response.on_hover_text(texts.picture_hint).clicked() {
         actions.push(Action::SpeedCurve);
     }
-    let change = Key::new(texts.change, texts.change_hint, Action::SpeedCurve);
-    keys(editor, ui, &[change], actions);
+    let change = PanelButton::new(texts.change, texts.change_hint, Action::SpeedCurve);
+    button_row(editor, ui, &[change], actions);
 }
 
 /// Whether there is more room above the first speeds than below them.
@@ -83,18 +82,6 @@ fn current(editor: &Editor) -> (Option<Timing>, Option<Section>) {
 /// The ends of a section: points, with the orientation where a point has several.
 fn ends(editor: &Editor, section: Section) -> String {
     let points = &editor.document.path().points;
-    let several = |point: usize| {
-        points
-            .get(point)
-            .is_some_and(|point| point.orientations.len() > 1)
-    };
-    let name = |point: usize, orientation: usize| {
-        if several(point) {
-            format!("{}.{}", point + 1, orientation + 1)
-        } else {
-            (point + 1).to_string()
-        }
-    };
     let here = points
         .get(section.point)
         .map_or(0, |point| point.orientations.len());
@@ -103,11 +90,9 @@ fn ends(editor: &Editor, section: Section) -> String {
     } else {
         ((section.point + 1) % points.len().max(1), 0)
     };
-    let from = name(section.point, section.orientation);
-    fill(
-        editor.texts().speed.section,
-        &[&from, &name(to, orientation)],
-    )
+    let from = editor.name_of(section.point, section.orientation);
+    let to = editor.name_of(to, orientation);
+    fill(editor.texts().speed.section, &[&from, &to])
 }
 
 /// Frames and seconds of a section.

@@ -3,9 +3,10 @@
 use egui::{Slider, SliderClamping, Ui};
 
 use super::heading;
-use super::orientation::{Held, own, with};
+use super::orientation::{OwnedMotion, own, with};
 use crate::actions::Action;
 use crate::limits::{MAX_ZOOM, MIN_ZOOM};
+use crate::math::view::HALF_FILM_HEIGHT;
 use crate::number::{Entry, Number};
 use crate::state::Editor;
 
@@ -14,9 +15,6 @@ const FIELD: f32 = 56.0;
 /// Width of the button that gives a slope back.
 const OWN: f32 = 76.0;
 
-/// Half the height of the picture of a 36×24 mm camera, in mm.
-const HALF_HEIGHT: f64 = 12.0;
-
 pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let texts = &editor.texts().zoom;
     let language = editor.language();
@@ -24,9 +22,9 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         return;
     };
     let missing = shown.has_no_orientation();
-    let owns = Held::Zoom.is_owned(&shown);
+    let owns = OwnedMotion::Zoom.is_owned(&shown);
     let (selection, current) = (shown.at, shown.orientation);
-    let angle = 2.0 * (HALF_HEIGHT / current.zoom).atan().to_degrees();
+    let angle = 2.0 * (HALF_FILM_HEIGHT / current.zoom).atan().to_degrees();
     let words = format!("{}°", language.number(angle, 1));
     heading(ui, texts.heading, &words).on_hover_text(texts.angle_hint);
     ui.horizontal(|ui| {
@@ -63,7 +61,7 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         actions.push(Action::enter(missing, entry.map(edit)));
         if owns {
             ui.spacing_mut().button_padding.x = 0.0;
-            own(editor, ui, Held::Zoom, OWN, actions);
+            own(editor, ui, OwnedMotion::Zoom, OWN, actions);
         }
     });
 }

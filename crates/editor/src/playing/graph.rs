@@ -2,21 +2,22 @@
 //! Borders of sections are dragged sideways, the ten speeds of the current section up and down.
 
 use egui::{
-    Align2, CornerRadius, CursorIcon, Id, Key, Modifiers, Painter, Pos2, Rangef, Rect, Response,
-    Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
+    Align2, CornerRadius, CursorIcon, Id, Painter, Pos2, Rangef, Rect, Response, Sense, Stroke,
+    StrokeKind, Ui, WidgetInfo, pos2, vec2,
 };
 
 use super::curve::Curve;
 use super::{Marks, as_frame, plot, scrub_by_mouse};
 use crate::actions::Action;
-use crate::document::{Document, Edit, Selection};
+use crate::document::{Document, Selection};
 use crate::error::Result;
 use crate::limits::{MAX_SPEED, MIN_SPEED, SPEEDS};
 use crate::number::Entry;
-use crate::path::{self, Change};
+use crate::path::Change;
 use crate::state::Editor;
 use crate::texts::fill;
 use crate::theme::{self, Palette};
+use crate::windows::goes_by_ten;
 
 pub(super) const HEIGHT: f32 = 76.0;
 
@@ -98,7 +99,7 @@ impl Graph {
 
 /// What is being dragged.
 #[derive(Debug, Default)]
-enum Held {
+enum Dragged {
     #[default]
     Nothing,
     /// A border: the sections at its sides with their frames, and where it was pressed.
@@ -159,7 +160,7 @@ impl Scale {
 /// What the graph remembers from pass to pass.
 #[derive(Debug, Default)]
 pub(super) struct Memory {
-    held: Held,
+    held: Dragged,
     curve: Curve,
 }
 
@@ -187,7 +188,7 @@ pub(super) fn show(
         return;
     }
     let scale = Scale::new(rail.x_range(), ground, marks);
-    if matches!(held, Held::Nothing) {
+    if matches!(held, Dragged::Nothing) {
         scrub_by_mouse(editor, ui, &response, rail, actions);
     }
     seconds(editor, &painter, &scale, ground, palette);
@@ -243,7 +244,7 @@ fn seconds(editor: &Editor, painter: &Painter, scale: &Scale, ground: Rect, pale
 /// The borders between sections, each as far as it has room.
 fn borders(
     editor: &Editor,
-    held: &mut Held,
+    held: &mut Dragged,
     ui: &Ui,
     scale: &Scale,
     ground: Rect,
@@ -273,7 +274,7 @@ fn borders(
         {
             let next = stretches.get(index + 1);
             let of = |stretch: &Stretch| (stretch.from, stretch.end - stretch.start);
-            *held = Held::Border {
+            *held = Dragged::Border {
                 before: of(stretch),
                 after: next.map(of),
                 from: pointer.x,
@@ -301,8 +302,8 @@ fn borders(
 }
 
 /// The edits for a dragged border; with `ripple` the section after it keeps its frames and shifts.
-fn moved_border(editor: &Editor, held: &Held, at: f32, ripple: bool) -> Vec<Action> {
-    let &Held::Border {
+fn moved_border(editor: &Editor, held: &Dragged, at: f32, ripple: bool) -> Vec<Action> {
+    let &Dragged::Border {
         before: (first, frames),
         after,
         from,
@@ -319,14 +320,10 @@ fn moved_border(editor: &Editor, held: &Held, at: f32, ripple: bool) -> Vec<Acti
     let moved = wanted.min(most).max(1 - length(frames));
     let set = |(at, frames): (Selection, i64)| {
         let point = editor.document.path().points.get(at.point)?;
-        let mut orientation = point.orientations.get(at.orientation)?.clone();
+        let orientation = point.orientations.get(at.orientation)?;
         let frames = u32::try_from(frames).ok()?;
-        orientation.own = orientation.own.with(|own| own.frames = frames).ok()?;
-        Some(Action::Edit(Edit::SetOrientation {
-            point: at.point,
-            at: at.orientation,
-            orientation,
-        }))
+        let edit = editor.with_own(at, orientation, |own| own.frames = frames);
+        Some(edit.map_or_else(Action::Complain, Action::Edit))
     };
     let before = (first, length(frames) + moved);
     let after = after.map(|(at, frames)| (at, length(frames) - moved));
@@ -338,7 +335,7 @@ fn moved_border(editor: &Editor, held: &Held, at: f32, ripple: bool) -> Vec<Acti
 }
 
 /// The ten speeds of the current section, if there is room for them.
-fn squares(editor: &Editor, held: &mut Held, ui: &Ui, scale: &Scale, actions: &mut Vec<Action>) {
+fn squares(editor: &Editor, held: &mut Dragged, ui: &Ui, scale: &Scale, actions: &mut Vec<Action>) {
     let selection = editor.document.selection();
     let stretches = &editor.playing.marks.graph.stretches;
     let Some(orientation) = editor.orientation() else {
@@ -349,7 +346,7 @@ fn squares(editor: &Editor, held: &mut Held, ui: &Ui, scale: &Scale, actions: &m
     };
     let ends = Rangef::new(scale.x(stretch.start as f32), scale.x(stretch.end as f32));
     let step = ends.span() / (SPEEDS - 1) as f32;
-    if step < GRIP || orientation.own.pace != path::own::Pace::Speeds {
+    if step < GRIP || !goes_by_ten(&orientation.own.pace) {
         return;
     }
     let palette = theme::palette(ui);
@@ -365,10 +362,10 @@ fn squares(editor: &Editor, held: &mut Held, ui: &Ui, scale: &Scale, actions: &m
         if response.drag_started()
             && let Some(pointer) = ui.input(|input| input.pointer.press_origin())
         {
-            *held = Held::Speed(at, pointer.y - middle.y);
+            *held = Dragged::Speed(at, pointer.y - middle.y);
             actions.push(Action::Enter(Entry::Begin));
         }
-        if let Held::Speed(held, grip) = *held
+        if let Dragged::Speed(held, grip) = *held
             && held == at
             && response.dragged()
             && let Some(pointer) = response.interact_pointer_pos()
@@ -407,18 +404,12 @@ fn squares(editor: &Editor, held: &mut Held, ui: &Ui, scale: &Scale, actions: &m
 }
 
 /// Ends a drag; Escape undoes it.
-fn ended(ui: &Ui, response: &Response, held: &mut Held, actions: &mut Vec<Action>) {
-    if !response.drag_stopped() || matches!(held, Held::Nothing) {
+fn ended(ui: &Ui, response: &Response, held: &mut Dragged, actions: &mut Vec<Action>) {
+    if !response.drag_stopped() || matches!(held, Dragged::Nothing) {
         return;
     }
-    *held = Held::Nothing;
-    // egui ends a drag on Escape before anybody sees the key.
-    let escaped = ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
-    actions.push(Action::Enter(if escaped {
-        Entry::Cancel
-    } else {
-        Entry::End
-    }));
+    *held = Dragged::Nothing;
+    actions.push(Action::Enter(Entry::of_end(ui.ctx())));
 }
 
 #[cfg(test)]

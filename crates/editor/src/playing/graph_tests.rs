@@ -1,11 +1,12 @@
 //! Tests of [`super`].
 
-use egui::{Event, PointerButton};
+use egui::{Event, Key, Modifiers, PointerButton};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
 use super::*;
 use crate::limits::BASE_SPEED;
+use crate::path;
 use crate::screenshots::screenshot;
 use crate::space::tests::{motion, press, pyramid, pyramid_window, release, tap};
 
@@ -168,4 +169,36 @@ fn a_speed_of_the_current_section_is_dragged_up_and_down() {
     }
     tap(&mut harness, Key::Z, Modifiers::CTRL);
     assert_eq!(speeds(&harness), before);
+}
+
+/// As in the window of the speeds; then the section goes by them.
+#[test]
+fn speeds_near_a_part_of_a_pace_are_dragged_too() {
+    let mut harness = pyramid_window();
+    harness.state_mut().document.select(2, 0).unwrap();
+    let of = path::own::Whole::Speeds {
+        speeds: harness.state().orientation().unwrap().speeds,
+        before: None,
+        after: None,
+    };
+    let (from, to) = (0.0, 0.5);
+    let part = path::Pace::Part(path::own::PacePart { of, from, to });
+    harness.state_mut().set_orientation(|new| {
+        let own = new.own.with(|own| own.pace = part.clone());
+        new.own = own.unwrap();
+    });
+    harness.step();
+    harness.step();
+    let pace = |harness: &Harness<'_, Editor>| {
+        let orientation = harness.state().orientation().unwrap();
+        orientation.own.pace.clone()
+    };
+    assert_eq!(pace(&harness), part);
+    let at = harness.get_by_label("Speed 4").rect().center();
+    press(&mut harness, at, PointerButton::Primary);
+    motion(&mut harness, at + vec2(0.0, 12.0));
+    release(&mut harness, at + vec2(0.0, 12.0), PointerButton::Primary);
+    assert_eq!(pace(&harness), path::Pace::Speeds);
+    tap(&mut harness, Key::Z, Modifiers::CTRL);
+    assert_eq!(pace(&harness), part);
 }

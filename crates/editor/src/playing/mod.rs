@@ -31,7 +31,7 @@ use crate::tools::profile::Quantity;
 const HEIGHT: f32 = 56.0;
 
 /// A lower window has no room for the graph of the speeds.
-const ROOMY: f32 = 660.0;
+const MIN_HEIGHT_FOR_GRAPH: f32 = 660.0;
 
 const BUTTON: f32 = 32.0;
 
@@ -382,7 +382,7 @@ fn bar(editor: &Editor, graph: &mut graph::Memory, ui: &mut Ui, actions: &mut Ve
             top: 0,
             bottom: 0,
         });
-    let roomy = ui.ctx().content_rect().height() >= ROOMY;
+    let roomy = ui.ctx().content_rect().height() >= MIN_HEIGHT_FOR_GRAPH;
     let speeds = if editor.setup.speed_graph && roomy {
         graph::HEIGHT + theme::GAP
     } else {

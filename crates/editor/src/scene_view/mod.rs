@@ -117,20 +117,12 @@ impl Now {
 }
 
 impl Editor {
-    /// The frame of the scene at the playhead.
-    ///
-    /// # Errors
-    /// As [`Editor::frame`].
-    pub fn scene_frame(&self) -> Result<f64> {
-        Ok(self.document.frame_of_scene(self.path_frame()?))
-    }
-
     /// Looks at the scene at the playhead, if there is one.
     pub(super) fn with_scene<R>(&self, look: impl FnOnce(&Now) -> R) -> Result<Option<R>> {
         if self.document.edited_scene().is_none() {
             return Ok(None);
         }
-        let frame = self.scene_frame()?;
+        let frame = self.frame()?;
         let mut slot = self.scene_view.now.borrow_mut();
         let old = slot.take();
         *slot = Now::of(&self.document, frame, old)?;

@@ -6,7 +6,7 @@ use egui::{
 };
 
 use crate::actions::Action;
-use crate::number::{Entry, Number};
+use crate::number::Number;
 use crate::setup::{Colours, Element, Setup, Theme};
 use crate::state::Editor;
 use crate::texts::fill;
@@ -121,7 +121,9 @@ impl ColourWindow {
                     ui.spacing_mut().slider_width = REST - NAME - NUMBER - 2.0 * APART;
                     let slider = Slider::new(&mut slid, 0..=255).show_value(false);
                     if ui.add(slider).labelled_by(label.id).changed() {
-                        set(setup, element, part, slid);
+                        setup
+                            .colours_mut()
+                            .set(element, with_part(colour, part, slid));
                     }
                     let number = Number::new(name, f64::from(value))
                         .decimals(0)
@@ -130,19 +132,14 @@ impl ColourWindow {
                         .steps(1.0, 1.0);
                     let id = format!("colour.{part}");
                     let entry = number.show(ui, editor.language(), &id, NUMBER);
-                    match entry {
-                        Entry::Begin => self.before = Some(colour),
-                        // `Number` keeps it in range.
-                        Entry::Drag(value) | Entry::Set(value) => {
-                            set(setup, element, part, value.round() as u8);
-                        }
-                        Entry::Cancel => {
-                            if let Some(before) = self.before.take() {
-                                setup.colours_mut().set(element, before);
-                            }
-                        }
-                        Entry::Wrong(text) => actions.push(Action::Complain(text)),
-                        Entry::Idle | Entry::End => {}
+                    let mut new = colour;
+                    // `Number` keeps it in range.
+                    let set = |new: &mut Color32, value: f64| {
+                        *new = with_part(colour, part, value.round() as u8);
+                    };
+                    entry.apply(&mut self.before, &mut new, set, actions);
+                    if new != colour {
+                        setup.colours_mut().set(element, new);
                     }
                     ui.end_row();
                 }
@@ -185,12 +182,8 @@ fn swatch(ui: &Ui, rect: Rect, colour: Color32) {
     );
 }
 
-fn set(setup: &mut Setup, element: Element, part: usize, value: u8) {
-    let [mut r, mut g, mut b, _] = setup.colours().of(element).to_array();
-    match part {
-        0 => r = value,
-        1 => g = value,
-        _ => b = value,
-    }
-    setup.colours_mut().set(element, Color32::from_rgb(r, g, b));
+fn with_part(colour: Color32, part: usize, value: u8) -> Color32 {
+    let mut parts = colour.to_array();
+    parts[part] = value;
+    Color32::from_rgb(parts[0], parts[1], parts[2])
 }

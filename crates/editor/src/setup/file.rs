@@ -272,11 +272,7 @@ impl Editor {
         match load(&file) {
             Ok(setup) => self.take_setup(setup),
             Err(Error::Io { source, .. }) if source.kind() == std::io::ErrorKind::NotFound => {}
-            Err(error) => {
-                let texts = &self.texts().setup;
-                let (name, why) = (file.display(), self.without_name(&error));
-                self.complain(fill(texts.ignored, &[&name, &why]));
-            }
+            Err(error) => self.complain(self.refused(self.texts().setup.ignored, &file, &error)),
         }
     }
 
@@ -312,10 +308,13 @@ impl Editor {
             write_text(&file, &new)
         });
         if let Err(error) = kept {
-            let why = self.without_name(&error);
-            let text = self.texts().setup.not_saved;
-            self.complain(fill(text, &[&file.display(), &why]));
+            self.complain(self.refused(self.texts().setup.not_saved, &file, &error));
         }
+    }
+
+    /// What could not be done with a setup file, and why.
+    fn refused(&self, text: &str, file: &Path, error: &Error) -> String {
+        fill(text, &[&file.display(), &self.without_name(error)])
     }
 
     /// Keeps the desktop's theme.
@@ -329,31 +328,17 @@ impl Editor {
     /// Loads a setup. The error is a sentence; the old setup then stays.
     pub(crate) fn load_setup(&mut self, file: &Path) -> Result<(), String> {
         let texts = &self.texts().setup;
-        match load(file) {
-            Ok(setup) => {
-                self.take_setup(setup);
-                self.say(fill(texts.loaded, &[&file.display()]));
-                Ok(())
-            }
-            Err(error) => {
-                let why = self.without_name(&error);
-                Err(fill(texts.not_loaded, &[&file.display(), &why]))
-            }
-        }
+        let setup = load(file).map_err(|error| self.refused(texts.not_loaded, file, &error))?;
+        self.take_setup(setup);
+        self.say(fill(texts.loaded, &[&file.display()]));
+        Ok(())
     }
 
     pub(crate) fn save_setup(&mut self, file: &Path) -> Result<(), String> {
         let texts = &self.texts().setup;
-        match write(file, &self.setup) {
-            Ok(()) => {
-                self.say(fill(texts.saved, &[&file.display()]));
-                Ok(())
-            }
-            Err(error) => {
-                let why = self.without_name(&error);
-                Err(fill(texts.not_saved, &[&file.display(), &why]))
-            }
-        }
+        write(file, &self.setup).map_err(|error| self.refused(texts.not_saved, file, &error))?;
+        self.say(fill(texts.saved, &[&file.display()]));
+        Ok(())
     }
 }
 

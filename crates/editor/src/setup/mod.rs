@@ -14,6 +14,7 @@ pub(crate) use display::DisplayWindow;
 use egui::Color32;
 
 use crate::texts::Language;
+use crate::theme::rgb;
 
 /// Something in the movement window with a colour of its own that can be switched off.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -345,11 +346,6 @@ impl Setup {
             Theme::Light => &mut self.light,
         }
     }
-}
-
-const fn rgb(colour: u32) -> Color32 {
-    let [_, r, g, b] = colour.to_be_bytes();
-    Color32::from_rgb(r, g, b)
 }
 
 #[cfg(test)]

@@ -4,8 +4,8 @@
 use std::sync::Arc;
 
 use egui::{
-    Align, Align2, Button, Color32, Context, Key, Label, Layout, Modifiers, Painter, PointerButton,
-    Pos2, Rect, Response, RichText, Sense, Ui, UiBuilder, Vec2, vec2,
+    Align, Align2, Button, Color32, Context, Key, Label, Layout, Painter, PointerButton, Pos2,
+    Rect, Response, RichText, Sense, Ui, UiBuilder, Vec2, vec2,
 };
 use glam::{DMat4, DVec2, DVec3};
 
@@ -13,6 +13,7 @@ use super::scene::{floor, object_line};
 use super::{Camera, drawing, flying};
 use crate::actions::Action;
 use crate::host::HostPane;
+use crate::keys;
 use crate::math::view::View;
 use crate::raster::{Line, Lines};
 use crate::scene_view::wires;
@@ -28,7 +29,7 @@ const WIDTH: f32 = 228.0;
 const CAPTION: f32 = 19.0;
 
 /// A narrower caption has no room for what is rarely wanted.
-const ROOMY: f32 = 330.0;
+const MIN_WIDTH_FOR_OPTIONS: f32 = 330.0;
 
 /// Distance of the front plane, in half sizes of the movement space.
 const FRONT: f64 = 1e-3;
@@ -269,8 +270,7 @@ fn flown_on(editor: &Editor, ui: &Ui, response: &Response, camera: Camera) -> Op
             at = flying::walked(at, space, way.map(|part| part * far));
             ui.ctx().request_repaint();
         }
-        let escape = |input: &mut egui::InputState| input.consume_key(Modifiers::NONE, Key::Escape);
-        if editor.flown().is_some() && !typing && ui.input_mut(escape) {
+        if editor.flown().is_some() && !typing && keys::consume_escape(ui.ctx()) {
             return Some(Action::Fly(None));
         }
     }
@@ -328,7 +328,7 @@ fn caption(editor: &Editor, ui: &mut Ui, size: Vec2, camera: &Camera, actions: &
                 changed.camera_place = setup.camera_place.switched(place);
             }
         }
-        if strip.width() > ROOMY {
+        if strip.width() > MIN_WIDTH_FOR_OPTIONS {
             let on = setup.safe_frame;
             let (safe, painter) = icon(ui, texts.safe_frame, texts.safe_frame_tip, on);
             let stroke = stroke_of(ui, &safe, on);

@@ -1,5 +1,6 @@
 //! Tests of [`super`].
 
+use egui::Modifiers;
 use egui_kittest::kittest::Queryable as _;
 use proptest::prelude::*;
 

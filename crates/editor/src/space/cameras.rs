@@ -7,7 +7,7 @@ use egui::Color32;
 use glam::{DVec2, DVec3};
 
 use super::projection::to_pos;
-use super::scene::{Look, Seen, THIN};
+use super::scene::{Look, LookKey, THIN};
 use super::strokes::Strokes;
 use crate::document::Document;
 use crate::math::orientation;
@@ -114,21 +114,21 @@ pub(super) fn camera(
 
 /// Small cameras of all points but the current one; made again only when others are seen.
 #[derive(Debug, Default)]
-pub(super) struct Keys {
-    seen: Option<Seen>,
+pub(super) struct KeyCameras {
+    seen: Option<LookKey>,
     cameras: Vec<Camera>,
     /// Those of this pass, kept for their allocation.
     now: Vec<Camera>,
     lines: Arc<Lines>,
 }
 
-impl Keys {
+impl KeyCameras {
     pub(super) fn update(&mut self, document: &Document, look: &Look<'_>) -> &Arc<Lines> {
         self.now.clear();
         if look.shown.has(Element::Cameras) {
             collect(document, look, &mut self.now);
         }
-        let seen = Some(look.seen());
+        let seen = Some(look.key());
         if self.now != self.cameras || self.seen != seen {
             let mut strokes = Strokes::new(look.projection, look.viewport);
             let color = look.colours.of(Element::Cameras).gamma_multiply(0.8);

@@ -27,7 +27,10 @@ fn each_point_of_the_path_has_a_camera() {
     };
     // Nine orientations at six points: one camera each, of eleven lines.
     let count = |look: &Look<'_>| {
-        let others = cameras::Keys::default().update(&document, look).lines.len();
+        let others = cameras::KeyCameras::default()
+            .update(&document, look)
+            .lines
+            .len();
         others + cameras::current_key(&document, look).lines.len()
     };
     assert_eq!(count(&look(&shown)), 6 * 11);

@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3};
 
 use super::projection::{Axis, EDGE_ON, Projection};
-use super::scene::FLOOR;
+use super::scene::FLOOR_CELLS;
 use super::tangents::{self, Joint, Side};
 use crate::document::{Document, Edit, Selection, no_longer_ahead};
 use crate::math::orientation;
@@ -27,7 +27,7 @@ pub(crate) enum Handle {
 }
 
 /// Snap steps for a half size of the space: five between two lines of the floor.
-pub(super) const SNAP: f64 = 5.0 * FLOOR as f64 / 2.0;
+pub(super) const SNAP: f64 = 5.0 * FLOOR_CELLS as f64 / 2.0;
 
 /// Snap step of a roll, in degrees.
 const SNAP_ROLL: f64 = 15.0;

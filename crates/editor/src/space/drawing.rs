@@ -1,8 +1,6 @@
 //! Freehand lines for a tool that waits for one: in the space, or on the object in the picture.
 
-use egui::{
-    CursorIcon, Event, Key, Modifiers, PointerButton, Pos2, Rect, Response, Shape, Stroke, Ui,
-};
+use egui::{CursorIcon, Event, Key, PointerButton, Pos2, Rect, Response, Shape, Stroke, Ui};
 use glam::DVec3;
 
 use super::Camera;
@@ -10,6 +8,7 @@ use super::pointer::PointerContext;
 use super::projection::from_pos;
 use super::projection_of;
 use crate::actions::Action;
+use crate::keys;
 use crate::state::Editor;
 use crate::theme;
 use crate::tools::clearance::Clearance;
@@ -70,8 +69,7 @@ impl Drawing {
                 pressed: true,
                 ..
             } => {
-                (surface.context)
-                    .input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
+                keys::consume_escape(surface.context);
                 return None;
             }
             _ => {}
@@ -98,9 +96,7 @@ pub(super) fn in_picture(
     let line: Vec<Pos2> = drawn.iter().map(|(at, _)| *at).collect();
     let stroke = Stroke::new(2.0, theme::palette(ui).accent);
     ui.painter_at(picture).add(Shape::line(line, stroke));
-    let given_up =
-        !drawn.is_empty() && ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
-    if given_up {
+    if !drawn.is_empty() && keys::consume_escape(ui.ctx()) {
         actions.push(Action::EndDrawing { keeps: false });
         return;
     }

@@ -9,7 +9,7 @@ use super::gesture::Gesture;
 use super::pointer::{PointerController, WHEEL, resized};
 use super::projection::{Axis, Projection};
 use super::projection_of;
-use crate::actions::{Action, round};
+use crate::actions::{Action, step_around};
 use crate::document::{Edit, Selection};
 use crate::setup::{CameraPlace, View};
 use crate::state::Editor;
@@ -67,7 +67,7 @@ pub(super) fn press(
         return;
     }
     let step = STEPS[usize::from(modifiers.shift)];
-    let by = if modifiers.shift { -1 } else { 1 };
+    let forward = !modifiers.shift;
     let projection = projection_of(editor, viewport);
     let selection = editor.document.selection();
     let what = match key {
@@ -105,11 +105,14 @@ pub(super) fn press(
                 Key::G => Action::SwitchSpeedGraph,
                 Key::N => {
                     let count = editor.document.path().points.len();
-                    Action::Select(Selection::at(round(selection.point, by, count), 0))
+                    Action::Select(Selection::at(
+                        step_around(selection.point, forward, count),
+                        0,
+                    ))
                 }
                 Key::O => {
                     let count = editor.point().map_or(1, |point| point.orientations.len());
-                    let next = round(selection.orientation, by, count);
+                    let next = step_around(selection.orientation, forward, count);
                     Action::Select(Selection::at(selection.point, next))
                 }
                 _ => return,

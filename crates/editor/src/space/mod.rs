@@ -24,7 +24,7 @@ mod scene;
 mod sliders;
 mod strokes;
 mod tangents;
-mod tool;
+mod transform;
 mod typed;
 
 use std::sync::Arc;
@@ -33,7 +33,7 @@ use egui::{Context, EventFilter, Painter, Pos2, Rect, Sense, Ui, Vec2};
 use glam::DVec3;
 
 pub(super) use self::cameras::Camera;
-use self::cameras::Keys;
+use self::cameras::KeyCameras;
 use self::drag::Handle;
 pub(super) use self::gesture::Gesture;
 use self::nodes::Nodes;
@@ -41,7 +41,7 @@ pub(super) use self::nodes::colour as wire_colour;
 use self::pointer::{PointerContext, PointerController};
 use self::projection::Projection;
 use self::ribbon::Ribbon;
-use self::scene::{Look, Scene};
+use self::scene::{Look, PathLines};
 use self::strokes::Strokes;
 pub(super) use self::tangents::Joint;
 use crate::actions::Action;
@@ -57,10 +57,10 @@ use crate::{host, playing, points_list, scene_view};
 
 /// The movement window's own state.
 #[derive(Debug, Default)]
-pub(super) struct Space {
+pub(super) struct MovementWindow {
     pointer: PointerController,
-    scene: Scene,
-    keys: Keys,
+    lines: PathLines,
+    key_cameras: KeyCameras,
     ribbon: Ribbon,
     nodes: Nodes,
     menu: menu::PointMenu,
@@ -68,10 +68,10 @@ pub(super) struct Space {
     view_before: Option<View>,
 }
 
-impl Space {
-    /// Whether held keys or a tool keep a step of the document open.
+impl MovementWindow {
+    /// Whether held keys or a transform keep a step of the document open.
     pub(super) fn keeps_step_open(&self) -> bool {
-        self.pointer.nudging || self.pointer.tool.is_some()
+        self.pointer.nudging || self.pointer.transform.is_some()
     }
 
     #[cfg(test)]
@@ -108,7 +108,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
 }
 
 /// What mouse and keys do beside what the thesis names: input and meaning.
-pub(super) fn ways(texts: &Texts) -> [(&'static str, &'static str); 28] {
+pub(super) fn shortcut_help(texts: &Texts) -> [(&'static str, &'static str); 28] {
     let texts = &texts.space;
     [
         (texts.shift_mouse, texts.shift_meaning),
@@ -199,7 +199,7 @@ const THUMBNAIL_LINES: usize = 2_000;
 /// About how many pieces the curve of a thumbnail has.
 const THUMBNAIL_PIECES: usize = 400;
 
-impl Space {
+impl MovementWindow {
     /// Shows the space in `viewport`, except where it is `covered`.
     fn show(&mut self, editor: &mut Editor, ui: &mut Ui, viewport: Rect, covered: Option<Rect>) {
         let response = ui.interact(
@@ -291,13 +291,13 @@ impl Space {
             let place = hold::place_held(editor, what)?;
             Some((place, freedom))
         });
-        let tool = pointer.tool.as_ref();
-        let through = through.or_else(|| Some(tool?.guides(editor, &projection)));
+        let transform = pointer.transform.as_ref();
+        let through = through.or_else(|| Some(transform?.guides(editor, &projection)));
         if let Some((through, freedom)) = through {
             overlay::plane(painter, &look, through, freedom);
         }
-        let trouble = self.scene.update(document, &look);
-        add_shared(self.scene.still());
+        let trouble = self.lines.update(document, &look);
+        add_shared(self.lines.still());
         if document.edited_scene().is_some() {
             add_shared(self.nodes.update(editor, &look)?);
             nodes::names(editor, painter, &look);
@@ -307,11 +307,11 @@ impl Space {
             return trouble;
         }
         // Below the curve, which matters more, and below what a drag changes: not repainted then.
-        add_shared(self.keys.update(document, &look));
+        add_shared(self.key_cameras.update(document, &look));
         if editor.setup.shown.has(Element::Ribbon) && self.ribbon.update(document).is_ok() {
             self.ribbon.paint(painter, &look);
         }
-        self.scene.paint(painter, viewport);
+        self.lines.paint(painter, viewport);
         add(cameras::current_key(document, &look));
         if let Some((through, freedom)) = through {
             add(overlay::guides(&look, through, freedom));
@@ -320,8 +320,8 @@ impl Space {
         add(tangents::show(document, &look));
         if let Some(points) = editor.several() {
             add(overlay::selected(document, &look, points));
-            if let Some(middle) = tool::handles(editor, &projection) {
-                add(tool::show_handles(&look, middle, pointer.meant));
+            if let Some(middle) = transform::handles(editor, &projection) {
+                add(transform::show_handles(&look, middle, pointer.meant));
             }
         }
         let palette = editor.setup.theme().palette();
@@ -365,25 +365,24 @@ impl Space {
                 add(overlay::ring(&look, at, color, held.is_some()));
             }
         }
+        let add_camera = |camera: &Camera, points, width, color| {
+            let mut strokes = Strokes::new(look.projection, viewport);
+            cameras::camera(&mut strokes, &look, camera, points, width, color);
+            add(strokes.finish());
+        };
         if let Some(color) = look.of(Element::Player)
             && let Some((camera, true)) = editor.camera()
         {
-            let mut strokes = Strokes::new(look.projection, viewport);
-            cameras::camera(&mut strokes, &look, &camera, 44.0, 1.8, color);
-            add(strokes.finish());
+            add_camera(&camera, 44.0, 1.8, color);
         }
         if let Some(color) = look.of(Element::Player)
             && let Some(flown) = editor.flown()
         {
-            let mut strokes = Strokes::new(look.projection, viewport);
-            cameras::camera(&mut strokes, &look, &flown, 44.0, 1.8, color);
-            add(strokes.finish());
+            add_camera(&flown, 44.0, 1.8, color);
         }
         if let Some(ghost) = editor.ghost.map(Camera::from) {
             let color = editor.setup.theme().palette().text.gamma_multiply(0.65);
-            let mut strokes = Strokes::new(look.projection, viewport);
-            cameras::camera(&mut strokes, &look, &ghost, 40.0, 1.4, color);
-            add(strokes.finish());
+            add_camera(&ghost, 40.0, 1.4, color);
             overlay::name(painter, &look, &ghost, editor.host_name(), color);
         }
         let pointed = match pointer.hover {
@@ -396,8 +395,8 @@ impl Space {
         if let Some(drawn) = pointer.drawn_box() {
             overlay::drawn_box(painter, &look, drawn);
         }
-        let hint = match tool {
-            Some(tool) => Some(tool.hint(editor, &projection)),
+        let hint = match transform {
+            Some(transform) => Some(transform.hint(editor, &projection)),
             None => {
                 let draws = drawing::is_wanted(editor);
                 pointer.hint(editor.texts(), &projection, several.len(), draws)

@@ -8,7 +8,7 @@ use vides_engine::scene::{Kind, Light, Node, NodeState};
 
 use super::cameras::{self, Camera};
 use super::overlay;
-use super::scene::{Look, Seen, THIN};
+use super::scene::{Look, LookKey, THIN};
 use super::strokes::Strokes;
 use crate::error::Result;
 use crate::raster::Lines;
@@ -26,7 +26,7 @@ const NAMES: usize = 12;
 /// The lines made last, and what they were made of.
 #[derive(Debug, Default)]
 pub(super) struct Nodes {
-    made: Option<(Seen, (u64, u64), f64)>,
+    made: Option<(LookKey, (u64, u64), f64)>,
     lines: Arc<Lines>,
 }
 
@@ -39,7 +39,7 @@ impl Nodes {
     /// The current lines; none where there is no scene.
     pub(super) fn update(&mut self, editor: &Editor, look: &Look<'_>) -> Result<&Arc<Lines>> {
         let made = editor.with_scene(|now| {
-            let of = (look.seen(), now.made_of, now.frame);
+            let of = (look.key(), now.made_of, now.frame);
             if self.made.as_ref() != Some(&of) {
                 self.lines = Arc::new(lines(editor, now, look));
                 self.made = Some(of);

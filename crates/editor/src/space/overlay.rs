@@ -21,7 +21,7 @@ use crate::setup::Element;
 use crate::theme::{self, Palette};
 
 /// Largest distance of a circle's straight pieces from it, in pixels.
-const STRAY: f64 = 0.1;
+const TOLERANCE: f64 = 0.1;
 
 /// Length and half the width of an arrow's head, in points.
 const HEAD: [f64; 2] = [12.0, 4.2];
@@ -49,7 +49,7 @@ const MANY: usize = 2000;
 
 /// The straight pieces of a circle of `radius` points on the screen: their ends, in radii.
 pub(super) fn corners(look: &Look<'_>, radius: f64) -> impl Iterator<Item = (DVec2, DVec2)> {
-    let rise = STRAY / (radius * look.pixels_per_point).max(1.0);
+    let rise = TOLERANCE / (radius * look.pixels_per_point).max(1.0);
     let count = (PI / (1.0 - rise).acos()).ceil();
     let at = move |step: u32| DVec2::from_angle(TAU * f64::from(step) / count);
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]

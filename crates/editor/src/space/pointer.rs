@@ -12,9 +12,10 @@ use super::picking;
 use super::projection::{Axis, Projection, from_pos, scale};
 use super::projection_of;
 use super::tangents::Side;
-use super::tool::{self, Kind, Next, Tool};
+use super::transform::{self, Kind, Next, Transform};
 use super::typed::Typed;
 use crate::actions::Action;
+use crate::keys;
 use crate::selected::Choice;
 use crate::setup::View;
 use crate::state::Editor;
@@ -37,8 +38,8 @@ pub(super) struct PointerController {
     typed: Typed,
     /// Keys that move something are down; a step of the document is open.
     pub(super) nudging: bool,
-    /// A tool is at work; a step of the document is open.
-    pub(super) tool: Option<Tool>,
+    /// A transform is at work; a step of the document is open.
+    pub(super) transform: Option<Transform>,
     /// The left button draws a line.
     drawing: Option<Drawing>,
     pub(super) hover: Option<Handle>,
@@ -107,7 +108,7 @@ impl PointerController {
     /// Whether a handle, the view or a line is on its way.
     pub(super) fn moves(&self) -> bool {
         self.hold.as_ref().is_some_and(|hold| hold.moved)
-            || self.tool.is_some()
+            || self.transform.is_some()
             || self.drawing.is_some()
     }
 
@@ -185,14 +186,14 @@ impl PointerController {
         if !nudged {
             self.end_nudge(actions);
         }
-        let held = self.tool.as_ref().and_then(Tool::held);
+        let held = self.transform.as_ref().and_then(Transform::held);
         let held = held.map(|held| {
             surface
                 .context
                 .input(|input| input.pointer.button_down(held))
         });
         if held == Some(false) {
-            self.tool = None;
+            self.transform = None;
             actions.push(Action::Gesture(Gesture::End));
         }
     }
@@ -212,9 +213,9 @@ impl PointerController {
             .filter(|_| self.over && self.hold.is_none())
             .and_then(|at| {
                 let projection = projection_of(editor, surface.viewport);
-                let free = self.tool.is_none() && self.hover.is_none();
+                let free = self.transform.is_none() && self.hover.is_none();
                 let free = free && !drawing::is_wanted(editor);
-                let found = tool::handle_at(editor, &projection, from_pos(at));
+                let found = transform::handle_at(editor, &projection, from_pos(at));
                 found.filter(|_| free)
             });
     }
@@ -225,7 +226,9 @@ impl PointerController {
             (Some(hold), _) if hold.boxes => CursorIcon::Crosshair,
             (Some(hold), _) if hold.shifts => CursorIcon::Move,
             (Some(_), _) => CursorIcon::Grabbing,
-            (None, None) if self.tool.is_some() || self.drawing.is_some() => CursorIcon::Crosshair,
+            (None, None) if self.transform.is_some() || self.drawing.is_some() => {
+                CursorIcon::Crosshair
+            }
             (None, _) if self.meant.is_some() => CursorIcon::Grab,
             (None, Some(_)) => CursorIcon::Grab,
             (None, None) => CursorIcon::Default,
@@ -240,13 +243,13 @@ impl PointerController {
         actions: &mut Vec<Action>,
     ) {
         let wheel = matches!(event, Event::MouseWheel { .. });
-        if !wheel && let Some(mut tool) = self.tool.take() {
+        if !wheel && let Some(mut transform) = self.transform.take() {
             if !editor.document.in_step() {
                 // Something else ended the step.
                 return;
             }
-            if tool.take(editor, surface, &event, actions) == Next::GoesOn {
-                self.tool = Some(tool);
+            if transform.take(editor, surface, &event, actions) == Next::GoesOn {
+                self.transform = Some(transform);
             }
             return;
         }
@@ -304,8 +307,7 @@ impl PointerController {
                 ..
             } if self.hold.is_none() && surface.keyboard && editor.several().is_some() => {
                 actions.push(Action::Choose(Choice::Current));
-                (surface.context)
-                    .input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
+                keys::consume_escape(surface.context);
             }
             Event::Key {
                 key: Key::Escape,
@@ -313,8 +315,7 @@ impl PointerController {
                 ..
             } if self.hold.is_some() => {
                 self.cancel(actions);
-                (surface.context)
-                    .input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
+                keys::consume_escape(surface.context);
             }
             Event::Key {
                 key,
@@ -338,12 +339,10 @@ impl PointerController {
                     hold.freedom = Freedom::of_key(&projection, kept);
                     let now = hold.now;
                     self.motion(editor, surface, now, actions);
-                } else if surface.keyboard && self.hold.is_none() && modifiers.is_none() {
-                    if !self.begin_tool(editor, surface, key, actions) {
-                        let pressed = (key, modifiers);
-                        keyboard::press(self, editor, surface.viewport, pressed, actions);
-                    }
-                } else if surface.keyboard && self.hold.is_none() {
+                } else if surface.keyboard
+                    && self.hold.is_none()
+                    && !(modifiers.is_none() && self.begin_transform(editor, surface, key, actions))
+                {
                     keyboard::press(self, editor, surface.viewport, (key, modifiers), actions);
                 }
             }
@@ -351,25 +350,25 @@ impl PointerController {
         }
     }
 
-    /// Begins the tool of a key; false if the key has none.
-    fn begin_tool(
+    /// Begins the transform of a key; false if the key has none.
+    fn begin_transform(
         &mut self,
         editor: &Editor,
         surface: &PointerContext<'_>,
         key: Key,
         actions: &mut Vec<Action>,
     ) -> bool {
-        let tool = Tool::of_key(editor, surface, key);
-        let Some(tool) = tool.filter(|_| editor.document.edits_path()) else {
+        let transform = Transform::of_key(editor, surface, key);
+        let Some(transform) = transform.filter(|_| editor.document.edits_path()) else {
             return false;
         };
-        self.begin(editor, tool, actions);
+        self.begin(editor, transform, actions);
         true
     }
 
-    fn begin(&mut self, editor: &Editor, tool: Tool, actions: &mut Vec<Action>) {
+    fn begin(&mut self, editor: &Editor, transform: Transform, actions: &mut Vec<Action>) {
         self.end_nudge(actions);
-        if tool.needs_several() {
+        if transform.lacks_points() {
             let words = editor.texts().space.needs_several;
             actions.push(Action::Say(words.to_owned()));
             return;
@@ -377,7 +376,7 @@ impl PointerController {
         let current = Handle::Point(editor.document.selection().point);
         actions.push(Action::Gesture(Gesture::Press(Some(current))));
         actions.push(Action::Gesture(Gesture::Begin));
-        self.tool = Some(tool);
+        self.transform = Some(transform);
     }
 
     fn press(
@@ -409,10 +408,10 @@ impl PointerController {
         };
         let what = handle_at(editor, &projection, pos, left && held.is_none());
         let plain = left && what.is_none() && modifiers.is_none();
-        let handle = tool::handle_at(editor, &projection, from_pos(pos)).filter(|_| plain);
-        let tool = handle.and_then(|kind| Tool::of_handle(editor, surface, kind, button));
-        if let Some(tool) = tool {
-            self.begin(editor, tool, actions);
+        let handle = transform::handle_at(editor, &projection, from_pos(pos)).filter(|_| plain);
+        let transform = handle.and_then(|kind| Transform::of_handle(editor, surface, kind, button));
+        if let Some(transform) = transform {
+            self.begin(editor, transform, actions);
             return;
         }
         let adds = left && (modifiers.shift || modifiers.ctrl);

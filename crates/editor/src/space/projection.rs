@@ -53,7 +53,7 @@ impl Axis {
 pub(super) const EDGE_ON: f64 = 0.035;
 
 /// The share of the viewport that the largest cube fills.
-const MARGIN: f64 = 0.98;
+const FILL: f64 = 0.98;
 
 /// From the movement space to the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,7 +75,7 @@ pub(super) fn scale(view: &View, viewport: Rect) -> f64 {
     let [width, height] = [viewport.width(), viewport.height()].map(|x| f64::from(x.max(1.0)));
     // The farthest that a corner gets from the middle, however turned.
     let [wide, high] = [2.0f64.sqrt(), 3.0f64.sqrt()];
-    let fitting = MARGIN * (width / (2.0 * wide)).min(height / (2.0 * high));
+    let fitting = FILL * (width / (2.0 * wide)).min(height / (2.0 * high));
     view.size * fitting
 }
 

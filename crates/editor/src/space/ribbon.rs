@@ -11,7 +11,7 @@ use egui::{Color32, Mesh, Painter, Shape};
 use glam::DVec3;
 
 use super::cameras::Camera;
-use super::scene::{Look, Seen, THIN};
+use super::scene::{Look, LookKey, THIN};
 use super::strokes::Strokes;
 use crate::document::Document;
 use crate::error::Result;
@@ -70,7 +70,7 @@ pub(super) struct Ribbon {
     revision: Option<u64>,
     ribs: Vec<Rib>,
     pieces: Vec<Piece>,
-    seen: Option<Seen>,
+    seen: Option<LookKey>,
     /// Those of the path before, to copy from.
     before: Vec<Rib>,
     /// The sections that `ribs` come from; of each, every `stride`th frame.
@@ -236,7 +236,7 @@ impl Ribbon {
         let Some(color) = look.of(Element::Ribbon) else {
             return Vec::new();
         };
-        let seen = Some(look.seen());
+        let seen = Some(look.key());
         if self.seen != seen {
             self.pieces.iter_mut().for_each(|piece| piece.made = None);
             self.seen = seen;

@@ -2,7 +2,7 @@
 
 use proptest::prelude::*;
 
-use super::super::cameras::Keys;
+use super::super::cameras::KeyCameras;
 use super::super::projection::Projection;
 use super::super::projection::tests::{view, viewport};
 use super::super::scene::tests::{Eye, document, edit};
@@ -20,7 +20,7 @@ proptest! {
     ) {
         let mut document = document(40);
         let mut eye = Eye::new(&views[0]);
-        let (mut ribbon, mut keys) = (Ribbon::default(), Keys::default());
+        let (mut ribbon, mut keys) = (Ribbon::default(), KeyCameras::default());
         let contents = |ribbon: &mut Ribbon, look: &Look<'_>| -> Vec<_> {
             let made = ribbon.made(look).into_iter();
             made.map(|(mesh, lines)| (Mesh::clone(mesh), lines.lines.clone())).collect()
@@ -40,7 +40,7 @@ proptest! {
             let mut anew = Ribbon::default();
             anew.update(&document).unwrap();
             prop_assert_eq!(contents(&mut ribbon, &look), contents(&mut anew, &look));
-            let anew = Keys::default().update(&document, &look).lines.clone();
+            let anew = KeyCameras::default().update(&document, &look).lines.clone();
             prop_assert_eq!(&keys.update(&document, &look).lines, &anew);
         }
     }

@@ -27,7 +27,7 @@ const LARGE_CHUNK: usize = 64;
 const FEW: usize = 1024;
 
 /// Largest distance of the drawn curve from the true one, in pixels.
-const STRAY: f64 = 0.25;
+const TOLERANCE: f64 = 0.25;
 
 /// Points of the curve and crosses nearer than this to the last one are left out, in pixels.
 const MERGE: f64 = 0.25;
@@ -52,7 +52,7 @@ pub(super) struct Look<'a> {
 
 /// The values of a [`Look`], to be compared with the next.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Seen {
+pub(super) struct LookKey {
     projection: Projection,
     viewport: Rect,
     pixels_per_point: f64,
@@ -61,8 +61,8 @@ pub(super) struct Seen {
 }
 
 impl Look<'_> {
-    pub(super) fn seen(&self) -> Seen {
-        Seen {
+    pub(super) fn key(&self) -> LookKey {
+        LookKey {
             projection: *self.projection,
             viewport: self.viewport,
             pixels_per_point: self.pixels_per_point,
@@ -76,8 +76,8 @@ impl Look<'_> {
     }
 
     /// Error bound of curves in space: a power of two half sizes, so that a small zoom keeps them.
-    fn stray(&self) -> f64 {
-        let exact = STRAY / (self.projection.scale() * self.pixels_per_point);
+    fn tolerance(&self) -> f64 {
+        let exact = TOLERANCE / (self.projection.scale() * self.pixels_per_point);
         exact.log2().floor().exp2() * self.projection.space().half_size
     }
 }
@@ -100,14 +100,14 @@ struct Chunk {
     /// Straight pieces; a segment's first point is the last one of the segment before.
     pieces: Vec<DVec3>,
     /// Error bound of the pieces.
-    stray: f64,
+    tolerance: f64,
     curve: Arc<Lines>,
     crosses: Arc<Lines>,
 }
 
 #[derive(Debug, Default)]
-pub(super) struct Scene {
-    seen: Option<Seen>,
+pub(super) struct PathLines {
+    seen: Option<LookKey>,
     still: Arc<Lines>,
     object: Object,
     chunks: Vec<Chunk>,
@@ -115,9 +115,9 @@ pub(super) struct Scene {
     made: usize,
 }
 
-impl Scene {
+impl PathLines {
     pub(super) fn update(&mut self, document: &Document, look: &Look<'_>) -> Result<()> {
-        let seen = look.seen();
+        let seen = look.key();
         let other_look = self.seen.as_ref() != Some(&seen);
         let object = &document.info().object;
         // The same allocation, held by us meanwhile, has the same points.
@@ -220,9 +220,9 @@ impl Chunk {
         other_knots: bool,
         look: &Look<'_>,
     ) -> Result<()> {
-        let stray = look.stray();
+        let tolerance = look.tolerance();
         let Range { start: first, end } = segments(path, index);
-        if other_knots || self.stray != stray {
+        if other_knots || self.tolerance != tolerance {
             self.knots.clear();
             self.pieces.clear();
             let mut viewport = Vec::new();
@@ -235,7 +235,7 @@ impl Chunk {
                 self.pieces
                     .extend(viewport.iter().skip(skip).map(|&(_, p)| p));
             }
-            self.stray = stray;
+            self.tolerance = tolerance;
             self.knots.extend(knots(path, index));
         }
         let mut strokes = Strokes::new(look.projection, look.viewport);
@@ -273,7 +273,11 @@ fn pieces(curve: &Cubic, look: &Look<'_>, viewport: &mut Vec<(f64, DVec3)>) -> R
         .map(|v| v.abs().max_element())
         .into_iter()
         .fold(0.0, f64::max);
-    Ok(tessellate(curve, look.stray().max(size * 1e-6), viewport)?)
+    Ok(tessellate(
+        curve,
+        look.tolerance().max(size * 1e-6),
+        viewport,
+    )?)
 }
 
 /// Leaves out points seen nearer than `merge` to the last one kept, but not the first and the last.
@@ -418,12 +422,12 @@ pub(super) fn object_line(point: bool, own: Option<[u8; 3]>, color: Color32) -> 
 }
 
 /// Cells of the floor's grid in each direction.
-pub(super) const FLOOR: i32 = 8;
+pub(super) const FLOOR_CELLS: i32 = 8;
 
 /// The lines of that grid, without the edges of the space.
 pub(super) fn floor(space: Space) -> impl Iterator<Item = [DVec3; 2]> {
-    (1..FLOOR).flat_map(move |step| {
-        let at = 2.0 * f64::from(step) / f64::from(FLOOR) - 1.0;
+    (1..FLOOR_CELLS).flat_map(move |step| {
+        let at = 2.0 * f64::from(step) / f64::from(FLOOR_CELLS) - 1.0;
         let ends = [-1.0, 1.0];
         let across = ends.map(|way| space.place(DVec3::new(at, -1.0, way)));
         let along = ends.map(|way| space.place(DVec3::new(way, -1.0, at)));

@@ -81,7 +81,7 @@ proptest! {
     ) {
         let mut document = document(150);
         let mut eye = Eye::new(&views[0]);
-        let mut kept = Scene::default();
+        let mut kept = PathLines::default();
         for (edit, also) in edits {
             // Some cannot be done; that is no change then.
             let _ = document.apply(edit);
@@ -92,7 +92,7 @@ proptest! {
                 _ => {}
             }
             kept.update(&document, &eye.look()).unwrap();
-            let mut anew = Scene::default();
+            let mut anew = PathLines::default();
             anew.update(&document, &eye.look()).unwrap();
             prop_assert_eq!(kept.all(), anew.all());
         }
@@ -115,7 +115,7 @@ proptest! {
         for element in [Element::Cube, Element::Crosses, Element::Outside] {
             eye.shown.set(element, false);
         }
-        let mut scene = Scene::default();
+        let mut scene = PathLines::default();
         scene.update(&document, &Look { viewport: wide, ..eye.look() }).unwrap();
         let lines = &scene.chunks[0].curve.lines;
         let away = |p: DVec2| lines.iter().map(|line| {
@@ -129,7 +129,7 @@ proptest! {
             for step in 0..=50 {
                 let p = eye.projection.image(curve.point(f64::from(step) / 50.0));
                 // A little more for single precision.
-                prop_assert!(away(p) <= STRAY + MERGE + 2e-3);
+                prop_assert!(away(p) <= TOLERANCE + MERGE + 2e-3);
             }
         }
     }
@@ -145,7 +145,7 @@ fn a_moved_point_makes_only_what_lies_around_it() {
 fn moved_points_make_only_what_lies_around_them(count: usize, size: usize) {
     let mut document = document(count);
     let eye = Eye::new(&View::default());
-    let mut scene = Scene::default();
+    let mut scene = PathLines::default();
     scene.update(&document, &eye.look()).unwrap();
     assert_eq!(scene.made, count.div_ceil(size));
     scene.update(&document, &eye.look()).unwrap();
@@ -165,7 +165,7 @@ fn moved_points_make_only_what_lies_around_them(count: usize, size: usize) {
 }
 
 /// The lines of one colour, in the order in which they are painted.
-fn of_colour(scene: &Scene, color: Color32) -> usize {
+fn of_colour(scene: &PathLines, color: Color32) -> usize {
     let lines = scene.all();
     lines
         .iter()
@@ -205,7 +205,7 @@ fn each_element_is_shown_in_its_own_colour_and_can_be_hidden() {
         Element::Crosses,
         Element::Outside,
     ];
-    let mut scene = Scene::default();
+    let mut scene = PathLines::default();
     for element in elements {
         let color = eye.colours.of(element);
         scene.update(&document, &eye.look()).unwrap();
@@ -225,7 +225,7 @@ fn what_leaves_the_cube_is_marked_and_nothing_else() {
         document.apply(Edit::SetPosition { at, position }).unwrap();
     }
     let eye = Eye::new(&View::default());
-    let mut scene = Scene::default();
+    let mut scene = PathLines::default();
     scene.update(&document, &eye.look()).unwrap();
     let unit = eye.projection.image_of_way(DVec3::X);
     let middle = eye.projection.image(DVec3::ZERO);
@@ -280,7 +280,7 @@ fn points_far_outside_cost_little() {
         ..View::default()
     };
     let eye = Eye::new(&near);
-    let mut scene = Scene::default();
+    let mut scene = PathLines::default();
     scene.update(&document, &eye.look()).unwrap();
     assert!(scene.chunks[0].pieces.len() < 20_000);
     let viewport = viewport().expand(25.0);

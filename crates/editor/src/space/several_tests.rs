@@ -85,6 +85,17 @@ fn shift_and_ctrl_with_a_click_select_and_no_longer() {
 }
 
 #[test]
+fn without_the_current_point_the_nearest_one_becomes_current() {
+    let mut harness = pyramid_window();
+    click_point(&mut harness, 5, Modifiers::NONE);
+    for (points, nearest) in [([0, 3], 3), ([0, 1], 1), ([2, 4], 2)] {
+        choose(&mut harness, &points);
+        assert_eq!(selected(&harness), points);
+        assert_eq!(current(&harness), nearest);
+    }
+}
+
+#[test]
 fn all_are_selected_by_a_key_and_one_by_escape_a_click_or_another_point() {
     let mut harness = pyramid_window();
     let all: Vec<usize> = (0..6).collect();
@@ -570,7 +581,7 @@ fn what_is_moved_against_a_face_says_how_far_it_came() {
         assert!(by != DVec3::ZERO);
         let [x, y, z] = by.to_array().map(|by| editor.language().number(by, 3));
         let words = fill(editor.texts().space.moved_by, &[&x, &y, &z]);
-        let tool = editor.space.pointer.tool.as_ref().unwrap();
+        let tool = editor.space.pointer.transform.as_ref().unwrap();
         let hint = tool.hint(editor, &projection_of(editor, viewport(&harness)));
         assert!(hint.starts_with(&words), "{words}: {hint}");
     }

@@ -4,7 +4,7 @@ use egui::{Align, Layout, Rect, Slider, SliderOrientation, Ui, UiBuilder, pos2};
 
 use super::pointer::resized;
 use crate::actions::Action;
-use crate::number::{Entry, Number};
+use crate::number::Number;
 use crate::setup::View;
 use crate::state::Editor;
 
@@ -153,17 +153,9 @@ impl Sliders<'_> {
             .range(part.range())
             .steps(1.0, 0.5)
             .show(ui, self.editor.language(), id, NUMBER);
-        match entry {
-            Entry::Drag(value) | Entry::Set(value) => part.set(self.view, self.viewport, value),
-            Entry::Begin => *self.before = Some(*self.view),
-            Entry::Cancel => {
-                if let Some(view) = self.before.take() {
-                    *self.view = view;
-                }
-            }
-            Entry::Wrong(why) => self.actions.push(Action::Complain(why)),
-            Entry::Idle | Entry::End => {}
-        }
+        let viewport = self.viewport;
+        let set = |view: &mut View, value| part.set(view, viewport, value);
+        entry.apply(self.before, self.view, set, self.actions);
     }
 }
 

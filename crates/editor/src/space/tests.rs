@@ -21,7 +21,7 @@ pub(crate) fn editor(document: Document, language: Language) -> Editor {
         file: None,
         title: None,
         language: Some(language),
-        hand_over: false,
+        host_takes_poses: false,
         fixed_speeds: false,
         folders: crate::Folders::default(),
         program: crate::Program::of_tests("tests"),

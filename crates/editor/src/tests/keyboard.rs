@@ -161,7 +161,7 @@ fn shortcuts_that_come_together_are_all_done_in_their_order() {
     assert_eq!(points(&window), 4);
     // A question stops the rest: nobody has seen it.
     press_together(&mut window, &[(Modifiers::ALT, Key::L), undo]);
-    assert!(window.state().windows.ask());
+    assert!(window.state().windows.has_modal());
     assert_eq!(points(&window), 4);
 }
 

@@ -27,7 +27,7 @@ pub(crate) fn options(language: Language) -> Options {
         file: None,
         title: None,
         language: Some(language),
-        hand_over: true,
+        host_takes_poses: true,
         fixed_speeds: false,
         folders: Folders::default(),
         program: Program::of_tests("tests"),

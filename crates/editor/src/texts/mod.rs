@@ -114,8 +114,7 @@ impl Language {
 
 /// Declares the texts of one part of the window: `name: English, German;`.
 macro_rules! texts {
-    ($(#[$about:meta])* $group:ident { $($name:ident: $english:literal, $german:literal;)* }) => {
-        $(#[$about])*
+    ($group:ident { $($name:ident: $english:literal, $german:literal;)* }) => {
         pub(in crate) struct $group {
             $(pub(in crate) $name: &'static str,)*
         }

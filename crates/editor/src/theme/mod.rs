@@ -8,6 +8,7 @@
 mod fonts;
 
 use egui::style::{ScrollAnimation, ScrollStyle, Selection, TextCursorStyle, WidgetVisuals};
+use egui::text::{CCursor, CCursorRange};
 use egui::{
     Align2, Color32, CornerRadius, FontFamily, FontId, Id, Margin, Mesh, Rect, Response, RichText,
     Shadow, Shape, Stroke, Style, TextEdit, TextStyle, Ui, Visuals, vec2,
@@ -40,7 +41,25 @@ pub(super) struct Palette {
     pub(super) focus: Color32,
 }
 
-const fn rgb(code: u32) -> Color32 {
+/// A label as wide as others above and below it.
+pub(super) fn label(ui: &mut Ui, width: f32, text: &str) -> Response {
+    let row = ui.horizontal(|ui| {
+        ui.set_width(width);
+        ui.label(text)
+    });
+    row.inner
+}
+
+/// Selects a text that stands at the beginning of a field.
+pub(super) fn select(ui: &Ui, field: Id, text: &str) {
+    let range = CCursorRange::two(CCursor::default(), CCursor::new(text.chars().count()));
+    let mut state = TextEdit::load_state(ui.ctx(), field).unwrap_or_default();
+    state.cursor.set_char_range(Some(range));
+    TextEdit::store_state(ui.ctx(), field, state);
+}
+
+/// A colour by its code, `0xrrggbb`.
+pub(super) const fn rgb(code: u32) -> Color32 {
     let [_, red, green, blue] = code.to_be_bytes();
     Color32::from_rgb(red, green, blue)
 }

@@ -77,8 +77,8 @@ fn sections(language: Language) -> [(&'static str, Vec<Row>); 5] {
         row(texts.wheel, texts.wheel_meaning),
         row(texts.context, texts.context_meaning),
     ];
-    let ways = space::ways(language.texts());
-    mouse.extend(ways.map(|(hand, meaning)| row(hand, meaning)));
+    let others = space::shortcut_help(language.texts());
+    mouse.extend(others.map(|(hand, meaning)| row(hand, meaning)));
     let shortcuts = SHORTCUTS
         .iter()
         .map(|(modifiers, key, action)| {

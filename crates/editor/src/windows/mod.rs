@@ -18,7 +18,7 @@ pub(super) use curve::CurveWindow;
 pub(super) use help::HelpWindow;
 pub(super) use points::PointsWindow;
 pub(super) use space::SpaceWindow;
-pub(super) use speed::SpeedWindow;
+pub(super) use speed::{SpeedWindow, goes_by_ten};
 pub(super) use tool::ToolWindow;
 
 use crate::actions::Action;
@@ -60,11 +60,11 @@ const OVER_SPACE: egui::Vec2 = egui::vec2(28.0, 64.0);
 const OVER_PANELS: egui::Vec2 = egui::vec2(-8.0, 48.0);
 
 /// A narrower window has little room beside the panels.
-const ROOMY: f32 = 1000.0;
+const MIN_WIDTH_FOR_ROOM: f32 = 1000.0;
 
-/// Whether sub-windows should take little room.
-fn is_cramped(context: &egui::Context) -> bool {
-    context.content_rect().width() < ROOMY
+/// Whether menus and sub-windows should take little room.
+pub(super) fn is_cramped(context: &egui::Context) -> bool {
+    context.content_rect().width() < MIN_WIDTH_FOR_ROOM
 }
 
 /// How far the cross of a sub-window lies within its upper right corner.
@@ -131,7 +131,7 @@ impl Windows {
     }
 
     /// Whether one is open that wants an answer first.
-    pub(super) fn ask(&self) -> bool {
+    pub(super) fn has_modal(&self) -> bool {
         self.files.is_some() || self.question.is_some() || self.changed.is_some()
     }
 }

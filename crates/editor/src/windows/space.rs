@@ -6,7 +6,7 @@ use egui::{Button, Grid, Ui, vec2};
 use super::{SubWindow, Windows, row_at_right, sub_window};
 use crate::actions::Action;
 use crate::document::Edit;
-use crate::number::{Entry, Number};
+use crate::number::Number;
 use crate::path::{Space, Up};
 use crate::state::Editor;
 use crate::texts::refusals;
@@ -93,13 +93,7 @@ fn known(editor: &Editor) -> (Space, String) {
 impl SpaceWindow {
     fn fields(&mut self, editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         let texts = &editor.texts().space_window;
-        let name = |ui: &mut Ui, text: &str, hint: &str| {
-            ui.horizontal(|ui| {
-                ui.set_width(NAME);
-                ui.label(text).on_hover_text(hint)
-            });
-        };
-        name(ui, texts.centre, texts.centre_hint);
+        theme::label(ui, NAME, texts.centre).on_hover_text(texts.centre_hint);
         ui.horizontal(|ui| {
             for (axis, letter) in ["x", "y", "z"].into_iter().enumerate() {
                 let called = format!("{} {letter}", texts.centre);
@@ -113,7 +107,7 @@ impl SpaceWindow {
             }
         });
         ui.end_row();
-        name(ui, texts.half_size, texts.half_size_hint);
+        theme::label(ui, NAME, texts.half_size).on_hover_text(texts.half_size_hint);
         ui.horizontal(|ui| {
             let number =
                 Number::new(texts.half_size, self.space.half_size).hint(texts.half_size_hint);
@@ -125,7 +119,7 @@ impl SpaceWindow {
             theme::line_edit(ui, &mut self.unit, "space.unit", width, words);
         });
         ui.end_row();
-        name(ui, texts.up, texts.up_hint);
+        theme::label(ui, NAME, texts.up).on_hover_text(texts.up_hint);
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = APART;
             for up in [Up::Y, Up::Z] {
@@ -136,7 +130,7 @@ impl SpaceWindow {
             }
         });
         ui.end_row();
-        name(ui, texts.path, "");
+        theme::label(ui, NAME, texts.path).on_hover_text("");
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = APART;
             for (fit, text, hint) in [
@@ -197,18 +191,8 @@ impl SpaceWindow {
             half_size,
             ..self.space
         });
-        match number.pending().show(ui, editor.language(), id, NUMBER) {
-            Entry::Idle => {}
-            Entry::Begin => self.before = Some(self.space),
-            Entry::Drag(value) | Entry::Set(value) => set(&mut self.space, value),
-            Entry::End => self.before = None,
-            Entry::Cancel => {
-                if let Some(before) = self.before.take() {
-                    self.space = before;
-                }
-            }
-            Entry::Wrong(text) => actions.push(Action::Complain(text)),
-        }
+        let entry = number.pending().show(ui, editor.language(), id, NUMBER);
+        entry.apply(&mut self.before, &mut self.space, set, actions);
     }
 
     /// Applies what is pending as one step; `closes` the window, too, unless that was refused.

@@ -339,18 +339,13 @@ impl ToolWindow {
         };
         let number = number.range(parameter.least..=parameter.most).pending();
         let id = format!("tool.{}.{}.{part}", self.tool.name, parameter.name);
-        match number.show(ui, language, &id, NUMBER) {
-            Entry::Idle => {}
-            Entry::Begin => self.before = Some(self.numbers.clone()),
-            Entry::Drag(value) | Entry::Set(value) => self.set(at, value),
-            Entry::End => self.before = None,
-            Entry::Cancel => {
-                if let Some(before) = self.before.take() {
-                    self.numbers = before;
-                }
+        let set = |numbers: &mut Vec<f64>, value| {
+            if let Some(number) = numbers.get_mut(at) {
+                *number = value;
             }
-            Entry::Wrong(text) => actions.push(Action::Complain(text)),
-        }
+        };
+        let entry = number.show(ui, language, &id, NUMBER);
+        entry.apply(&mut self.before, &mut self.numbers, set, actions);
     }
 
     /// Points and frames that would be written to a file.

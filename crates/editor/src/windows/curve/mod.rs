@@ -9,6 +9,7 @@ mod picture;
 use self::pending::{Belonging, Choice, GivenUp, Pending, orientation, users};
 use super::{SubWindow, Windows, is_cramped, row_at_right, sub_window};
 use crate::actions::Action;
+use crate::document::Document;
 use crate::limits::PRESETS;
 use crate::number::{Entry, Number};
 use crate::panels::curve::{in_place_of_tangents, without_shape};
@@ -48,6 +49,22 @@ enum Field {
     Position(usize),
     Target(usize),
     Roll,
+}
+
+impl Field {
+    fn set(self, pending: &mut Pending, document: &Document, value: f64) {
+        match self {
+            Self::Shape(part) => {
+                let mut shape = parts(pending.tcb(document));
+                shape[part] = value;
+                let [tension, continuity, bias] = shape;
+                pending.set_tcb(document, Tcb::new(tension, continuity, bias));
+            }
+            Self::Position(axis) => pending.position[axis] = Some(value),
+            Self::Target(axis) => pending.target[axis] = Some(value),
+            Self::Roll => pending.roll = Some(value),
+        }
+    }
 }
 
 impl SubWindow for CurveWindow {
@@ -252,7 +269,7 @@ impl CurveWindow {
             .spacing(vec2(theme::GAP, theme::GAP))
             .show(ui, |ui| {
                 for (part, (name, hint)) in names.into_iter().enumerate() {
-                    let label = in_column(ui, name).on_hover_text(hint);
+                    let label = theme::label(ui, LABEL, name).on_hover_text(hint);
                     let value = parts(self.pending.tcb(&editor.document))[part];
                     let mut slid = value.clamp(-1.0, 1.0);
                     ui.spacing_mut().slider_width = 2.0 * number(ui) + theme::GAP;
@@ -265,7 +282,7 @@ impl CurveWindow {
                     // egui rounds to steps even where nobody touches it.
                     if response.changed() && (slid - value.clamp(-1.0, 1.0)).abs() > 1e-9 {
                         let rounded = (slid * 100.0).round() / 100.0;
-                        self.set(editor, Field::Shape(part), rounded);
+                        Field::Shape(part).set(&mut self.pending, &editor.document, rounded);
                     }
                     let number = Number::new(name, value)
                         .hint(hint)
@@ -333,7 +350,7 @@ impl CurveWindow {
             .spacing(vec2(theme::GAP, theme::GAP))
             .show(ui, |ui| {
                 let position = self.pending.position(&editor.document);
-                in_column(ui, texts.position);
+                theme::label(ui, LABEL, texts.position);
                 for (axis, sign) in ["x", "y", "z"].into_iter().enumerate() {
                     let name = format!("{} {sign}", texts.position);
                     let number = Number::new(&name, position[axis])
@@ -343,7 +360,8 @@ impl CurveWindow {
                 }
                 ui.end_row();
                 let target = self.pending.target(&editor.document);
-                in_column(ui, &format!("{} ({kind})", texts.orientation)).on_hover_text(hint);
+                let name = format!("{} ({kind})", texts.orientation);
+                theme::label(ui, LABEL, &name).on_hover_text(hint);
                 for (axis, sign) in ["x", "y", "z"].into_iter().enumerate() {
                     let name = format!("{} {sign}", texts.orientation);
                     let number = Number::new(&name, target[axis])
@@ -354,7 +372,7 @@ impl CurveWindow {
                 }
                 ui.end_row();
                 let roll = self.pending.roll(&editor.document);
-                in_column(ui, texts.roll).on_hover_text(texts.roll_hint);
+                theme::label(ui, LABEL, texts.roll).on_hover_text(texts.roll_hint);
                 let number = Number::new(texts.roll, roll)
                     .hint(texts.roll_hint)
                     .unit("°")
@@ -382,39 +400,14 @@ impl CurveWindow {
             Field::Roll => "curve.roll".to_owned(),
         };
         let width = self::number(ui);
-        match number.pending().show(ui, editor.language(), &id, width) {
-            Entry::Idle => {}
-            Entry::Begin => self.dragged = Some(self.pending.clone()),
-            Entry::Drag(value) | Entry::Set(value) => self.set(editor, field, value),
-            Entry::End => self.dragged = None,
-            Entry::Cancel => {
-                if let Some(before) = self.dragged.take() {
-                    self.pending = before;
-                }
-            }
-            Entry::Wrong(text) => {
-                actions.push(Action::Complain(text));
-                ui.ctx().request_repaint();
-                return true;
-            }
+        let entry = number.pending().show(ui, editor.language(), &id, width);
+        let wrong = matches!(entry, Entry::Wrong(_));
+        if wrong {
+            ui.ctx().request_repaint();
         }
-        false
-    }
-
-    fn set(&mut self, editor: &Editor, field: Field, value: f64) {
-        let document = &editor.document;
-        let pending = &mut self.pending;
-        match field {
-            Field::Shape(part) => {
-                let mut shape = parts(pending.tcb(document));
-                shape[part] = value;
-                let [tension, continuity, bias] = shape;
-                pending.set_tcb(document, Tcb::new(tension, continuity, bias));
-            }
-            Field::Position(axis) => pending.position[axis] = Some(value),
-            Field::Target(axis) => pending.target[axis] = Some(value),
-            Field::Roll => pending.roll = Some(value),
-        }
+        let set = |pending: &mut Pending, value| field.set(pending, &editor.document, value);
+        entry.apply(&mut self.dragged, &mut self.pending, set, actions);
+        wrong
     }
 
     fn buttons(&mut self, editor: &Editor, ui: &mut Ui) {
@@ -448,15 +441,6 @@ fn number(ui: &Ui) -> f32 {
 /// Width of what stands beside the list.
 fn rest(ui: &Ui) -> f32 {
     LABEL + 3.0 * (number(ui) + theme::GAP)
-}
-
-/// A label as wide as all others.
-fn in_column(ui: &mut Ui, text: &str) -> egui::Response {
-    ui.horizontal(|ui| {
-        ui.set_width(LABEL);
-        ui.label(text)
-    })
-    .inner
 }
 
 fn parts(tcb: Tcb) -> [f64; 3] {

@@ -2,11 +2,11 @@
 
 use egui::{Button, CursorIcon, Id, Key, Modifiers, Rect, Sense, Ui, Vec2, WidgetInfo, pos2};
 
-use super::graph::{Frame, Handle};
-use super::{Section, SpeedWindow, entered};
+use super::graph::{Axes, Handle};
+use super::{Section, SpeedWindow, entered_own};
 use crate::actions::Action;
 use crate::number::Number;
-use crate::path::{Orientation, Pace, Timing};
+use crate::path::{MayOwn, Orientation, Pace, Timing};
 use crate::state::Editor;
 use crate::texts::fill;
 use crate::theme;
@@ -31,8 +31,14 @@ pub(super) fn sampled(timing: &Timing) -> Vec<[f64; 2]> {
     for parts in PARTS {
         let times = (0..=parts).map(|part| part as f64 / parts as f64);
         keys = times.map(|time| [time, timing.fraction(time)]).collect();
-        let mut orientation = Orientation::default();
-        super::pace::set(&mut orientation, Pace::Distance(keys.as_slice().into()));
+        let pace = Pace::Distance(keys.as_slice().into());
+        let Ok(own) = MayOwn::default().with(|own| own.pace = pace) else {
+            break;
+        };
+        let orientation = Orientation {
+            own,
+            ..Orientation::default()
+        };
         let Ok(now) = Timing::new(&orientation, None, None) else {
             break;
         };
@@ -45,9 +51,7 @@ pub(super) fn sampled(timing: &Timing) -> Vec<[f64; 2]> {
 }
 
 fn set(editor: &Editor, keys: Vec<[f64; 2]>) -> Option<Action> {
-    let pace = Pace::Distance(keys.into());
-    let edit = editor.orientation_edit(|orientation| super::pace::set(orientation, pace));
-    edit.map(Action::Edit)
+    editor.own_action(|own| own.pace = Pace::Distance(keys.into()))
 }
 
 /// The keys with one of them at another place, as far as its neighbours leave room.
@@ -68,25 +72,25 @@ impl SpeedWindow {
         &mut self,
         editor: &Editor,
         ui: &Ui,
-        frame: &Frame,
+        axes: &Axes,
         (section, keys): (&Section, &Keys),
         actions: &mut Vec<Action>,
     ) {
         let texts = &editor.texts().speed_window;
         let palette = theme::palette(ui);
-        let place = |[time, way]: [f64; 2]| pos2(frame.x(time), frame.y(100.0 * way));
+        let place = |[time, way]: [f64; 2]| pos2(axes.x(time), axes.y(100.0 * way));
         // Drags too, or they would move the window.
         let sense = Sense::click_and_drag();
-        let ground = ui.interact(frame.rect, Id::unique("way over time"), sense);
+        let ground = ui.interact(axes.rect, Id::unique("way over time"), sense);
         ground.widget_info(|| WidgetInfo::labeled(egui::Role::Canvas, true, texts.way_graph));
         let on_curve = |pointer: egui::Pos2| {
-            let time = frame.time(pointer.x);
+            let time = axes.time(pointer.x);
             let key = [time, section.timing.fraction(time)];
             (place(key).distance(pointer) < NEAR && time > 0.0 && time < 1.0).then_some(key)
         };
         if let Some(key) = ground.hover_pos().and_then(on_curve) {
             ui.set_cursor_icon(CursorIcon::Crosshair);
-            frame.paint_fixed(ui.painter(), palette, place(key));
+            axes.paint_fixed(ui.painter(), palette, place(key));
         }
         let clicked = ground.interact_pointer_pos().filter(|_| ground.clicked());
         if let Some(key) = clicked.and_then(on_curve) {
@@ -97,7 +101,7 @@ impl SpeedWindow {
         for (at, &key) in keys.iter().enumerate() {
             let middle = place(key);
             if at == 0 || at + 1 == keys.len() {
-                frame.paint_fixed(ui.painter(), palette, middle);
+                axes.paint_fixed(ui.painter(), palette, middle);
                 continue;
             }
             let [time, way] = key.map(|share| editor.language().number(100.0 * share, 1));
@@ -111,11 +115,11 @@ impl SpeedWindow {
                 rises: true,
                 cursor: CursorIcon::Move,
             };
-            let moved = handle.show(&mut self.held, ui, frame.rect, actions);
+            let moved = handle.show(&mut self.held, ui, axes.rect, actions);
             let mut to = None;
             if let Some((to_pos, fine)) = moved.to {
                 let scale = if fine { 1e4 } else { 1e3 };
-                let place = [frame.time(to_pos.x), frame.value(to_pos.y) / 100.0];
+                let place = [axes.time(to_pos.x), axes.value(to_pos.y) / 100.0];
                 to = Some(place.map(|share| (share * scale).round() / scale));
             }
             if moved.steps != [0.0; 2] {
@@ -132,7 +136,7 @@ impl SpeedWindow {
             }
         }
         if let Some(&key) = keys.get(self.shown(keys)) {
-            frame.paint_chosen(ui.painter(), palette, place(key));
+            axes.paint_chosen(ui.painter(), palette, place(key));
         }
         if let Some(at) = removed {
             actions.extend(self.remove(editor, keys, at));
@@ -174,7 +178,7 @@ impl SpeedWindow {
         ui.horizontal(|ui| {
             ui.spacing_mut().item_spacing.x = theme::GAP;
             let which = fill(texts.which_key, &[&(at + 1), &keys.len()]);
-            super::pace::label(ui, 112.0, &which);
+            theme::label(ui, 112.0, &which);
             let parts = [
                 (texts.key_time, texts.key_time_hint),
                 (texts.key_way, texts.key_way_hint),
@@ -199,10 +203,10 @@ impl SpeedWindow {
                     .fixed_if(fixed);
                 let id = format!("speed.key.{part}");
                 let entry = number.show(ui, editor.language(), &id, 104.0);
-                actions.extend(entered(editor, entry, |orientation, value| {
+                actions.extend(entered_own(editor, entry, |own, value| {
                     let mut keys = keys.to_vec();
                     keys[at][part] = value / 100.0;
-                    super::pace::set(orientation, Pace::Distance(keys.into()));
+                    own.pace = Pace::Distance(keys.into());
                 }));
             }
             if ui

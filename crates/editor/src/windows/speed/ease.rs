@@ -2,12 +2,12 @@
 
 use egui::{CursorIcon, Id, Rangef, Rect, Ui, pos2};
 
-use super::graph::{Frame, Handle, Held, Quantity};
-use super::{Section, entered};
+use super::graph::{Axes, Handle, Held, Quantity};
+use super::{Section, entered_own};
 use crate::actions::Action;
 use crate::limits::{MAX_SPEED, MIN_SPEED};
 use crate::number::Number;
-use crate::path::{Ease, Orientation, Pace};
+use crate::path::{Ease, Pace};
 use crate::state::Editor;
 use crate::texts::fill;
 use crate::theme;
@@ -22,7 +22,7 @@ pub(super) fn corners(
     editor: &Editor,
     held: &mut Held,
     ui: &Ui,
-    (frame, quantity): (&Frame, Quantity),
+    (axes, quantity): (&Axes, Quantity),
     (section, ease): (&Section, Ease),
     actions: &mut Vec<Action>,
 ) {
@@ -34,7 +34,7 @@ pub(super) fn corners(
             // It jumps there.
             Quantity::Acceleration => 0.0,
         };
-        pos2(frame.x(u), frame.y(value))
+        pos2(axes.x(u), axes.y(value))
     });
     // Where both are together, one is grabbed at its left, the other at its right.
     let between = ((fall.x - rise.x) / 2.0).clamp(0.0, GRIP);
@@ -62,10 +62,10 @@ pub(super) fn corners(
             rises: false,
             cursor: CursorIcon::ResizeHorizontal,
         };
-        let moved = handle.show(held, ui, frame.rect, actions);
+        let moved = handle.show(held, ui, axes.rect, actions);
         let mut new = None;
         if let Some((to, fine)) = moved.to {
-            let u = frame.time(to.x);
+            let u = axes.time(to.x);
             let scale = if fine { 1000.0 } else { 100.0 };
             let share = if sign > 0.0 { u } else { 1.0 - u };
             new = Some((share * scale).round() / scale);
@@ -76,20 +76,17 @@ pub(super) fn corners(
             new = Some((percents * 1e9).round() / 1e11);
         }
         if let Some(share) = new {
-            let edit = editor.orientation_edit(|orientation| set(orientation, part, share));
-            actions.extend(edit.map(Action::Edit));
+            actions.extend(editor.own_action(|own| set(&mut own.pace, part, share)));
         }
     }
 }
 
 /// Another share of the time, as far as the other one leaves room.
-fn set(orientation: &mut Orientation, part: Part, share: f64) {
-    let Pace::Ease(mut ease) = orientation.own.pace else {
-        return;
-    };
-    let room = 1.0 - (ease.rise + ease.fall - *part(&mut ease));
-    *part(&mut ease) = share.clamp(0.0, room.max(0.0));
-    super::pace::set(orientation, Pace::Ease(ease));
+fn set(pace: &mut Pace, part: Part, share: f64) {
+    if let Pace::Ease(ease) = pace {
+        let room = 1.0 - (ease.rise + ease.fall - *part(ease));
+        *part(ease) = share.clamp(0.0, room.max(0.0));
+    }
 }
 
 /// Both shares and the cruising speed as numbers.
@@ -129,10 +126,10 @@ pub(super) fn typed(editor: &Editor, ui: &mut Ui, ease: Ease, actions: &mut Vec<
                 .range(range)
                 .steps(1.0, 0.5);
             let entry = number.show(ui, editor.language(), &format!("speed.ease.{name}"), width);
-            actions.extend(entered(editor, entry, |orientation, value| {
+            actions.extend(entered_own(editor, entry, |own, value| {
                 let mut ease = ease;
                 *part(&mut ease) = value / scale;
-                super::pace::set(orientation, Pace::Ease(ease));
+                own.pace = Pace::Ease(ease);
             }));
         }
     });

@@ -5,7 +5,7 @@ use egui::{
     Response, Sense, Shape, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
 
-use super::{SCALE, Section};
+use super::{SCALE, Section, goes_by_ten};
 use crate::actions::Action;
 use crate::limits::{BASE_SPEED, MAX_SPEED, MIN_SPEED, SPEEDS};
 use crate::number::Entry;
@@ -74,7 +74,7 @@ impl Quantity {
 }
 
 /// Places shares of the time, and values, in the picture.
-pub(super) struct Frame {
+pub(super) struct Axes {
     pub(super) rect: Rect,
     /// The distance between two of ten equally distant places.
     step: f32,
@@ -84,12 +84,12 @@ pub(super) struct Frame {
     pub(super) quantity: Quantity,
 }
 
-impl Frame {
+impl Axes {
     pub(super) fn new(rect: Rect, step: f32, quantity: Quantity, section: &Section) -> Self {
         let curve = quantity.curve(section);
         let highest = curve.iter().map(|point| point[1].abs()).fold(0.0, f64::max);
         let (low, high) = match quantity {
-            Quantity::Speed if section.goes_by_ten() => (MIN_SPEED, MAX_SPEED),
+            Quantity::Speed if goes_by_ten(&section.pace) => (MIN_SPEED, MAX_SPEED),
             Quantity::Speed if highest <= MAX_SPEED => (0.0, MAX_SPEED),
             Quantity::Speed => (0.0, round_above(highest)),
             Quantity::Distance => (0.0, 100.0),
@@ -291,13 +291,7 @@ impl Handle<'_> {
             to = Some((pointer - grip, ui.input(|input| input.modifiers.shift)));
         }
         if response.drag_stopped() && mine.is_some() {
-            // egui ends a drag on Escape before anybody sees the key.
-            let escaped = ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Escape));
-            actions.push(Action::Enter(if escaped {
-                Entry::Cancel
-            } else {
-                Entry::End
-            }));
+            actions.push(Action::Enter(Entry::of_end(ui.ctx())));
             *held = None;
         }
         let focused = response.has_focus();

@@ -11,12 +11,13 @@ mod pace;
 mod shapes;
 mod ten;
 
-use self::graph::{Frame, Held, Quantity};
+use self::graph::{Axes, Held, Quantity};
 use super::{SubWindow, Windows, is_cramped, sub_window};
 use crate::actions::Action;
 use crate::document::{Edit, Info, Selection};
 use crate::limits::{MAX_FPS, MAX_FRAMES, MAX_HOLD, SPEEDS};
 use crate::number::{Entry, Number};
+use crate::panels::orientation::with;
 use crate::path::{BaseFrames, Orientation, Own, Pace, Timing};
 use crate::state::Editor;
 use crate::texts::fill;
@@ -143,11 +144,11 @@ impl Section {
             to,
         })
     }
+}
 
-    /// Whether it goes by its ten speeds, or by a pace that they are near.
-    const fn goes_by_ten(&self) -> bool {
-        matches!(self.pace, Pace::Speeds | Pace::Part(_))
-    }
+/// Whether a section goes by its ten speeds, or by a pace that they are near.
+pub(crate) const fn goes_by_ten(pace: &Pace) -> bool {
+    matches!(pace, Pace::Speeds | Pace::Part(_))
 }
 
 impl SubWindow for SpeedWindow {
@@ -233,17 +234,10 @@ fn length(
     actions: &mut Vec<Action>,
 ) {
     let texts = &editor.texts().speed_window;
-    // Without memory for it nothing changes.
-    let change = |orientation: &mut Orientation, change: &dyn Fn(&mut Own)| {
-        if let Ok(own) = orientation.own.with(change) {
-            orientation.own = own;
-        }
-    };
     let mut locked = section.locked;
     let tick = theme::tick(ui, &mut locked, texts.locked);
     if tick.on_hover_text(texts.locked_hint).changed() {
-        let edit = editor.orientation_edit(|new| change(new, &|own| own.locked = locked));
-        actions.extend(edit.map(Action::Edit));
+        actions.extend(editor.own_action(|own| own.locked = locked));
     }
     let fps = editor.document.info().fps;
     let seconds = editor.language().number(frames as f64 / fps, 2);
@@ -257,8 +251,8 @@ fn length(
         .show(ui, editor.language(), "speed.frames", 72.0);
     // Whole, and within an u32.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-    actions.extend(entered(editor, entry, |new, frames| {
-        change(new, &|own| own.frames = frames as u32);
+    actions.extend(entered_own(editor, entry, |own, frames| {
+        own.frames = frames as u32
     }));
     ui.label(texts.frames).on_hover_text(texts.frames_hint);
 }
@@ -274,8 +268,8 @@ impl SpeedWindow {
     ) {
         let size = Size::of(ui);
         let (rect, _) = ui.allocate_exact_size(vec2(size.width(), size.height), Sense::hover());
-        let frame = Frame::new(rect, size.step, self.shown, section);
-        frame.paint(
+        let axes = Axes::new(rect, size.step, self.shown, section);
+        axes.paint(
             editor,
             &ui.painter().with_clip_rect(rect.expand(1.0)),
             section,
@@ -283,14 +277,14 @@ impl SpeedWindow {
         match (&section.pace, self.shown) {
             (Pace::Speeds | Pace::Part(_), _) => {
                 let state = (&mut self.held, &mut self.choose);
-                ten::squares(editor, state, ui, &frame, section, actions);
+                ten::squares(editor, state, ui, &axes, section, actions);
             }
             (Pace::Ease(ease), shown) => {
                 let what = (section, *ease);
-                ease::corners(editor, &mut self.held, ui, (&frame, shown), what, actions);
+                ease::corners(editor, &mut self.held, ui, (&axes, shown), what, actions);
             }
             (Pace::Distance(keys), Quantity::Distance) => {
-                self.keys(editor, ui, &frame, (section, keys), actions);
+                self.keys(editor, ui, &axes, (section, keys), actions);
             }
             _ => {}
         }
@@ -401,15 +395,20 @@ fn entered(
     entry: Entry,
     change: impl FnOnce(&mut Orientation, f64),
 ) -> Option<Action> {
-    let at = editor.document.selection();
-    let mut orientation = editor.orientation()?.clone();
-    Some(Action::Enter(entry.map(|value| {
-        change(&mut orientation, value);
-        Edit::SetOrientation {
-            point: at.point,
-            at: at.orientation,
-            orientation,
-        }
+    let (at, current) = (editor.document.selection(), editor.orientation()?);
+    let edit = |value| with(at, current, |new| change(new, value));
+    Some(Action::Enter(entry.map(edit)))
+}
+
+/// The same for what it owns.
+fn entered_own(
+    editor: &Editor,
+    entry: Entry,
+    change: impl FnOnce(&mut Own, f64),
+) -> Option<Action> {
+    let (at, current) = (editor.document.selection(), editor.orientation()?);
+    Some(Action::Enter(entry.try_map(|value| {
+        editor.with_own(at, current, |own| change(own, value))
     })))
 }
 

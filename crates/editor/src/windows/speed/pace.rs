@@ -10,7 +10,7 @@ use super::{Section, SpeedWindow};
 use crate::actions::Action;
 use crate::document::Selection;
 use crate::limits::{BASE_SPEED, MAX_SPEED, MIN_SPEED};
-use crate::path::{Ease, EaseKind, Orientation, Pace};
+use crate::path::{Ease, EaseKind, Pace};
 use crate::state::Editor;
 use crate::theme;
 
@@ -55,13 +55,6 @@ impl Kind {
         ease.cruise = (cruise * 10.0).round() / 10.0;
         ease.cruise = ease.cruise.clamp(MIN_SPEED, MAX_SPEED);
         Pace::Ease(ease)
-    }
-}
-
-/// Gives an orientation another pace, if there is memory for it.
-pub(super) fn set(orientation: &mut Orientation, pace: Pace) {
-    if let Ok(own) = orientation.own.with(|own| own.pace = pace) {
-        orientation.own = own;
     }
 }
 
@@ -129,13 +122,10 @@ impl SpeedWindow {
         // The shown speeds are real ones where the length decides the number of frames.
         let scale = if unfixes { section.scale } else { 1.0 };
         let mean = section.timing.mean() * scale;
-        let edit = editor.orientation_edit(|orientation| {
-            set(orientation, kind.pace(section, mean));
-            if let Ok(own) = orientation.own.with(|own| own.frames = frames) {
-                orientation.own = own;
-            }
-        });
-        edit.map(Action::Edit)
+        editor.own_action(|own| {
+            own.pace = kind.pace(section, mean);
+            own.frames = frames;
+        })
     }
 }
 
@@ -149,7 +139,7 @@ fn one_of<T: Copy + PartialEq, const N: usize>(
     let mut clicked = None;
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = theme::GAP;
-        label(ui, 48.0, title);
+        theme::label(ui, 48.0, title);
         for (value, name, hint) in all {
             let chosen = value == now;
             let button = ui.add(Button::selectable(chosen, name).frame_when_inactive(true));
@@ -163,12 +153,4 @@ fn one_of<T: Copy + PartialEq, const N: usize>(
         }
     });
     clicked
-}
-
-/// A label as wide as others below it.
-pub(super) fn label(ui: &mut Ui, width: f32, text: &str) {
-    ui.horizontal(|ui| {
-        ui.set_width(width);
-        ui.label(text);
-    });
 }

@@ -2,7 +2,7 @@
 
 use egui::{CursorIcon, Id, Rect, Ui, pos2, vec2};
 
-use super::graph::{Frame, Handle, Held, Quantity};
+use super::graph::{Axes, Handle, Held, Quantity};
 use super::shapes::Shape;
 use super::{SCALE, Section, Size, entered};
 use crate::actions::Action;
@@ -23,11 +23,11 @@ pub(super) fn squares(
     editor: &Editor,
     (held, choose): (&mut Held, &mut Option<usize>),
     ui: &Ui,
-    frame: &Frame,
+    axes: &Axes,
     section: &Section,
     actions: &mut Vec<Action>,
 ) {
-    let (texts, shown) = (&editor.texts().speed_window, frame.quantity);
+    let (texts, shown) = (&editor.texts().speed_window, axes.quantity);
     let (squares, beside) = match shown {
         Quantity::Speed => (0..SPEEDS, 0.0),
         Quantity::Distance => (1..SPEEDS - 1, 0.0),
@@ -53,7 +53,7 @@ pub(super) fn squares(
                 (change, name, editor.language().number(change, 1))
             }
         };
-        let middle = pos2(frame.x(time), frame.y(value));
+        let middle = pos2(axes.x(time), axes.y(value));
         let handle = Handle {
             id: Id::unique(("speed square", at)),
             middle,
@@ -64,7 +64,7 @@ pub(super) fn squares(
             rises: shown == Quantity::Distance,
             cursor: CursorIcon::ResizeVertical,
         };
-        let moved = handle.show(held, ui, frame.rect, actions);
+        let moved = handle.show(held, ui, axes.rect, actions);
         if *choose == Some(at) {
             *choose = None;
             moved.response.request_focus();
@@ -74,10 +74,10 @@ pub(super) fn squares(
         if let Some((to, fine)) = moved.to {
             let whole = shown == Quantity::Speed;
             let parts = if whole { 1.0 } else { 10.0 } * if fine { 10.0 } else { 1.0 };
-            new = with_value(section, (shown, at, time), frame.value(to.y), parts);
+            new = with_value(section, (shown, at, time), axes.value(to.y), parts);
         }
         if rise != 0.0 {
-            let value = value + rise * frame.percent().max(1.0);
+            let value = value + rise * axes.percent().max(1.0);
             new = with_value(section, (shown, at, time), value, EXACT);
         }
         if let Some(speeds) = new {

@@ -43,9 +43,9 @@ pub(super) enum Kind {
     Scale,
 }
 
-/// A tool at work: a step of the document is open.
+/// A modal transform at work: a step of the document is open.
 #[derive(Clone, Debug)]
-pub(super) struct Tool {
+pub(super) struct Transform {
     kind: Kind,
     /// The button that holds a handle.
     held: Option<PointerButton>,
@@ -70,8 +70,8 @@ pub(super) enum Next {
     Over,
 }
 
-impl Tool {
-    /// The tool that a key begins.
+impl Transform {
+    /// The transform that a key begins.
     pub(super) fn of_key(editor: &Editor, surface: &PointerContext<'_>, key: Key) -> Option<Self> {
         let kind = match key {
             Key::M => Kind::Move,
@@ -82,7 +82,7 @@ impl Tool {
         Self::new(editor, surface, kind, None)
     }
 
-    /// The tool that a button on a handle begins.
+    /// The transform that a button on a handle begins.
     pub(super) fn of_handle(
         editor: &Editor,
         surface: &PointerContext<'_>,
@@ -123,7 +123,7 @@ impl Tool {
     }
 
     /// Whether it needs more points than are selected.
-    pub(super) fn needs_several(&self) -> bool {
+    pub(super) fn lacks_points(&self) -> bool {
         self.kind != Kind::Move && self.points.len() < 2
     }
 
