@@ -330,7 +330,7 @@ fn at_its_limit_nothing_is_found() {
         let path = made("pan", &[0.0, 0.0, 0.0, -10.0, 10.0, tilt]);
         against.limits.set(FindingKind::Pole, 90.0 - tilt).unwrap();
         assert!(!found_against(&path, &against).contains(&"pole"), "{tilt}");
-        let path = made("crane", &[0.0, 0.0, 0.0, 0.01 * tilt, -1.0, 1.0]);
+        let path = made("approach", &[0.0, 0.0, 0.0, 2.0, 0.01 * tilt, 4.0 * tilt]);
         against
             .limits
             .set(FindingKind::Target, 0.01 * tilt)
