@@ -138,9 +138,9 @@ test: toolchain check-format
 # While working: minutes after a change of one file.
 check: toolchain check-format check-lints check-rust
 
-# Compiling, then what takes longest, comes first. The window from outside comes last
-# and alone: some of its checks look at the clock.
-side-by-side: check-lints all check-rust check-calls check-c \
+# Beside what compiles runs what waits. The window from outside comes last and alone:
+# some of its checks look at the clock.
+side-by-side: check-lints all check-calls check-rust check-c \
 	check-linking check-demo check-install check-docs check-dependencies
 
 check-format:
@@ -171,9 +171,9 @@ check-linking: libs
 # with, and nobody installs it.
 check-calls: libs
 	@mk/need.sh Xvfb=xvfb /usr/include/X11/Xlib.h=libx11-dev
+	$(ONCE)calls $(WITH) tests/calls -- tests/calls/run.sh $(LIB)
 	$(CARGO) build --locked --workspace --all-features --lib --tests
 	mk/libraries.sh $(CARGO_TARGET_DIR)/debug/libvides_archive.a $(CARGO_TARGET_DIR)/inject $(VERSION)
-	$(ONCE)calls $(WITH) tests/calls -- tests/calls/run.sh $(LIB)
 	$(ONCE)inject $(CARGO_TARGET_DIR)/inject include tests/calls -- \
 	    tests/calls/run.sh $(CARGO_TARGET_DIR)/inject inject hand_over
 
