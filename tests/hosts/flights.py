@@ -6,6 +6,7 @@ import re
 import time
 
 from harness import Failure, check, run, wait
+from panel import rail_of
 from picture import Picture
 from space import first_look
 from view import difference, filled, sample
@@ -20,8 +21,6 @@ POSES = 121
 """Of a new path at speed 100: its length is 1.2, and the first pose."""
 START = (-0.6, 0.2, 0.8)
 """The first point of a new path, in half sizes of the space as it is seen."""
-BAR = 28
-"""Of the play bar, pixels above the window's lower edge."""
 
 
 class Flight:
@@ -97,8 +96,9 @@ class Flight:
 
     def scrub(self):
         """The playhead along the bar."""
-        _, _, width, height = self.server.geometry(self.window)
-        return self.during([(x, height - BAR) for x in range(width - 600, width - 230, 10)], 1)
+        left, right, row = rail_of(self.server.drawn(self.window))
+        step = (right - left) // 50
+        return self.during([(left + at * step, row) for at in range(5, 40)], 1)
 
     def drag(self):
         """The first point, where it is seen."""

@@ -7,15 +7,13 @@ import signal
 
 from cases_window import opened
 from harness import check, wait
-from panel import SPEEDS
+from panel import DONE, REST, rail_of
 from run import test
 from space import first_look
 
 BUTTONS = {1: 0, 2: 1, 3: 2}
 """The coordinate that stays with each button."""
 
-DONE, REST = (0x58, 0xAE, 0xFF), (0x69, 0x73, 0x82)
-"""The play bar's rail before and behind the playhead, in the dark theme."""
 
 
 def moved(host, server, window, start, end, button, point):
@@ -192,25 +190,6 @@ def the_view_turns_and_grows(place):
         wait(lambda: server.picture(window).differs(before), f"{what}: another picture")
     check(host.path() == path, "looking changed the path")
     host.leave()
-
-
-def rail_of(picture):
-    """Where the rail of the play bar runs: left, right, middle."""
-    rows = {}
-    for colour in (DONE, REST):
-        for x, y in picture.find(colour, 6):
-            if 0 < picture.height - SPEEDS - y < 56:
-                rows.setdefault(y, []).append(x)
-    runs = {}
-    for y, places in rows.items():
-        places.sort()
-        # The playhead has a narrow border, else there is no gap.
-        breaks = [i for i in range(1, len(places)) if places[i] - places[i - 1] > 6]
-        parts = zip([0] + breaks, breaks + [len(places)])
-        runs[y] = max(((places[i], places[k - 1]) for i, k in parts), key=lambda run: run[1] - run[0])
-    longest = max(end - start for start, end in runs.values())
-    rail = [y for y, (start, end) in runs.items() if end - start > longest - 4]
-    return *runs[rail[0]], (min(rail) + max(rail)) // 2
 
 
 @test()

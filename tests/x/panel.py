@@ -14,6 +14,9 @@ PANEL = 262
 SPEEDS = 80
 """Height of the speeds below the play bar."""
 
+DONE, REST = (0x58, 0xAE, 0xFF), (0x69, 0x73, 0x82)
+"""The play bar's rail before and behind the playhead, in the dark theme."""
+
 CHOSEN = (0x58, 0xAE, 0xFF)
 """The circle of the choice that is taken."""
 
@@ -104,3 +107,22 @@ def middle(box):
     """Where to click it."""
     x, y, width, height = box
     return x + width / 2, y + height / 2
+
+
+def rail_of(picture):
+    """Where the rail of the play bar runs: left, right, middle."""
+    rows = {}
+    for colour in (DONE, REST):
+        for x, y in picture.find(colour, 6):
+            if 0 < picture.height - SPEEDS - y < 56:
+                rows.setdefault(y, []).append(x)
+    runs = {}
+    for y, places in rows.items():
+        places.sort()
+        # The playhead has a narrow border, else there is no gap.
+        breaks = [i for i in range(1, len(places)) if places[i] - places[i - 1] > 6]
+        parts = zip([0] + breaks, breaks + [len(places)])
+        runs[y] = max(((places[i], places[k - 1]) for i, k in parts), key=lambda run: run[1] - run[0])
+    longest = max(end - start for start, end in runs.values())
+    rail = [y for y, (start, end) in runs.items() if end - start > longest - 4]
+    return *runs[rail[0]], (min(rail) + max(rail)) // 2
