@@ -74,7 +74,7 @@ static void points_are_moved_and_deformed(void)
 static void blocks(void)
 {
     V_PATH *path = orbit(1, 4), *block = NULL, *blend = NULL, *both[2];
-    double weights[] = {0.25, 0.75}, one[3], two[3], mixed[3];
+    double weights[] = {0.25, 0.75}, one[3], two[3], mixed[3], fps;
     int points, k;
 
     OK(v_path_extract(path, 0, 3, &block));
@@ -93,7 +93,11 @@ static void blocks(void)
     CHECK(memcmp(one, two, sizeof one) == 0);
     both[0] = path;
     both[1] = block;
+    OK(v_path_set_fps(path, 24));
+    OK(v_path_set_fps(block, 30));
     OK(v_path_blend(both, weights, 2, &blend));
+    OK(v_path_get_fps(blend, &fps)); /* of the path that weighs most */
+    CHECK(fps == 30);
     OK(v_path_get_position(path, 0, one));
     OK(v_path_get_position(block, 0, two));
     OK(v_path_get_position(blend, 0, mixed));

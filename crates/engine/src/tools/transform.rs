@@ -70,6 +70,7 @@ pub fn transform(
     matrix: &DMat4,
     with_targets: bool,
 ) -> Result<Changed> {
+    let picked = picked(path, points)?;
     check_matrix(matrix)?;
     let linear = DMat3::from_mat4(*matrix);
     let map = Map {
@@ -77,7 +78,7 @@ pub fn transform(
         derivative: &|_| linear,
         linear: true,
     };
-    mapped(path, points, &map, with_targets)
+    mapped(path, &picked, &map, with_targets)
 }
 
 /// Some points of a path, deformed. Without a box that of these points' positions.
@@ -92,10 +93,14 @@ pub fn deform(
     with_targets: bool,
 ) -> Result<Changed> {
     let mut places = vec_with_room(path.points.len())?;
-    for (at, picked) in picked(path, points)?.into_iter().enumerate() {
-        if picked {
-            places.push(path.points[at].position);
-        }
+    let picked = picked(path, points)?;
+    for (point, _) in path
+        .points
+        .iter()
+        .zip(&picked)
+        .filter(|(_, picked)| **picked)
+    {
+        places.push(point.position);
     }
     let bounds = bounds.unwrap_or_else(|| Bounds::of(&places));
     let place = |place: DVec3| {
@@ -113,7 +118,7 @@ pub fn deform(
         derivative: &derivative,
         linear: false,
     };
-    mapped(path, points, &map, with_targets)
+    mapped(path, &picked, &map, with_targets)
 }
 
 /// How the image of a place changes along an axis. At a side of the box a deformation may have an
@@ -149,12 +154,11 @@ fn slope(
 
 fn mapped(
     path: &CameraPath,
-    points: &[usize],
+    picked: &[bool],
     map: &Map<'_>,
     with_targets: bool,
 ) -> Result<Changed> {
-    let picked = picked(path, points)?;
-    let mut changed = vec_with_room(points.len().min(picked.len()))?;
+    let mut changed = vec_with_room(picked.iter().filter(|picked| **picked).count())?;
     for (number, _) in picked.iter().enumerate().filter(|(_, picked)| **picked) {
         let old = &path.points[number];
         let mut new = old.try_clone()?;
