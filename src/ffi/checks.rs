@@ -4,7 +4,7 @@ use std::ffi::{CStr, c_char, c_int};
 
 use super::border::border;
 use super::path::{edit_by, insert_new, read};
-use super::pointers::{ArrayOut, NAME_NOT_UTF8, Out, count, optional, slice, text};
+use super::pointers::{ArrayOut, Out, count, optional, slice, text};
 use super::scene_tracks::mesh;
 use super::scene_types::V_MESH;
 use super::status::{Answer, V_ERR_INTERNAL};
@@ -90,11 +90,13 @@ pub unsafe extern "C" fn v_path_fit_poses(
     path: *mut *mut V_PATH,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = Out::new(path)?;
+        let out = Out::new(path, "path")?;
         // SAFETY: so many poses, as the header says; the layouts are one.
-        let poses = unsafe { slice(poses.cast::<Pose>(), count) }?;
+        let poses = unsafe { slice(poses.cast::<Pose>(), count, "poses") }?;
         // SAFETY: so many doubles, as the header says.
-        let seconds = optional(seconds, |seconds| unsafe { slice(seconds, count) })?;
+        let seconds = optional(seconds, |seconds| unsafe {
+            slice(seconds, count, "seconds")
+        })?;
         let tolerance = Tolerance {
             position: tolerance,
             angle,
@@ -144,13 +146,13 @@ pub unsafe extern "C" fn v_path_check(
     count: *mut usize,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = ArrayOut::new(findings, capacity, count)?;
+        let out = ArrayOut::new(findings, capacity, count, ["findings", "count"])?;
         // SAFETY: a mesh, as the header says.
-        let object = optional(object, |object| unsafe { mesh(object) })?;
+        let object = optional(object, |object| unsafe { mesh(object, "object") })?;
         let found = read(path, |document| Ok(document.check(object.as_ref())?))?;
         // SAFETY: room for so many and a size_t, as the header says; any bits make a finding.
         unsafe {
-            if out.wants(found.len(), TOO_SMALL)? {
+            if out.wants(found.len())? {
                 for (room, found) in out.room(found.len())?.iter_mut().zip(&found) {
                     *room = finding(found)?;
                 }
@@ -159,9 +161,6 @@ pub unsafe extern "C" fn v_path_check(
         }
     })
 }
-
-const TOO_SMALL: &str =
-    "the array is too small for the findings; the count tells how many there are";
 
 /// Sets the limit of a kind of finding, see v_path_check(); it is kept in the file.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such
@@ -174,7 +173,7 @@ pub unsafe extern "C" fn v_path_set_limit(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: a text ended by zero, as the header says.
-        let kind = unsafe { text(kind, NAME_NOT_UTF8) }?;
+        let kind = unsafe { text(kind, "kind") }?;
         edit_by(path, |document| {
             let mut info = document.info().clone();
             info.limits.set(FindingKind::parse(kind)?, limit)?;
@@ -192,9 +191,9 @@ pub unsafe extern "C" fn v_path_get_limit(
     limit: *mut f64,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = Out::new(limit)?;
+        let out = Out::new(limit, "limit")?;
         // SAFETY: a text ended by zero, as the header says.
-        let kind = unsafe { text(kind, NAME_NOT_UTF8) }?;
+        let kind = unsafe { text(kind, "kind") }?;
         let limit = read(path, |document| {
             Ok(document.info().limits.get(FindingKind::parse(kind)?))
         })?;

@@ -8,19 +8,18 @@ use super::pointers::{Out, index};
 use super::status::{Answer, Failure, V_ERR_INTERNAL};
 use super::types::V_PATH;
 use crate::document::Document;
+use crate::error::Refused;
 use crate::path::arc_length::ArcLength;
 use crate::path::hermite::Cubic;
 
 /// The index of a segment given by C.
 fn segment(document: &Document, number: c_int) -> Answer<usize> {
-    let segments = document.path().segment_count();
-    match index(number)? {
-        found if found < segments => Ok(found),
-        _ => Err(Failure::NoSegment {
-            number,
-            count: segments,
-        }),
+    let (segment, count) = (index(number, "segment")?, document.path().segment_count());
+    if segment >= count {
+        let last = count - 1;
+        return Err(Refused::NoSegment { segment, last }.into());
     }
+    Ok(segment)
 }
 
 /// The cubic of a segment given by C.
@@ -34,9 +33,13 @@ pub(super) fn between(value: f64, end: f64, name: &'static str) -> Answer<f64> {
     if (0.0..=end).contains(&value) {
         Ok(value)
     } else if value.is_finite() {
-        Err(Failure::NotBetween { name, end })
+        Err(Failure::NotBetween {
+            name,
+            given: value,
+            end,
+        })
     } else {
-        Err(Failure::NotFinite { name })
+        Err(Failure::NotFinite { name, given: value })
     }
 }
 
@@ -47,7 +50,7 @@ pub(super) fn between(value: f64, end: f64, name: &'static str) -> Answer<f64> {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_length(path: *const V_PATH, length: *mut f64) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = Out::new(length)?;
+        let out = Out::new(length, "length")?;
         let length = read(path, |document| Ok(document.timeline(|t| t.length())?))?;
         // SAFETY: room for a double, as the header says.
         unsafe { out.answer(length) }
@@ -65,7 +68,7 @@ pub unsafe extern "C" fn v_path_segment_length(
     length: *mut f64,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = Out::new(length)?;
+        let out = Out::new(length, "length")?;
         let length = read(path, |document| {
             let segment = self::segment(document, segment)?;
             Ok(document.timeline(|timeline| timeline.segment_length(segment))?)
@@ -88,7 +91,7 @@ pub unsafe extern "C" fn v_path_curve_point(
     xyz: *mut f64,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let xyz = Out::array(xyz)?;
+        let xyz = Out::array(xyz, "xyz")?;
         let curve = read(path, |document| cubic(document, segment))?;
         let point = curve.point(between(t, 1.0, "t")?);
         // SAFETY: room for three doubles, as the header says.
@@ -109,7 +112,7 @@ pub unsafe extern "C" fn v_path_point_at_length(
     xyz: *mut f64,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let xyz = Out::array(xyz)?;
+        let xyz = Out::array(xyz, "xyz")?;
         let (curve, length) = read(path, |document| {
             let segment = self::segment(document, segment)?;
             Ok(document.timeline(|timeline| {

@@ -17,6 +17,7 @@ use super::path::{insert, read};
 use super::pointers::{
     Growing, Out, bytes, file_name, init, optional, optional_text, read_growing,
 };
+use super::settings::positive;
 use super::space::up_from_c;
 use super::status::{
     Answer, Failure, V_ERR_CLOSED, V_ERR_HANDLE, V_ERR_INTERNAL, V_OK, clear_last_error,
@@ -88,7 +89,14 @@ pub(super) fn opened(editor: *const V_EDITOR) -> Answer<Counted<Opened>> {
 pub unsafe extern "C" fn v_editor_options_init(options: *mut V_EDITOR_OPTIONS) {
     border((), || {
         // SAFETY: room for the options of version 1.0, as the header says.
-        unsafe { init(options, V_EDITOR_OPTIONS::DEFAULTS, V_EDITOR_OPTIONS::FIRST) }
+        unsafe {
+            init(
+                options,
+                V_EDITOR_OPTIONS::DEFAULTS,
+                V_EDITOR_OPTIONS::FIRST,
+                "options",
+            )
+        }
     });
 }
 
@@ -100,13 +108,14 @@ pub unsafe extern "C" fn v_editor_options_init(options: *mut V_EDITOR_OPTIONS) {
 pub unsafe extern "C" fn v_editor_options_init_sized(options: *mut V_EDITOR_OPTIONS, size: usize) {
     border((), || {
         // SAFETY: room for so much of the options, as the header says.
-        unsafe { init(options, V_EDITOR_OPTIONS::DEFAULTS, size) }
+        unsafe { init(options, V_EDITOR_OPTIONS::DEFAULTS, size, "options") }
     });
 }
 
 // SAFETY: `repr(C)` with `size` first; the host is responsible for its pointers and functions in
 // every version.
 unsafe impl Growing for V_EDITOR_OPTIONS {
+    const NAME: &'static str = "V_EDITOR_OPTIONS";
     const FIRST: usize = offset_of!(V_EDITOR_OPTIONS, space_centre);
     const DEFAULTS: Self = Self {
         size: size_of::<V_EDITOR_OPTIONS>(),
@@ -159,7 +168,7 @@ pub unsafe extern "C" fn v_editor_open(
     editor: *mut *mut V_EDITOR,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = Out::new(editor)?;
+        let out = Out::new(editor, "editor")?;
         // SAFETY: the host's options, as the header says.
         let options = unsafe { options_of(options) }?;
         // SAFETY: as above for what they point to.
@@ -174,7 +183,9 @@ pub unsafe extern "C" fn v_editor_open(
 /// `options` is NULL or points to a size and, if that is valid, to the options.
 unsafe fn options_of(options: *const V_EDITOR_OPTIONS) -> Answer<V_EDITOR_OPTIONS> {
     // SAFETY: as required of the caller.
-    let given = optional(options, |options| unsafe { read_growing(options) })?;
+    let given = optional(options, |options| unsafe {
+        read_growing(options, "options")
+    })?;
     Ok(given.unwrap_or(V_EDITOR_OPTIONS::DEFAULTS))
 }
 
@@ -195,17 +206,19 @@ struct Beginning {
 unsafe fn begin(options: &V_EDITOR_OPTIONS) -> Answer<Beginning> {
     let mut warnings = editor::Warnings::default();
     // SAFETY: as required of the caller.
-    let file = optional(options.file, |file| unsafe { file_name(file) })?;
+    let file = optional(options.file, |file| unsafe { file_name(file, "file") })?;
     let mut document = document_of(file, options.path, &mut warnings)?;
     // SAFETY: as required of the caller.
     let fixed_speeds = unsafe { configure(&mut document, options) }?;
     // SAFETY: as required of the caller, for all texts.
     let (title, display, language, application, host_name) = unsafe {
         (
-            optional_text(options.title, "the title is not UTF-8")?,
-            optional_text(options.display, "the display's name is not UTF-8")?,
-            optional(options.language, |language| language_of(bytes(language)?))?,
-            optional_text(options.application, "the application's name is not UTF-8")?,
+            optional_text(options.title, "options->title")?,
+            optional_text(options.display, "options->display")?,
+            optional(options.language, |language| {
+                language_of(bytes(language, "language")?)
+            })?,
+            optional_text(options.application, "options->application")?,
             optional_text(
                 options.host_name,
                 "the name of the host's view is not UTF-8",
@@ -232,8 +245,8 @@ unsafe fn begin(options: &V_EDITOR_OPTIONS) -> Answer<Beginning> {
         warnings,
         display,
         application,
-        parent: x_window(options.parent)?,
-        transient_for: x_window(options.transient_for)?,
+        parent: x_window(options.parent, "options->parent")?,
+        transient_for: x_window(options.transient_for, "options->transient_for")?,
     })
 }
 
@@ -245,10 +258,11 @@ fn document_of(
 ) -> Answer<Document> {
     match (file, path.is_null()) {
         (Some(_), false) => Err(Failure::argument(
-            "a window starts with a file or with a path, not with both",
+            "options->file and options->path are both given: a window starts with one of them",
         )),
         (None, true) => Ok(Document::try_new()?),
-        (None, false) => read(path, |document| Ok(document.try_clone()?)),
+        (None, false) => read(path, |document| Ok(document.try_clone()?))
+            .map_err(|failure| failure.named("options->path")),
         (Some(name), true) => {
             let (document, meshes) = instance::document_of(name)?;
             warnings.add_meshes(meshes);
@@ -261,7 +275,9 @@ fn language_of(name: &[u8]) -> Answer<Language> {
     match name {
         b"de" => Ok(Language::German),
         b"en" => Ok(Language::English),
-        _ => Err(Failure::argument("the language is not \"de\" or \"en\"")),
+        other => Err(Failure::NoLanguage(
+            (&String::from_utf8_lossy(other)).into(),
+        )),
     }
 }
 
@@ -275,7 +291,7 @@ unsafe fn configure(document: &mut Document, options: &V_EDITOR_OPTIONS) -> Answ
         let space = Space {
             centre: options.space_centre.into(),
             half_size: options.space_half_size,
-            up: up_from_c(options.space_up)?,
+            up: up_from_c(options.space_up, "options->space_up")?,
         };
         // A new path is moved to the same place in the given space; others have coordinates of
         // their own.
@@ -283,7 +299,7 @@ unsafe fn configure(document: &mut Document, options: &V_EDITOR_OPTIONS) -> Answ
         document.apply(Edit::SetSpace { space, fit })?;
     }
     // SAFETY: as required of the caller.
-    let object = unsafe { wireframe(options.object) }?;
+    let object = unsafe { wireframe(options.object, "options->object") }?;
     if !object.is_empty() {
         let mut info = document.info().clone();
         info.object = object;
@@ -296,6 +312,12 @@ unsafe fn configure(document: &mut Document, options: &V_EDITOR_OPTIONS) -> Answ
         rolling: options.roll_frames,
     };
     let unset = [speeds.movement, speeds.turning, speeds.zoom, speeds.rolling] == [0.0; 4];
+    if !unset {
+        positive(speeds.movement, "options->move_frames")?;
+        positive(speeds.turning, "options->turn_frames")?;
+        positive(speeds.zoom, "options->zoom_frames")?;
+        positive(speeds.rolling, "options->roll_frames")?;
+    }
     if !unset && document.edits_path() {
         document.apply(Edit::SetBaseFrames(speeds))?;
     }
@@ -303,9 +325,8 @@ unsafe fn configure(document: &mut Document, options: &V_EDITOR_OPTIONS) -> Answ
 }
 
 /// An X window of the host's; 0 is none.
-fn x_window(id: c_ulong) -> Answer<Option<u32>> {
-    let id = u32::try_from(id)
-        .map_err(|_| Failure::range("the number of an X window has at most 32 bits"))?;
+fn x_window(given: c_ulong, name: &'static str) -> Answer<Option<u32>> {
+    let id = u32::try_from(given).map_err(|_| Failure::NoWindow { name, given })?;
     Ok((id != 0).then_some(id))
 }
 
@@ -386,7 +407,7 @@ pub unsafe extern "C" fn v_editor_get_path(
     path: *mut *mut V_PATH,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = Out::new(path)?;
+        let out = Out::new(path, "path")?;
         let window = opened(editor)?.window;
         let copy = instance::read(window, Document::shown_path).ok_or(CLOSED)??;
         let made = insert(copy)?;

@@ -23,7 +23,7 @@ pub unsafe extern "C" fn v_editor_get_scene(
     scene: *mut *mut V_SCENE,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = Out::new(scene)?;
+        let out = Out::new(scene, "scene")?;
         let window = opened(editor)?.window;
         let copy = instance::read(window, Document::scene_document).ok_or(CLOSED)??;
         let made = insert(copy)?;

@@ -9,8 +9,7 @@ use std::marker::PhantomData;
 use std::sync::{PoisonError, RwLock};
 
 use super::counted::Counted;
-use super::pointers::NULL;
-use super::status::{Answer, Failure, V_ERR_HANDLE, V_ERR_LIMIT};
+use super::status::{Answer, Failure, V_ERR_LIMIT};
 use crate::error::Error;
 
 #[cfg(target_pointer_width = "64")]
@@ -34,10 +33,8 @@ const GENERATION_SHIFT: u32 = SLOT_SHIFT + SLOT_BITS;
 const MAX_SLOTS: usize = 1 << SLOT_BITS;
 const LAST_GENERATION: usize = (1 << GENERATION_BITS) - 1;
 
-const INVALID: Failure = Failure::Border(
-    V_ERR_HANDLE,
-    "the handle is not valid: freed, of another kind, or never made",
-);
+/// What a parameter with a handle of this kind is called, unless its function says otherwise.
+const NAMES: [&str; 4] = ["", "path", "editor", "scene"];
 
 /// The kind of `V_PATH *`.
 pub(super) const KIND_PATH: usize = 1;
@@ -97,11 +94,12 @@ impl<T, C> Handles<T, C> {
     /// the handle.
     pub(super) fn get(&self, handle: *const C) -> Answer<Counted<T>> {
         if handle.is_null() {
-            return Err(NULL);
+            return Err(Failure::Null(NAMES[self.kind].into()));
         }
         let table = self.table.read().unwrap_or_else(PoisonError::into_inner);
         let number = self.slot_of(handle, &table)?;
-        table.slots[number].object.clone().ok_or(INVALID)
+        let object = table.slots[number].object.clone();
+        object.ok_or_else(|| self.invalid())
     }
 
     /// Removes the object and invalidates its handle.
@@ -110,7 +108,7 @@ impl<T, C> Handles<T, C> {
         let number = self.slot_of(handle, &table)?;
         let empty = table.empty;
         let slot = &mut table.slots[number];
-        let object = slot.object.take().ok_or(INVALID)?;
+        let object = slot.object.take().ok_or_else(|| self.invalid())?;
         // A slot that has used up its generations stays empty.
         if slot.generation < LAST_GENERATION {
             slot.generation += 1;
@@ -130,8 +128,12 @@ impl<T, C> Handles<T, C> {
         let number = (handle.addr() >> SLOT_SHIFT) & (MAX_SLOTS - 1);
         match table.slots.get(number) {
             Some(slot) if self.token(number, slot.generation).addr() == handle.addr() => Ok(number),
-            _ => Err(INVALID),
+            _ => Err(self.invalid()),
         }
+    }
+
+    fn invalid(&self) -> Failure {
+        Failure::Handle(NAMES[self.kind].into())
     }
 }
 

@@ -120,7 +120,7 @@ pub extern "C" fn v_main_loop() -> c_int {
 #[unsafe(no_mangle)]
 pub extern "C" fn v_set_app_context(app_context: *mut c_void) -> c_int {
     border(V_ERR_INTERNAL, || {
-        check(app_context)?;
+        check(app_context, "app_context")?;
         instance::on_input(serve);
         set_app_context(app_context)
     })

@@ -71,7 +71,7 @@ pub unsafe extern "C" fn v_haupt(
     let mut warnings = Warnings::default();
     border((), || {
         if !interpol_liste.is_null() {
-            check(interpol_liste)?;
+            check(interpol_liste, "interpol_liste")?;
         }
         let given = [move_speed, orient_speed, zoom_speed, winkel_speed].map(f64::from);
         let speeds = speeds(given, &mut warnings);
@@ -258,7 +258,7 @@ pub unsafe extern "C" fn v_free_liste(first: *mut V_KAMERAPAR) {
         if first.is_null() {
             return Ok(());
         }
-        check(first)?;
+        check(first, "first")?;
         // SAFETY: not NULL, aligned; for the rest see the header.
         if unsafe { list::free(first) } {
             return Ok(());

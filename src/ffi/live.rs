@@ -48,7 +48,7 @@ fn command(
 pub unsafe extern "C" fn v_editor_set_view(editor: *mut V_EDITOR, pose: *const V_POSE) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: a pose, as the header says.
-        let pose = unsafe { read_optional(pose) }?.map(Pose::from);
+        let pose = unsafe { read_optional(pose, "pose") }?.map(Pose::from);
         command(editor, |editor| editor.set_ghost(pose.as_ref()))
     })
 }
@@ -64,7 +64,7 @@ pub unsafe extern "C" fn v_editor_get_frame(
     frame: *mut c_double,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = Out::new(frame)?;
+        let out = Out::new(frame, "frame")?;
         let window = opened(editor)?.window;
         let at = instance::look(window, Editor::frame).ok_or(CLOSED)??;
         // SAFETY: room for a double, as the header says.
@@ -109,7 +109,7 @@ pub unsafe extern "C" fn v_editor_select(
     orientation: c_int,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let (point, orientation) = (index(point)?, index(orientation)?);
+        let (point, orientation) = (index(point, "point")?, index(orientation, "orientation")?);
         command(editor, |editor| editor.select_key(point, orientation))
     })
 }
@@ -126,7 +126,7 @@ pub unsafe extern "C" fn v_editor_set_object(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: a mesh, as the header says.
-        let object = unsafe { wireframe(object) }?;
+        let object = unsafe { wireframe(object, "object") }?;
         command(editor, |editor| editor.set_object(object))
     })
 }
@@ -139,7 +139,7 @@ pub unsafe extern "C" fn v_editor_set_object(
 pub unsafe extern "C" fn v_editor_set_title(editor: *mut V_EDITOR, title: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: a text, as the header says.
-        let title = unsafe { optional_text(title, "the title is not UTF-8") }?;
+        let title = unsafe { optional_text(title, "title") }?;
         command(editor, |editor| {
             editor.set_title(title);
             Ok(())
@@ -156,7 +156,7 @@ pub unsafe extern "C" fn v_editor_is_modified(
     modified: *mut c_int,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = Out::new(modified)?;
+        let out = Out::new(modified, "modified")?;
         let window = opened(editor)?.window;
         let unsaved = instance::look(window, Editor::is_unsaved).ok_or(CLOSED)?;
         // SAFETY: room for an int, as the header says.
@@ -174,7 +174,7 @@ pub unsafe extern "C" fn v_editor_is_modified(
 pub unsafe extern "C" fn v_editor_save(editor: *mut V_EDITOR, file: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: a text, as the header says.
-        let file = optional(file, |file| unsafe { file_name(file) })?;
+        let file = optional(file, |file| unsafe { file_name(file, "file") })?;
         command(editor, |editor| editor.save_as(file))
     })
 }
@@ -210,6 +210,9 @@ pub extern "C" fn v_editors_close(ask: c_int) -> c_int {
         if instance::close_all(ask != 0)? {
             return Ok(V_OK);
         }
-        Err(Failure::Border(V_ERR_REFUSED, "a window is to stay open"))
+        Err(Failure::Border(
+            V_ERR_REFUSED,
+            "a user, on_close or ende keeps a window open",
+        ))
     })
 }

@@ -35,7 +35,7 @@ pub(super) unsafe fn object(
         return Err(TooMany::ObjectPoints.into());
     }
     // SAFETY: the caller's word.
-    let given = unsafe { slice(points, count) }?;
+    let given = unsafe { slice(points, count, "points") }?;
     let mut copied = vec_with_room(count)?;
     let mut misnumbered = None;
     for (point, should) in given.iter().zip(1..) {
@@ -58,9 +58,11 @@ pub(super) unsafe fn object(
 ///
 /// # Safety
 /// `mesh` is NULL or points to a mesh whose arrays are as long as it says.
-pub(super) unsafe fn wireframe(mesh: *const V_MESH) -> Answer<Object> {
+pub(super) unsafe fn wireframe(mesh: *const V_MESH, name: &'static str) -> Answer<Object> {
     // SAFETY: the caller's word.
-    let mesh = optional(mesh, |mesh| unsafe { super::scene_tracks::mesh(mesh) })?;
+    let mesh = optional(mesh, |mesh| unsafe {
+        super::scene_tracks::mesh(mesh, name)
+    })?;
     Ok(mesh.map_or_else(|| Ok(Object::default()), |mesh| Object::of_mesh(&mesh))?)
 }
 

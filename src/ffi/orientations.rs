@@ -10,10 +10,10 @@ use super::pointers::{
     Growing, GrowingOut, Out, count, index, init, optional, read_growing, read_vector, text,
 };
 use super::points::point;
-use super::status::{Answer, Failure, V_ERR_INTERNAL};
+use super::status::{Answer, V_ERR_INTERNAL};
 use super::types::{V_ORIENTATION, V_PATH};
 use crate::document::{Document, Edit, no_longer_ahead};
-use crate::error::{Invalid, OutOfRange};
+use crate::error::{Invalid, OutOfRange, Refused};
 use crate::path::{MayOwn, Orientation, Own, Target, Tcb, UpPath, UpVector};
 
 fn to_c(orientation: &Orientation) -> V_ORIENTATION {
@@ -38,6 +38,7 @@ fn to_c(orientation: &Orientation) -> V_ORIENTATION {
 
 // SAFETY: `repr(C)` with `size` first; numbers only.
 unsafe impl Growing for V_ORIENTATION {
+    const NAME: &'static str = "V_ORIENTATION";
     const FIRST: usize = size_of::<V_ORIENTATION>();
     const DEFAULTS: Self = Self {
         size: size_of::<V_ORIENTATION>(),
@@ -82,8 +83,8 @@ fn change(
         let mut orientation = orientation(document, point, at)?.clone();
         change(&mut orientation)?;
         Ok(Edit::SetOrientation {
-            point: index(point)?,
-            at: index(at)?,
+            point: index(point, "point")?,
+            at: index(at, "at")?,
             orientation,
         })
     })
@@ -104,10 +105,17 @@ pub(super) fn change_own(
 
 /// An orientation named by C's indices.
 pub(super) fn orientation(document: &Document, point: c_int, at: c_int) -> Answer<&Orientation> {
-    let orientations = &self::point(document, point)?.1.orientations;
-    orientations
-        .get(index(at)?)
-        .ok_or(Failure::NoOrientation { point, at })
+    let (point, support) = self::point(document, point, "point")?;
+    let (orientation, all) = (index(at, "at")?, &support.orientations);
+    all.get(orientation).ok_or_else(|| {
+        let last = all.len() - 1;
+        Refused::NoOrientation {
+            orientation,
+            point,
+            last,
+        }
+        .into()
+    })
 }
 
 ///
@@ -115,7 +123,7 @@ pub(super) fn orientation(document: &Document, point: c_int, at: c_int) -> Answe
 /// `o` is NULL or points to a struct as its `size` says.
 unsafe fn read_orientation(o: *const V_ORIENTATION) -> Answer<Orientation> {
     // SAFETY: as required of the caller.
-    from_c(&unsafe { read_growing(o) }?)
+    from_c(&unsafe { read_growing(o, "o") }?)
 }
 
 /// ==== Orientations ====
@@ -128,7 +136,7 @@ unsafe fn read_orientation(o: *const V_ORIENTATION) -> Answer<Orientation> {
 pub unsafe extern "C" fn v_orientation_init(o: *mut V_ORIENTATION) {
     border((), || {
         // SAFETY: room for the struct of version 1.0, as the header says.
-        unsafe { init(o, V_ORIENTATION::DEFAULTS, V_ORIENTATION::FIRST) }
+        unsafe { init(o, V_ORIENTATION::DEFAULTS, V_ORIENTATION::FIRST, "o") }
     });
 }
 
@@ -143,9 +151,9 @@ pub unsafe extern "C" fn v_path_orientation_count(
     count: *mut c_int,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = Out::new(count)?;
+        let out = Out::new(count, "count")?;
         let orientations = read(path, |document| {
-            self::count(self::point(document, point)?.1.orientations.len())
+            self::count(self::point(document, point, "point")?.1.orientations.len())
         })?;
         // SAFETY: room for an int, as the header says.
         unsafe { out.answer(orientations) }
@@ -168,7 +176,7 @@ pub unsafe extern "C" fn v_path_insert_orientation(
     border(V_ERR_INTERNAL, || {
         // SAFETY: a struct as its size says, as the header demands.
         let orientation = optional(o, |o| unsafe { read_orientation(o) })?;
-        let (point, at) = (index(point)?, index(at)?);
+        let (point, at) = (index(point, "point")?, index(at, "at")?);
         edit(
             path,
             Edit::InsertOrientation {
@@ -190,7 +198,7 @@ pub unsafe extern "C" fn v_path_remove_orientation(
     at: c_int,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let (point, at) = (index(point)?, index(at)?);
+        let (point, at) = (index(point, "point")?, index(at, "at")?);
         edit(path, Edit::RemoveOrientation { point, at })
     })
 }
@@ -232,7 +240,7 @@ pub unsafe extern "C" fn v_path_get_orientation(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: a struct as its size says, as the header demands.
-        let out = unsafe { GrowingOut::new(o) }?;
+        let out = unsafe { GrowingOut::new(o, "o") }?;
         let values = read(path, |document| Ok(to_c(orientation(document, point, at)?)))?;
         // SAFETY: as above.
         unsafe { out.answer(values) }
@@ -251,7 +259,7 @@ pub unsafe extern "C" fn v_path_set_absolute(
     absolute: c_int,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let (point, at) = (index(point)?, index(at)?);
+        let (point, at) = (index(point, "point")?, index(at, "at")?);
         edit(
             path,
             Edit::SetAbsolute {
@@ -283,7 +291,7 @@ pub unsafe extern "C" fn v_path_set_ahead(
     border(V_ERR_INTERNAL, || {
         edit_by(path, |document| {
             let mut new = orientation(document, point, at)?.clone();
-            let (point, at) = (index(point)?, index(at)?);
+            let (point, at) = (index(point, "point")?, index(at, "at")?);
             if distance < 0.0 {
                 new = no_longer_ahead(document.path(), point, at)?;
             } else {
@@ -326,13 +334,16 @@ pub unsafe extern "C" fn v_path_set_up(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: a string or NULL, as the header demands.
-        let up = match unsafe { text(up, "the name of an up is not UTF-8") }? {
+        let up = match unsafe { text(up, "up") }? {
             "axis" => UpVector::Axis,
             "minimal" => UpVector::Minimal,
             "frenet" => UpVector::Frenet,
             // SAFETY: three doubles or NULL, as the header demands.
-            "point" => UpVector::Point(unsafe { read_vector(up_point) }?),
-            "path" => UpVector::Path(read(up_path, |document| Ok(UpPath::of(document.path())?))?),
+            "point" => UpVector::Point(unsafe { read_vector(up_point, "up_point") }?),
+            "path" => UpVector::Path(
+                read(up_path, |document| Ok(UpPath::of(document.path())?))
+                    .map_err(|failure| failure.named("up_path"))?,
+            ),
             other => return Err(Invalid::NoUp(other.into()).into()),
         };
         change_own(path, point, at, |own| own.up = up)

@@ -25,15 +25,19 @@ fn ease_kind(kind: c_int) -> Answer<EaseKind> {
     match kind {
         V_EASE_SINE => Ok(EaseKind::Sine),
         V_EASE_PARABOLIC => Ok(EaseKind::Parabolic),
-        _ => Err(Failure::range("there is no such kind of easing")),
+        _ => Err(Failure::unknown(
+            "kind",
+            kind,
+            "V_EASE_SINE (0), V_EASE_PARABOLIC (1)",
+        )),
     }
 }
 
-fn finite(numbers: &[f64]) -> Answer<()> {
-    if numbers.iter().all(|number| number.is_finite()) {
-        return Ok(());
+fn finite(numbers: [(f64, &'static str); 3]) -> Answer<()> {
+    match numbers.into_iter().find(|(given, _)| !given.is_finite()) {
+        Some((given, name)) => Err(Failure::NotFinite { name, given }),
+        None => Ok(()),
     }
-    Err(Failure::argument("each number must be finite"))
 }
 
 /// ==== Pace ====
@@ -58,8 +62,11 @@ pub unsafe extern "C" fn v_ease(
     speed: *mut f64,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let (distance, speed) = (Out::optional(distance)?, Out::optional(speed)?);
-        finite(&[rise, fall, t])?;
+        let (distance, speed) = (
+            Out::optional(distance, "distance")?,
+            Out::optional(speed, "speed")?,
+        );
+        finite([(rise, "rise"), (fall, "fall"), (t, "t")])?;
         let ease = Ease {
             kind: ease_kind(kind)?,
             rise,
@@ -100,7 +107,7 @@ pub unsafe extern "C" fn v_path_set_ease(
         let pace = if kind == -1 {
             Pace::Speeds
         } else {
-            finite(&[rise, fall, cruise])?;
+            finite([(rise, "rise"), (fall, "fall"), (cruise, "cruise")])?;
             Pace::Ease(Ease {
                 kind: ease_kind(kind)?,
                 rise,
@@ -126,8 +133,11 @@ pub unsafe extern "C" fn v_path_get_ease(
     cruise: *mut f64,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let (kind, rise) = (Out::optional(kind)?, Out::optional(rise)?);
-        let (fall, cruise) = (Out::optional(fall)?, Out::optional(cruise)?);
+        let (kind, rise) = (Out::optional(kind, "kind")?, Out::optional(rise, "rise")?);
+        let (fall, cruise) = (
+            Out::optional(fall, "fall")?,
+            Out::optional(cruise, "cruise")?,
+        );
         let ease = read(path, |document| {
             match orientation(document, point, at)?.own.pace {
                 Pace::Ease(ease) => Ok(Some(ease)),
@@ -176,7 +186,7 @@ pub unsafe extern "C" fn v_path_set_distance(
             return Err(OutOfRange::DistanceKeys.into());
         } else {
             // SAFETY: so many pairs of doubles, as the header says.
-            let numbers = unsafe { slice(time_way, 2 * keys) }?;
+            let numbers = unsafe { slice(time_way, 2 * keys, "time_way") }?;
             own::distance(numbers.as_chunks().0)?
         };
         change_own(path, point, at, |own| own.pace = pace)
@@ -213,7 +223,7 @@ pub unsafe extern "C" fn v_path_get_frames(
     frames: *mut usize,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = Out::new(frames)?;
+        let out = Out::new(frames, "frames")?;
         let frames = read(path, |document| {
             Ok(orientation(document, point, at)?.own.frames as usize)
         })?;
@@ -248,7 +258,7 @@ pub unsafe extern "C" fn v_path_get_frames_locked(
     locked: *mut c_int,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = Out::new(locked)?;
+        let out = Out::new(locked, "locked")?;
         let locked = read(path, |document| {
             Ok(orientation(document, point, at)?.own.locked)
         })?;
@@ -275,7 +285,10 @@ pub unsafe extern "C" fn v_path_fit_frames(
     frames: usize,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let (first, last) = (index(first_point)?, index(last_point)?);
+        let (first, last) = (
+            index(first_point, "first_point")?,
+            index(last_point, "last_point")?,
+        );
         let fit = Edit::FitFrames {
             first,
             last,

@@ -96,7 +96,7 @@ pub(super) fn edit_info(path: *mut V_PATH, change: impl FnOnce(&mut Info)) -> An
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_new(path: *mut *mut V_PATH) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let path = Out::new(path)?;
+        let path = Out::new(path, "path")?;
         let made = insert(Document::try_new()?)?;
         // SAFETY: room for a handle, as the header says.
         unsafe { path.answer(made) }
@@ -110,7 +110,7 @@ pub unsafe extern "C" fn v_path_new(path: *mut *mut V_PATH) -> c_int {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_clone(path: *const V_PATH, copy: *mut *mut V_PATH) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let copy = Out::new(copy)?;
+        let copy = Out::new(copy, "copy")?;
         let made = insert(read(path, |document| Ok(document.try_clone()?))?)?;
         // SAFETY: room for a handle, as the header says.
         unsafe { copy.answer(made) }
@@ -142,9 +142,9 @@ pub unsafe extern "C" fn v_path_free(path: *mut V_PATH) {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_load(file: *const c_char, path: *mut *mut V_PATH) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let path = Out::new(path)?;
+        let path = Out::new(path, "path")?;
         // SAFETY: a text ended by zero, as the header says.
-        let document = Document::load_shown(unsafe { file_name(file) }?)?;
+        let document = Document::load_shown(unsafe { file_name(file, "file") }?)?;
         let made = insert(document)?;
         // SAFETY: room for a handle, as the header says.
         unsafe { path.answer(made) }
@@ -163,9 +163,9 @@ pub unsafe extern "C" fn v_path_load_from_memory(
     path: *mut *mut V_PATH,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let path = Out::new(path)?;
+        let path = Out::new(path, "path")?;
         // SAFETY: as many bytes, as the header says.
-        let mut text = unsafe { slice(text.cast::<u8>(), size) }?;
+        let mut text = unsafe { slice(text.cast::<u8>(), size, "text") }?;
         let document = Document::load_shown_from(&mut text, "memory")?;
         let made = insert(document)?;
         // SAFETY: room for a handle, as the header says.
@@ -183,7 +183,7 @@ pub unsafe extern "C" fn v_path_load_from_memory(
 pub unsafe extern "C" fn v_path_save(path: *const V_PATH, file: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: a text ended by zero, as the header says.
-        let file = unsafe { file_name(file) }?;
+        let file = unsafe { file_name(file, "file") }?;
         read(path, |document| Ok(document.save(file)?))?;
         Ok(V_OK)
     })

@@ -1,5 +1,7 @@
 //! Checks of the host's pointers before use: NULL and alignment. For what cannot be checked (the
 //! size of the memory, no concurrent writes) the header makes the host responsible.
+//!
+//! Each check is given the name that the header gives to what it checks, for the sentence.
 
 use std::ffi::{CStr, OsStr, c_char, c_int};
 use std::mem::MaybeUninit;
@@ -9,17 +11,14 @@ use std::ptr;
 
 use glam::DVec3;
 
-use super::status::{Answer, Failure, V_ERR_NULL, V_ERR_SIZE, V_OK};
+use super::status::{Answer, Failure, Name, V_OK};
 
-pub(super) const NULL: Failure = Failure::Border(V_ERR_NULL, "a pointer is NULL that must not be");
-const UNALIGNED: Failure = Failure::argument("a pointer is not aligned for what it points to");
-
-pub(super) fn check<T>(pointer: *const T) -> Answer<()> {
+pub(super) fn check<T>(pointer: *const T, name: impl Into<Name>) -> Answer<()> {
     if pointer.is_null() {
-        return Err(NULL);
+        return Err(Failure::Null(name.into()));
     }
     if !pointer.is_aligned() {
-        return Err(UNALIGNED);
+        return Err(Failure::Unaligned(name.into()));
     }
     Ok(())
 }
@@ -28,8 +27,8 @@ pub(super) fn check<T>(pointer: *const T) -> Answer<()> {
 ///
 /// # Safety
 /// `pointer` is NULL or points to a readable `T`.
-pub(super) unsafe fn read<T: Copy>(pointer: *const T) -> Answer<T> {
-    check(pointer)?;
+pub(super) unsafe fn read<T: Copy>(pointer: *const T, name: &'static str) -> Answer<T> {
+    check(pointer, name)?;
     // SAFETY: not NULL, aligned, and else as required of the caller.
     Ok(unsafe { pointer.read() })
 }
@@ -38,27 +37,33 @@ pub(super) unsafe fn read<T: Copy>(pointer: *const T) -> Answer<T> {
 ///
 /// # Safety
 /// `pointer` is NULL or points to `N` readable elements.
-pub(super) unsafe fn read_array<T: Copy, const N: usize>(pointer: *const T) -> Answer<[T; N]> {
+pub(super) unsafe fn read_array<T: Copy, const N: usize>(
+    pointer: *const T,
+    name: &'static str,
+) -> Answer<[T; N]> {
     // SAFETY: as required of the caller; an array has its elements' alignment.
-    unsafe { read(pointer.cast::<[T; N]>()) }
+    unsafe { read(pointer.cast::<[T; N]>(), name) }
 }
 
 /// Three coordinates.
 ///
 /// # Safety
 /// `xyz` is NULL or points to three readable doubles.
-pub(super) unsafe fn read_vector(xyz: *const f64) -> Answer<DVec3> {
+pub(super) unsafe fn read_vector(xyz: *const f64, name: &'static str) -> Answer<DVec3> {
     // SAFETY: as required of the caller.
-    Ok(DVec3::from_array(unsafe { read_array(xyz) }?))
+    Ok(DVec3::from_array(unsafe { read_array(xyz, name) }?))
 }
 
 /// As [`read`], with `None` for NULL.
 ///
 /// # Safety
 /// `pointer` is NULL or points to a readable `T`.
-pub(super) unsafe fn read_optional<T: Copy>(pointer: *const T) -> Answer<Option<T>> {
+pub(super) unsafe fn read_optional<T: Copy>(
+    pointer: *const T,
+    name: &'static str,
+) -> Answer<Option<T>> {
     // SAFETY: as required of the caller.
-    optional(pointer, |pointer| unsafe { read(pointer) })
+    optional(pointer, |pointer| unsafe { read(pointer, name) })
 }
 
 /// What `read` makes of a pointer; `None` for NULL.
@@ -73,9 +78,14 @@ pub(super) fn optional<T, R>(
 ///
 /// # Safety
 /// `pointer` is NULL or points to `count` readable elements, not written during `'a`.
-pub(super) unsafe fn slice<'a, T>(pointer: *const T, count: usize) -> Answer<&'a [T]> {
-    check(pointer)?;
-    check_extent::<T>(count)?;
+pub(super) unsafe fn slice<'a, T>(
+    pointer: *const T,
+    count: usize,
+    name: impl Into<Name>,
+) -> Answer<&'a [T]> {
+    let name = name.into();
+    check(pointer, name)?;
+    check_extent::<T>(count, name)?;
     // SAFETY: not NULL, aligned, not larger than an object can be, and else as required.
     Ok(unsafe { std::slice::from_raw_parts(pointer, count) })
 }
@@ -85,18 +95,23 @@ pub(super) unsafe fn slice<'a, T>(pointer: *const T, count: usize) -> Answer<&'a
 /// # Safety
 /// `pointer` is NULL or points to `count` writable elements, not used by others during `'a`. Any
 /// bit pattern is a valid `T`.
-pub(super) unsafe fn slice_mut<'a, T>(pointer: *mut T, count: usize) -> Answer<&'a mut [T]> {
-    check(pointer)?;
-    check_extent::<T>(count)?;
+pub(super) unsafe fn slice_mut<'a, T>(
+    pointer: *mut T,
+    count: usize,
+    name: impl Into<Name>,
+) -> Answer<&'a mut [T]> {
+    let name = name.into();
+    check(pointer, name)?;
+    check_extent::<T>(count, name)?;
     // SAFETY: as in `slice`.
     Ok(unsafe { std::slice::from_raw_parts_mut(pointer, count) })
 }
 
 /// No object is larger than `isize::MAX` bytes.
-fn check_extent<T>(count: usize) -> Answer<()> {
+fn check_extent<T>(count: usize, name: Name) -> Answer<()> {
     match count.checked_mul(size_of::<T>()) {
         Some(bytes) if isize::try_from(bytes).is_ok() => Ok(()),
-        _ => Err(Failure::range("a count is impossibly large")),
+        _ => Err(Failure::NoSuchCount { name, count }),
     }
 }
 
@@ -107,17 +122,17 @@ pub(super) struct Out<T>(*mut T);
 
 impl<T: Copy> Out<T> {
     /// A required result.
-    pub(super) fn new(pointer: *mut T) -> Answer<Self> {
-        check(pointer)?;
+    pub(super) fn new(pointer: *mut T, name: &'static str) -> Answer<Self> {
+        check(pointer, name)?;
         Ok(Self(pointer))
     }
 
     /// An optional result; NULL if unwanted.
-    pub(super) fn optional(pointer: *mut T) -> Answer<Self> {
+    pub(super) fn optional(pointer: *mut T, name: &'static str) -> Answer<Self> {
         if pointer.is_null() {
             return Ok(Self(pointer));
         }
-        Self::new(pointer)
+        Self::new(pointer, name)
     }
 
     /// Writes the result, if it is wanted.
@@ -144,13 +159,13 @@ impl<T: Copy> Out<T> {
 
 impl<T: Copy, const N: usize> Out<[T; N]> {
     /// A required array, given by its first element.
-    pub(super) fn array(pointer: *mut T) -> Answer<Self> {
-        Self::new(pointer.cast())
+    pub(super) fn array(pointer: *mut T, name: &'static str) -> Answer<Self> {
+        Self::new(pointer.cast(), name)
     }
 
     /// An optional array; NULL if unwanted.
-    pub(super) fn optional_array(pointer: *mut T) -> Answer<Self> {
-        Self::optional(pointer.cast())
+    pub(super) fn optional_array(pointer: *mut T, name: &'static str) -> Answer<Self> {
+        Self::optional(pointer.cast(), name)
     }
 }
 
@@ -159,30 +174,43 @@ pub(super) struct ArrayOut<T> {
     array: *mut T,
     capacity: usize,
     count: Out<usize>,
+    name: &'static str,
 }
 
 impl<T: Copy> ArrayOut<T> {
     /// A NULL array with capacity 0 only asks for the count.
-    pub(super) fn new(array: *mut T, capacity: usize, count: *mut usize) -> Answer<Self> {
-        let count = Out::new(count)?;
+    pub(super) fn new(
+        array: *mut T,
+        capacity: usize,
+        count: *mut usize,
+        [name, count_name]: [&'static str; 2],
+    ) -> Answer<Self> {
+        let count = Out::new(count, count_name)?;
         if !array.is_null() || capacity != 0 {
-            check(array)?;
+            check(array, name)?;
         }
         Ok(Self {
             array,
             capacity,
             count,
+            name,
         })
     }
 
     /// Also the count may be unwanted, and a NULL array have any capacity.
-    pub(super) fn optional(array: *mut T, capacity: usize, count: *mut usize) -> Answer<Self> {
-        let count = Out::optional(count)?;
-        Out::optional(array)?;
+    pub(super) fn optional(
+        array: *mut T,
+        capacity: usize,
+        count: *mut usize,
+        [name, count_name]: [&'static str; 2],
+    ) -> Answer<Self> {
+        let count = Out::optional(count, count_name)?;
+        Out::optional(array, name)?;
         Ok(Self {
             array,
             capacity,
             count,
+            name,
         })
     }
 
@@ -190,12 +218,16 @@ impl<T: Copy> ArrayOut<T> {
     ///
     /// # Safety
     /// There is room for the count.
-    pub(super) unsafe fn wants(&self, count: usize, too_small: &'static str) -> Answer<bool> {
+    pub(super) unsafe fn wants(&self, count: usize) -> Answer<bool> {
         let wants = !self.array.is_null();
         if wants && count > self.capacity {
             // SAFETY: as required of the caller.
             unsafe { self.count.write(count) };
-            return Err(Failure::Border(V_ERR_SIZE, too_small));
+            return Err(Failure::NoRoom {
+                name: self.name,
+                room: self.capacity,
+                needed: count,
+            });
         }
         Ok(wants)
     }
@@ -206,7 +238,7 @@ impl<T: Copy> ArrayOut<T> {
     /// As for [`slice_mut`], with the capacity.
     pub(super) unsafe fn room<'a>(&self, count: usize) -> Answer<&'a mut [T]> {
         // SAFETY: as required of the caller.
-        unsafe { slice_mut(self.array, count) }
+        unsafe { slice_mut(self.array, count, self.name) }
     }
 
     /// Writes the count, after the elements.
@@ -224,19 +256,26 @@ pub(super) struct TextOut {
     buffer: *mut c_char,
     capacity: usize,
     length: Out<usize>,
+    name: &'static str,
 }
 
 impl TextOut {
     /// A NULL buffer with capacity 0 only asks for the length.
-    pub(super) fn new(buffer: *mut c_char, capacity: usize, length: *mut usize) -> Answer<Self> {
-        let length = Out::new(length)?;
+    pub(super) fn new(
+        buffer: *mut c_char,
+        capacity: usize,
+        length: *mut usize,
+        name: &'static str,
+    ) -> Answer<Self> {
+        let length = Out::new(length, "length")?;
         if !buffer.is_null() || capacity != 0 {
-            check(buffer)?;
+            check(buffer, name)?;
         }
         Ok(Self {
             buffer,
             capacity,
             length,
+            name,
         })
     }
 
@@ -258,10 +297,11 @@ impl TextOut {
         if fits || self.buffer.is_null() {
             return Ok(V_OK);
         }
-        Err(Failure::Border(
-            V_ERR_SIZE,
-            "the array is too small for the text; the length tells how long it is",
-        ))
+        Err(Failure::NoRoom {
+            name: self.name,
+            room: self.capacity,
+            needed: text.len() + 1,
+        })
     }
 }
 
@@ -269,13 +309,10 @@ impl TextOut {
 ///
 /// # Safety
 /// `text` is NULL or points to a zero-terminated text, unchanged during `'a`.
-pub(super) unsafe fn text<'a>(text: *const c_char, not_utf8: &'static str) -> Answer<&'a str> {
+pub(super) unsafe fn text<'a>(text: *const c_char, name: &'static str) -> Answer<&'a str> {
     // SAFETY: as required of the caller.
-    std::str::from_utf8(unsafe { bytes(text) }?).map_err(|_| Failure::argument(not_utf8))
+    std::str::from_utf8(unsafe { bytes(text, name) }?).map_err(|_| Failure::NotUtf8(name))
 }
-
-pub(super) const TEXT_NOT_UTF8: &str = "a text is not UTF-8";
-pub(super) const NAME_NOT_UTF8: &str = "a name is not UTF-8";
 
 /// Copies a host's text, with `None` for NULL.
 ///
@@ -283,10 +320,10 @@ pub(super) const NAME_NOT_UTF8: &str = "a name is not UTF-8";
 /// `text` is NULL or points to a zero-terminated text.
 pub(super) unsafe fn optional_text(
     text: *const c_char,
-    not_utf8: &'static str,
+    name: &'static str,
 ) -> Answer<Option<String>> {
     // SAFETY: as required of the caller.
-    optional(text, |text| copied(unsafe { self::text(text, not_utf8) }?))
+    optional(text, |text| copied(unsafe { self::text(text, name) }?))
 }
 
 /// Copies a text, which may be long; fails with `ErrorKind::Memory`.
@@ -301,29 +338,38 @@ pub(super) fn copied(text: &str) -> Answer<String> {
 ///
 /// # Safety
 /// `file` is NULL or points to a zero-terminated text, unchanged during `'a`.
-pub(super) unsafe fn file_name<'a>(file: *const c_char) -> Answer<&'a Path> {
+pub(super) unsafe fn file_name<'a>(file: *const c_char, name: &'static str) -> Answer<&'a Path> {
     // SAFETY: as required of the caller.
-    Ok(Path::new(OsStr::from_bytes(unsafe { bytes(file) }?)))
+    Ok(Path::new(OsStr::from_bytes(unsafe { bytes(file, name) }?)))
 }
 
 /// The bytes of a text.
 ///
 /// # Safety
 /// `text` is NULL or points to a zero-terminated text, unchanged during `'a`.
-pub(super) unsafe fn bytes<'a>(text: *const c_char) -> Answer<&'a [u8]> {
-    check(text)?;
+pub(super) unsafe fn bytes<'a>(text: *const c_char, name: &'static str) -> Answer<&'a [u8]> {
+    check(text, name)?;
     // SAFETY: not NULL, and else as required of the caller.
     Ok(unsafe { CStr::from_ptr(text) }.to_bytes())
 }
 
 /// Converts an index, which must not be negative.
-pub(super) fn index(value: c_int) -> Answer<usize> {
-    usize::try_from(value).map_err(|_| Failure::range("an index must not be negative"))
+pub(super) fn index(given: c_int, name: &'static str) -> Answer<usize> {
+    usize::try_from(given).map_err(|_| Failure::NegativeIndex { name, given })
 }
 
 /// Converts a count, which must not be negative.
-pub(super) fn how_many(value: c_int) -> Answer<usize> {
-    usize::try_from(value).map_err(|_| Failure::range("a count must not be negative"))
+pub(super) fn how_many(given: c_int, name: &'static str) -> Answer<usize> {
+    usize::try_from(given).map_err(|_| Failure::NegativeCount { name, given })
+}
+
+/// Refuses a count that is too large.
+pub(super) fn most(given: usize, limit: usize, name: impl Into<Name>) -> Answer<()> {
+    if given > limit {
+        let name = name.into();
+        return Err(Failure::TooMany { name, given, limit });
+    }
+    Ok(())
 }
 
 /// Converts a count for C. The limits of a path keep every count below `INT_MAX`.
@@ -337,6 +383,8 @@ pub(super) fn count(value: usize) -> Answer<c_int> {
 /// The type is `repr(C)`, its first field is `size: usize`, and any bits are valid for the fields
 /// up to `FIRST`, zeroes for all.
 pub(super) unsafe trait Growing: Copy {
+    /// Its name in the header.
+    const NAME: &'static str;
     /// Its `sizeof` in version 1.0.
     const FIRST: usize;
     /// Values for fields the host does not know.
@@ -349,17 +397,19 @@ pub(super) unsafe trait Growing: Copy {
 ///
 /// # Safety
 /// `pointer` is NULL or points to a struct that begins with its size.
-unsafe fn size_of_host<T: Growing>(pointer: *const T) -> Answer<usize> {
-    check(pointer)?;
+unsafe fn size_of_host<T: Growing>(pointer: *const T, name: &'static str) -> Answer<usize> {
+    check(pointer, name)?;
     // SAFETY: not NULL, aligned, and every version begins with `size`.
     let size = unsafe { pointer.cast::<usize>().read() };
     if (T::FIRST..=size_of::<T>()).contains(&size) && size.is_multiple_of(align_of::<T>()) {
         return Ok(size);
     }
-    Err(Failure::Border(
-        V_ERR_SIZE,
-        "the size with which a struct begins is not its sizeof",
-    ))
+    Err(Failure::Size {
+        name,
+        size,
+        of: T::NAME,
+        wanted: size_of::<T>(),
+    })
 }
 
 /// Fills in a host's struct of `size` bytes, as far as both sides know it. Callers without a size,
@@ -367,8 +417,13 @@ unsafe fn size_of_host<T: Growing>(pointer: *const T) -> Answer<usize> {
 ///
 /// # Safety
 /// `pointer` is NULL or points to `size` bytes for a struct of that version.
-pub(super) unsafe fn init<T: Growing>(pointer: *mut T, value: T, size: usize) -> Answer<()> {
-    check(pointer)?;
+pub(super) unsafe fn init<T: Growing>(
+    pointer: *mut T,
+    value: T,
+    size: usize,
+    name: &'static str,
+) -> Answer<()> {
+    check(pointer, name)?;
     let size = size.clamp(T::FIRST, size_of::<T>());
     // SAFETY: as required of the caller.
     unsafe { GrowingOut { pointer, size }.write(value) };
@@ -379,9 +434,9 @@ pub(super) unsafe fn init<T: Growing>(pointer: *mut T, value: T, size: usize) ->
 ///
 /// # Safety
 /// `pointer` is NULL or points to a struct as its `size` says.
-pub(super) unsafe fn read_growing<T: Growing>(pointer: *const T) -> Answer<T> {
+pub(super) unsafe fn read_growing<T: Growing>(pointer: *const T, name: &'static str) -> Answer<T> {
     // SAFETY: as required of the caller.
-    let size = unsafe { size_of_host(pointer) }?;
+    let size = unsafe { size_of_host(pointer, name) }?;
     let mut value = T::DEFAULTS;
     // SAFETY: `size` bytes are there, and fit into a `T`, whose fields take them.
     unsafe { ptr::copy_nonoverlapping(pointer.cast::<u8>(), (&raw mut value).cast(), size) };
@@ -397,9 +452,9 @@ pub(super) struct GrowingOut<T> {
 impl<T: Growing> GrowingOut<T> {
     /// # Safety
     /// `pointer` is NULL or points to a struct as its `size` says.
-    pub(super) unsafe fn new(pointer: *mut T) -> Answer<Self> {
+    pub(super) unsafe fn new(pointer: *mut T, name: &'static str) -> Answer<Self> {
         // SAFETY: as required of the caller.
-        let size = unsafe { size_of_host(pointer) }?;
+        let size = unsafe { size_of_host(pointer, name) }?;
         Ok(Self { pointer, size })
     }
 

@@ -5,21 +5,22 @@ use std::ffi::c_int;
 use super::border::border;
 use super::path::{edit, read};
 use super::pointers::{Out, count, how_many, index, read_vector};
-use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
+use super::status::{Answer, V_ERR_INTERNAL, V_OK};
 use super::types::V_PATH;
 use crate::document::{Document, Edit};
 use crate::error::{OutOfRange, Quantity};
 use crate::path::{CurveParameters, SupportPoint, Tcb};
 
 /// A support point named by C's index.
-pub(super) fn point(document: &Document, at: c_int) -> Answer<(usize, &SupportPoint)> {
-    let number = index(at)?;
-    let points = &document.path().points;
-    let point = points.get(number).ok_or(Failure::NoPoint {
-        at,
-        count: points.len(),
-    })?;
-    Ok((number, point))
+pub(super) fn point<'a>(
+    document: &'a Document,
+    at: c_int,
+    name: &'static str,
+) -> Answer<(usize, &'a SupportPoint)> {
+    let (at, points) = (index(at, name)?, &document.path().points);
+    let last = points.len() - 1;
+    let point = points.get(at);
+    Ok((at, point.ok_or(OutOfRange::NoPoint { point: at, last })?))
 }
 
 /// ==== Support points ====
@@ -29,7 +30,7 @@ pub(super) fn point(document: &Document, at: c_int) -> Answer<(usize, &SupportPo
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_point_count(path: *const V_PATH, count: *mut c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = Out::new(count)?;
+        let out = Out::new(count, "count")?;
         let points = read(path, |document| self::count(document.path().points.len()))?;
         // SAFETY: room for an int, as the header says.
         unsafe { out.answer(points) }
@@ -51,8 +52,8 @@ pub unsafe extern "C" fn v_path_insert_point(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: three doubles, as the header says.
-        let position = unsafe { read_vector(xyz) }?;
-        let at = index(at)?;
+        let position = unsafe { read_vector(xyz, "xyz") }?;
+        let at = index(at, "at")?;
         edit(path, Edit::InsertPoint { at, position })
     })
 }
@@ -69,7 +70,7 @@ pub unsafe extern "C" fn v_path_divide_segment(
     points: c_int,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let (segment, points) = (index(segment)?, how_many(points)?);
+        let (segment, points) = (index(segment, "segment")?, how_many(points, "points")?);
         edit(path, Edit::DivideSegment { segment, points })
     })
 }
@@ -80,7 +81,12 @@ pub unsafe extern "C" fn v_path_divide_segment(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_remove_point(path: *mut V_PATH, at: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
-        edit(path, Edit::RemovePoint { at: index(at)? })
+        edit(
+            path,
+            Edit::RemovePoint {
+                at: index(at, "at")?,
+            },
+        )
     })
 }
 
@@ -98,8 +104,8 @@ pub unsafe extern "C" fn v_path_set_position(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: three doubles, as the header says.
-        let position = unsafe { read_vector(xyz) }?;
-        let at = index(at)?;
+        let position = unsafe { read_vector(xyz, "xyz") }?;
+        let at = index(at, "at")?;
         edit(path, Edit::SetPosition { at, position })
     })
 }
@@ -114,8 +120,8 @@ pub unsafe extern "C" fn v_path_get_position(
     xyz: *mut f64,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let xyz = Out::array(xyz)?;
-        let position = read(path, |document| Ok(point(document, at)?.1.position))?;
+        let xyz = Out::array(xyz, "xyz")?;
+        let position = read(path, |document| Ok(point(document, at, "at")?.1.position))?;
         // SAFETY: room for three doubles, as the header says.
         unsafe { xyz.answer(position.to_array()) }
     })
@@ -136,7 +142,7 @@ pub unsafe extern "C" fn v_path_set_tcb(
     bias: f64,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let (at, tcb) = (index(at)?, Tcb::new(tension, continuity, bias));
+        let (at, tcb) = (index(at, "at")?, Tcb::new(tension, continuity, bias));
         edit(path, Edit::SetOwn { at, tcb })
     })
 }
@@ -147,7 +153,7 @@ pub unsafe extern "C" fn v_path_set_tcb(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_use_preset(path: *mut V_PATH, at: c_int, preset: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let (at, preset) = (index(at)?, index(preset)?);
+        let (at, preset) = (index(at, "at")?, index(preset, "preset")?);
         edit(path, Edit::UsePreset { at, preset })
     })
 }
@@ -164,9 +170,12 @@ pub unsafe extern "C" fn v_path_get_tcb(
     preset: *mut c_int,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let (tcb, preset) = (Out::optional_array(tcb)?, Out::optional(preset)?);
+        let (tcb, preset) = (
+            Out::optional_array(tcb, "tcb")?,
+            Out::optional(preset, "preset")?,
+        );
         let (values, number) = read(path, |document| {
-            let (at, point) = point(document, at)?;
+            let (at, point) = point(document, at, "at")?;
             let number = match point.curve {
                 CurveParameters::Preset(number) => c_int::from(number),
                 CurveParameters::Own(_) => -1,
@@ -196,7 +205,7 @@ pub unsafe extern "C" fn v_path_set_preset(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         let tcb = Tcb::new(tension, continuity, bias);
-        let preset = index(preset)?;
+        let preset = index(preset, "preset")?;
         edit(path, Edit::SetPreset { preset, tcb })
     })
 }
@@ -211,8 +220,8 @@ pub unsafe extern "C" fn v_path_get_preset(
     tcb: *mut f64,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let tcb = Out::array(tcb)?;
-        let number = index(preset)?;
+        let tcb = Out::array(tcb, "tcb")?;
+        let number = index(preset, "preset")?;
         let values = read(path, |document| {
             let preset = document.path().presets.get(number);
             Ok(*preset.ok_or(OutOfRange::Between(Quantity::Preset, 0.0, 9.0))?)

@@ -22,7 +22,7 @@ use crate::path::Pose;
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_section_count(path: *const V_PATH, count: *mut c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = Out::new(count)?;
+        let out = Out::new(count, "count")?;
         let sections = read(path, |document| {
             let sections = document.timeline(|timeline| timeline.section_count())?;
             super::pointers::count(sections)
@@ -48,14 +48,23 @@ pub unsafe extern "C" fn v_path_section_info(
     frames: *mut usize,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let (point, orientation) = (Out::optional(point)?, Out::optional(orientation)?);
-        let (first_frame, frames) = (Out::optional(first_frame)?, Out::optional(frames)?);
-        let number = index(section)?;
+        let (point, orientation) = (
+            Out::optional(point, "point")?,
+            Out::optional(orientation, "orientation")?,
+        );
+        let (first_frame, frames) = (
+            Out::optional(first_frame, "first_frame")?,
+            Out::optional(frames, "frames")?,
+        );
+        let number = index(section, "section")?;
         let (section, first) = read(path, |document| {
             let found = document.timeline(|timeline| {
-                (number < timeline.section_count()).then(|| timeline.section(number))
-            })?;
-            let found = found.ok_or(Failure::NoSection(section))?;
+                let count = timeline.section_count();
+                let missing = Failure::NoSection { at: number, count };
+                (number < count)
+                    .then(|| timeline.section(number))
+                    .ok_or(missing)
+            })??;
             Ok((found, document.sampler()?.first_frame(number)))
         })?;
         let from = super::pointers::count(section.point)?;
@@ -77,7 +86,7 @@ pub unsafe extern "C" fn v_path_section_info(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_frame_count(path: *const V_PATH, frames: *mut usize) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = Out::new(frames)?;
+        let out = Out::new(frames, "frames")?;
         let frames = read(path, |document| {
             Ok(document.timeline(|timeline| timeline.frame_count())??)
         })?;
@@ -100,14 +109,14 @@ pub unsafe extern "C" fn v_path_sample(
     count: *mut usize,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = ArrayOut::new(poses.cast::<Pose>(), capacity, count)?;
+        let out = ArrayOut::new(poses.cast::<Pose>(), capacity, count, ["poses", "count"])?;
         read(path, |document| {
             let sampler = document.sampler()?;
             let needed = sampler.frame_count();
             // SAFETY: room for a size_t and `capacity` poses, as the header says; any bits are
             // valid.
             unsafe {
-                if out.wants(needed, TOO_SMALL)? {
+                if out.wants(needed)? {
                     sampler.sample(1, out.room(needed)?)?;
                 }
                 out.answer(needed)
@@ -129,7 +138,7 @@ pub unsafe extern "C" fn v_path_sample_range(
     poses: *mut V_POSE,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        check(poses)?;
+        check(poses, "poses")?;
         read(path, |document| {
             let sampler = document.sampler()?;
             let frames = sampler.frame_count();
@@ -142,13 +151,13 @@ pub unsafe extern "C" fn v_path_sample_range(
                 });
             }
             // SAFETY: room for `count` poses, as the header says; any bits make one.
-            sampler.sample(first, unsafe { slice_mut(poses.cast::<Pose>(), count) }?)?;
+            sampler.sample(first, unsafe {
+                slice_mut(poses.cast::<Pose>(), count, "poses")
+            }?)?;
             Ok(V_OK)
         })
     })
 }
-
-const TOO_SMALL: &str = "the array is too small for the poses; the count tells how many there are";
 
 /// The pose at one frame, 1 to the count of v_path_frame_count(); between two
 /// frames also, as 1.5.
@@ -157,7 +166,7 @@ const TOO_SMALL: &str = "the array is too small for the poses; the count tells h
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_pose(path: *const V_PATH, frame: f64, pose: *mut V_POSE) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = Out::new(pose.cast::<Pose>())?;
+        let out = Out::new(pose.cast::<Pose>(), "pose")?;
         let pose = read(path, |document| Ok(document.sampler()?.pose(frame)?))?;
         // SAFETY: room for a pose, as the header says.
         unsafe { out.answer(pose) }
@@ -174,7 +183,7 @@ pub unsafe extern "C" fn v_path_pose(path: *const V_PATH, frame: f64, pose: *mut
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_to_list(path: *const V_PATH, first: *mut V_KAMERAPAR) -> c_int {
     border(V_ERR_INTERNAL, || {
-        check(first)?;
+        check(first, "first")?;
         read(path, |document| {
             let sampler = document.sampler()?;
             let frames = sampler.frame_count();
@@ -197,7 +206,7 @@ pub unsafe extern "C" fn v_path_to_list(path: *const V_PATH, first: *mut V_KAMER
 pub unsafe extern "C" fn v_path_write_ascii(path: *const V_PATH, file: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: a text ended by zero, as the header says.
-        let file = unsafe { file_name(file) }?;
+        let file = unsafe { file_name(file, "file") }?;
         read(path, |document| {
             let sampler = document.sampler()?;
             ascii::write_ascii_file(sampler, file)?;
@@ -220,7 +229,7 @@ pub unsafe extern "C" fn v_path_write_ascii_to_memory(
     length: *mut usize,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = TextOut::new(text, capacity, length)?;
+        let out = TextOut::new(text, capacity, length, "text")?;
         read(path, |document| {
             let mut lines = Lines(Vec::new());
             ascii::write_ascii(document.sampler()?, &mut lines).map_err(|_| EngineError::Memory)?;

@@ -26,16 +26,16 @@ pub(super) fn to_c(q: DQuat) -> [f64; 4] {
 }
 
 /// Normalizes a direction from C.
-fn direction(v: DVec3) -> Answer<DVec3> {
+fn direction(v: DVec3, name: &'static str) -> Answer<DVec3> {
     if !v.is_finite() || v == DVec3::ZERO {
-        return Err(Failure::argument("a direction must be finite and not zero"));
+        return Err(Failure::NoDirection(name));
     }
     Ok(unit(v))
 }
 
 /// Normalizes the view direction and up vector from C, and makes them perpendicular.
 pub(super) fn view(vpn: DVec3, vup: DVec3) -> Answer<(DVec3, DVec3)> {
-    let (view, up) = (direction(vpn)?, direction(vup)?);
+    let (view, up) = (direction(vpn, "vpn")?, direction(vup, "vup")?);
     let side = up.cross(view);
     if side.length() < PARALLEL {
         return Err(Invalid::UpParallel.into());
@@ -56,11 +56,14 @@ pub(super) fn view(vpn: DVec3, vup: DVec3) -> Answer<(DVec3, DVec3)> {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_quat_slerp(a: *const f64, b: *const f64, t: f64, q: *mut f64) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = Out::array(q)?;
+        let out = Out::array(q, "q")?;
         // SAFETY: four doubles each, as the header says.
-        let (a, b) = unsafe { (read_array(a)?, read_array(b)?) };
+        let (a, b) = unsafe { (read_array(a, "a")?, read_array(b, "b")?) };
         if !t.is_finite() {
-            return Err(Failure::NotFinite { name: "t" });
+            return Err(Failure::NotFinite {
+                name: "t",
+                given: t,
+            });
         }
         let q = slerp_shortest(normalized(from_c(a))?, normalized(from_c(b))?, t).normalize();
         // SAFETY: room for four doubles, as the header says.
@@ -75,9 +78,9 @@ pub unsafe extern "C" fn v_quat_slerp(a: *const f64, b: *const f64, t: f64, q: *
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_quat_from_view(vpn: *const f64, vup: *const f64, q: *mut f64) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = Out::array(q)?;
+        let out = Out::array(q, "q")?;
         // SAFETY: three doubles each, as the header says.
-        let (vpn, vup) = unsafe { (read_vector(vpn)?, read_vector(vup)?) };
+        let (vpn, vup) = unsafe { (read_vector(vpn, "vpn")?, read_vector(vup, "vup")?) };
         let (view, up) = view(vpn, vup)?;
         let q = quaternion_from_view(view, up);
         // SAFETY: room for four doubles, as the header says.
@@ -91,9 +94,12 @@ pub unsafe extern "C" fn v_quat_from_view(vpn: *const f64, vup: *const f64, q: *
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_view_from_quat(q: *const f64, vpn: *mut f64, vup: *mut f64) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let (vpn, vup) = (Out::optional_array(vpn)?, Out::optional_array(vup)?);
+        let (vpn, vup) = (
+            Out::optional_array(vpn, "vpn")?,
+            Out::optional_array(vup, "vup")?,
+        );
         // SAFETY: four doubles, as the header says.
-        let q = normalized(from_c(unsafe { read_array(q) }?))?;
+        let q = normalized(from_c(unsafe { read_array(q, "q") }?))?;
         let (view, up) = view_from_quaternion(q);
         // SAFETY: room for three doubles each, as the header says.
         unsafe {

@@ -11,8 +11,7 @@ use super::counted::Counted;
 use super::handles::{Handles, KIND_SCENE};
 use super::path;
 use super::pointers::{
-    self, Growing, GrowingOut, Out, TEXT_NOT_UTF8, copied, file_name, index, init, optional,
-    read_growing, text,
+    self, Growing, GrowingOut, Out, copied, file_name, index, init, optional, read_growing, text,
 };
 use super::scene_types::*;
 use super::status::{
@@ -20,7 +19,7 @@ use super::status::{
 };
 use super::types::V_PATH;
 use crate::document::{Info, SceneDocument};
-use crate::error::Invalid;
+use crate::error::{Invalid, Refused};
 use crate::inject;
 use crate::limits::MAX_NAME_BYTES;
 use crate::path::camera_path::check_name;
@@ -119,11 +118,11 @@ pub(super) fn thread_text(text: &str) -> *const c_char {
 }
 
 /// Converts a link to a node from C; −1 is none.
-fn link(value: c_int) -> Answer<Option<usize>> {
+fn link(value: c_int, name: &'static str) -> Answer<Option<usize>> {
     if value == -1 {
         Ok(None)
     } else {
-        index(value).map(Some)
+        index(value, name).map(Some)
     }
 }
 
@@ -138,7 +137,11 @@ pub(super) fn beyond(after: c_int) -> Answer<Extrapolation> {
         V_AFTER_REPEAT => Ok(Extrapolation::Repeat),
         V_AFTER_PINGPONG => Ok(Extrapolation::PingPong),
         V_AFTER_OFFSET => Ok(Extrapolation::Offset),
-        _ => Err(Failure::range("after must be one of V_AFTER_...")),
+        _ => Err(Failure::unknown(
+            "after",
+            after,
+            "V_AFTER_HOLD (0), V_AFTER_REPEAT (1), V_AFTER_PINGPONG (2), V_AFTER_OFFSET (3)",
+        )),
     }
 }
 
@@ -147,7 +150,11 @@ fn light(light: c_int) -> Answer<Light> {
         V_LIGHT_DIRECTIONAL => Ok(Light::Directional),
         V_LIGHT_POINT => Ok(Light::Point),
         V_LIGHT_SPOT => Ok(Light::Spot),
-        _ => Err(Failure::range("a light must be one of V_LIGHT_...")),
+        _ => Err(Failure::unknown(
+            "values->light",
+            light,
+            "V_LIGHT_DIRECTIONAL (0), V_LIGHT_POINT (1), V_LIGHT_SPOT (2)",
+        )),
     }
 }
 
@@ -162,7 +169,11 @@ fn node(given: &V_NODE) -> Answer<Node> {
             far: given.far_plane,
         }),
         _ => {
-            return Err(Failure::range("a node's kind must be one of V_NODE_..."));
+            return Err(Failure::unknown(
+                "values->kind",
+                given.kind,
+                "V_NODE_GROUP (0), V_NODE_OBJECT (1), V_NODE_LIGHT (2), V_NODE_CAMERA (3)",
+            ));
         }
     };
     let [w, x, y, z] = given.rotation;
@@ -182,14 +193,18 @@ fn node(given: &V_NODE) -> Answer<Node> {
     if matches!(kind, Kind::Light(_) | Kind::Object(_)) {
         rest.colour = given.colour;
     }
-    let aim = if kind.looks() { link(given.aim)? } else { None };
+    let aim = if kind.looks() {
+        link(given.aim, "values->aim")?
+    } else {
+        None
+    };
     let pivot = if kind.looks() {
         DVec3::ZERO
     } else {
         given.pivot.into()
     };
     let mut node = Node::default();
-    node.parent = link(given.parent)?;
+    node.parent = link(given.parent, "values->parent")?;
     (node.kind, node.rest, node.aim, node.pivot) = (kind, rest, aim, pivot);
     Ok(node)
 }
@@ -243,7 +258,7 @@ pub unsafe extern "C" fn v_node_init(node: *mut V_NODE, kind: c_int) {
             ..node_for_c(&Node::default())?
         };
         // SAFETY: room for a node of version 1.0, as the header says.
-        unsafe { init(node, made, V_NODE::FIRST) }
+        unsafe { init(node, made, V_NODE::FIRST, "node") }
     });
 }
 
@@ -253,7 +268,7 @@ pub unsafe extern "C" fn v_node_init(node: *mut V_NODE, kind: c_int) {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_new(scene: *mut *mut V_SCENE) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = Out::new(scene)?;
+        let out = Out::new(scene, "scene")?;
         let made = insert(SceneDocument::try_new()?)?;
         // SAFETY: room for a handle, as the header says.
         unsafe { out.answer(made) }
@@ -272,9 +287,9 @@ pub unsafe extern "C" fn v_scene_new(scene: *mut *mut V_SCENE) -> c_int {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_load(file: *const c_char, scene: *mut *mut V_SCENE) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = Out::new(scene)?;
+        let out = Out::new(scene, "scene")?;
         // SAFETY: a text ended by zero, as the header says.
-        let document = SceneDocument::load(unsafe { file_name(file) }?)?;
+        let document = SceneDocument::load(unsafe { file_name(file, "file") }?)?;
         clear_last_error();
         if let Some(warning) = document.warnings().first() {
             set_last_error(format_args!("{warning}"));
@@ -294,7 +309,7 @@ pub unsafe extern "C" fn v_scene_load(file: *const c_char, scene: *mut *mut V_SC
 pub unsafe extern "C" fn v_scene_save(scene: *const V_SCENE, file: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: a text ended by zero, as the header says.
-        let file = unsafe { file_name(file) }?;
+        let file = unsafe { file_name(file, "file") }?;
         read(scene, |document| Ok(document.save(file)?))?;
         Ok(V_OK)
     })
@@ -307,7 +322,7 @@ pub unsafe extern "C" fn v_scene_save(scene: *const V_SCENE, file: *const c_char
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_clone(scene: *const V_SCENE, copy: *mut *mut V_SCENE) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = Out::new(copy)?;
+        let out = Out::new(copy, "copy")?;
         let made = insert(read(scene, |document| Ok(document.try_clone()?))?)?;
         // SAFETY: room for a handle, as the header says.
         unsafe { out.answer(made) }
@@ -333,7 +348,7 @@ pub unsafe extern "C" fn v_scene_free(scene: *mut V_SCENE) {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_node_count(scene: *const V_SCENE, count: *mut c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = Out::new(count)?;
+        let out = Out::new(count, "count")?;
         let nodes = read(scene, |document| {
             pointers::count(document.scene.nodes().len())
         })?;
@@ -355,9 +370,9 @@ pub unsafe extern "C" fn v_scene_add_node(
     node: *mut c_int,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = Out::optional(node)?;
+        let out = Out::optional(node, "node")?;
         // SAFETY: a text ended by zero and a node, as the header says.
-        let (name, given) = unsafe { (text(name, TEXT_NOT_UTF8)?, read_growing(values)?) };
+        let (name, given) = unsafe { (text(name, "name")?, read_growing(values, "values")?) };
         let mut made = self::node(&given)?;
         made.name = copied_name(name)?;
         let number = edit(scene, |document| Ok(document.scene.add(made)?))?;
@@ -380,7 +395,7 @@ pub(super) fn copied_name(text: &str) -> Answer<String> {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_remove_node(scene: *mut V_SCENE, node: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let node = index(node)?;
+        let node = index(node, "node")?;
         change(scene, |scene| scene.remove(node))
     })
 }
@@ -395,9 +410,9 @@ pub unsafe extern "C" fn v_scene_find_node(
     node: *mut c_int,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = Out::new(node)?;
+        let out = Out::new(node, "node")?;
         // SAFETY: a text ended by zero, as the header says.
-        let name = unsafe { text(name, TEXT_NOT_UTF8) }?;
+        let name = unsafe { text(name, "name") }?;
         let number = read(scene, |document| {
             let found = document
                 .scene
@@ -421,7 +436,7 @@ pub unsafe extern "C" fn v_scene_get_name(
     name: *mut *const c_char,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let (out, node) = (Out::new(name)?, index(node)?);
+        let (out, node) = (Out::new(name, "name")?, index(node, "node")?);
         let lent = read(scene, |document| {
             Ok(thread_text(&document.scene.node(node)?.name))
         })?;
@@ -442,7 +457,7 @@ pub unsafe extern "C" fn v_scene_set_name(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: a text ended by zero, as the header says.
-        let (name, node) = (unsafe { text(name, TEXT_NOT_UTF8) }?, index(node)?);
+        let (name, node) = (unsafe { text(name, "name") }?, index(node, "node")?);
         change(scene, |scene| scene.set_name(node, name))
     })
 }
@@ -458,7 +473,10 @@ pub unsafe extern "C" fn v_scene_get_node(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: a node as its size says, as the header demands.
-        let (out, node) = (unsafe { GrowingOut::new(values) }?, index(node)?);
+        let (out, node) = (
+            unsafe { GrowingOut::new(values, "values") }?,
+            index(node, "node")?,
+        );
         let found = read(scene, |document| node_for_c(document.scene.node(node)?))?;
         // SAFETY: as above.
         unsafe { out.answer(found) }
@@ -479,9 +497,9 @@ pub unsafe extern "C" fn v_scene_set_node(
     values: *const V_NODE,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let node = index(node)?;
+        let node = index(node, "node")?;
         // SAFETY: a node, as the header says.
-        let given = unsafe { read_growing(values) }?;
+        let given = unsafe { read_growing(values, "values") }?;
         let mut made = self::node(&given)?;
         change(scene, |scene| {
             made.rest.aim_weight = scene.node(node)?.rest.aim_weight;
@@ -509,7 +527,7 @@ pub unsafe extern "C" fn v_scene_set_path(
     after: c_int,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let (node, after) = (index(node)?, beyond(after)?);
+        let (node, after) = (index(node, "node")?, beyond(after)?);
         let follow = optional(path, |path| {
             let path = path::read(path, |document| Ok(document.path().try_clone()?))?;
             Ok(FollowPath::new(path, start_frame, after)?)
@@ -529,13 +547,11 @@ pub unsafe extern "C" fn v_scene_get_path(
     path: *mut *mut V_PATH,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let (out, node) = (Out::new(path)?, index(node)?);
+        let (out, node) = (Out::new(path, "path")?, index(node, "node")?);
         let copy = read(scene, |document| {
-            let found = document
-                .scene
-                .node(node)?
-                .path()
-                .ok_or(Failure::argument("this node follows no path"))?;
+            let node = document.scene.node(node)?;
+            let none = || Refused::NoPathOf((&node.name).into());
+            let found = node.path().ok_or_else(none)?;
             crate::error::can_allocate(document.scene.heap_size())?;
             Ok(found.path().clone())
         })?;
@@ -557,7 +573,7 @@ pub unsafe extern "C" fn v_scene_set_marker(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: a text ended by zero, as the header says.
-        let name = unsafe { text(name, TEXT_NOT_UTF8) }?;
+        let name = unsafe { text(name, "name") }?;
         change(scene, |scene| scene.set_marker(name, frame))
     })
 }
@@ -575,9 +591,9 @@ pub unsafe extern "C" fn v_scene_pin(
     marker: *const c_char,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let (node, point) = (index(node)?, index(point)?);
+        let (node, point) = (index(node, "node")?, index(point, "point")?);
         // SAFETY: a text ended by zero, as the header says.
-        let marker = optional(marker, |marker| unsafe { text(marker, TEXT_NOT_UTF8) })?;
+        let marker = optional(marker, |marker| unsafe { text(marker, "marker") })?;
         change(scene, |scene| scene.pin(node, point, marker))
     })
 }

@@ -5,7 +5,7 @@ use std::ffi::{c_char, c_int};
 use glam::DVec3;
 
 use super::border::border;
-use super::pointers::{ArrayOut, Out, TEXT_NOT_UTF8, check, index, slice_mut, text};
+use super::pointers::{ArrayOut, Out, check, index, slice_mut, text};
 use super::scene::read;
 use super::scene_tracks::mesh_points;
 use super::scene_types::{V_NODE_STATE, V_SCENE};
@@ -13,8 +13,6 @@ use super::status::{V_ERR_INTERNAL, V_OK, clear_last_error, set_last_error};
 use crate::document::SceneDocument;
 use crate::error::vec_with_room;
 use crate::scene::{Channel, NodeState, Warnings};
-
-const TOO_SMALL: &str = "the array is too small; the count tells how many there are";
 
 /// After a success: reports what a host's interpolation did wrong, in place of any error its own
 /// calls have left.
@@ -43,7 +41,7 @@ pub unsafe extern "C" fn v_scene_frame_range(
     last: *mut f64,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let (first, last) = (Out::optional(first)?, Out::optional(last)?);
+        let (first, last) = (Out::optional(first, "first")?, Out::optional(last, "last")?);
         let range = read(scene, |document| Ok(document.scene.frame_range()))?;
         // SAFETY: room for a double each, as the header says.
         unsafe {
@@ -73,11 +71,16 @@ pub unsafe extern "C" fn v_scene_evaluate(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         // The layouts are one, see `scene_types`.
-        let out = ArrayOut::optional(states.cast::<NodeState>(), capacity, count)?;
+        let out = ArrayOut::optional(
+            states.cast::<NodeState>(),
+            capacity,
+            count,
+            ["states", "count"],
+        )?;
         let nodes = read(scene, |document| {
             let (scene, nodes) = (&document.scene, document.scene.nodes().len());
             // SAFETY: room for a size_t, as the header says.
-            if nodes == 0 || !unsafe { out.wants(nodes, TOO_SMALL) }? {
+            if nodes == 0 || !unsafe { out.wants(nodes) }? {
                 crate::scene::motion::check_frame(frame)?;
                 return Ok(nodes);
             }
@@ -117,9 +120,9 @@ pub unsafe extern "C" fn v_scene_sample(
     count: usize,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let node = index(node)?;
+        let node = index(node, "node")?;
         if count > 0 {
-            check(states)?;
+            check(states, "states")?;
         }
         read(scene, |document| {
             document.scene.node(node)?;
@@ -133,7 +136,7 @@ pub unsafe extern "C" fn v_scene_sample(
             if count > 0 {
                 // SAFETY: room for so many states, as the header says; the layouts are one (see
                 // `scene_types`), and any bits make a state.
-                unsafe { slice_mut(states.cast(), count) }?.copy_from_slice(&made);
+                unsafe { slice_mut(states.cast(), count, "states") }?.copy_from_slice(&made);
             }
             report(document, &warnings);
             Ok(())
@@ -159,9 +162,12 @@ pub unsafe extern "C" fn v_scene_value(
     width: *mut usize,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let (out, node) = (ArrayOut::optional(values, capacity, width)?, index(node)?);
+        let (out, node) = (
+            ArrayOut::optional(values, capacity, width, ["values", "width"])?,
+            index(node, "node")?,
+        );
         // SAFETY: a text ended by zero, as the header says.
-        let channel = Channel::parse(unsafe { text(channel, TEXT_NOT_UTF8) }?)?;
+        let channel = Channel::parse(unsafe { text(channel, "channel") }?)?;
         let numbers = read(scene, |document| {
             let mut warnings = Warnings::default();
             let value = document.scene.value(node, &channel, frame, &mut warnings)?;
@@ -170,7 +176,7 @@ pub unsafe extern "C" fn v_scene_value(
         })?;
         // SAFETY: room for so many numbers and a size_t, as the header says.
         unsafe {
-            if out.wants(numbers.len(), TOO_SMALL)? {
+            if out.wants(numbers.len())? {
                 out.room(numbers.len())?.copy_from_slice(&numbers);
             }
             out.answer(numbers.len())
@@ -196,12 +202,12 @@ pub unsafe extern "C" fn v_scene_vertices(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         const { assert!(size_of::<DVec3>() == 24 && align_of::<DVec3>() == 8) };
-        let (xyz, node) = (xyz.cast::<DVec3>(), index(node)?);
-        let out = ArrayOut::optional(xyz, capacity, points)?;
+        let (xyz, node) = (xyz.cast::<DVec3>(), index(node, "node")?);
+        let out = ArrayOut::optional(xyz, capacity, points, ["xyz", "points"])?;
         let count = read(scene, |document| {
             let count = mesh_points(&document.scene.node(node)?.kind);
             // SAFETY: room for a size_t, as the header says.
-            let wanted = unsafe { out.wants(count, TOO_SMALL) }?;
+            let wanted = unsafe { out.wants(count) }?;
             let mut warnings = Warnings::default();
             let form = document.scene.form(node, frame, &mut warnings)?;
             if wanted && count > 0 {

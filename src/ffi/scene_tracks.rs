@@ -7,12 +7,11 @@ use glam::DVec3;
 
 use super::border::border;
 use super::pointers::{
-    Out, TEXT_NOT_UTF8, file_name, index, optional, read_array, read_growing, slice, slice_mut,
-    text,
+    Out, file_name, index, most, optional, read_array, read_growing, slice, slice_mut, text,
 };
 use super::scene::{beyond, change, copied_name, edit, read, thread_text, within_callback};
 use super::scene_types::*;
-use super::status::{Answer, Failure, V_ERR_INTERNAL, V_ERR_SIZE, V_OK};
+use super::status::{Answer, Failure, Name, V_ERR_INTERNAL, V_OK};
 use crate::deform::{Bounds, Deformation};
 use crate::document::load_mesh;
 use crate::error::{can_allocate, vec_with_room};
@@ -24,9 +23,9 @@ use crate::scene::{Channel, Extrapolation, Interpolation, Kind, Mesh, Shape, Tra
 ///
 /// # Safety
 /// `from` is NULL or points to `count` numbers.
-unsafe fn numbers(from: *const f64, count: usize) -> Answer<Vec<f64>> {
+unsafe fn numbers(from: *const f64, count: usize, name: &'static str) -> Answer<Vec<f64>> {
     // SAFETY: as required of the caller.
-    let from = unsafe { slice(from, count) }?;
+    let from = unsafe { slice(from, count, name) }?;
     let mut copy = vec_with_room(count)?;
     copy.extend_from_slice(from);
     Ok(copy)
@@ -36,23 +35,20 @@ unsafe fn numbers(from: *const f64, count: usize) -> Answer<Vec<f64>> {
 ///
 /// # Safety
 /// `xyz` is NULL or points to three numbers for each.
-unsafe fn points(xyz: *const f64, count: usize) -> Answer<Vec<DVec3>> {
+unsafe fn points(
+    xyz: *const f64,
+    count: usize,
+    [name, count_name]: [Name; 2],
+) -> Answer<Vec<DVec3>> {
     if count == 0 {
         return Ok(Vec::new());
     }
-    most(count, MAX_MESH_POINTS, "points")?;
+    most(count, MAX_MESH_POINTS, count_name)?;
     // SAFETY: as required of the caller.
-    let from = unsafe { slice(xyz, 3 * count) }?;
+    let from = unsafe { slice(xyz, 3 * count, name) }?;
     let mut points = vec_with_room(count)?;
     points.extend(from.chunks_exact(3).map(DVec3::from_slice));
     Ok(points)
-}
-
-fn most(count: usize, limit: usize, what: &'static str) -> Answer<()> {
-    if count > limit {
-        return Err(Failure::TooMany { limit, what });
-    }
-    Ok(())
 }
 
 /// How many numbers a key of the channel has.
@@ -99,14 +95,14 @@ pub unsafe extern "C" fn v_scene_set_track(
     after: c_int,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let node = index(node)?;
+        let node = index(node, "node")?;
         // SAFETY: a text ended by zero, as the header says.
-        let channel = Channel::parse(unsafe { text(channel, TEXT_NOT_UTF8) }?)?;
+        let channel = Channel::parse(unsafe { text(channel, "channel") }?)?;
         if keys == 0 {
             return change(scene, |scene| scene.remove_track(node, &channel));
         }
         // SAFETY: a text ended by zero, as the header says.
-        let interpolation = Interpolation::parse(unsafe { text(interpolation, TEXT_NOT_UTF8) }?)?;
+        let interpolation = Interpolation::parse(unsafe { text(interpolation, "interpolation") }?)?;
         let (before, after) = both(after)?;
         most(keys, MAX_KEYS, "keys")?;
         let euler = matches!(
@@ -114,9 +110,18 @@ pub unsafe extern "C" fn v_scene_set_track(
             Interpolation::EulerLinear | Interpolation::EulerCatmullRom
         );
         let width = width(scene, node, &channel, euler)?;
-        most(keys.saturating_mul(width), MAX_SCENE_NUMBERS, "numbers")?;
+        most(
+            keys.saturating_mul(width),
+            MAX_SCENE_NUMBERS,
+            "the count of values",
+        )?;
         // SAFETY: as many numbers as the header says.
-        let (frames, values) = unsafe { (numbers(frames, keys)?, numbers(values, keys * width)?) };
+        let (frames, values) = unsafe {
+            (
+                numbers(frames, keys, "frames")?,
+                numbers(values, keys * width, "values")?,
+            )
+        };
         let shaped = match interpolation {
             Interpolation::Hermite => 2 * width,
             Interpolation::Tcb => 3,
@@ -126,7 +131,7 @@ pub unsafe extern "C" fn v_scene_set_track(
             Vec::new()
         } else {
             // SAFETY: as many numbers as the header says.
-            unsafe { numbers(shape, keys * shaped) }?
+            unsafe { numbers(shape, keys * shaped, "shape") }?
         };
         let track = Track::new(channel, interpolation, frames, values, shape)?;
         let track = track.with_extrapolation(before, after)?;
@@ -137,8 +142,11 @@ pub unsafe extern "C" fn v_scene_set_track(
 /// The continuation before and after the keys, from C's one number.
 fn both(after: c_int) -> Answer<(Extrapolation, Extrapolation)> {
     if !(0..64).contains(&after) {
-        return Err(Failure::range(
-            "after must be one of V_AFTER_..., with one of V_BEFORE_... at most",
+        return Err(Failure::unknown(
+            "after",
+            after,
+            "V_AFTER_HOLD (0), V_AFTER_REPEAT (1), V_AFTER_PINGPONG (2), V_AFTER_OFFSET (3), each \
+             alone or with V_BEFORE_REPEAT (16), V_BEFORE_PINGPONG (32) or V_BEFORE_OFFSET (48)",
         ));
     }
     Ok((beyond(after >> 4)?, beyond(after & 15)?))
@@ -174,13 +182,16 @@ pub unsafe extern "C" fn v_scene_get_track(
     after: *mut c_int,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let (name, count) = (Out::optional(interpolation)?, Out::optional(keys)?);
-        let (after, node) = (Out::optional(after)?, index(node)?);
-        for room in [frames, values, shape] {
-            Out::optional(room)?;
+        let (name, count) = (
+            Out::optional(interpolation, "interpolation")?,
+            Out::optional(keys, "keys")?,
+        );
+        let (after, node) = (Out::optional(after, "after")?, index(node, "node")?);
+        for (room, name) in [(frames, "frames"), (values, "values"), (shape, "shape")] {
+            Out::optional(room, name)?;
         }
         // SAFETY: a text ended by zero, as the header says.
-        let channel = Channel::parse(unsafe { text(channel, TEXT_NOT_UTF8) }?)?;
+        let channel = Channel::parse(unsafe { text(channel, "channel") }?)?;
         read(scene, |document| {
             let node = document.scene.node(node)?;
             let Some(track) = node.keys().track(&channel) else {
@@ -194,23 +205,25 @@ pub unsafe extern "C" fn v_scene_get_track(
                 return Ok(());
             };
             let wanted = [
-                (frames, track.frames()),
-                (values, track.values()),
-                (shape, track.shape()),
+                (frames, track.frames(), "frames"),
+                (values, track.values(), "values"),
+                (shape, track.shape(), "shape"),
             ];
-            let any = wanted.iter().any(|(room, _)| !room.is_null());
-            if any && track.frames().len() > capacity {
+            let needed = track.frames().len();
+            let some = wanted.iter().find(|(room, ..)| !room.is_null());
+            if let Some(&(.., name)) = some.filter(|_| needed > capacity) {
                 // SAFETY: room for a size_t, as the header says.
-                unsafe { count.write(track.frames().len()) };
-                return Err(Failure::Border(
-                    V_ERR_SIZE,
-                    "the arrays are too small for the keys of this track; the count tells how many there are",
-                ));
+                unsafe { count.write(needed) };
+                return Err(Failure::NoRoom {
+                    name,
+                    room: capacity,
+                    needed,
+                });
             }
-            for (room, numbers) in wanted {
+            for (room, numbers, name) in wanted {
                 if !room.is_null() && !numbers.is_empty() {
                     // SAFETY: room for so many keys, as the header says.
-                    unsafe { slice_mut(room, numbers.len()) }?.copy_from_slice(numbers);
+                    unsafe { slice_mut(room, numbers.len(), name) }?.copy_from_slice(numbers);
                 }
             }
             let (before, behind) = track.extrapolation();
@@ -298,7 +311,7 @@ pub unsafe extern "C" fn v_register_interpolation(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: a text ended by zero, as the header says.
-        let name = unsafe { text(name, TEXT_NOT_UTF8) }?;
+        let name = unsafe { text(name, "name") }?;
         let name = name.strip_prefix("host:").unwrap_or(name);
         let function = match function {
             None => None,
@@ -331,9 +344,9 @@ pub unsafe extern "C" fn v_scene_set_geometry(
     mesh: *const V_MESH,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let node = index(node)?;
+        let node = index(node, "node")?;
         // SAFETY: a mesh, as the header says.
-        let mesh = unsafe { self::mesh(mesh) }?;
+        let mesh = unsafe { self::mesh(mesh, "mesh") }?;
         change(scene, |scene| scene.set_mesh(node, mesh))
     })
 }
@@ -350,9 +363,9 @@ pub unsafe extern "C" fn v_scene_load_geometry(
     file: *const c_char,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let node = index(node)?;
+        let node = index(node, "node")?;
         // SAFETY: a text ended by zero, as the header says.
-        let file = unsafe { file_name(file) }?;
+        let file = unsafe { file_name(file, "file") }?;
         read(scene, |document| Ok(document.scene.node(node).map(drop)?))?;
         // The lock is not held while the file is read.
         let (source, mesh) = load_mesh(file)?;
@@ -364,21 +377,30 @@ pub unsafe extern "C" fn v_scene_load_geometry(
 ///
 /// # Safety
 /// `mesh` is NULL or points to a mesh whose arrays are as long as it says.
-pub(super) unsafe fn mesh(mesh: *const V_MESH) -> Answer<Mesh> {
+pub(super) unsafe fn mesh(mesh: *const V_MESH, name: &'static str) -> Answer<Mesh> {
     // SAFETY: as required of the caller.
-    let given = unsafe { read_growing(mesh) }?;
+    let given = unsafe { read_growing(mesh, name) }?;
     // SAFETY: as required of the caller, for each of the arrays.
     unsafe {
-        let points = points(given.xyz, given.points)?;
+        let field = |field| Name::Field(name, field);
+        let points = points(given.xyz, given.points, [field("xyz"), field("points")])?;
         let mut colours = Vec::new();
         if !given.rgb.is_null() && !points.is_empty() {
-            let from = slice(given.rgb, 3 * points.len())?;
+            let from = slice(given.rgb, 3 * points.len(), field("rgb"))?;
             colours = vec_with_room(points.len())?;
             colours.extend(from.chunks_exact(3).map(|c| [c[0], c[1], c[2]]));
         }
         Ok(Mesh {
-            lines: indices(given.lines, given.line_ends)?,
-            triangles: indices(given.triangles, given.corners)?,
+            lines: indices(
+                given.lines,
+                given.line_ends,
+                [field("lines"), field("line_ends")],
+            )?,
+            triangles: indices(
+                given.triangles,
+                given.corners,
+                [field("triangles"), field("corners")],
+            )?,
             points,
             colours,
         })
@@ -389,17 +411,23 @@ pub(super) unsafe fn mesh(mesh: *const V_MESH) -> Answer<Mesh> {
 ///
 /// # Safety
 /// `from` is NULL or points to `count` indices.
-unsafe fn indices<const N: usize>(from: *const u32, count: usize) -> Answer<Vec<[u32; N]>> {
+unsafe fn indices<const N: usize>(
+    from: *const u32,
+    count: usize,
+    [name, count_name]: [Name; 2],
+) -> Answer<Vec<[u32; N]>> {
     if count == 0 {
         return Ok(Vec::new());
     }
-    most(count, MAX_MESH_CORNERS, "indices")?;
+    most(count, MAX_MESH_CORNERS, count_name)?;
     // SAFETY: as required of the caller.
-    let (groups, rest) = unsafe { slice(from, count) }?.as_chunks::<N>();
+    let (groups, rest) = unsafe { slice(from, count, name) }?.as_chunks::<N>();
     if !rest.is_empty() {
-        return Err(Failure::range(
-            "indices of lines come in twos, of triangles in threes",
-        ));
+        return Err(Failure::NotMultiple {
+            name: count_name,
+            given: count,
+            of: N,
+        });
     }
     let mut copy = vec_with_room(groups.len())?;
     copy.extend_from_slice(groups);
@@ -421,12 +449,12 @@ pub unsafe extern "C" fn v_scene_add_shape(
     points: usize,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let node = index(node)?;
+        let node = index(node, "node")?;
         // SAFETY: a text ended by zero and so many points, as the header says.
         let shape = unsafe {
             Shape {
-                name: copied_name(text(name, TEXT_NOT_UTF8)?)?,
-                points: self::points(xyz, points)?,
+                name: copied_name(text(name, "name")?)?,
+                points: self::points(xyz, points, ["xyz", "points"].map(Name::Parameter))?,
                 colours: Vec::new(),
             }
         };
@@ -443,9 +471,10 @@ pub(super) unsafe fn deformation(
     parameters: *const f64,
     count: usize,
 ) -> Answer<Deformation> {
-    most(count, 3 * crate::deform::LATTICE, "parameters")?;
+    most(count, 3 * crate::deform::LATTICE, "count")?;
     // SAFETY: as required of the caller.
-    let (kind, parameters) = unsafe { (text(kind, TEXT_NOT_UTF8)?, slice(parameters, count)?) };
+    let (kind, parameters) =
+        unsafe { (text(kind, "kind")?, slice(parameters, count, "parameters")?) };
     Ok(Deformation::new(kind, parameters)?)
 }
 
@@ -455,7 +484,7 @@ pub(super) unsafe fn deformation(
 /// `corners` is NULL or points to six readable doubles.
 pub(super) unsafe fn bounds(corners: *const f64) -> Answer<Bounds> {
     // SAFETY: as required of the caller.
-    let [a, b, c, d, e, f] = unsafe { read_array(corners) }?;
+    let [a, b, c, d, e, f] = unsafe { read_array(corners, "box") }?;
     Ok(Bounds::new(DVec3::new(a, b, c), DVec3::new(d, e, f))?)
 }
 
@@ -476,7 +505,7 @@ pub unsafe extern "C" fn v_scene_add_deformation(
     at: *mut c_int,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let (out, node) = (Out::optional(at)?, index(node)?);
+        let (out, node) = (Out::optional(at, "at")?, index(node, "node")?);
         // SAFETY: as the header says.
         let deformation = unsafe { deformation(kind, parameters, count) }?;
         // SAFETY: six doubles, as the header says.
@@ -501,7 +530,7 @@ pub unsafe extern "C" fn v_scene_remove_deformation(
     at: c_int,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let (node, at) = (index(node)?, index(at)?);
+        let (node, at) = (index(node, "node")?, index(at, "at")?);
         change(scene, |scene| scene.remove_deformation(node, at))
     })
 }
@@ -538,14 +567,15 @@ pub unsafe extern "C" fn v_deform(
         // SAFETY: six doubles, as the header says.
         let bounds = unsafe { bounds(r#box) }?;
         // SAFETY: so many points, as the header says.
-        let mut deformed = unsafe { self::points(xyz, points) }?;
+        let mut deformed =
+            unsafe { self::points(xyz, points, ["xyz", "points"].map(Name::Parameter)) }?;
         for &point in &deformed {
             crate::path::camera_path::check_coordinates(point)?;
         }
         deformation.apply(&bounds, &mut deformed);
         if points > 0 {
             // SAFETY: so many points, as the header says.
-            let out = unsafe { slice_mut(xyz, 3 * points) }?;
+            let out = unsafe { slice_mut(xyz, 3 * points, "xyz") }?;
             for (out, point) in out.chunks_exact_mut(3).zip(deformed) {
                 out.copy_from_slice(&point.to_array());
             }

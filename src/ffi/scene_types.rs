@@ -141,11 +141,13 @@ pub type V_MESH = v_mesh;
 
 // SAFETY: `repr(C)` with `size` first; numbers only.
 unsafe impl Growing for V_NODE {
+    const NAME: &'static str = "V_NODE";
     const FIRST: usize = size_of::<V_NODE>();
 }
 
 // SAFETY: `repr(C)` with `size` first; pointers and numbers only.
 unsafe impl Growing for V_MESH {
+    const NAME: &'static str = "V_MESH";
     const FIRST: usize = size_of::<V_MESH>();
 }
 

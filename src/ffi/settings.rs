@@ -12,7 +12,7 @@ use super::types::V_PATH;
 use crate::document::Edit;
 use crate::error::{Place, TooMany};
 use crate::limits::MAX_COMMENT_BYTES;
-use crate::path::camera_path::check_name;
+use crate::path::camera_path::{check_base_speed, check_name};
 use crate::path::{BaseFrames, OrientationMode, ZoomMode};
 
 /// ==== Modes, see v_path_set_modes() ====
@@ -33,7 +33,11 @@ fn orientation_mode(number: c_int) -> Answer<OrientationMode> {
         V_ORIENTATION_TCB => Ok(OrientationMode::Tcb),
         V_ORIENTATION_BARRY_GOLDMAN => Ok(OrientationMode::BarryGoldman),
         V_ORIENTATION_SLERP => Ok(OrientationMode::Slerp),
-        _ => Err(Failure::range("there is no such orientation mode")),
+        _ => Err(Failure::unknown(
+            "orientation_mode",
+            number,
+            "V_ORIENTATION_TCB (0), V_ORIENTATION_BARRY_GOLDMAN (1), V_ORIENTATION_SLERP (2)",
+        )),
     }
 }
 
@@ -41,8 +45,17 @@ fn zoom_mode(number: c_int) -> Answer<ZoomMode> {
     match number {
         V_ZOOM_SMOOTH => Ok(ZoomMode::Smooth),
         V_ZOOM_LINEAR => Ok(ZoomMode::Linear),
-        _ => Err(Failure::range("there is no such zoom mode")),
+        _ => Err(Failure::unknown(
+            "zoom_mode",
+            number,
+            "V_ZOOM_SMOOTH (0), V_ZOOM_LINEAR (1)",
+        )),
     }
+}
+
+/// A base speed, which has a name here.
+pub(super) fn positive(given: f64, name: &'static str) -> Answer<()> {
+    check_base_speed(given).map_err(|_| Failure::NotPositive { name, given })
 }
 
 /// ==== What holds for the whole path ====
@@ -61,6 +74,10 @@ pub unsafe extern "C" fn v_path_set_base_frames(
     roll_frames: f64,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
+        positive(move_frames, "move_frames")?;
+        positive(turn_frames, "turn_frames")?;
+        positive(zoom_frames, "zoom_frames")?;
+        positive(roll_frames, "roll_frames")?;
         let speeds = BaseFrames {
             movement: move_frames,
             turning: turn_frames,
@@ -82,8 +99,14 @@ pub unsafe extern "C" fn v_path_get_base_frames(
     roll_frames: *mut f64,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let (movement, turning) = (Out::optional(move_frames)?, Out::optional(turn_frames)?);
-        let (zoom, rolling) = (Out::optional(zoom_frames)?, Out::optional(roll_frames)?);
+        let (movement, turning) = (
+            Out::optional(move_frames, "move_frames")?,
+            Out::optional(turn_frames, "turn_frames")?,
+        );
+        let (zoom, rolling) = (
+            Out::optional(zoom_frames, "zoom_frames")?,
+            Out::optional(roll_frames, "roll_frames")?,
+        );
         let speeds = read(path, |document| Ok(document.path().base_frames))?;
         // SAFETY: room for a double each, as the header says.
         unsafe {
@@ -110,7 +133,7 @@ pub unsafe extern "C" fn v_path_set_closed(path: *mut V_PATH, closed: c_int) -> 
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_closed(path: *const V_PATH, closed: *mut c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = Out::new(closed)?;
+        let out = Out::new(closed, "closed")?;
         let closed = read(path, |document| Ok(document.path().closed))?;
         // SAFETY: room for an int, as the header says.
         unsafe { out.answer(c_int::from(closed)) }
@@ -144,7 +167,10 @@ pub unsafe extern "C" fn v_path_get_modes(
     zoom_mode: *mut c_int,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let (turning, zooming) = (Out::optional(orientation_mode)?, Out::optional(zoom_mode)?);
+        let (turning, zooming) = (
+            Out::optional(orientation_mode, "orientation_mode")?,
+            Out::optional(zoom_mode, "zoom_mode")?,
+        );
         let (orientation_mode, zoom_mode) = read(path, |document| {
             let path = document.path();
             Ok((path.orientation_mode, path.zoom_mode))
@@ -172,7 +198,7 @@ pub unsafe extern "C" fn v_path_get_modes(
 pub unsafe extern "C" fn v_path_set_title(path: *mut V_PATH, title: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: a text ended by zero, as the header says.
-        let title = unsafe { text(title, "the title is not UTF-8") }?;
+        let title = unsafe { text(title, "title") }?;
         // Before it is copied: nobody knows how long it is.
         check_name(title).map_err(|error| error.at(Place::Title))?;
         let title = copied(title)?;
@@ -192,7 +218,7 @@ pub unsafe extern "C" fn v_path_get_title(
     length: *mut usize,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = TextOut::new(title, capacity, length)?;
+        let out = TextOut::new(title, capacity, length, "title")?;
         // SAFETY: room as the header says.
         read(path, |document| unsafe {
             out.write(document.info().title.as_bytes())
@@ -207,7 +233,7 @@ pub unsafe extern "C" fn v_path_get_title(
 pub unsafe extern "C" fn v_path_set_comment(path: *mut V_PATH, comment: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: a text ended by zero, as the header says.
-        let comment = unsafe { text(comment, "the comment is not UTF-8") }?;
+        let comment = unsafe { text(comment, "comment") }?;
         if comment.len() > MAX_COMMENT_BYTES {
             return Err(TooMany::CommentBytes.into());
         }
@@ -226,7 +252,7 @@ pub unsafe extern "C" fn v_path_get_comment(
     length: *mut usize,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = TextOut::new(comment, capacity, length)?;
+        let out = TextOut::new(comment, capacity, length, "comment")?;
         // SAFETY: room as the header says.
         read(path, |document| unsafe {
             out.write(document.info().comment.as_bytes())
@@ -247,7 +273,7 @@ pub unsafe extern "C" fn v_path_set_fps(path: *mut V_PATH, fps: f64) -> c_int {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_fps(path: *const V_PATH, fps: *mut f64) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = Out::new(fps)?;
+        let out = Out::new(fps, "fps")?;
         let fps = read(path, |document| Ok(document.info().fps))?;
         // SAFETY: room for a double, as the header says.
         unsafe { out.answer(fps) }
@@ -270,7 +296,7 @@ pub unsafe extern "C" fn v_path_set_first_frame(path: *mut V_PATH, number: c_int
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_first_frame(path: *const V_PATH, number: *mut c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = Out::new(number)?;
+        let out = Out::new(number, "number")?;
         let number = read(path, |document| Ok(document.info().first_frame))?;
         // SAFETY: room for an int, as the header says.
         unsafe { out.answer(number) }
@@ -284,7 +310,7 @@ pub unsafe extern "C" fn v_path_get_first_frame(path: *const V_PATH, number: *mu
 pub unsafe extern "C" fn v_path_set_object(path: *mut V_PATH, object: *const V_MESH) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: a mesh, as the header says.
-        let object = unsafe { wireframe(object) }?;
+        let object = unsafe { wireframe(object, "object") }?;
         edit_info(path, |info| info.object = object)
     })
 }

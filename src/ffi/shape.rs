@@ -19,9 +19,9 @@ const KINDS: [(CurveKind, &std::ffi::CStr); 3] = [
 
 fn curve_kind(name: &[u8]) -> Answer<CurveKind> {
     let found = KINDS.iter().find(|(_, text)| text.to_bytes() == name);
-    found.map(|(kind, _)| *kind).ok_or(Failure::range(
-        "the kind of a curve is \"tcb\", \"cubic\" or \"linear\"",
-    ))
+    found
+        .map(|(kind, _)| *kind)
+        .ok_or_else(|| Failure::NoCurveKind((&String::from_utf8_lossy(name)).into()))
 }
 
 /// ==== Kind of the curve, tangents ====
@@ -36,7 +36,7 @@ fn curve_kind(name: &[u8]) -> Answer<CurveKind> {
 pub unsafe extern "C" fn v_path_set_curve(path: *mut V_PATH, kind: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: a text ended by zero, as the header says.
-        let kind = curve_kind(unsafe { bytes(kind) }?)?;
+        let kind = curve_kind(unsafe { bytes(kind, "kind") }?)?;
         edit(path, Edit::SetCurveKind(kind))
     })
 }
@@ -47,7 +47,7 @@ pub unsafe extern "C" fn v_path_set_curve(path: *mut V_PATH, kind: *const c_char
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_curve(path: *const V_PATH, kind: *mut *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = Out::new(kind)?;
+        let out = Out::new(kind, "kind")?;
         let kind = read(path, |document| Ok(document.path().curve))?;
         let found = KINDS.iter().find(|(known, _)| *known == kind);
         // SAFETY: room for a pointer, as the header says.
@@ -74,10 +74,11 @@ pub unsafe extern "C" fn v_path_set_tangents(
             None
         } else {
             // SAFETY: three doubles each, as the header says.
-            let (before, after) = unsafe { (read_vector(before)?, read_vector(after)?) };
+            let (before, after) =
+                unsafe { (read_vector(before, "before")?, read_vector(after, "after")?) };
             Some(Tangents { before, after })
         };
-        let at = index(at)?;
+        let at = index(at, "at")?;
         edit(path, Edit::SetTangents { at, tangents })
     })
 }
@@ -97,10 +98,13 @@ pub unsafe extern "C" fn v_path_get_tangents(
     own: *mut c_int,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let (before, after) = (Out::optional_array(before)?, Out::optional_array(after)?);
-        let own = Out::optional(own)?;
+        let (before, after) = (
+            Out::optional_array(before, "before")?,
+            Out::optional_array(after, "after")?,
+        );
+        let own = Out::optional(own, "own")?;
         let (tangents, has_own) = read(path, |document| {
-            let (at, point) = point(document, at)?;
+            let (at, point) = point(document, at, "at")?;
             Ok((
                 curve::tangents(document.path(), at),
                 point.tangents.is_some(),
@@ -136,7 +140,7 @@ pub unsafe extern "C" fn v_path_insert_on_curve(
     at: *mut c_int,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let at = Out::optional(at)?;
+        let at = Out::optional(at, "at")?;
         let edit = Edit::InsertOnCurve { frame };
         let new = edit_and(path, edit, |document| count(document.selection().point))??;
         // SAFETY: room for an int, as the header says.

@@ -8,17 +8,17 @@ use super::border::border;
 use super::path::{edit, read};
 use super::pointers::{self, GrowingOut, Out, read_growing, read_vector};
 use super::quaternions::view;
-use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
+use super::status::{Answer, Failure, Name, V_ERR_INTERNAL, V_OK};
 use super::types::{V_ORIENTATION, V_PATH, V_POSE, V_UP_Y, V_UP_Z};
 use crate::document::Edit;
 use crate::path::camera_path::check_zoom;
 use crate::path::{Space, Up};
 
-pub(super) fn up_from_c(up: c_int) -> Answer<Up> {
+pub(super) fn up_from_c(up: c_int, name: impl Into<Name>) -> Answer<Up> {
     match up {
         V_UP_Y => Ok(Up::Y),
         V_UP_Z => Ok(Up::Z),
-        _ => Err(Failure::range("what stands upright is V_UP_Y or V_UP_Z")),
+        _ => Err(Failure::unknown(name, up, "V_UP_Y (0), V_UP_Z (1)")),
     }
 }
 
@@ -52,8 +52,8 @@ pub unsafe extern "C" fn v_path_set_space(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: three doubles, as the header says.
-        let centre = unsafe { read_vector(centre) }?;
-        let up = up_from_c(up)?;
+        let centre = unsafe { read_vector(centre, "centre") }?;
+        let up = up_from_c(up, "up")?;
         let space = Space {
             centre,
             half_size,
@@ -74,8 +74,11 @@ pub unsafe extern "C" fn v_path_get_space(
     up: *mut c_int,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let centre = Out::optional_array(centre)?;
-        let (half_size, up) = (Out::optional(half_size)?, Out::optional(up)?);
+        let centre = Out::optional_array(centre, "centre")?;
+        let (half_size, up) = (
+            Out::optional(half_size, "half_size")?,
+            Out::optional(up, "up")?,
+        );
         let space = read(path, |document| Ok(document.path().space))?;
         // SAFETY: room for three doubles, a double and an int, as the header says.
         unsafe {
@@ -103,11 +106,15 @@ pub unsafe extern "C" fn v_orientation_from_pose(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: a pose, and a struct as its size says, as the header demands.
-        let (out, mut result) =
-            unsafe { (GrowingOut::new(orientation)?, read_growing(orientation)?) };
+        let (out, mut result) = unsafe {
+            (
+                GrowingOut::new(orientation, "orientation")?,
+                read_growing(orientation, "orientation")?,
+            )
+        };
         // SAFETY: as above.
-        let pose = unsafe { pointers::read(pose) }?;
-        let axes = up_from_c(up)?;
+        let pose = unsafe { pointers::read(pose, "pose") }?;
+        let axes = up_from_c(up, "up")?;
         check_zoom(pose.zoom)?;
         let [vpn, vup] = [pose.vpn, pose.vup].map(DVec3::from_array);
         let (view, up) = view(vpn, vup)?;

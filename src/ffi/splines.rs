@@ -6,9 +6,10 @@ use glam::DQuat;
 
 use super::border::border;
 use super::curve::between;
+use super::pointers::most;
 use super::pointers::{Out, check, how_many, optional, read_array, read_optional, slice};
 use super::quaternions::{from_c, to_c};
-use super::status::{Answer, Failure, V_ERR_INTERNAL, V_ERR_LIMIT, V_OK};
+use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
 use crate::error::{OutOfRange, Quantity, vec_with_room};
 use crate::limits;
 use crate::path::Tcb;
@@ -24,17 +25,17 @@ unsafe fn keys_and_times<'a>(
     times: *const f64,
     count: c_int,
 ) -> Answer<(Vec<DQuat>, &'a [f64])> {
-    check(keys)?;
-    check(times)?;
-    let count = how_many(count)?;
-    if count > limits::MAX_KEYS {
-        return Err(Failure::Border(
-            V_ERR_LIMIT,
-            "a spline has at most 1000000 keys",
-        ));
-    }
+    check(keys, "keys")?;
+    check(times, "key_times")?;
+    let count = how_many(count, "count")?;
+    most(count, limits::MAX_KEYS, "count")?;
     // SAFETY: as required of the caller.
-    let (keys, times) = unsafe { (slice(keys.cast::<[f64; 4]>(), count)?, slice(times, count)?) };
+    let (keys, times) = unsafe {
+        (
+            slice(keys.cast::<[f64; 4]>(), count, "keys")?,
+            slice(times, count, "key_times")?,
+        )
+    };
     let mut converted = vec_with_room(count)?;
     converted.extend(keys.iter().map(|&key| from_c(key)));
     Ok((converted, times))
@@ -59,7 +60,7 @@ pub unsafe extern "C" fn v_quat_spline(
     q: *mut f64,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = Out::array(q)?;
+        let out = Out::array(q, "q")?;
         // SAFETY: as many doubles as the header says.
         let (keys, times) = unsafe { keys_and_times(keys, key_times, count) }?;
         let q = quaternion_spline::barry_goldman(&keys, times, when)?;
@@ -86,12 +87,12 @@ pub unsafe extern "C" fn v_quat_tcb_spline(
     q: *mut f64,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = Out::array(q)?;
+        let out = Out::array(q, "q")?;
         // SAFETY: as many doubles as the header says.
         let (keys, times) = unsafe { keys_and_times(keys, key_times, count) }?;
         let tcb = optional(tcb.cast::<[f64; 3]>(), |tcb| {
             // SAFETY: as many doubles as the header says.
-            let values = unsafe { slice(tcb, keys.len()) }?;
+            let values = unsafe { slice(tcb, keys.len(), "tcb") }?;
             let mut parameters = vec_with_room(keys.len())?;
             parameters.extend(values.iter().map(|&[t, c, b]| Tcb::new(t, c, b)));
             Ok(parameters)
@@ -126,20 +127,23 @@ pub unsafe extern "C" fn v_speed_curve(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         let (at_u, fraction) = (
-            Out::optional(speed_at_u)?,
-            Out::optional(distance_fraction)?,
+            Out::optional(speed_at_u, "speed_at_u")?,
+            Out::optional(distance_fraction, "distance_fraction")?,
         );
         // SAFETY: ten doubles, and one each if not NULL, as the header says.
         let (speed, before, after) = unsafe {
             (
-                read_array(speed)?,
-                read_optional(before)?,
-                read_optional(after)?,
+                read_array(speed, "speed")?,
+                read_optional(before, "before")?,
+                read_optional(after, "after")?,
             )
         };
         let u = between(u, 1.0, "u")?;
-        for value in speed.into_iter().chain(before).chain(after) {
-            check_speed(value)?;
+        for value in speed {
+            check_speed(value, "speed")?;
+        }
+        for (value, name) in [(before, "before"), (after, "after")] {
+            value.map_or(Ok(()), |value| check_speed(value, name))?;
         }
         let curve = SpeedCurve::new(&speed, before, after);
         // SAFETY: room for a double each, as the header says.
@@ -151,9 +155,9 @@ pub unsafe extern "C" fn v_speed_curve(
     })
 }
 
-fn check_speed(value: f64) -> Answer<()> {
+fn check_speed(value: f64, name: &'static str) -> Answer<()> {
     if !value.is_finite() {
-        return Err(Failure::NotFinite { name: "a speed" });
+        return Err(Failure::NotFinite { name, given: value });
     }
     if !(limits::MIN_SPEED..=limits::MAX_SPEED).contains(&value) {
         return Err(OutOfRange::Between(

@@ -2,11 +2,13 @@
 
 use std::cell::UnsafeCell;
 use std::collections::TryReserveError;
-use std::ffi::{c_char, c_int};
+use std::ffi::{c_char, c_int, c_ulong};
 use std::fmt::{self, Write as _};
 use std::ops::Range;
 
-use crate::error::{EngineError, ErrorKind, Invalid, OutOfRange, TooMany};
+use crate::error::{
+    EngineError, ErrorKind, FromZero, Index, Invalid, OutOfRange, Refused, Text, TooMany,
+};
 use crate::instance::Error;
 
 /// ==== Version of this header ====
@@ -61,6 +63,23 @@ pub const V_ERR_CLOSED: c_int = 12;
 pub const V_ERR_INTERNAL: c_int = 13;
 pub const V_ERR_REFUSED: c_int = 14;
 
+/// What is wrong, as the header names it.
+#[derive(Clone, Copy, Debug, thiserror::Error)]
+pub(super) enum Name {
+    #[error("{0}")]
+    Parameter(&'static str),
+    #[error("{0}->{1}")]
+    Field(&'static str, &'static str),
+    #[error("{0}[{1}]")]
+    Element(&'static str, usize),
+}
+
+impl From<&'static str> for Name {
+    fn from(name: &'static str) -> Self {
+        Self::Parameter(name)
+    }
+}
+
 /// Why a call from C failed.
 #[derive(Debug, thiserror::Error)]
 pub(super) enum Failure {
@@ -70,14 +89,47 @@ pub(super) enum Failure {
     /// An error from the library.
     #[error(transparent)]
     Library(#[from] Error),
-    #[error("there is no point {at} among {count}, counted from 0")]
-    NoPoint { at: c_int, count: usize },
-    #[error("point {point} has no orientation {at}, counted from 0")]
-    NoOrientation { point: c_int, at: c_int },
-    #[error("there is no segment {number} among {count}, counted from 0")]
-    NoSegment { number: c_int, count: usize },
-    #[error("there is no section {0}, counted from 0")]
-    NoSection(c_int),
+    #[error("{0} is NULL")]
+    Null(Name),
+    #[error("{0} is not a valid handle: freed, of another kind, or never made")]
+    Handle(Name),
+    #[error("{0} is not aligned for what it points to")]
+    Unaligned(Name),
+    #[error("{0} is not UTF-8")]
+    NotUtf8(&'static str),
+    #[error("{name}->size is {size}, but sizeof ({of}) is {wanted}")]
+    Size {
+        name: &'static str,
+        size: usize,
+        of: &'static str,
+        wanted: usize,
+    },
+    #[error("{name} has room for {room}, and {needed} are needed")]
+    NoRoom {
+        name: &'static str,
+        room: usize,
+        needed: usize,
+    },
+    #[error("{name} is {given}, and numbers count from 0")]
+    NegativeIndex { name: &'static str, given: c_int },
+    #[error("{name} is {given}, and no count is negative")]
+    NegativeCount { name: &'static str, given: c_int },
+    #[error("{name} cannot have {count} elements")]
+    NoSuchCount { name: Name, count: usize },
+    #[error("{name} is {given}; known: {known}")]
+    Unknown {
+        name: Name,
+        given: c_int,
+        known: &'static str,
+    },
+    #[error("there is no kind of curve \"{0}\"; known: tcb, cubic, linear")]
+    NoCurveKind(Text),
+    #[error("options->language is \"{0}\"; known: de, en")]
+    NoLanguage(Text),
+    #[error("{name} is {given}, and the number of an X window has at most 32 bits")]
+    NoWindow { name: &'static str, given: c_ulong },
+    #[error("there is no section {} among {count}", Index(*at))]
+    NoSection { at: usize, count: usize },
     #[error(
         "there are no {count} poses from number {first} on: they are numbered from 1 to {frames}"
     )]
@@ -86,12 +138,26 @@ pub(super) enum Failure {
         first: usize,
         frames: usize,
     },
-    #[error("{name} must be a finite number")]
-    NotFinite { name: &'static str },
-    #[error("{name} must lie between 0 and {end}")]
-    NotBetween { name: &'static str, end: f64 },
-    #[error("at most {limit} {what} are taken")]
-    TooMany { limit: usize, what: &'static str },
+    #[error("{name} is {given}, and must be a finite number")]
+    NotFinite { name: &'static str, given: f64 },
+    #[error("{0} must be finite and not zero")]
+    NoDirection(&'static str),
+    #[error("{name} is {given}, and must lie between 0 and {end}")]
+    NotBetween {
+        name: &'static str,
+        given: f64,
+        end: f64,
+    },
+    #[error("{name} is {given}, and must be finite and greater than 0")]
+    NotPositive { name: &'static str, given: f64 },
+    #[error("{name} is {given}, and must be a multiple of {of}")]
+    NotMultiple { name: Name, given: usize, of: usize },
+    #[error("{name} is {given}, and at most {limit} are taken")]
+    TooMany {
+        name: Name,
+        given: usize,
+        limit: usize,
+    },
 }
 
 pub(super) type Answer<T> = Result<T, Failure>;
@@ -100,6 +166,15 @@ impl Failure {
     /// A value outside its range.
     pub(super) const fn range(sentence: &'static str) -> Self {
         Self::Border(V_ERR_RANGE, sentence)
+    }
+
+    /// None of the numbers that there are for it.
+    pub(super) fn unknown(name: impl Into<Name>, given: c_int, known: &'static str) -> Self {
+        Self::Unknown {
+            name: name.into(),
+            given,
+            known,
+        }
     }
 
     /// A value that makes no sense.
@@ -119,14 +194,35 @@ impl Failure {
                 ErrorKind::Format => V_ERR_FORMAT,
                 ErrorKind::Display => V_ERR_DISPLAY,
             },
-            Self::NotFinite { .. } => V_ERR_ARGUMENT,
+            Self::Null(_) => V_ERR_NULL,
+            Self::Handle(_) => V_ERR_HANDLE,
+            Self::Unaligned(_)
+            | Self::NotUtf8(_)
+            | Self::NoLanguage(_)
+            | Self::NotFinite { .. }
+            | Self::NoDirection(_)
+            | Self::NotPositive { .. } => V_ERR_ARGUMENT,
+            Self::Size { .. } | Self::NoRoom { .. } => V_ERR_SIZE,
             Self::TooMany { .. } => V_ERR_LIMIT,
-            Self::NoPoint { .. }
-            | Self::NoOrientation { .. }
-            | Self::NoSegment { .. }
-            | Self::NoSection(_)
+            Self::NegativeIndex { .. }
+            | Self::NegativeCount { .. }
+            | Self::NoSuchCount { .. }
+            | Self::NotMultiple { .. }
+            | Self::Unknown { .. }
+            | Self::NoCurveKind(_)
+            | Self::NoWindow { .. }
+            | Self::NoSection { .. }
             | Self::NoPoses { .. }
             | Self::NotBetween { .. } => V_ERR_RANGE,
+        }
+    }
+
+    /// The same of a handle that has another name than most.
+    pub(super) fn named(self, name: impl Into<Name>) -> Self {
+        match self {
+            Self::Null(_) => Self::Null(name.into()),
+            Self::Handle(_) => Self::Handle(name.into()),
+            other => other,
         }
     }
 }
@@ -146,6 +242,7 @@ library!(
     EngineError,
     Invalid,
     OutOfRange,
+    Refused,
     TooMany,
     TryReserveError
 );
@@ -184,8 +281,9 @@ impl Message {
         self.add(sentence);
     }
 
-    /// Appends a sentence, shortened in the middle to the room left.
+    /// Appends a sentence, shortened in the middle to the room left. It counts as C does.
     fn add(&mut self, sentence: fmt::Arguments<'_>) {
+        let sentence = format_args!("{}", FromZero(sentence));
         let room = MESSAGE_BYTES - 1 - self.used;
         let mut whole = Length(0);
         let _ = whole.write_fmt(sentence);

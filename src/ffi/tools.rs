@@ -5,10 +5,11 @@ use std::ffi::{c_char, c_int};
 use glam::DMat4;
 
 use super::border::border;
-use super::path::{edit, insert, insert_new, read};
-use super::pointers::{NAME_NOT_UTF8, Out, how_many, index, optional, read_array, slice, text};
+use super::path::{edit, edit_by, insert, insert_new, read};
+use super::pointers::{Out, how_many, index, most, optional, read_array, slice, text};
+use super::points::point;
 use super::scene_tracks::{bounds, deformation};
-use super::status::{Answer, Failure, V_ERR_INTERNAL};
+use super::status::{Answer, Failure, Name, V_ERR_INTERNAL};
 use super::types::V_PATH;
 use crate::document::{Document, Edit, Info};
 use crate::error::{OutOfRange, can_allocate, vec_with_room};
@@ -34,16 +35,13 @@ fn copy(path: *const V_PATH) -> Answer<Document> {
 }
 
 /// The points from `first` to `last`.
-fn range(first: c_int, last: c_int) -> Answer<Vec<usize>> {
-    let (first, last) = (index(first)?, index(last)?);
+fn range(document: &Document, first: c_int, last: c_int) -> Answer<Vec<usize>> {
+    let (first, _) = point(document, first, "first_point")?;
+    let (last, _) = point(document, last, "last_point")?;
     if first > last {
-        return Err(OutOfRange::PointOrder.into());
+        return Err(OutOfRange::PointOrder { first, last }.into());
     }
-    let count = (last - first).saturating_add(1);
-    if count > crate::limits::MAX_POINTS {
-        return Err(Failure::range("there are not so many points"));
-    }
-    let mut points = vec_with_room(count)?;
+    let mut points = vec_with_room(last - first + 1)?;
     points.extend(first..=last);
     Ok(points)
 }
@@ -93,17 +91,18 @@ pub unsafe extern "C" fn v_path_from_move(
     path: *mut *mut V_PATH,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = Out::new(path)?;
+        let out = Out::new(path, "path")?;
         // SAFETY: a text ended by zero, as the header says.
-        let found = Move::named(unsafe { text(r#move, NAME_NOT_UTF8) }?)?;
-        if count > Parameter::count(found.parameters) {
-            return Err(Failure::range("the move does not take so many numbers"));
+        let found = Move::named(unsafe { text(r#move, "move") }?)?;
+        let most = Parameter::count(found.parameters);
+        if count > most {
+            return Err(OutOfRange::NumbersGiven { given: count, most }.into());
         }
         let given = if count == 0 {
             &[][..]
         } else {
             // SAFETY: so many doubles, as the header says.
-            unsafe { slice(parameters, count) }?
+            unsafe { slice(parameters, count, "parameters") }?
         };
         let fps = Info::default().fps;
         let made = insert_new(found.path(given, Space::default(), fps)?, fps)?;
@@ -131,13 +130,14 @@ pub unsafe extern "C" fn v_path_transform(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: sixteen doubles, as the header says.
-        let matrix = DMat4::from_cols_array(&unsafe { read_array(matrix) }?);
-        let transform = Edit::TransformPoints {
-            points: range(first_point, last_point)?,
-            matrix,
-            with_targets: with_targets != 0,
-        };
-        edit(path, transform)
+        let matrix = DMat4::from_cols_array(&unsafe { read_array(matrix, "matrix") }?);
+        edit_by(path, |document| {
+            Ok(Edit::TransformPoints {
+                points: range(document, first_point, last_point)?,
+                matrix,
+                with_targets: with_targets != 0,
+            })
+        })
     })
 }
 
@@ -165,13 +165,14 @@ pub unsafe extern "C" fn v_path_deform(
         let deformation = unsafe { deformation(kind, parameters, count) }?;
         // SAFETY: six doubles, as the header says.
         let bounds = optional(r#box, |corners| unsafe { bounds(corners) })?;
-        let deform = Edit::DeformPoints {
-            points: range(first_point, last_point)?,
-            deformation,
-            bounds,
-            with_targets: with_targets != 0,
-        };
-        edit(path, deform)
+        edit_by(path, |document| {
+            Ok(Edit::DeformPoints {
+                points: range(document, first_point, last_point)?,
+                deformation,
+                bounds,
+                with_targets: with_targets != 0,
+            })
+        })
     })
 }
 
@@ -188,8 +189,11 @@ pub unsafe extern "C" fn v_path_extract(
     block: *mut *mut V_PATH,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = Out::new(block)?;
-        let (first, last) = (index(first_point)?, index(last_point)?);
+        let out = Out::new(block, "block")?;
+        let (first, last) = (
+            index(first_point, "first_point")?,
+            index(last_point, "last_point")?,
+        );
         let (taken, fps) = read(path, |document| {
             let taken = block::extract(document.path(), first, last)?;
             Ok((taken, document.info().fps))
@@ -222,13 +226,19 @@ pub unsafe extern "C" fn v_path_insert_path(
             V_FIT_TURN => Fit::Turn,
             V_FIT_SCALE => Fit::Scale,
             _ => {
-                return Err(Failure::range("there is no such way to put a path in"));
+                return Err(Failure::unknown(
+                    "fit",
+                    fit,
+                    "V_FIT_NONE (0), V_FIT_MOVE (1), V_FIT_TURN (2), V_FIT_SCALE (3)",
+                ));
             }
         };
-        let (block, _) = copy(block)?.into_parts();
+        let (block, _) = copy(block)
+            .map_err(|failure| failure.named("block"))?
+            .into_parts();
         can_allocate(size_of::<CameraPath>())?;
         let insert = Edit::InsertPath {
-            at: index(at)?,
+            at: index(at, "at")?,
             block: Box::new(block),
             fit,
             with_targets: true,
@@ -252,7 +262,7 @@ pub unsafe extern "C" fn v_path_reverse(path: *mut V_PATH) -> c_int {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_repeat(path: *mut V_PATH, count: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
-        edit(path, Edit::Repeat(how_many(count)?))
+        edit(path, Edit::Repeat(how_many(count, "count")?))
     })
 }
 
@@ -274,15 +284,20 @@ pub unsafe extern "C" fn v_path_blend(
     blend: *mut *mut V_PATH,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let out = Out::new(blend)?;
-        if count > MOST_PATHS {
-            return Err(Failure::range("so many paths cannot be blended"));
-        }
+        let out = Out::new(blend, "blend")?;
+        most(count, MOST_PATHS, "count")?;
         // SAFETY: so many handles and doubles, as the header says.
-        let (handles, weights) = unsafe { (slice(paths, count)?, slice(weights, count)?) };
+        let (handles, weights) = unsafe {
+            (
+                slice(paths, count, "paths")?,
+                slice(weights, count, "weights")?,
+            )
+        };
         let mut copies = vec_with_room(count)?;
         for &handle in handles {
-            copies.push(copy(handle)?);
+            let named = |failure: Failure| failure.named(Name::Element("paths", copies.len()));
+            let document = copy(handle).map_err(named)?;
+            copies.push(document);
         }
         let mut all = vec_with_room(count)?;
         all.extend(copies.iter().map(Document::path));

@@ -41,6 +41,7 @@ fn to_c(view: &View) -> V_VIEW {
 
 // SAFETY: `repr(C)` with `size` first; numbers only.
 unsafe impl Growing for V_VIEW {
+    const NAME: &'static str = "V_VIEW";
     const FIRST: usize = size_of::<V_VIEW>();
 }
 
@@ -58,9 +59,9 @@ unsafe impl Growing for V_VIEW {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_view_matrix(view: *const V_VIEW, m: *mut f64) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let m = Out::array(m)?;
+        let m = Out::array(m, "m")?;
         // SAFETY: a struct as its size says, as the header demands.
-        let view = unsafe { read_growing(view) }?;
+        let view = unsafe { read_growing(view, "view") }?;
         let matrix = from_c(&view).matrix()?.transpose();
         // SAFETY: room for 16 doubles, as the header says.
         unsafe { m.answer(matrix.to_cols_array()) }
@@ -82,7 +83,12 @@ pub unsafe extern "C" fn v_view_from_pose(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: a pose, and a struct as its size says, as the header demands.
-        let (out, pose) = unsafe { (GrowingOut::new(view)?, pointers::read(pose)?) };
+        let (out, pose) = unsafe {
+            (
+                GrowingOut::new(view, "view")?,
+                pointers::read(pose, "pose")?,
+            )
+        };
         let [vrp, vpn, vup] = [pose.vrp, pose.vpn, pose.vup].map(DVec3::from_array);
         let view = View::from_pose(vrp, vpn, vup, pose.zoom, aspect, front, back)?;
         // SAFETY: as above.
@@ -97,9 +103,9 @@ pub unsafe extern "C" fn v_view_from_pose(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_pose_gl_matrix(pose: *const V_POSE, m: *mut f64) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let m = Out::array(m)?;
+        let m = Out::array(m, "m")?;
         // SAFETY: a pose, as the header demands.
-        let pose = unsafe { pointers::read(pose) }?;
+        let pose = unsafe { pointers::read(pose, "pose") }?;
         let [vrp, vpn, vup] = [pose.vrp, pose.vpn, pose.vup].map(DVec3::from_array);
         let matrix = gl_matrix(vrp, vpn, vup)?;
         // SAFETY: room for 16 doubles, as the header says.

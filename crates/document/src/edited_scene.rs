@@ -400,7 +400,15 @@ impl Poses<'_> {
             } => {
                 let inside = (1..=count + 1).contains(&first);
                 if !inside || poses.len() > count + 1 - first {
-                    return Err(OutOfRange::FrameOfPath.into());
+                    #[allow(clippy::cast_precision_loss)]
+                    let [frame, last] =
+                        [first.max(first + poses.len() - 1), *count].map(|n| n as f64);
+                    return Err(OutOfRange::NoFrame {
+                        frame,
+                        first: 1.0,
+                        last,
+                    }
+                    .into());
                 }
                 let mut states = vec_with_room(poses.len().min(BLOCK))?;
                 states.resize(poses.len().min(BLOCK), NodeState::default());

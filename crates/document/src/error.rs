@@ -4,8 +4,8 @@ use std::fmt;
 use std::io;
 
 pub use vides_engine::error::{
-    Bound, Cause, Error as EngineError, ErrorKind, Invalid, OutOfRange, Place, Quantity, Text,
-    TooMany, reason,
+    Bound, Cause, Error as EngineError, ErrorKind, FromZero, Index, Invalid, List, OutOfRange,
+    Place, Quantity, Text, TooMany, reason,
 };
 #[doc(hidden)]
 pub use vides_engine::error::{can_allocate, complain, panic_said, try_box, vec_with_room};
@@ -111,17 +111,21 @@ impl fmt::Display for Key {
     }
 }
 
-/// An edit that this path does not allow. Points and orientations count from 0.
+/// An edit that this path does not allow. Numbers count from 0; sentences say them as [`Index`]
+/// does.
 #[derive(Debug, thiserror::Error)]
 #[allow(missing_docs)]
 pub enum Refused {
-    #[error("a new point must be put at 0 to {last}, not at {at}")]
+    #[error("a new point must be put at {} to {}, not at {}", Index(0), Index(*last), Index(*at))]
     NewPoint { at: usize, last: usize },
     #[error("the last two points of a path cannot be removed")]
     TwoPointsRemain,
     #[error("no segment begins in the last point of an open path")]
     NoSegmentAtEnd,
-    #[error("there is no segment {segment}: the path has segments 0 to {last}")]
+    #[error(
+        "there is no segment {}: the path has segments {} to {}",
+        Index(*segment), Index(0), Index(*last)
+    )]
     NoSegment { segment: usize, last: usize },
     #[error("a segment is divided by 1 to 10 points")]
     Division,
@@ -131,20 +135,26 @@ pub enum Refused {
     NoDirection(End),
     #[error("there is no room in the movement space beyond the {0} point")]
     NoRoom(End),
-    #[error("there is no orientation {orientation}: point {point} has orientations 0 to {last}")]
+    #[error(
+        "there is no orientation {}: point {} has orientations {} to {}",
+        Index(*orientation), Index(*point), Index(0), Index(*last)
+    )]
     NoOrientation {
         orientation: usize,
         point: usize,
         last: usize,
     },
-    #[error("a new orientation must be put at 0 to {last}, not at {at}")]
+    #[error(
+        "a new orientation must be put at {} to {}, not at {}",
+        Index(0), Index(*last), Index(*at)
+    )]
     NewOrientation { at: usize, last: usize },
     #[error("the last orientation of a point cannot be removed")]
     OneOrientationRemains,
     #[error(
         "point {} must not lie on the target of its orientation {}",
-        point + 1,
-        orientation + 1
+        Index(*point),
+        Index(*orientation)
     )]
     OnTarget { point: usize, orientation: usize },
     #[error("a target in this direction would lie further out than 1e9 half sizes")]

@@ -159,7 +159,7 @@ impl Info {
         for (index, point) in self.object.iter().enumerate() {
             space
                 .check_place(point.position)
-                .map_err(|error| error.at(Place::ObjectPoint(index + 1)))?;
+                .map_err(|error| error.at(Place::ObjectPoint(index)))?;
         }
         Ok(())
     }

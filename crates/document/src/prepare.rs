@@ -382,7 +382,7 @@ fn moved(path: &CameraPath, space: Space) -> Result<Change> {
     for (at, point) in path.points.iter().enumerate() {
         let point = to.point(point)?;
         let checked = point.check(space);
-        checked.map_err(|error| error.at(Place::Point(at + 1)))?;
+        checked.map_err(|error| error.at(Place::Point(at)))?;
         changes.push(Change::Point { at, point });
     }
     Ok(Change::Several(changes))

@@ -335,7 +335,11 @@ impl<'a> Given<'a> {
     fn points(&self) -> Result<Vec<usize>> {
         let [first, last] = [FIRST, LAST].map(|end| chosen(self.number(end.name)));
         if first > last {
-            return Err(OutOfRange::PointOrder.into());
+            return Err(OutOfRange::PointOrder {
+                first: first - 1,
+                last: last - 1,
+            }
+            .into());
         }
         let count = self.document.path().points.len();
         if last > count {

@@ -1,8 +1,13 @@
 //! What the engine says, in German: one line for each variant of its errors.
 
 use super::Language;
-use crate::error::{Bound, EngineError, Invalid, OutOfRange, Place, Quantity, TooMany};
+use crate::error::{
+    Bound, EngineError, Index, Invalid, List, OutOfRange, Place, Quantity, TooMany,
+};
 use crate::limits;
+use crate::tools::check::FindingKind;
+use vides_engine::deform::counts;
+use vides_engine::scene::{Channel, Interpolation};
 
 /// A text of the library in German.
 pub(crate) struct German<'a, T>(pub(crate) &'a T);
@@ -35,12 +40,12 @@ german! {
         At(place, cause) => "{}: {}", German(place), German::<EngineError>(cause);
     }
     Place {
-        Point(number) => "Punkt {number}";
-        Orientation(number) => "Orientierung {number}";
-        ObjectPoint(number) => "Objektpunkt {number}";
+        Point(at) => "Punkt {}", Index(*at);
+        Orientation(at) => "Orientierung {}", Index(*at);
+        ObjectPoint(at) => "Objektpunkt {}", Index(*at);
         Node(name) => "Knoten „{name}“";
         Channel(name) => "Kanal „{name}“";
-        Key(number) => "Schlüssel {number}";
+        Key(at) => "Schlüssel {}", Index(*at);
         Marker => "Marke";
         Parent => "parent";
         Aim => "aim";
@@ -52,7 +57,7 @@ german! {
         Pivot => "der Drehpunkt";
         Step => "die Schrittweite";
         Tangents => "die Tangenten";
-        Pose(number) => "Pose {number}";
+        Pose(at) => "Pose {}", Index(*at);
     }
     Quantity {
         AimWeight => "das Gewicht des Zielens";
@@ -133,9 +138,11 @@ german! {
         PinsTurnBack => "seine Marke muss nach der des vorigen angehefteten Punktes kommen";
         PathWithOffset =>
             "ein Pfad hält, wiederholt sich oder läuft hin und her; mit Versatz wiederholt er sich nicht";
-        NoChannel(name) => "einen Kanal „{name}“ gibt es nicht";
+        NoChannel(name) => "einen Kanal „{name}“ gibt es nicht; bekannt sind: {}",
+            List(Channel::names(None));
         NoChannelOfKind { kind, channel } =>
-            "ein Knoten der Art „{kind}“ hat keinen Kanal „{channel}“";
+            "ein Knoten der Art „{kind}“ hat keinen Kanal „{channel}“; er kann haben: {}",
+            List(Channel::names(Some(kind)));
         NoChannelOfNode { node, channel } => "„{node}“ hat keinen Kanal „{channel}“";
         ChannelWithoutName => "ein eigener Kanal braucht einen Namen: value:NAME";
         KeysMoveIt { node, channel } =>
@@ -145,8 +152,11 @@ german! {
         NoKey => "eine Spur braucht einen Schlüssel";
         KeyOrder => "sein Bild muss hinter dem des Schlüssels davor liegen";
         SwitchWithOffset => "was nur 0 oder 1 ist, kann sich nicht mit Versatz wiederholen";
-        NoInterpolation(name) => "eine Interpolation „{name}“ gibt es nicht";
-        NotInterpolated(name) => "dieser Kanal kann nicht mit „{name}“ interpoliert werden";
+        NoInterpolation(name) => "eine Interpolation „{name}“ gibt es nicht; bekannt sind: {}",
+            List(Interpolation::names(None));
+        NotInterpolated { channel, by } =>
+            "der Kanal „{channel}“ kann nicht mit „{by}“ interpoliert werden, nur mit: {}",
+            List(Interpolation::names(Some(channel)));
         InterpolationWithoutName => "eine eigene Interpolation braucht einen Namen";
         NotRegistered { channel, name } =>
             "Kanal „{channel}“: eine Interpolation „host:{name}“ ist nicht angemeldet";
@@ -185,7 +195,8 @@ german! {
              Toleranz (verfehlt um das {}-Fache): mehr Bilder pro Sekunde helfen, oder eine \
              größere Toleranz",
             number((times * 10.0).round() / 10.0);
-        NoCheck(name) => "die Prüfung „{name}“ gibt es nicht";
+        NoCheck(name) => "die Prüfung „{name}“ gibt es nicht; bekannt sind: {}",
+            List(FindingKind::all().map(FindingKind::name));
         NoGeometry => "das Objekt hat keine Geometrie";
     }
     OutOfRange {
@@ -194,10 +205,12 @@ german! {
         Exceeds(what, most) => "{} darf höchstens {} sein", German(what), number(*most);
         TooFewSupportPoints => "eine Bahn braucht mindestens zwei Stützpunkte";
         NoPoint { point, last } =>
-            "den Punkt {point} gibt es nicht: die Bahn hat die Punkte 0 bis {last}";
+            "den Punkt {} gibt es nicht: die Bahn hat die Punkte 1 bis {}", Index(*point), Index(*last);
         Orientations => "ein Punkt hat 1 bis 10 Orientierungen";
         Hold => "das Halten muss zwischen 0 und 1000000 Bildern liegen";
-        FrameOfPath => "ein Bild muss zwischen 1 und der Zahl der Bilder liegen";
+        NoFrame { frame, first, last } =>
+            "das Bild {} gibt es nicht: sie gehen von {} bis {}",
+            number(*frame), number(*first), number(*last);
         NoPose => "eine Liste hat mindestens eine Pose";
         SectionFrames => "ein Bewegungsabschnitt hat höchstens {} Bilder", limits::MAX_FRAMES;
         DistanceKeys => "ein vorgegebener Weg hat 2 bis {} Schlüssel", limits::MAX_DISTANCE_KEYS;
@@ -206,15 +219,18 @@ german! {
         EaseShares =>
             "die Zeitanteile für Anfahren und Bremsen dürfen nicht negativ sein und zusammen höchstens 1";
         Part => "ein Teil muss zwischen 0 und 1 beginnen und enden, und zwar nach seinem Anfang";
-        PointOrder => "der erste Punkt eines Bereichs darf nicht hinter dem letzten liegen";
+        PointOrder { first, last } =>
+            "der erste Punkt eines Bereichs, {}, darf nicht hinter dem letzten, {}, liegen",
+            Index(*first), Index(*last);
         TooFewFrames { frames, least } =>
             "{frames} Bilder sind zu wenige: es müssen mindestens {least} sein";
         TooManyFrames { frames, most } =>
             "{frames} Bilder sind zu viele: es können höchstens {most} sein";
         AtKey(frame) => "bei Bild {} ist die Kamera schon an einem Schlüssel", number(*frame);
-        FewerFrames(point) => "auf dem Weg von Punkt {} sind weniger Bilder als neue Punkte", point;
+        FewerFrames(point) => "auf dem Weg von Punkt {} sind weniger Bilder als neue Punkte", Index(*point);
         Turning { frame, point } =>
-            "bei Bild {} dreht sich die Kamera an Punkt {point}, dort gibt es keinen Weg zu teilen", number(*frame);
+            "bei Bild {} dreht sich die Kamera an Punkt {}, dort gibt es keinen Weg zu teilen",
+            number(*frame), Index(*point);
         NearPoint => "die Stelle liegt zu nah an einem Punkt des Pfads";
         HalfSize => "die halbe Größe des Raums muss zwischen 1e-30 und 1e30 liegen";
         Centre =>
@@ -240,11 +256,11 @@ german! {
             "eine Quaternionenkurve braucht mindestens zwei Schlüssel, jeder mit einer Zeit";
         Time => "die gefragte Zeit muss zwischen dem ersten und dem letzten Schlüssel liegen";
         KeyShapes => "jeder Schlüssel braucht tension, continuity und bias";
-        NoNode { node, count } => "unter {count} Knoten, gezählt von 0, ist kein Knoten {node}";
+        NoNode { node, count } => "unter {count} Knoten ist kein Knoten {}", Index(*node);
         NoLink { node, number, count, link } =>
-            "Knoten „{node}“: unter {count} Knoten ist kein Knoten {number} für {link}";
+            "Knoten „{node}“: unter {count} Knoten ist kein Knoten {} für {link}", Index(*number);
         NoPathPoint { node, point, count } =>
-            "der Pfad von „{node}“ hat unter {count} Punkten, gezählt von 0, keinen Punkt {point}";
+            "der Pfad von „{node}“ hat unter {count} Punkten keinen Punkt {}", Index(*point);
         States { nodes, given } => "{nodes} Knoten brauchen ebenso viele Zustände, nicht {given}";
         Colour => "die Zahlen einer Farbe müssen zwischen 0 und 1e9 liegen";
         Cone =>
@@ -266,7 +282,7 @@ german! {
         Tangent =>
             "eine Tangente muss endlich sein und darf {} nicht überschreiten", limits::MAX_TANGENT;
         NoMeshPoint { point, count } =>
-            "unter {count} Punkten, gezählt von 0, ist kein Punkt {point}";
+            "unter {count} Punkten ist kein Punkt {}", Index(*point as usize);
         MeshColours { points, given } =>
             "{points} Punkte brauchen ebenso viele Farben, nicht {given}";
         PointRoom { points, given } => "{points} Punkte brauchen ebenso viel Platz, nicht {given}";
@@ -276,7 +292,8 @@ german! {
             "{shapes} Formen brauchen ebenso viele Gewichte, nicht {given}";
         NoDeformation { at, count } => "unter {count} Verformungen, gezählt von 0, ist keine {at}";
         DeformationNumbers { deformation, given } =>
-            "die Verformung „{deformation}“ nimmt nicht {given} Zahlen";
+            "die Verformung „{deformation}“ nimmt nicht {given} Zahlen, sondern {}",
+            List(counts(deformation));
         DeformationAxis => "eine Achse einer Verformung ist 0, 1 oder 2";
         NumberBetween(name, low, high) =>
             "{name} muss zwischen {} und {} liegen", number(*low), number(*high);

@@ -4,7 +4,7 @@ use super::Language;
 use super::errors::Errors;
 use super::german::{German, german, number};
 use crate::document::mesh::{Error as MeshError, Problem};
-use crate::error::{End, Error, Malformed, Refused, Value, one_of};
+use crate::error::{End, Error, Index, Malformed, Refused, Value, one_of};
 use crate::host::{Warning, Warnings};
 use crate::limits;
 use crate::texts::refusals::of_system;
@@ -25,23 +25,27 @@ german! {
     }
     Refused {
         NewPoint { at, last } =>
-            "ein neuer Punkt kommt an eine Stelle von 0 bis {last}, nicht {at}";
+            "ein neuer Punkt kommt an eine Stelle von 1 bis {}, nicht {}", Index(*last), Index(*at);
         TwoPointsRemain => "die letzten zwei Punkte einer Bahn lassen sich nicht löschen";
         NoSegmentAtEnd => "am letzten Punkt einer offenen Bahn beginnt kein Abschnitt";
         NoSegment { segment, last } =>
-            "den Abschnitt {segment} gibt es nicht: die Bahn hat die Abschnitte 0 bis {last}";
+            "den Abschnitt {} gibt es nicht: die Bahn hat die Abschnitte 1 bis {}",
+            Index(*segment), Index(*last);
         Division => "ein Abschnitt wird durch 1 bis 10 Punkte geteilt";
         NoEnds => "eine geschlossene Bahn hat keine Enden";
         NoDirection(end) =>
             "der {} Abschnitt hat keine Länge und damit keine Richtung, in der es weiterginge", German(end);
         NoRoom(end) => "jenseits des {}n Punktes ist im Bewegungsraum kein Platz", German(end);
         NoOrientation { orientation, point, last } =>
-            "die Orientierung {orientation} gibt es nicht: Punkt {point} hat die Orientierungen 0 bis {last}";
+            "die Orientierung {} gibt es nicht: Punkt {} hat die Orientierungen 1 bis {}",
+            Index(*orientation), Index(*point), Index(*last);
         NewOrientation { at, last } =>
-            "eine neue Orientierung kommt an eine Stelle von 0 bis {last}, nicht {at}";
+            "eine neue Orientierung kommt an eine Stelle von 1 bis {}, nicht {}",
+            Index(*last), Index(*at);
         OneOrientationRemains => "die letzte Orientierung eines Punktes lässt sich nicht löschen";
         OnTarget { point, orientation } =>
-            "Punkt {} darf nicht auf dem Ziel seiner Orientierung {} liegen", point + 1, orientation + 1;
+            "Punkt {} darf nicht auf dem Ziel seiner Orientierung {} liegen",
+            Index(*point), Index(*orientation);
         TargetTooFar => "ein Ziel in dieser Richtung läge weiter draußen als 1e9 halbe Größen";
         NoCamera => "diese Szene hat keine Kamera auf einem Pfad";
         NoPathEdited => "keine Bahn wird bearbeitet: bitte einen Knoten wählen, der einer folgt";

@@ -100,21 +100,30 @@ impl Formula {
     }
 }
 
+/// How many numbers a kind of deformation takes.
+#[doc(hidden)]
+pub fn counts(kind: &str) -> impl Iterator<Item = usize> + Clone {
+    let of_kind = FORMULAS
+        .into_iter()
+        .filter(move |formula| formula.kind() == kind);
+    of_kind.map(Formula::count)
+}
+
 impl Deformation {
     /// By its kind, `taper`, `twist`, `bend` or `free-form`; angles in degrees, axes 0, 1, 2.
     ///
     /// # Errors
     /// [`Error::Argument`] for the kind; that, [`Error::Range`] for parameters; [`Error::Memory`].
     pub fn new(kind: &str, parameters: &[f64]) -> Result<Self> {
-        if !FORMULAS.iter().any(|formula| formula.kind() == kind) {
+        let Some(known) = FORMULAS.iter().find(|formula| formula.kind() == kind) else {
             return Err(Invalid::NoDeformation(kind.into()).into());
-        }
+        };
         let formula = FORMULAS
             .into_iter()
             .find(|formula| formula.kind() == kind && formula.count() == parameters.len())
             .ok_or_else(|| {
                 Error::Range(OutOfRange::DeformationNumbers {
-                    deformation: kind.into(),
+                    deformation: known.kind(),
                     given: parameters.len(),
                 })
             })?;

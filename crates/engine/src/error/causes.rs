@@ -3,8 +3,10 @@
 
 use std::fmt;
 
-use super::Text;
+use super::{Index, List, Text};
 use crate::limits;
+use crate::scene::{Channel, Interpolation};
+use crate::tools::check::FindingKind;
 
 /// Something with a number that can be wrong by itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -59,6 +61,16 @@ impl fmt::Display for Bound {
             1e9.. => write!(f, "{:e}", self.0),
             _ => self.0.fmt(f),
         }
+    }
+}
+
+/// The name of a kind with the article that goes with it.
+struct WithArticle<'a>(&'a str);
+
+impl fmt::Display for WithArticle<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let vowel = self.0.starts_with(['a', 'e', 'i', 'o', 'u']);
+        write!(f, "{} {}", if vowel { "an" } else { "a" }, self.0)
     }
 }
 
@@ -152,7 +164,7 @@ pub enum Invalid {
     NodeTwice(Text),
     #[error("there is no node \"{0}\"")]
     NoNodeNamed(Text),
-    #[error("\"{node}\" is a {kind} and stays one")]
+    #[error("\"{node}\" is {} and stays one", WithArticle(kind))]
     KindStays { node: Text, kind: &'static str },
     #[error("\"{0}\" is no object")]
     NoObject(Text),
@@ -184,9 +196,13 @@ pub enum Invalid {
     PathWithOffset,
 
     // Channels, tracks.
-    #[error("there is no channel \"{0}\"")]
+    #[error("there is no channel \"{}\"; known: {}", .0, List(Channel::names(None)))]
     NoChannel(Text),
-    #[error("a {kind} has no channel \"{channel}\"")]
+    #[error(
+        "{} has no channel \"{channel}\"; it can have: {}",
+        WithArticle(kind),
+        List(Channel::names(Some(kind)))
+    )]
     NoChannelOfKind { kind: &'static str, channel: Text },
     #[error("\"{node}\" has no channel \"{channel}\"")]
     NoChannelOfNode { node: Text, channel: Text },
@@ -204,10 +220,13 @@ pub enum Invalid {
     KeyOrder,
     #[error("what is either 0 or 1 cannot repeat with offset")]
     SwitchWithOffset,
-    #[error("there is no interpolation \"{0}\"")]
+    #[error("there is no interpolation \"{}\"; known: {}", .0, List(Interpolation::names(None)))]
     NoInterpolation(Text),
-    #[error("this channel cannot be interpolated by \"{0}\"")]
-    NotInterpolated(Text),
+    #[error(
+        "the channel \"{channel}\" cannot be interpolated by \"{by}\"; it can by: {}",
+        List(Interpolation::names(Some(channel)))
+    )]
+    NotInterpolated { channel: Channel, by: Text },
     #[error("an interpolation of the host's own needs a name")]
     InterpolationWithoutName,
     #[error("channel \"{channel}\": no interpolation \"host:{name}\" is registered")]
@@ -275,7 +294,10 @@ pub enum Invalid {
          missed by {0:.1} times that): more frames a second help, or a larger tolerance"
     )]
     PoseMissed(f64),
-    #[error("there is no check \"{0}\"")]
+    #[error(
+        "there is no check \"{}\"; known: {}",
+        .0, List(FindingKind::all().map(FindingKind::name))
+    )]
     NoCheck(Text),
     #[error("the object has no geometry")]
     NoGeometry,
@@ -293,14 +315,17 @@ pub enum OutOfRange {
     // Paths.
     #[error("a path needs at least two support points")]
     TooFewSupportPoints,
-    #[error("there is no point {point}: the path has points 0 to {last}")]
+    #[error(
+        "there is no point {}: the path has points {} to {}",
+        Index(*point), Index(0), Index(*last)
+    )]
     NoPoint { point: usize, last: usize },
     #[error("a point has between 1 and 10 orientations")]
     Orientations,
     #[error("the hold must lie between 0 and 1000000 frames")]
     Hold,
-    #[error("a frame must lie between 1 and the number of frames")]
-    FrameOfPath,
+    #[error("there is no frame {frame}: they go from {first} to {last}")]
+    NoFrame { frame: f64, first: f64, last: f64 },
     #[error("a list has at least one pose")]
     NoPose,
     #[error("a section has at most {} frames", limits::MAX_FRAMES)]
@@ -320,17 +345,23 @@ pub enum OutOfRange {
     EaseShares,
     #[error("a part must begin and end between 0 and 1, its end after its start")]
     Part,
-    #[error("the first point of a range must not lie behind its last one")]
-    PointOrder,
+    #[error(
+        "the first point of a range, {}, must not lie behind its last one, {}",
+        Index(*first), Index(*last)
+    )]
+    PointOrder { first: usize, last: usize },
     #[error("{frames} frames are too few: it must have at least {least}")]
     TooFewFrames { frames: usize, least: usize },
     #[error("{frames} frames are too many: it can have at most {most}")]
     TooManyFrames { frames: usize, most: usize },
     #[error("at frame {0} the camera is at a key already")]
     AtKey(f64),
-    #[error("on the way from point {0} there are fewer frames than new points")]
+    #[error("on the way from point {} there are fewer frames than new points", Index(*.0))]
     FewerFrames(usize),
-    #[error("at frame {frame} the camera turns at point {point}, there is no way to divide")]
+    #[error(
+        "at frame {frame} the camera turns at point {}, there is no way to divide",
+        Index(*point)
+    )]
     Turning { frame: f64, point: usize },
     #[error("the place is too near to a point of the path")]
     NearPoint,
@@ -380,16 +411,19 @@ pub enum OutOfRange {
     KeyShapes,
 
     // Scenes.
-    #[error("there is no node {node} among {count}, counted from 0")]
+    #[error("there is no node {} among {count}", Index(*node))]
     NoNode { node: usize, count: usize },
-    #[error("node \"{node}\": there is no node {number} among {count} for its {link}")]
+    #[error(
+        "node \"{node}\": there is no node {} among {count} for its {link}",
+        Index(*number)
+    )]
     NoLink {
         node: Text,
         number: usize,
         count: usize,
         link: &'static str,
     },
-    #[error("the path of \"{node}\" has no point {point} among {count}, counted from 0")]
+    #[error("the path of \"{node}\" has no point {} among {count}", Index(*point))]
     NoPathPoint {
         node: Text,
         point: usize,
@@ -437,7 +471,7 @@ pub enum OutOfRange {
     Tangent,
 
     // Objects, deformations.
-    #[error("there is no point {point} among {count}, counted from 0")]
+    #[error("there is no point {} among {count}", Index(*point as usize))]
     NoMeshPoint { point: u32, count: usize },
     #[error("{points} points need as many colours, not {given}")]
     MeshColours { points: usize, given: usize },
@@ -453,8 +487,14 @@ pub enum OutOfRange {
     ShapeWeights { shapes: usize, given: usize },
     #[error("there is no deformation {at} among {count}, counted from 0")]
     NoDeformation { at: usize, count: usize },
-    #[error("the deformation \"{deformation}\" does not take {given} numbers")]
-    DeformationNumbers { deformation: Text, given: usize },
+    #[error(
+        "the deformation \"{deformation}\" does not take {given} numbers; it takes {}",
+        List(crate::deform::counts(deformation))
+    )]
+    DeformationNumbers {
+        deformation: &'static str,
+        given: usize,
+    },
     #[error("an axis of a deformation is 0, 1 or 2")]
     DeformationAxis,
 

@@ -1,11 +1,13 @@
 //! Errors of the engine: each is one English sentence, fit to be shown to a person as it stands.
 
 mod causes;
+mod counting;
 
 use std::fmt::{self, Write as _};
 use std::sync::Arc;
 
 pub use causes::{Bound, Invalid, OutOfRange, Quantity, TooMany};
+pub use counting::{FromZero, Index};
 
 /// What can go wrong in the engine.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -49,21 +51,21 @@ pub enum ErrorKind {
     Display,
 }
 
-/// Where something is wrong. Numbers count from 1.
+/// Where something is wrong. Numbers count from 0; sentences say them as [`Index`] does.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[allow(missing_docs)]
 pub enum Place {
-    #[error("point {0}")]
+    #[error("point {}", Index(*.0))]
     Point(usize),
-    #[error("orientation {0}")]
+    #[error("orientation {}", Index(*.0))]
     Orientation(usize),
-    #[error("object point {0}")]
+    #[error("object point {}", Index(*.0))]
     ObjectPoint(usize),
     #[error("node \"{0}\"")]
     Node(Text),
     #[error("channel \"{0}\"")]
     Channel(Text),
-    #[error("key {0}")]
+    #[error("key {}", Index(*.0))]
     Key(usize),
     #[error("marker")]
     Marker,
@@ -87,7 +89,7 @@ pub enum Place {
     Step,
     #[error("the tangents")]
     Tangents,
-    #[error("pose {0}")]
+    #[error("pose {}", Index(*.0))]
     Pose(usize),
 }
 
@@ -193,6 +195,21 @@ impl Clone for Text {
 impl fmt::Display for Text {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(&self.0)
+    }
+}
+
+/// Names, or what else there is to choose, joined by commas.
+#[doc(hidden)]
+#[derive(Clone, Debug)]
+pub struct List<I>(pub I);
+
+impl<I: Iterator<Item: fmt::Display> + Clone> fmt::Display for List<I> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (at, item) in self.0.clone().enumerate() {
+            let comma = if at == 0 { "" } else { ", " };
+            write!(f, "{comma}{item}")?;
+        }
+        Ok(())
     }
 }
 

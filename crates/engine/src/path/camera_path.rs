@@ -408,7 +408,7 @@ impl CameraPath {
         for (index, point) in self.points.iter().enumerate() {
             point
                 .check(space)
-                .map_err(|error| error.at(Place::Point(index + 1)))?;
+                .map_err(|error| error.at(Place::Point(index)))?;
         }
         check_ups(self)
     }
@@ -465,7 +465,7 @@ impl SupportPoint {
         for (index, orientation) in self.orientations.iter().enumerate() {
             orientation
                 .check(self.position, space)
-                .map_err(|error| error.at(Place::Orientation(index + 1)))?;
+                .map_err(|error| error.at(Place::Orientation(index)))?;
         }
         Ok(())
     }

@@ -41,7 +41,7 @@ fn range(path: &CameraPath, timeline: &Timeline, first: usize, last: usize) -> R
         }
     }
     if first > last && !path.closed {
-        return Err(OutOfRange::PointOrder.into());
+        return Err(OutOfRange::PointOrder { first, last }.into());
     }
     let sections = timeline.section_count();
     let start = |point: usize| timeline.section_from(point, 0).unwrap_or(sections);

@@ -22,7 +22,7 @@ use super::timeline::Timeline;
 use super::timing::Timing;
 use super::turning::Turning;
 use super::up_vector::UpVector;
-use crate::error::{Error, Invalid, OutOfRange, Quantity, Result, vec_with_room};
+use crate::error::{Error, Invalid, OutOfRange, Result, vec_with_room};
 use crate::limits::{MAX_SPEED, MAX_ZOOM, MIN_SPEED, MIN_ZOOM, SPEEDS};
 use crate::math::{orientation, quaternion};
 
@@ -120,7 +120,7 @@ pub fn dividing_frames(path: &CameraPath, segment: usize, points: usize) -> Resu
         .then(|| path.points[segment].orientations.len() - 1)
         .and_then(|last| timeline.section_from(segment, last))
         .filter(|&section| timeline.section(section).frames > points);
-    let too_few = || Error::Range(OutOfRange::FewerFrames(segment + 1));
+    let too_few = || Error::Range(OutOfRange::FewerFrames(segment));
     let section = section.ok_or_else(too_few)?;
     let mut sampled = sampler.sections().iter();
     let sampled = sampled.find(|sampled| sampled.section == section);
@@ -153,7 +153,7 @@ fn find(
 ) -> Result<(usize, f64)> {
     let frames = sampler.frame_count();
     if !(frame >= 1.0 && frame <= frames as f64) {
-        return Err(OutOfRange::Between(Quantity::Frame, 1.0, frames as f64).into());
+        return Err(sampler.no_frame(frame));
     }
     let sections = sampler.sections();
     let index =
@@ -169,7 +169,7 @@ fn find(
     if sampled.way.is_none() || begin.orientation != last {
         return Err(OutOfRange::Turning {
             frame,
-            point: begin.point + 1,
+            point: begin.point,
         }
         .into());
     }

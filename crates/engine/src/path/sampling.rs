@@ -200,7 +200,8 @@ impl Sampler {
     pub fn sample(&self, first: usize, poses: &mut [Pose]) -> Result<()> {
         let inside = first >= 1 && first <= self.frames + 1;
         if !inside || poses.len() > self.frames + 1 - first {
-            return Err(OutOfRange::FrameOfPath.into());
+            let last = first.saturating_add(poses.len().saturating_sub(1));
+            return Err(self.no_frame(if inside { last } else { first } as f64));
         }
         let mut scratch = Scratch::new(poses.len());
         let mut rest = poses;
@@ -237,6 +238,17 @@ impl Sampler {
         Ok(())
     }
 
+    /// The error where there is no such frame.
+    #[allow(clippy::cast_precision_loss)]
+    pub(super) fn no_frame(&self, frame: f64) -> crate::Error {
+        OutOfRange::NoFrame {
+            frame,
+            first: 1.0,
+            last: self.frames as f64,
+        }
+        .into()
+    }
+
     /// The pose at any frame between 1 and the last, also between two frames.
     ///
     /// # Errors
@@ -244,7 +256,7 @@ impl Sampler {
     #[allow(clippy::cast_precision_loss)]
     pub fn pose(&self, frame: f64) -> Result<Pose> {
         if !(frame >= 1.0 && frame <= self.frames as f64) {
-            return Err(OutOfRange::FrameOfPath.into());
+            return Err(self.no_frame(frame));
         }
         let index = self
             .sections

@@ -88,6 +88,27 @@ impl Channel {
         Err(Invalid::NoChannel(name.into()).into())
     }
 
+    /// The names of all, or of those that a kind of node can have.
+    #[doc(hidden)]
+    pub fn names(kind: Option<&str>) -> impl Iterator<Item = &'static str> + Clone {
+        let has = move |channel: &Self| match (channel, kind) {
+            (_, None)
+            | (Self::Position | Self::Rotation | Self::Scale | Self::Visible, _)
+            | (Self::Zoom | Self::Roll, Some("camera"))
+            | (Self::Colour, Some("light" | "object"))
+            | (Self::Intensity | Self::Cone, Some("light"))
+            | (Self::AimWeight, Some("light" | "camera"))
+            | (Self::Weights, Some("object")) => true,
+            _ => false,
+        };
+        let plain = PLAIN.iter().filter(move |(_, channel)| has(channel));
+        let deforms = matches!(kind, None | Some("object")).then_some("deformation.N.NAME");
+        plain
+            .map(|(name, _)| *name)
+            .chain(deforms)
+            .chain(["value:NAME"])
+    }
+
     fn parse_value(rest: &str) -> Result<Self> {
         let (name, width) = match rest.split_once(':') {
             Some((name, width)) => (name, whole(width)),

@@ -61,7 +61,7 @@ impl Mesh {
 
 fn check_points(points: &[DVec3]) -> Result<()> {
     for (at, &point) in points.iter().enumerate() {
-        check_coordinates(point).map_err(|error| error.at(Place::Point(at + 1)))?;
+        check_coordinates(point).map_err(|error| error.at(Place::Point(at)))?;
     }
     Ok(())
 }

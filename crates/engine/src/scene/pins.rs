@@ -31,7 +31,7 @@ pub fn pinned(path: &CameraPath, timeline: &Timeline, pins: &[(usize, f64)]) -> 
     for pair in pins.windows(2) {
         let [(from, begin), (to, end)] = [pair[0], pair[1]];
         let [begin, end] = [begin, end].map(|frame| (frame - start).round());
-        let at = |error: crate::Error| error.at(Place::Point(to + 1));
+        let at = |error: crate::Error| error.at(Place::Point(to));
         if !(begin < end) {
             return Err(at(Invalid::PinsTurnBack.into()));
         }

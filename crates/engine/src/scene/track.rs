@@ -78,6 +78,24 @@ impl Interpolation {
         Err(Invalid::NoInterpolation(name.into()).into())
     }
 
+    /// The names of all, or of those that a channel takes.
+    #[doc(hidden)]
+    pub fn names(channel: Option<&Channel>) -> impl Iterator<Item = &'static str> + Clone {
+        let fits = move |by: &Self| channel.is_none_or(|channel| by.fits(channel));
+        let plain = PLAIN.iter().filter(move |(_, plain)| fits(plain));
+        let host = fits(&Self::Host(String::new())).then_some("host:NAME");
+        plain.map(|(name, _)| *name).chain(host)
+    }
+
+    fn fits(&self, channel: &Channel) -> bool {
+        match self {
+            Self::Cubic => *channel != Channel::Rotation,
+            Self::EulerLinear | Self::EulerCatmullRom => *channel == Channel::Rotation,
+            Self::Step => true,
+            _ => *channel != Channel::Visible,
+        }
+    }
+
     const fn euler(&self) -> bool {
         matches!(self, Self::EulerLinear | Self::EulerCatmullRom)
     }
@@ -295,22 +313,19 @@ impl Track {
         }
         for key in 0..count {
             self.check_key(key)
-                .map_err(|error| error.at(Place::Key(key + 1)))?;
+                .map_err(|error| error.at(Place::Key(key)))?;
         }
         Ok(())
     }
 
     /// Refuses the combinations that the table of `docs/scene.md` does not have.
     fn check_combination(&self) -> Result<()> {
-        let rotation = self.channel == Channel::Rotation;
-        let fits = match self.interpolation {
-            Interpolation::Cubic => !rotation,
-            Interpolation::EulerLinear | Interpolation::EulerCatmullRom => rotation,
-            Interpolation::Step => true,
-            _ => self.channel != Channel::Visible,
-        };
-        if !fits {
-            return Err(Invalid::NotInterpolated((&self.interpolation).into()).into());
+        if !self.interpolation.fits(&self.channel) {
+            return Err(Invalid::NotInterpolated {
+                channel: self.channel.clone(),
+                by: (&self.interpolation).into(),
+            }
+            .into());
         }
         let width = if self.interpolation.euler() {
             3

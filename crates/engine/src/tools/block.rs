@@ -61,7 +61,7 @@ pub fn extract(path: &CameraPath, first: usize, last: usize) -> Result<CameraPat
         return Err(path.no_point(point));
     }
     if first > last && !path.closed {
-        return Err(OutOfRange::PointOrder.into());
+        return Err(OutOfRange::PointOrder { first, last }.into());
     }
     let taken = (last + count - first) % count + 1;
     let all = tangents(path)?;

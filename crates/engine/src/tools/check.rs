@@ -124,7 +124,7 @@ static ROWS: [Row; COUNT] = [
 
 impl FindingKind {
     /// All of them.
-    pub fn all() -> impl Iterator<Item = Self> {
+    pub fn all() -> impl Iterator<Item = Self> + Clone {
         ROWS.iter().map(|row| row.0)
     }
 

@@ -107,7 +107,7 @@ pub fn fit(
     let path = data.fitted(progress)?;
     match data.worst(&path)? {
         None => Ok(path),
-        Some((at, times)) => Err(Error::from(Invalid::PoseMissed(times)).at(Place::Pose(at + 1))),
+        Some((at, times)) => Err(Error::from(Invalid::PoseMissed(times)).at(Place::Pose(at))),
     }
 }
 
@@ -190,7 +190,7 @@ impl Data {
         }
         let mut raw: Vec<Sample> = vec_with_room(poses.len())?;
         for (k, pose) in poses.iter().enumerate() {
-            let sample = sample(pose).map_err(|error| error.at(Place::Pose(k + 1)))?;
+            let sample = sample(pose).map_err(|error| error.at(Place::Pose(k)))?;
             let before = raw.last().map_or(sample.turn, |before| before.turn);
             raw.push(Sample {
                 turn: continue_sign(before, sample.turn).0,

@@ -180,7 +180,7 @@ fn mapped(
             }
         }
         new.check(path.space)
-            .map_err(|error| error.at(Place::Point(number + 1)))?;
+            .map_err(|error| error.at(Place::Point(number)))?;
         changed.push((number, new));
     }
     if with_targets && alignment::any(path) {
