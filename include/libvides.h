@@ -212,7 +212,10 @@ struct interpolparameter {
     V_POS VPN;
     /** up; length 1, perpendicular to VPN */
     V_POS VUP;
-    /** 1 to 100, rounded; the vertical field of view is 2 atan (12 / zoom) */
+    /**
+     * 1 to 100, rounded, and 100 for any zoom beyond; the vertical field of view
+     * is 2 atan (12 / zoom)
+     */
     int zoom;
     struct interpolparameter *prev;
     struct interpolparameter *next;
@@ -269,7 +272,7 @@ struct v_orientation {
      * number, kept in (-180, 180]
      */
     double roll;
-    /** 1 to 100 */
+    /** 1 to 2000 */
     double zoom;
     /** of the turning, each -1 to 1 */
     double tension;
@@ -321,8 +324,9 @@ struct v_pose {
     /** up; length 1, perpendicular to vpn */
     double vup[3];
     /**
-     * 1 to 100: focal length in mm of a 36 x 24 mm camera, so that the
-     * vertical field of view is 2 atan (12 / zoom)
+     * 1 to 2000: focal length in mm of a 36 x 24 mm camera, so that the
+     * vertical field of view is 2 atan (12 / zoom); v_zoom_from_fov() converts
+     * from any other
      */
     double zoom;
 };
@@ -355,7 +359,7 @@ struct v_node {
     /** w x y z, of any length but 0 */
     double rotation[4];
     double scale[3];
-    /** cameras: 1 to 100, see V_POSE */
+    /** cameras: 1 to 2000, see V_POSE */
     double zoom;
     /** cameras: degrees, turns up about the view */
     double roll;
@@ -2412,6 +2416,28 @@ int v_view_from_pose(const V_POSE *pose,
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE.
  */
 int v_pose_gl_matrix(const V_POSE *pose, double m[16]);
+
+/**
+ * The vertical field of view, in degrees, of a lens of zoom mm before a picture
+ * that is height mm high: 2 atan (height / (2 zoom)). The zoom of a V_POSE goes with
+ * the height 24.
+ *
+ * zoom, height  finite and > 0
+ * Any thread; from callbacks too. NaN, and v_last_error() says why, for anything else.
+ */
+double v_fov_from_zoom(double zoom,
+                       double height);
+
+/**
+ * The lens in mm that gives a picture height mm high the vertical field of view fov:
+ * height / (2 tan (fov / 2)). With the height 24 it is the zoom of a V_POSE.
+ *
+ * fov     in degrees, between 0 and 180, both left out
+ * height  finite and > 0
+ * Any thread; from callbacks too. NaN, and v_last_error() says why, for anything else.
+ */
+double v_zoom_from_fov(double fov,
+                       double height);
 
 #ifdef __cplusplus
 }

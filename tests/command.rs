@@ -296,7 +296,7 @@ fn a_reader_that_has_enough_is_no_error() {
 fn broken_files_are_named_with_line_and_reason() {
     let corpus = |name: &str| format!("{}/tests/corpus/{name}.vid", env!("CARGO_MANIFEST_DIR"));
     for (name, line, reason) in [
-        ("zoom_zero", 8, "the zoom must lie between 1 and 100"),
+        ("zoom_zero", 8, "the zoom must lie between 1 and 2000"),
         ("preset_ten", 5, "9"),
         ("unknown_point_key", 5, "preset"),
     ] {

@@ -198,7 +198,7 @@ const BROKEN: &[(&str, &str)] = &[
     ),
     (
         "zoom_zero",
-        "line 8: zoom_mm: the zoom must lie between 1 and 100",
+        "line 8: zoom_mm: the zoom must lie between 1 and 2000",
     ),
 ];
 

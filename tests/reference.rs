@@ -121,6 +121,13 @@ impl Case {
                     let point = path.points.last_mut().expect("a point before its views");
                     point.orientations.push(view(words));
                 }
+                ("zoom_slope", _) => {
+                    let point = path.points.last_mut().expect("a point before its slopes");
+                    let view = point.orientations.last_mut().expect("a view before its slope");
+                    let [slope] = numbers(words);
+                    let own = std::mem::take(&mut view.own);
+                    view.own = own.with(|own| own.zoom_slope = Some(slope)).expect("room");
+                }
                 ("segment", _) => segments.extend(numbers::<1>(words)),
                 ("section", [what, amount, mean, frames]) => {
                     let [amount, mean] = numbers(&[amount, mean]);

@@ -4,6 +4,7 @@ use std::fmt::{Display, Write};
 use std::path::Path;
 
 use vides::document::Info;
+use vides::limits::ZOOM_UNIT;
 use vides::path::{
     CameraPath, Change, CurveParameters, OrientationMode, Section, Space, Timeline, ZoomMode,
 };
@@ -259,7 +260,7 @@ fn change(section: &Section, half_size: f64, places: usize) -> [String; 3] {
         }
         Change::View => ("view", format!("{:.2}", 180.0 * amount), "degrees"),
         Change::Roll => ("roll", format!("{:.2}", 90.0 * amount), "degrees"),
-        Change::Zoom => ("zoom", format!("{:.2}", 99.0 * amount), "mm"),
+        Change::Zoom => ("zoom", format!("{:.2}", ZOOM_UNIT * amount), "mm"),
         Change::Nothing => ("nothing", String::new(), ""),
     };
     [name.to_owned(), by, unit.to_owned()]

@@ -19,6 +19,13 @@ impl Returned for c_int {
     }
 }
 
+impl Returned for f64 {
+    /// NaN, which no result is; [`super::status::v_last_error`] says why.
+    fn failed(_: c_int) -> Self {
+        Self::NAN
+    }
+}
+
 impl Returned for () {
     /// Only [`super::status::v_last_error`] reports the failure.
     fn failed(_: c_int) -> Self {}

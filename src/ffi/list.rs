@@ -14,7 +14,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use super::types::{V_KAMERAPAR, V_POS};
 use crate::error::{EngineError, OutOfRange};
-use crate::limits::MAX_FRAMES;
+use crate::limits::{MAX_FRAMES, MAX_LIST_ZOOM};
 use crate::path::Pose;
 use vides_engine::Result;
 
@@ -153,10 +153,10 @@ fn narrowed([x, y, z]: [f64; 3]) -> V_POS {
     }
 }
 
-/// Rounds half up, without a call of libm; exact for a zoom, which is from 1 to 100.
+/// Rounds half up, without a call of libm, exact for a zoom; hosts of 1994 know none beyond 100.
 #[inline]
 fn rounded(zoom: f64) -> c_int {
-    (zoom + 0.5) as c_int
+    (zoom.min(MAX_LIST_ZOOM) + 0.5) as c_int
 }
 
 /// Builds a list of `frames` poses on the host's element `first`; `fill(n, poses)` computes the

@@ -73,7 +73,7 @@ pub struct v_node {
     /// w x y z, of any length but 0
     pub rotation: [f64; 4],
     pub scale: [f64; 3],
-    /// cameras: 1 to 100, see V_POSE
+    /// cameras: 1 to 2000, see V_POSE
     pub zoom: f64,
     /// cameras: degrees, turns up about the view
     pub roll: f64,

@@ -64,7 +64,8 @@ pub struct interpolparameter {
     pub VPN: V_POS,
     /// up; length 1, perpendicular to VPN
     pub VUP: V_POS,
-    /// 1 to 100, rounded; the vertical field of view is 2 atan (12 / zoom)
+    /// 1 to 100, rounded, and 100 for any zoom beyond; the vertical field of view
+    /// is 2 atan (12 / zoom)
     pub zoom: c_int,
     pub prev: *mut interpolparameter,
     pub next: *mut interpolparameter,
@@ -95,8 +96,9 @@ pub struct v_pose {
     pub vpn: [f64; 3],
     /// up; length 1, perpendicular to vpn
     pub vup: [f64; 3],
-    /// 1 to 100: focal length in mm of a 36 x 24 mm camera, so that the
-    /// vertical field of view is 2 atan (12 / zoom)
+    /// 1 to 2000: focal length in mm of a 36 x 24 mm camera, so that the
+    /// vertical field of view is 2 atan (12 / zoom); v_zoom_from_fov() converts
+    /// from any other
     pub zoom: f64,
 }
 
@@ -121,7 +123,7 @@ pub struct v_orientation {
     /// degrees, turns the up vector about the view direction; any finite
     /// number, kept in (-180, 180]
     pub roll: f64,
-    /// 1 to 100
+    /// 1 to 2000
     pub zoom: f64,
     /// of the turning, each -1 to 1
     pub tension: f64,

@@ -8,7 +8,7 @@ use super::border::border;
 use super::pointers::{self, Growing, GrowingOut, Out, read_growing};
 use super::status::V_ERR_INTERNAL;
 use super::types::{V_POSE, V_VIEW};
-use crate::math::view::{View, gl_matrix};
+use crate::math::view::{View, fov_from_zoom, gl_matrix, zoom_from_fov};
 
 fn from_c(view: &V_VIEW) -> View {
     View {
@@ -111,4 +111,26 @@ pub unsafe extern "C" fn v_pose_gl_matrix(pose: *const V_POSE, m: *mut f64) -> c
         // SAFETY: room for 16 doubles, as the header says.
         unsafe { m.answer(matrix.to_cols_array()) }
     })
+}
+
+/// The vertical field of view, in degrees, of a lens of zoom mm before a picture
+/// that is height mm high: 2 atan (height / (2 zoom)). The zoom of a V_POSE goes with
+/// the height 24.
+///
+/// zoom, height  finite and > 0
+/// Any thread; from callbacks too. NaN, and v_last_error() says why, for anything else.
+#[unsafe(no_mangle)]
+pub extern "C" fn v_fov_from_zoom(zoom: f64, height: f64) -> f64 {
+    border(f64::NAN, || Ok(fov_from_zoom(zoom, height)?))
+}
+
+/// The lens in mm that gives a picture height mm high the vertical field of view fov:
+/// height / (2 tan (fov / 2)). With the height 24 it is the zoom of a V_POSE.
+///
+/// fov     in degrees, between 0 and 180, both left out
+/// height  finite and > 0
+/// Any thread; from callbacks too. NaN, and v_last_error() says why, for anything else.
+#[unsafe(no_mangle)]
+pub extern "C" fn v_zoom_from_fov(fov: f64, height: f64) -> f64 {
+    border(f64::NAN, || Ok(zoom_from_fov(fov, height)?))
 }

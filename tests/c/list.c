@@ -232,12 +232,13 @@ static void one_pose(void)
     v_path_free(path);
 }
 
-/* Zoom is rounded half away from zero. */
+/* Zoom is rounded half away from zero, and 100 at most. */
 static void rounding(void)
 {
     static const struct { double zoom; int rounded; } cases[] = {
         {1, 1}, {1.4999999999999998, 1}, {1.5, 2}, {2.5, 3}, {3.5, 4},
         {24.499999999999996, 24}, {24.5, 25}, {99.49999999999999, 99}, {99.5, 100}, {100, 100},
+        {100.4, 100}, {100.5, 100}, {135, 100}, {2000, 100},
     };
     size_t i;
     for (i = 0; i < sizeof cases / sizeof *cases; i++) {

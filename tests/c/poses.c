@@ -217,9 +217,90 @@ static void too_many(void)
     v_path_free(path);
 }
 
+static unsigned long long dice = 1;
+
+/* At random, from `least` to `most`. */
+static double drawn(double least, double most)
+{
+    dice = dice * 6364136223846793005ULL + 1442695040888963407ULL;
+    return least + (most - least) * (double)(dice >> 11) / 9007199254740992.0;
+}
+
+static int luck(void)
+{
+    return drawn(0, 1) < 0.3;
+}
+
+/* A view of a random path, as text. */
+static char *random_view(char *at)
+{
+    int i;
+    at += sprintf(at, "[[point.orientation]]\n%s = [%.3f, %.3f, %.3f]\n", luck() ? "target" : "offset",
+                  drawn(2, 3), drawn(-1, 1), drawn(2, 3));
+    at += sprintf(at, "roll_degrees = %.3f\nzoom_mm = %.3f\n", drawn(-180, 180),
+                  exp(drawn(0, log(2000))));
+    if (luck()) at += sprintf(at, "hold_frames = %d\n", (int)drawn(1, 4));
+    if (luck()) at += sprintf(at, "zoom_slope_mm = %.3f\n", drawn(-300, 300));
+    if (luck()) at += sprintf(at, "roll_slope_degrees = %.3f\n", drawn(-9, 9));
+    if (luck())
+        at += sprintf(at, "velocity_degrees = [[%.3f, %.3f, 0.0], [0.0, %.3f, %.3f]]\n", drawn(-9, 9),
+                      drawn(-9, 9), drawn(-9, 9), drawn(-9, 9));
+    if (luck()) at += sprintf(at, "ahead = %.1f\n", luck() ? drawn(0.1, 0.5) : 0);
+    if (luck()) at += sprintf(at, "up = \"minimal\"\n");
+    if (luck()) return at + sprintf(at, "ease = { kind = \"sine\", rise = 0.2, fall = 0.4, cruise = 60.0 }\n");
+    at += sprintf(at, "speed_curve = [");
+    for (i = 0; i < 10; i++) at += sprintf(at, "%s%.3f", i ? ", " : "", drawn(1, 100));
+    return at + sprintf(at, "]\n");
+}
+
+/* A random path, as text. */
+static void random_path(char *at)
+{
+    static const char *const modes[] = {"tcb", "barry-goldman", "slerp"};
+    int point, view, points = (int)drawn(2, 6);
+    at += sprintf(at, "version = 1\nclosed = %s\ncurve = \"%s\"\norientation_mode = \"%s\"\n",
+                  luck() ? "true" : "false", luck() ? "cubic" : "tcb", modes[(int)drawn(0, 3)]);
+    at += sprintf(at, "zoom_mode = \"%s\"\n[space]\nup = \"%s\"\n", luck() ? "linear" : "smooth",
+                  luck() ? "z" : "y");
+    at += sprintf(at, "[base_speeds]\nmove_frames = 9\nturn_frames = 9\nzoom_frames = 9\n");
+    for (point = 0; point < points; point++) {
+        at += sprintf(at, "[[point]]\nposition = [%.3f, %.3f, %.3f]\n", drawn(-1, 1), drawn(-1, 1),
+                      drawn(-1, 1));
+        for (view = luck(); view >= 0; view--)
+            at = random_view(at);
+    }
+}
+
+/* The pose at a whole frame is that of the list, bit for bit. */
+static void at_whole_frames(void)
+{
+    char text[16384];
+    size_t count = 0, frame, all = 0;
+    int n, wrong = 0;
+    for (n = 0; n < 1000; n++) {
+        V_PATH *path = NULL;
+        V_POSE *poses, one;
+        random_path(text);
+        OK(v_path_load_from_memory(text, strlen(text), &path));
+        OK(v_path_frame_count(path, &count));
+        poses = malloc(count * sizeof *poses);
+        OK(v_path_sample(path, poses, count, &count));
+        for (frame = 1; frame <= count; frame++) {
+            OK(v_path_pose(path, (double)frame, &one));
+            wrong += memcmp(&one, &poses[frame - 1], sizeof one) != 0;
+        }
+        all += count;
+        free(poses);
+        v_path_free(path);
+    }
+    printf("note: %lu poses of %d random paths, %d not bit for bit\n", (unsigned long)all, n, wrong);
+    CHECK(wrong == 0);
+}
+
 int main(void)
 {
     every_pose();
+    at_whole_frames();
     sections();
     the_curve();
     too_many();

@@ -408,8 +408,39 @@ static void gl_matrix(void)
     CHECK(m[0] == 77);
 }
 
+/* The closed form; 24 mm is the height of a pose's picture. */
+static void fields_of_view(void)
+{
+    static const double heights[] = {24, 18.66, 1, 100, 1e-3};
+    static const double bad[] = {0, -1, NAN, INFINITY, -INFINITY};
+    double zoom;
+    size_t i;
+    for (i = 0; i < sizeof heights / sizeof *heights; i++)
+        for (zoom = 1; zoom <= 2000; zoom *= 1.37) {
+            double fov = v_fov_from_zoom(zoom, heights[i]);
+            NEAR(fov, 2 * atan(heights[i] / (2 * zoom)) * 180 / pi, 1e-13);
+            NEAR(v_zoom_from_fov(fov, heights[i]) / zoom, 1, 1e-13);
+            CHECK(v_last_error()[0] == '\0');
+        }
+    NEAR(v_fov_from_zoom(12, 24), 90, 1e-13);
+    NEAR(v_zoom_from_fov(90, 24), 12, 1e-14);
+    /* A lens of 35 mm on a sensor 18.66 mm high is one of 45 mm on film. */
+    NEAR(v_zoom_from_fov(v_fov_from_zoom(35, 18.66), 24), 35 * 24 / 18.66, 1e-12);
+#define REFUSED(call, word) CHECK(isnan(call) && strstr(v_last_error(), word))
+    for (i = 0; i < sizeof bad / sizeof *bad; i++) {
+        REFUSED(v_fov_from_zoom(bad[i], 24), "zoom");
+        REFUSED(v_fov_from_zoom(50, bad[i]), "height");
+        REFUSED(v_zoom_from_fov(bad[i], 24), "field of view");
+        REFUSED(v_zoom_from_fov(50, bad[i]), "height");
+    }
+    REFUSED(v_zoom_from_fov(180, 24), "field of view");
+    REFUSED(v_fov_from_zoom(1e300, 1e-300), "field of view"); /* 0 by rounding */
+    REFUSED(v_zoom_from_fov(1e-300, 1e300), "zoom");
+}
+
 int main(void)
 {
+    fields_of_view();
     slerp();
     views_and_quaternions();
     slerp_at_its_limits();

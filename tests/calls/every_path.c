@@ -22,7 +22,7 @@ static const V_ORIENTATION *an_orientation_struct(void)
     for (i = 0; i < 3; i++)
         o.target[i] = number(3, 5); /* far from every point */
     o.roll = number(-720, 720);
-    o.zoom = number(1, 100);
+    o.zoom = number(1, 2000);
     o.tension = number(-1, 1);
     o.continuity = number(-1, 1);
     o.bias = number(-1, 1);
@@ -59,7 +59,7 @@ const V_POSE *a_pose(void)
     pose.vrp[1] = number(-1, 1);
     pose.vpn[0] = number(-1, 1);
     pose.vup[1] = number(0.5, 1);
-    pose.zoom = number(1, 100);
+    pose.zoom = number(1, 2000);
     return given("V_POSE", &pose, sizeof pose);
 }
 
@@ -573,6 +573,20 @@ CALL(v_pose_gl_matrix)
 {
     const V_POSE *pose = a_pose();
     return v_pose_gl_matrix(pose, result(16 * sizeof(double), 0));
+}
+
+CALL(v_fov_from_zoom)
+{
+    double zoom = number(1, 2000);
+    v_fov_from_zoom(zoom, number(1, 100));
+    return 0;
+}
+
+CALL(v_zoom_from_fov)
+{
+    double fov = number(1, 179);
+    v_zoom_from_fov(fov, number(1, 100));
+    return 0;
 }
 
 /* ---- Space ---------------------------------------------------------------------------- */

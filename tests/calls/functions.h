@@ -163,7 +163,9 @@
     F(v_speed_curve, STATUS, V_OK, 0) \
     F(v_view_matrix, STATUS, V_OK, 0) \
     F(v_view_from_pose, STATUS, V_OK, 0) \
-    F(v_pose_gl_matrix, STATUS, V_OK, 0)
+    F(v_pose_gl_matrix, STATUS, V_OK, 0) \
+    F(v_fov_from_zoom, NOTHING, V_OK, 0) \
+    F(v_zoom_from_fov, NOTHING, V_OK, 0)
 
 #define DECLARED(name, answers, normally, display) CALL(name);
 EACH_FUNCTION(DECLARED)

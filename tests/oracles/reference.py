@@ -390,6 +390,7 @@ class Key:
         self.zoom = mpf(o["zoom"])
         self.tcb = vec(o["tcb"])
         self.hold = o["hold"]
+        self.zoom_slope = None if o["zoom_slope"] is None else mpf(o["zoom_slope"])
         self.q = view_q(self.view, mp.radians(self.roll))
 
 
@@ -502,6 +503,15 @@ class Path:
         h = [s.dt for s in self.sections]
         d = [(keys[s.b].zoom - keys[s.a].zoom) / s.dt for s in self.sections]
         self.zoom_m = monotone_slopes(h, d, self.closed)
+        # An own slope is cut until the Bezier points beside its key are zooms.
+        low, high = mpf(1), mpf(2000)
+        for s in self.sections:
+            for at, side in ((s.a, s.dt / 3), (s.b, -s.dt / 3)):
+                key = keys[at]
+                if key.zoom_slope is not None:
+                    ends = [(low - key.zoom) / side, (high - key.zoom) / side]
+                    key.zoom_slope = min(max(key.zoom_slope, min(ends)), max(ends))
+                    self.zoom_m[at] = key.zoom_slope
 
     def zoom(self, s, f):
         a, b = self.keys[s.a], self.keys[s.b]
@@ -850,6 +860,8 @@ def write(case, folder, wanted):
             kind = "absolute" if o["absolute"] else "relative"
             values = numbers(*o["target"], o["roll"], o["zoom"], o["hold"], *o["tcb"], *o["speeds"])
             lines.append(f"view {kind} {values}")
+            if o["zoom_slope"] is not None:
+                lines.append(f"zoom_slope {number(mpf(o['zoom_slope']))}")
     lines += [f"segment {number(s.length)}" for s in path.segments]
     lines.append("# section: what changes, by how much, mean speed, frames")
     for s in path.raw:

@@ -13,7 +13,7 @@ WILD = [100, 1, 1, 100, 100, 1, 50, 100, 1, 1]
 CLIPPED = [100, 1, 100, 1, 100, 1, 100, 1, 100, 1]
 
 
-def view(direction=(0, 0, -0.4), at=None, roll=0, zoom=24, tcb=(0, 0, 0), speeds=FLAT, hold=0):
+def view(direction=(0, 0, -0.4), at=None, roll=0, zoom=24, tcb=(0, 0, 0), speeds=FLAT, hold=0, slope=None):
     """An orientation: `direction` relative, `at` an absolute target."""
     return {
         "absolute": at is not None,
@@ -23,6 +23,7 @@ def view(direction=(0, 0, -0.4), at=None, roll=0, zoom=24, tcb=(0, 0, 0), speeds
         "tcb": tcb,
         "speeds": speeds,
         "hold": hold,
+        "zoom_slope": slope,
     }
 
 
@@ -463,6 +464,21 @@ def short_cases():
         ],
         wanted=160,
     )  # fmt: skip
+    # Long lenses and own slopes: kept, cut above, cut below, at the ends and the seam.
+    for closed in (False, True):
+        yield path(
+            "zoom_long_closed" if closed else "zoom_long",
+            "Zooms up to 2000 mm, with slopes of their own.",
+            [
+                point((x, 0, 0.3 * x * x), *(view(zoom=z, slope=m, speeds=c, hold=h) for z, m in views))
+                for x, c, h, views in (
+                    (0, FLAT, 0, [(24, 2.5)]), (0.3, EASE_IN, 0, [(90, 3)]), (0.9, FLAT, 4, [(135, None), (1900, 12)]),
+                    (1.2, EASE_OUT, 0, [(2000, None)]), (1.9, FLAT, 0, [(300, -40)]), (2.6, FLAT, 0, [(1, -3)]),
+                    (3.1, FLAT, 0, [(600, 1e6)]),
+                )
+            ],
+            closed=closed,
+        )  # fmt: skip
     # Steep, shallow, shallow, steep: slopes that two intervals limit.
     steps = [(0, 10, 0), (0.5, 13, 5), (1.1, 70, 95), (1.6, 71, 97), (2, 72.5, 100), (2.5, 98, 175), (3, 99.5, 178)]
     for closed in (False, True):

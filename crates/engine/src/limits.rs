@@ -46,8 +46,14 @@ pub const BASE_SPEED: f64 = 50.0;
 /// The smallest zoom (thesis A.4.4).
 pub const MIN_ZOOM: f64 = 1.0;
 
-/// The largest zoom (thesis A.4.4).
-pub const MAX_ZOOM: f64 = 100.0;
+/// The largest zoom: the longest lenses there are. (In the thesis, A.4.4, 100.)
+pub const MAX_ZOOM: f64 = 2000.0;
+
+/// The largest zoom of the lists of 1994, and what sliders reach (thesis A.4.4).
+pub const MAX_LIST_ZOOM: f64 = 100.0;
+
+/// The change of zoom that `zoom_frames` count frames for: from 1 to 100 (thesis B.2.2).
+pub const ZOOM_UNIT: f64 = 99.0;
 
 /// Frames of one path: an hour at 25,000 frames a second, 8 GB of poses; the count fits C's `int`.
 pub const MAX_FRAMES: usize = 100_000_000;

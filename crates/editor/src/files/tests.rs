@@ -38,17 +38,17 @@ fn a_broken_file_is_told_in_the_windows_language() {
     for (language, why) in [
         (
             Language::English,
-            "line 3: zoom_mm: the zoom must lie between 1 and 100",
+            "line 3: zoom_mm: the zoom must lie between 1 and 2000",
         ),
         (
             Language::German,
-            "Zeile 3: zoom_mm: der Zoom muss zwischen 1 und 100 liegen",
+            "Zeile 3: zoom_mm: der Zoom muss zwischen 1 und 2000 liegen",
         ),
     ] {
         let folder = tempfile::tempdir().expect("a folder");
         let file = folder.path().join("broken.vid");
         let text =
-            "version = 1\n[[point]]\norientation = [{ zoom_mm = 101 }]\nposition = [0, 0, 0]\n";
+            "version = 1\n[[point]]\norientation = [{ zoom_mm = 2001 }]\nposition = [0, 0, 0]\n";
         std::fs::write(&file, text).expect("written");
         let mut window = window(language);
         let said = window.state_mut().load_path(&file).unwrap_err();

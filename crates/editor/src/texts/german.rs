@@ -241,6 +241,8 @@ german! {
             "der Abstand voraus muss zwischen 0 und 1e9 halben Größen des Raums liegen";
         Fps => "die Bilder pro Sekunde müssen größer als 0 und höchstens 100000 sein";
         ViewZoom => "der Zoom einer Ansicht muss positiv und endlich sein";
+        PictureHeight => "die Höhe eines Bildes muss positiv und endlich sein";
+        FieldOfView => "ein Blickwinkel muss zwischen 0 und 180 Grad liegen, beide ausgenommen";
         ViewAspect => "das Seitenverhältnis einer Ansicht muss positiv und endlich sein";
         FrontPlane => "die vordere Ebene muss in positivem Abstand vor der Kamera liegen";
         BackPlane => "die hintere Ebene muss weiter von der Kamera entfernt sein als die vordere";
@@ -299,7 +301,7 @@ german! {
             "{name} muss zwischen {} und {} liegen", number(*low), number(*high);
         NumbersGiven { given, most } =>
             "{given} Zahlen sind angegeben, höchstens {most} gehören hierher";
-        ZoomAtEnd(zoom) => "der Zoom wäre am Ende {}; er muss zwischen 1 und 100 liegen", number(*zoom);
+        ZoomAtEnd(zoom) => "der Zoom wäre am Ende {}; er muss zwischen 1 und 2000 liegen", number(*zoom);
         NoTurn => "die Kamera muss sich um mehr als 0 Grad drehen";
         NoNextPoint => "es gibt keinen nächsten Punkt, an dem der Baustein enden könnte";
         WeightSum(sum) => "die Gewichte müssen zusammen 1 ergeben, nicht {}", number(*sum);

@@ -381,6 +381,10 @@ pub enum OutOfRange {
     Fps,
     #[error("the zoom of a view must be positive and finite")]
     ViewZoom,
+    #[error("the height of a picture must be positive and finite")]
+    PictureHeight,
+    #[error("a field of view must lie between 0 and 180 degrees, both left out")]
+    FieldOfView,
     #[error("the aspect of a view must be positive and finite")]
     ViewAspect,
     #[error("the front plane must lie before the camera, at a positive distance")]
@@ -503,7 +507,7 @@ pub enum OutOfRange {
     NumberBetween(&'static str, f64, f64),
     #[error("{given} numbers are given where there are at most {most}")]
     NumbersGiven { given: usize, most: usize },
-    #[error("the zoom would be {0} at the end; it must lie between 1 and 100")]
+    #[error("the zoom would be {0} at the end; it must lie between 1 and 2000")]
     ZoomAtEnd(f64),
     #[error("the camera must turn by more than 0 degrees")]
     NoTurn,

@@ -18,6 +18,50 @@ const PARALLEL: f64 = 1e-12;
 /// Half the height in mm of the film on which the zoom is a focal length.
 pub const HALF_FILM_HEIGHT: f64 = 12.0;
 
+/// The vertical field of view in degrees, in (0, 180), of a lens of `zoom` mm before a picture of
+/// `height` mm: 2·atan(height/(2·zoom)), to 4 ulp.
+///
+/// # Errors
+/// [`crate::Error::Range`] unless both are positive and finite, and so is the angle.
+pub fn fov_from_zoom(zoom: f64, height: f64) -> Result<f64> {
+    if !(zoom > 0.0 && zoom.is_finite()) {
+        return Err(OutOfRange::ViewZoom.into());
+    }
+    check_height(height)?;
+    let fov = 2.0 * (0.5 * height / zoom).atan().to_degrees();
+    check_fov(fov)?;
+    Ok(fov)
+}
+
+/// The lens in mm that gives a picture of `height` mm the vertical field of view `fov`, in degrees:
+/// height/(2·tan(fov/2)); the inverse of [`fov_from_zoom`].
+///
+/// # Errors
+/// [`crate::Error::Range`] unless `fov` is in (0, 180), and height and lens are positive and finite.
+pub fn zoom_from_fov(fov: f64, height: f64) -> Result<f64> {
+    check_fov(fov)?;
+    check_height(height)?;
+    let zoom = 0.5 * height / (0.5 * fov).to_radians().tan();
+    if !(zoom > 0.0 && zoom.is_finite()) {
+        return Err(OutOfRange::ViewZoom.into());
+    }
+    Ok(zoom)
+}
+
+fn check_height(height: f64) -> Result<()> {
+    if !(height > 0.0 && height.is_finite()) {
+        return Err(OutOfRange::PictureHeight.into());
+    }
+    Ok(())
+}
+
+fn check_fov(fov: f64) -> Result<()> {
+    if !(fov > 0.0 && fov < 180.0) {
+        return Err(OutOfRange::FieldOfView.into());
+    }
+    Ok(())
+}
+
 /// The description of a picture (2.4.1). `vrp`, `normal` and `up` are world coordinates, all else
 /// view reference coordinates (u, v, n): origin in `vrp`, n along `normal`, v along the part of
 /// `up` perpendicular to it, u = v × n to the right in the picture.

@@ -95,7 +95,7 @@ pub struct Orientation {
     pub target: Target,
     /// Degrees in (−180, 180]: turns VUP about VPN.
     pub roll: f64,
-    /// 1…100: the focal length in mm of a 36×24 mm camera.
+    /// 1…2000: the focal length in mm of a 36×24 mm camera.
     pub zoom: f64,
     /// Tension, continuity and bias of the turning.
     pub turning: Tcb,
@@ -510,13 +510,13 @@ pub fn check_shape(value: f64, what: Quantity) -> Result<()> {
     Ok(())
 }
 
-/// A zoom: 1…100.
+/// A zoom: 1…2000.
 ///
 /// # Errors
 /// [`crate::Error::Range`].
 pub fn check_zoom(zoom: f64) -> Result<()> {
     if !(limits::MIN_ZOOM..=limits::MAX_ZOOM).contains(&zoom) {
-        return Err(OutOfRange::Between(Quantity::Zoom, 1.0, limits::MAX_ZOOM).into());
+        return Err(OutOfRange::Between(Quantity::Zoom, limits::MIN_ZOOM, limits::MAX_ZOOM).into());
     }
     Ok(())
 }

@@ -11,7 +11,7 @@ pub struct Pose {
     pub vpn: [f64; 3],
     /// Up: unit vector, perpendicular to `vpn`.
     pub vup: [f64; 3],
-    /// 1…100; the vertical field of view is 2·atan(12/zoom).
+    /// 1…2000; the vertical field of view is 2·atan(12/zoom).
     pub zoom: f64,
 }
 

@@ -249,7 +249,8 @@ impl Sampler {
         .into()
     }
 
-    /// The pose at any frame between 1 and the last, also between two frames.
+    /// The pose at any frame between 1 and the last, also between two frames; at a whole one bit for
+    /// bit that of [`Sampler::sample`].
     ///
     /// # Errors
     /// [`crate::Error::Range`] outside them, [`crate::Error::Memory`].
@@ -257,6 +258,11 @@ impl Sampler {
     pub fn pose(&self, frame: f64) -> Result<Pose> {
         if !(frame >= 1.0 && frame <= self.frames as f64) {
             return Err(self.no_frame(frame));
+        }
+        if frame.fract() == 0.0 {
+            let mut pose = [Pose::default()];
+            self.sample(frame as usize, &mut pose)?;
+            return Ok(pose[0]);
         }
         let index = self
             .sections

@@ -16,7 +16,7 @@ use super::speed_curve::SpeedCurve;
 use super::timing::{Timing, facing};
 use super::up_vector::UpVector;
 use crate::error::{Result, TooMany, vec_with_room};
-use crate::limits::{BASE_SPEED, MAX_FRAMES, MAX_ZOOM, MIN_ZOOM};
+use crate::limits::{BASE_SPEED, MAX_FRAMES, ZOOM_UNIT};
 use crate::math::rotation_minimising::signed_angle;
 use crate::math::{orientation, quaternion};
 
@@ -447,7 +447,7 @@ impl Timeline {
         }
         let zoom = (to.zoom - from.zoom).abs();
         if zoom > NO_CHANGE {
-            return (Change::Zoom, zoom / (MAX_ZOOM - MIN_ZOOM));
+            return (Change::Zoom, zoom / ZOOM_UNIT);
         }
         (Change::Nothing, 0.0)
     }

@@ -18,7 +18,7 @@ pub enum Channel {
     Scale,
     /// 0 or 1.
     Visible,
-    /// Of cameras, 1…100.
+    /// Of cameras, 1…2000.
     Zoom,
     /// Of cameras, degrees.
     Roll,

@@ -97,7 +97,7 @@ pub struct Values {
     pub scale: DVec3,
     /// Hidden nodes hide their children.
     pub visible: bool,
-    /// Cameras: 1…100, mm.
+    /// Cameras: 1…2000, mm.
     pub zoom: f64,
     /// Cameras: degrees, turns up about the view.
     pub roll: f64,
