@@ -315,6 +315,25 @@ struct v_mesh {
 
 typedef struct v_mesh V_MESH;
 
+/**
+ * A movement space: a cube in the host's world, see v_path_set_space().
+ * v_space_init() fills in the space of a new path.
+ *
+ * Set size to sizeof (V_SPACE) before any call, see V_ORIENTATION.
+ */
+struct v_space {
+    /** sizeof (V_SPACE) */
+    size_t size;
+    /** its centre, in the host's world */
+    double centre[3];
+    /** half the length of its edge, 1e-30 to 1e30 */
+    double half_size;
+    /** which axis is up, V_UP_Y or V_UP_Z */
+    int up;
+};
+
+typedef struct v_space V_SPACE;
+
 /** One camera pose. This layout will never change. */
 struct v_pose {
     /** position of the camera */
@@ -1177,6 +1196,33 @@ int v_path_get_space(const V_PATH *path,
                      double centre[3],
                      double *half_size,
                      int *up);
+
+/**
+ * Fills in a space: size, centre (0, 0, 0), half size 1, V_UP_Y. NULL does nothing but
+ * set v_last_error(). In C a macro of this name hands the struct's size on to
+ * v_space_init_sized(); the function itself, for other languages, fills in the struct
+ * of version 1.0.
+ * Any thread; from callbacks too.
+ */
+void v_space_init(V_SPACE *space);
+
+/**
+ * As v_space_init(), for a struct that is size bytes long: at least as long as in
+ * version 1.0. What is behind the fields that the library knows is not touched, and
+ * size is set to what was filled in.
+ * Any thread; from callbacks too.
+ */
+void v_space_init_sized(V_SPACE *space, size_t size);
+
+/**
+ * As v_path_new(), with the path lying in a space as v_path_new()'s lies in its own: as
+ * in a new window that is given this space. space may be NULL: as v_path_new(). *path
+ * is the caller's, to be freed with v_path_free().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT (a number
+ * that is not finite), V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
+ */
+int v_path_new_in_space(const V_SPACE *space,
+                        V_PATH **path);
 
 /**
  * How an orientation must be to look as a camera does in a pose, such as the
@@ -2446,5 +2492,6 @@ double v_zoom_from_fov(double fov,
 /* Tells the library which fields the program knows. */
 #define v_editor_options_init(options) \
     v_editor_options_init_sized(options, sizeof(V_EDITOR_OPTIONS))
+#define v_space_init(space) v_space_init_sized(space, sizeof(V_SPACE))
 
 #endif  /* LIBVIDES_H */

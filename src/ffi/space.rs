@@ -5,12 +5,12 @@ use std::ffi::c_int;
 use glam::DVec3;
 
 use super::border::border;
-use super::path::{edit, read};
-use super::pointers::{self, GrowingOut, Out, read_growing, read_vector};
+use super::path::{edit, insert, read};
+use super::pointers::{self, Growing, GrowingOut, Out, init, optional, read_growing, read_vector};
 use super::quaternions::view;
 use super::status::{Answer, Failure, Name, V_ERR_INTERNAL, V_OK};
-use super::types::{V_ORIENTATION, V_PATH, V_POSE, V_UP_Y, V_UP_Z};
-use crate::document::Edit;
+use super::types::{V_ORIENTATION, V_PATH, V_POSE, V_SPACE, V_UP_Y, V_UP_Z};
+use crate::document::{Document, Edit};
 use crate::path::camera_path::check_zoom;
 use crate::path::{Space, Up};
 
@@ -27,6 +27,36 @@ const fn up_to_c(up: Up) -> c_int {
         Up::Y => V_UP_Y,
         Up::Z => V_UP_Z,
     }
+}
+
+// SAFETY: `repr(C)` with `size` first; numbers only.
+unsafe impl Growing for V_SPACE {
+    const NAME: &'static str = "V_SPACE";
+    const FIRST: usize = size_of::<V_SPACE>();
+    const DEFAULTS: Self = Self {
+        size: size_of::<V_SPACE>(),
+        centre: [0.0; 3],
+        half_size: 1.0,
+        up: V_UP_Y,
+    };
+}
+
+/// A space from C, checked; `None` for NULL.
+///
+/// # Safety
+/// `space` is NULL or points to a struct as its `size` says.
+pub(super) unsafe fn optional_space(space: *const V_SPACE) -> Answer<Option<Space>> {
+    optional(space, |space| {
+        // SAFETY: as required of the caller.
+        let given = unsafe { read_growing(space, "space") }?;
+        let space = Space {
+            centre: given.centre.into(),
+            half_size: given.half_size,
+            up: up_from_c(given.up, Name::Field("space", "up"))?,
+        };
+        space.check()?;
+        Ok(space)
+    })
 }
 
 /// ==== Where a path lies ====
@@ -87,6 +117,53 @@ pub unsafe extern "C" fn v_path_get_space(
             up.write(up_to_c(space.up));
         }
         Ok(V_OK)
+    })
+}
+
+/// Fills in a space: size, centre (0, 0, 0), half size 1, V_UP_Y. NULL does nothing but
+/// set v_last_error(). In C a macro of this name hands the struct's size on to
+/// v_space_init_sized(); the function itself, for other languages, fills in the struct
+/// of version 1.0.
+/// Any thread; from callbacks too.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_space_init(space: *mut V_SPACE) {
+    border((), || {
+        // SAFETY: room for the struct of version 1.0, as the header says.
+        unsafe { init(space, V_SPACE::DEFAULTS, V_SPACE::FIRST, "space") }
+    });
+}
+
+/// As v_space_init(), for a struct that is size bytes long: at least as long as in
+/// version 1.0. What is behind the fields that the library knows is not touched, and
+/// size is set to what was filled in.
+/// Any thread; from callbacks too.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_space_init_sized(space: *mut V_SPACE, size: usize) {
+    border((), || {
+        // SAFETY: room for so much of the struct, as the header says.
+        unsafe { init(space, V_SPACE::DEFAULTS, size, "space") }
+    });
+}
+
+/// As v_path_new(), with the path lying in a space as v_path_new()'s lies in its own: as
+/// in a new window that is given this space. space may be NULL: as v_path_new(). *path
+/// is the caller's, to be freed with v_path_free().
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT (a number
+/// that is not finite), V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_new_in_space(
+    space: *const V_SPACE,
+    path: *mut *mut V_PATH,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(path, "path")?;
+        // SAFETY: a space, as the header says.
+        let space = unsafe { optional_space(space) }?.unwrap_or_default();
+        let mut document = Document::try_new()?;
+        document.apply(Edit::SetSpace { space, fit: true })?;
+        let made = insert(document)?;
+        // SAFETY: room for a handle, as the header says.
+        unsafe { out.answer(made) }
     })
 }
 

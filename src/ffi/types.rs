@@ -194,6 +194,25 @@ pub const V_VIEW_RESTED: c_int = 4;
 pub const V_UP_Y: c_int = 1;
 pub const V_UP_Z: c_int = 2;
 
+/// A movement space: a cube in the host's world, see v_path_set_space().
+/// v_space_init() fills in the space of a new path.
+///
+/// Set size to sizeof (V_SPACE) before any call, see V_ORIENTATION.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct v_space {
+    /// sizeof (V_SPACE)
+    pub size: usize,
+    /// its centre, in the host's world
+    pub centre: [f64; 3],
+    /// half the length of its edge, 1e-30 to 1e30
+    pub half_size: f64,
+    /// which axis is up, V_UP_Y or V_UP_Z
+    pub up: c_int,
+}
+
+pub type V_SPACE = v_space;
+
 /// How an editor window is opened. v_editor_options_init() fills in defaults;
 /// what is pointed to need not live longer than the call of v_editor_open(),
 /// but for user.

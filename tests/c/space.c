@@ -137,6 +137,74 @@ static void what_is_wrong_is_refused(void)
     STATUS(V_ERR_HANDLE, v_path_get_space(path, centre, &half, &up));
 }
 
+/* Points and views of the new path, by hand: z up, metres, round (100, 200, 30). */
+static void a_new_path_lies_in_its_space(void)
+{
+    static const double at[2][3] = {{140, 170, 40}, {140, 230, 40}};
+    V_PATH *path = NULL;
+    V_SPACE space;
+    V_ORIENTATION o;
+    double centre[3], half, got[3];
+    int up, point, k;
+    v_space_init(&space);
+    CHECK(space.size == sizeof space && space.half_size == 1 && space.up == V_UP_Y);
+    CHECK(space.centre[0] == 0 && space.centre[1] == 0 && space.centre[2] == 0);
+    memset(&space, 7, sizeof space);
+    (v_space_init)(&space); /* as other languages call it */
+    CHECK(space.size == sizeof space && space.half_size == 1 && space.up == V_UP_Y);
+    space.centre[0] = 100;
+    space.centre[1] = 200;
+    space.centre[2] = 30;
+    space.half_size = 50;
+    space.up = V_UP_Z;
+    OK(v_path_new_in_space(&space, &path));
+    OK(v_path_get_space(path, centre, &half, &up));
+    CHECK(memcmp(centre, space.centre, sizeof centre) == 0 && half == 50 && up == V_UP_Z);
+    for (point = 0; point < 2; point++) {
+        OK(v_path_get_position(path, point, got));
+        for (k = 0; k < 3; k++)
+            NEAR(got[k], at[point][k], 1e-12);
+        v_orientation_init(&o);
+        OK(v_path_get_orientation(path, point, 0, &o));
+        CHECK(o.absolute == 0 && o.target[0] < 0 && o.target[1] == 0 && o.target[2] == 0);
+    }
+    v_path_free(path);
+    OK(v_path_new_in_space(NULL, &path));
+    OK(v_path_get_space(path, NULL, &half, &up));
+    CHECK(half == 1 && up == V_UP_Y);
+    v_path_free(path);
+}
+
+static void a_bad_space_is_refused(void)
+{
+    static const double bad[] = {0, -1, 1e-300, 1e300, HUGE_VAL};
+    V_PATH *path = (V_PATH *)&path;
+    V_SPACE space;
+    size_t k;
+    v_space_init(&space);
+    for (k = 0; k < sizeof bad / sizeof *bad; k++) {
+        space.half_size = bad[k];
+        STATUS(V_ERR_RANGE, v_path_new_in_space(&space, &path));
+    }
+    space.half_size = 1;
+    for (space.up = -1; space.up < 10; space.up++)
+        if (space.up != V_UP_Y && space.up != V_UP_Z)
+            STATUS(V_ERR_RANGE, v_path_new_in_space(&space, &path));
+    space.up = V_UP_Z;
+    space.centre[1] = 2e9;
+    STATUS(V_ERR_RANGE, v_path_new_in_space(&space, &path));
+    space.centre[1] = HUGE_VAL;
+    STATUS(V_ERR_ARGUMENT, v_path_new_in_space(&space, &path));
+    space.centre[1] = 0;
+    STATUS(V_ERR_NULL, v_path_new_in_space(&space, NULL));
+    for (k = 0; k < 80; k++)
+        if (k != sizeof space) {
+            space.size = k;
+            STATUS(V_ERR_SIZE, v_path_new_in_space(&space, &path));
+        }
+    CHECK(path == (V_PATH *)&path); /* nothing was written */
+}
+
 /* Every pose of a path, made an orientation, is that pose again. */
 static void a_pose_becomes_an_orientation(void)
 {
@@ -218,6 +286,8 @@ int main(int argc, char **argv)
     a_path_is_the_same_anywhere();
     what_is_set_comes_back();
     what_is_wrong_is_refused();
+    a_new_path_lies_in_its_space();
+    a_bad_space_is_refused();
     a_pose_becomes_an_orientation();
     a_bad_pose_is_refused();
     a_file_keeps_it(argc > 1 ? argv[1] : ".");

@@ -606,6 +606,47 @@ CALL(v_path_get_space)
     return v_path_get_space(path, centre, half_size, result(sizeof(int), 1));
 }
 
+/* A space, or none, which is as good. */
+static const V_SPACE *a_space(void)
+{
+    V_SPACE space;
+    int i;
+
+    v_space_init(&space);
+    if (chance(wild)) {
+        frame->unfit = 1;
+        space.size = below(100);
+    }
+    for (i = 0; i < 3; i++)
+        space.centre[i] = number(-1, 1);
+    space.half_size = number(0.5, 2);
+    space.up = whole(V_UP_Y, V_UP_Z);
+    return chance(20) ? NULL : given("V_SPACE", &space, sizeof space);
+}
+
+CALL(v_space_init)
+{
+    (v_space_init)(result(sizeof(V_SPACE), 0));
+    return 0;
+}
+
+CALL(v_space_init_sized)
+{
+    v_space_init(result(sizeof(V_SPACE), 0));
+    return 0;
+}
+
+CALL(v_path_new_in_space)
+{
+    const V_SPACE *space = a_space();
+    V_PATH **path = result(sizeof *path, 0);
+    int status = v_path_new_in_space(space, path);
+
+    if (status == V_OK)
+        frame->made_path = *path;
+    return status;
+}
+
 CALL(v_orientation_from_pose)
 {
     const V_POSE *pose = a_pose();
