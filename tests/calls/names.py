@@ -1,4 +1,4 @@
-"""Every parameter of every function, as the header names them, is given what will not do, all
+"""What a message names: every parameter of every function, as the header names them, is given what will not do, all
 others what will: names.py LIBRARY HEADER FOLDER
 
     NULL, an address that is not aligned, a handle that is none, a struct of another size, a
@@ -145,7 +145,7 @@ def fit(function, kind, name):
     return ctypes.c_void_p(block(b"", 100000))
 
 
-INTS = {"last_point": 1, "count": 2, "points": 1, "node": 1, ("v_path_extract", "last_point"): 2,
+INTS = {"last_point": 1, "up": 1, "count": 2, "points": 1, "node": 1, ("v_path_extract", "last_point"): 2,
         ("v_path_remove_orientation", "at"): 1, ("v_scene_set_path", "node"): 0,
         ("v_scene_get_path", "node"): 0, ("v_scene_pin", "node"): 0}
 SIZES = {"capacity": 50000, "count": 2, "keys": 2, "points": 4, "size": len(VID), "first": 1,

@@ -257,9 +257,9 @@ german! {
             "eine Quaternionenkurve braucht mindestens zwei Schlüssel, jeder mit einer Zeit";
         Time => "die gefragte Zeit muss zwischen dem ersten und dem letzten Schlüssel liegen";
         KeyShapes => "jeder Schlüssel braucht tension, continuity und bias";
-        NoNode { node, count } => "unter {count} Knoten ist kein Knoten {}", Index(*node);
+        NoNode { node, count } => "unter {count} Knoten, gezählt von 0, ist kein Knoten {node}";
         NoLink { node, number, count, link } =>
-            "Knoten „{node}“: unter {count} Knoten ist kein Knoten {} für {link}", Index(*number);
+            "Knoten „{node}“: unter {count} Knoten, gezählt von 0, ist kein Knoten {number} für {link}";
         NoPathPoint { node, point, count } =>
             "der Pfad von „{node}“ hat unter {count} Punkten, gezählt von 0, keinen Punkt {point}";
         States { nodes, given } => "{nodes} Knoten brauchen ebenso viele Zustände, nicht {given}";

@@ -411,11 +411,10 @@ pub enum OutOfRange {
     KeyShapes,
 
     // Scenes.
-    #[error("there is no node {} among {count}", Index(*node))]
+    #[error("there is no node {node} among {count}, counted from 0")]
     NoNode { node: usize, count: usize },
     #[error(
-        "node \"{node}\": there is no node {} among {count} for its {link}",
-        Index(*number)
+        "node \"{node}\": there is no node {number} among {count} for its {link}, counted from 0"
     )]
     NoLink {
         node: Text,
