@@ -170,7 +170,7 @@ check-linking: libs
 # to, and says where it is. That one is built with what the Rust tests are built
 # with, and nobody installs it.
 check-calls: libs
-	@mk/need.sh Xvfb=xvfb /usr/include/X11/Xlib.h=libx11-dev
+	@mk/need.sh Xvfb=xvfb python3=python3 /usr/include/X11/Xlib.h=libx11-dev
 	$(ONCE)calls $(WITH) tests/calls -- tests/calls/run.sh $(LIB)
 	$(CARGO) build --locked --workspace --all-features --lib --tests
 	mk/libraries.sh $(CARGO_TARGET_DIR)/debug/libvides_archive.a $(CARGO_TARGET_DIR)/inject $(VERSION)

@@ -386,7 +386,7 @@ fn at_the_end_of_the_world_there_is_no_absolute_target_ahead() {
 #[test]
 fn what_is_not_there_is_named() {
     let mut document = Document::new();
-    let no_point = "there is no point 2: the path has points 0 to 1";
+    let no_point = "there is no point 3: the path has points 1 to 2";
     let orientation = Orientation::default();
     for edit in [
         Edit::RemovePoint { at: 2 },
@@ -419,7 +419,7 @@ fn what_is_not_there_is_named() {
     ] {
         assert_eq!(refused(&mut document, edit), no_point);
     }
-    let no_orientation = "there is no orientation 1: point 0 has orientations 0 to 0";
+    let no_orientation = "there is no orientation 2: point 1 has orientations 1 to 1";
     assert_eq!(
         refused(
             &mut document,
@@ -454,7 +454,7 @@ fn what_is_not_there_is_named() {
                 points: 1
             }
         ),
-        "there is no segment 2: the path has segments 0 to 0"
+        "there is no segment 3: the path has segments 1 to 1"
     );
     for points in [0, 11] {
         assert_eq!(

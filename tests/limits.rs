@@ -59,7 +59,7 @@ fn a_point_has_a_preset_that_there_is_and_one_to_ten_orientations() {
     );
     assert_eq!(
         with(&|point| point.curve = CurveParameters::Preset(10)),
-        "point 2: the preset must lie between 0 and 9"
+        "point 2: there is no preset 10: they are numbered 0 to 9"
     );
     for (count, sentence) in [
         (0, "point 2: a point has between 1 and 10 orientations"),

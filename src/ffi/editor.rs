@@ -219,10 +219,7 @@ unsafe fn begin(options: &V_EDITOR_OPTIONS) -> Answer<Beginning> {
                 language_of(bytes(language, "language")?)
             })?,
             optional_text(options.application, "options->application")?,
-            optional_text(
-                options.host_name,
-                "the name of the host's view is not UTF-8",
-            )?,
+            optional_text(options.host_name, "options->host_name")?,
         )
     };
     Ok(Beginning {

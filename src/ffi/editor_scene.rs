@@ -5,7 +5,7 @@ use std::ffi::c_int;
 use super::border::border;
 use super::editor::{CLOSED, opened, replace_with};
 use super::pointers::Out;
-use super::scene::{insert, read};
+use super::scene_handles::{insert, read};
 use super::scene_types::V_SCENE;
 use super::status::{V_ERR_INTERNAL, V_OK};
 use super::types::V_EDITOR;

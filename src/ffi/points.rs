@@ -8,7 +8,7 @@ use super::pointers::{Out, count, how_many, index, read_vector};
 use super::status::{Answer, V_ERR_INTERNAL, V_OK};
 use super::types::V_PATH;
 use crate::document::{Document, Edit};
-use crate::error::{OutOfRange, Quantity};
+use crate::error::OutOfRange;
 use crate::path::{CurveParameters, SupportPoint, Tcb};
 
 /// A support point named by C's index.
@@ -224,7 +224,7 @@ pub unsafe extern "C" fn v_path_get_preset(
         let number = index(preset, "preset")?;
         let values = read(path, |document| {
             let preset = document.path().presets.get(number);
-            Ok(*preset.ok_or(OutOfRange::Between(Quantity::Preset, 0.0, 9.0))?)
+            Ok(*preset.ok_or(OutOfRange::NoPreset(number))?)
         })?;
         // SAFETY: room for three doubles, as the header says.
         unsafe { tcb.answer([values.tension, values.continuity, values.bias]) }

@@ -1,103 +1,24 @@
-//! Scenes as handles, and their nodes.
+//! Scenes and their nodes.
 
-use std::cell::{Cell, UnsafeCell};
+use std::cell::UnsafeCell;
 use std::ffi::{c_char, c_int};
-use std::sync::RwLock;
 
 use glam::{DQuat, DVec3};
 
 use super::border::border;
-use super::counted::Counted;
-use super::handles::{Handles, KIND_SCENE};
 use super::path;
 use super::pointers::{
     self, Growing, GrowingOut, Out, copied, file_name, index, init, optional, read_growing, text,
 };
+use super::scene_handles::{self, change, edit, insert, look, read};
 use super::scene_types::*;
-use super::status::{
-    Answer, Failure, V_ERR_BUSY, V_ERR_INTERNAL, V_OK, clear_last_error, set_last_error,
-};
+use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK, clear_last_error, set_last_error};
 use super::types::V_PATH;
 use crate::document::{Info, SceneDocument};
 use crate::error::{Invalid, Refused};
-use crate::inject;
 use crate::limits::MAX_NAME_BYTES;
 use crate::path::camera_path::check_name;
-use crate::scene::{Camera, Extrapolation, FollowPath, Kind, Light, Node, Object, Scene, Values};
-
-/// All scenes that C holds.
-static SCENES: Handles<RwLock<SceneDocument>, V_SCENE> = Handles::new(KIND_SCENE);
-
-const SPOILED: Failure = Failure::Border(
-    V_ERR_INTERNAL,
-    "this scene is unusable since a fault inside the library",
-);
-
-const BUSY: Failure = Failure::Border(
-    V_ERR_BUSY,
-    "a scene cannot be used within an interpolation of the host's",
-);
-
-thread_local! {
-    /// How many of the host's interpolations run on this thread. Each runs while the scene is
-    /// read-locked, so using a scene in it could deadlock.
-    static CALLBACKS: Cell<u32> = const { Cell::new(0) };
-}
-
-/// Runs an interpolation of the host's, within which no scene may be used.
-pub(super) fn within_callback<R>(run: impl FnOnce() -> R) -> R {
-    struct Guard;
-    impl Drop for Guard {
-        fn drop(&mut self) {
-            CALLBACKS.set(CALLBACKS.get() - 1);
-        }
-    }
-    CALLBACKS.set(CALLBACKS.get() + 1);
-    let _guard = Guard;
-    run()
-}
-
-fn lookup(scene: *const V_SCENE) -> Answer<Counted<RwLock<SceneDocument>>> {
-    let found = SCENES.get(scene)?;
-    if CALLBACKS.get() > 0 {
-        return Err(BUSY);
-    }
-    Ok(found)
-}
-
-pub(super) fn read<R>(
-    scene: *const V_SCENE,
-    look: impl FnOnce(&SceneDocument) -> Answer<R>,
-) -> Answer<R> {
-    let scene = lookup(scene)?;
-    let scene = scene.read().map_err(|_| SPOILED)?;
-    inject::point(inject::Place::Path);
-    look(&scene)
-}
-
-pub(super) fn edit<R>(
-    scene: *mut V_SCENE,
-    change: impl FnOnce(&mut SceneDocument) -> Answer<R>,
-) -> Answer<R> {
-    let scene = lookup(scene)?;
-    let mut scene = scene.write().map_err(|_| SPOILED)?;
-    inject::point(inject::Place::Path);
-    change(&mut scene)
-}
-
-/// Makes one change of a scene.
-pub(super) fn change<R>(
-    scene: *mut V_SCENE,
-    change: impl FnOnce(&mut Scene) -> vides_engine::Result<R>,
-) -> Answer<c_int> {
-    edit(scene, |document| Ok(change(&mut document.scene)?))?;
-    Ok(V_OK)
-}
-
-/// A handle for a scene.
-pub(super) fn insert(scene: SceneDocument) -> Answer<*mut V_SCENE> {
-    SCENES.insert(RwLock::new(scene))
-}
+use crate::scene::{Camera, Extrapolation, FollowPath, Kind, Light, Node, Object, Values};
 
 /// Room for the name of a node or an interpolation, zero-terminated.
 const TEXT_BYTES: usize = MAX_NAME_BYTES + 16;
@@ -209,7 +130,8 @@ fn node(given: &V_NODE) -> Answer<Node> {
     Ok(node)
 }
 
-fn node_for_c(node: &Node) -> Answer<V_NODE> {
+/// `number` gives what it is in and what it aims at its number.
+fn node_for_c(node: &Node, number: impl Fn(usize) -> Option<usize>) -> Answer<V_NODE> {
     let (rest, q) = (&node.rest, node.rest.rotation);
     let camera = match node.kind {
         Kind::Camera(camera) => camera,
@@ -223,9 +145,9 @@ fn node_for_c(node: &Node) -> Answer<V_NODE> {
             Kind::Light(_) => V_NODE_LIGHT,
             Kind::Camera(_) => V_NODE_CAMERA,
         },
-        parent: unlink(node.parent)?,
+        parent: unlink(node.parent.and_then(&number))?,
         visible: c_int::from(rest.visible),
-        aim: unlink(node.aim)?,
+        aim: unlink(node.aim.and_then(number))?,
         pivot: node.pivot.to_array(),
         position: rest.position.to_array(),
         rotation: [q.w, q.x, q.y, q.z],
@@ -255,7 +177,7 @@ pub unsafe extern "C" fn v_node_init(node: *mut V_NODE, kind: c_int) {
     border((), || {
         let made = V_NODE {
             kind,
-            ..node_for_c(&Node::default())?
+            ..node_for_c(&Node::default(), Some)?
         };
         // SAFETY: room for a node of version 1.0, as the header says.
         unsafe { init(node, made, V_NODE::FIRST, "node") }
@@ -335,7 +257,7 @@ pub unsafe extern "C" fn v_scene_clone(scene: *const V_SCENE, copy: *mut *mut V_
 pub unsafe extern "C" fn v_scene_free(scene: *mut V_SCENE) {
     border((), || {
         if !scene.is_null() {
-            SCENES.remove(scene)?;
+            scene_handles::free(scene)?;
         }
         Ok(())
     });
@@ -349,9 +271,7 @@ pub unsafe extern "C" fn v_scene_free(scene: *mut V_SCENE) {
 pub unsafe extern "C" fn v_scene_node_count(scene: *const V_SCENE, count: *mut c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
         let out = Out::new(count, "count")?;
-        let nodes = read(scene, |document| {
-            pointers::count(document.scene.nodes().len())
-        })?;
+        let nodes = look(scene, |nodes| pointers::count(nodes.count()))?;
         // SAFETY: room for an int, as the header says.
         unsafe { out.answer(nodes) }
     })
@@ -396,7 +316,7 @@ pub(super) fn copied_name(text: &str) -> Answer<String> {
 pub unsafe extern "C" fn v_scene_remove_node(scene: *mut V_SCENE, node: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
         let node = index(node, "node")?;
-        change(scene, |scene| scene.remove(node))
+        scene_handles::remove_node(scene, node)
     })
 }
 
@@ -413,12 +333,10 @@ pub unsafe extern "C" fn v_scene_find_node(
         let out = Out::new(node, "node")?;
         // SAFETY: a text ended by zero, as the header says.
         let name = unsafe { text(name, "name") }?;
-        let number = read(scene, |document| {
-            let found = document
-                .scene
-                .find(name)
-                .ok_or_else(|| Invalid::NoNodeNamed(name.into()))?;
-            pointers::count(found)
+        let number = look(scene, |nodes| {
+            let found = nodes.scene().find(name);
+            let number = found.and_then(|place| nodes.number(place));
+            pointers::count(number.ok_or_else(|| Invalid::NoNodeNamed(name.into()))?)
         })?;
         // SAFETY: room for an int, as the header says.
         unsafe { out.answer(number) }
@@ -437,8 +355,9 @@ pub unsafe extern "C" fn v_scene_get_name(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         let (out, node) = (Out::new(name, "name")?, index(node, "node")?);
-        let lent = read(scene, |document| {
-            Ok(thread_text(&document.scene.node(node)?.name))
+        let lent = look(scene, |nodes| {
+            let node = &nodes.scene().nodes()[nodes.place(node)?];
+            Ok(thread_text(&node.name))
         })?;
         // SAFETY: room for a pointer, as the header says.
         unsafe { out.answer(lent) }
@@ -477,7 +396,10 @@ pub unsafe extern "C" fn v_scene_get_node(
             unsafe { GrowingOut::new(values, "values") }?,
             index(node, "node")?,
         );
-        let found = read(scene, |document| node_for_c(document.scene.node(node)?))?;
+        let found = look(scene, |nodes| {
+            let found = &nodes.scene().nodes()[nodes.place(node)?];
+            node_for_c(found, |link| nodes.number(link))
+        })?;
         // SAFETY: as above.
         unsafe { out.answer(found) }
     })

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::border::border;
 use super::pointers::{ArrayOut, Out, check, index, slice_mut, text};
-use super::scene::read;
+use super::scene_handles::read;
 use super::scene_tracks::mesh_points;
 use super::scene_types::{V_NODE_STATE, V_SCENE};
 use super::status::{V_ERR_INTERNAL, V_OK, clear_last_error, set_last_error};

@@ -9,7 +9,8 @@ use super::border::border;
 use super::pointers::{
     Out, file_name, index, most, optional, read_array, read_growing, slice, slice_mut, text,
 };
-use super::scene::{beyond, change, copied_name, edit, read, thread_text, within_callback};
+use super::scene::{beyond, copied_name, thread_text};
+use super::scene_handles::{change, edit, read, within_callback};
 use super::scene_types::*;
 use super::status::{Answer, Failure, Name, V_ERR_INTERNAL, V_OK};
 use crate::deform::{Bounds, Deformation};

@@ -18,7 +18,7 @@ pub(super) fn up_from_c(up: c_int, name: impl Into<Name>) -> Answer<Up> {
     match up {
         V_UP_Y => Ok(Up::Y),
         V_UP_Z => Ok(Up::Z),
-        _ => Err(Failure::unknown(name, up, "V_UP_Y (0), V_UP_Z (1)")),
+        _ => Err(Failure::unknown(name, up, "V_UP_Y (1), V_UP_Z (2)")),
     }
 }
 

@@ -79,7 +79,7 @@ check() { # NAME
     # A test that replaces malloc cannot have it replaced again; one that fails
     # system calls would fail those of the tools, one that kills need not be slow,
     # one that counts threads would count theirs.
-    case $name in memory | faults | saving | lookup) sanitized=no ;; esac
+    case $name in memory | faults | saving | lookup | removal) sanitized=no ;; esac
     for kind in archive shared; do
         library=$libraries/libvides.a
         [ $kind = shared ] && library=$libraries/libvides.so
@@ -118,7 +118,7 @@ if [ $# -eq 0 ]; then
     header "$cxx" -x c++ -std=c++20 -pedantic "$here/silent.c"
     result "header: parameters" no_parameter_is_a_function_of_libc
     result "header: includes" only_stddef
-    set -- layout errors handles editing shape orientations poses list memory threads lookup files saving faults process toolbox tools scene space whole windows
+    set -- layout errors handles editing shape orientations poses list memory threads lookup files saving faults process toolbox tools scene removal space whole windows
 fi
 # Side by side.
 for name; do

@@ -1,10 +1,11 @@
 #!/bin/bash
 # Calls as no host should make them, and faults of our own:
-# run.sh LIBRARY_FOLDER [hostile|reentry|odd_hosts|inject|hand_over]...
+# run.sh LIBRARY_FOLDER [hostile|reentry|odd_hosts|names|inject|hand_over]...
 #
 #     hostile    every function with unfit arguments, in any order
 #     reentry    every function from within every callback
 #     odd_hosts  what hosts seldom do with windows
+#     names      every parameter with what will not do: the message names it
 #     inject     panics, with a library that is built for them
 #     hand_over  memory that runs out while a window hands over, with the same library
 #
@@ -107,6 +108,12 @@ hand_over() { # NAME PROGRAM
     result "$1" with_server "$2" FOLDER
 }
 
+# From Python, which loads the shared library only.
+names() {
+    result "names" with_server python3 "$here/names.py" "$libraries/libvides.so" \
+        "$root/include/libvides.h" FOLDER
+}
+
 one() { # TEST KIND WAY LIBRARY
     local name="$1, $2, $3" program=$work/$1-$2-$3 flags=()
     [ "$3" = sanitizers ] && flags=(-fsanitize=address,undefined -fno-sanitize-recover=undefined)
@@ -119,8 +126,12 @@ one() { # TEST KIND WAY LIBRARY
     fi
 }
 
-[ $# -gt 0 ] || set -- hostile reentry odd_hosts
+[ $# -gt 0 ] || set -- hostile reentry odd_hosts names
 for test; do
+    if [ "$test" = names ]; then
+        names &
+        continue
+    fi
     for kind in ${KINDS:-archive shared}; do
         library=$libraries/libvides.a
         [ $kind = shared ] && library=$libraries/libvides.so

@@ -402,7 +402,8 @@ impl Poses<'_> {
                 if !inside || poses.len() > count + 1 - first {
                     #[allow(clippy::cast_precision_loss)]
                     let [frame, last] =
-                        [first.max(first + poses.len() - 1), *count].map(|n| n as f64);
+                        [first.saturating_add(poses.len().saturating_sub(1)), *count]
+                            .map(|n| n as f64);
                     return Err(OutOfRange::NoFrame {
                         frame,
                         first: 1.0,

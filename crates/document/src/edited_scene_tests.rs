@@ -182,11 +182,16 @@ fn poses_of_a_camera_that_moves_by_keys_are_those_of_the_scene() {
     let mut last = [Pose::default(); 2];
     poses.sample(6, &mut last).unwrap();
     assert_eq!(last, all[5..]);
-    for (first, count) in [(0, 1), (7, 2), (8, 1), (usize::MAX, 1)] {
+    for (first, count, frame) in [
+        (0, 1, "0"),
+        (7, 2, "8"),
+        (8, 1, "8"),
+        (usize::MAX, 1, "18446744073709552000"),
+    ] {
         let error = poses.sample(first, &mut all[..count]).unwrap_err();
         assert_eq!(
             error.to_string(),
-            "a frame must lie between 1 and the number of frames"
+            format!("there is no frame {frame}: they go from 1 to 7")
         );
     }
     assert_eq!(

@@ -9,7 +9,7 @@ use super::editing::Selection;
 use super::place;
 use super::target;
 use crate::error::{
-    End, Error, OutOfRange, Place, Quantity, Refused, Result, TooMany, can_allocate, vec_with_room,
+    End, Error, OutOfRange, Place, Refused, Result, TooMany, can_allocate, vec_with_room,
 };
 use crate::limits;
 use crate::math::orientation::wrap_degrees;
@@ -553,7 +553,7 @@ pub(super) fn orientation(path: &CameraPath, number: usize, at: usize) -> Result
 fn preset_number(preset: usize) -> Result<u8> {
     match u8::try_from(preset) {
         Ok(number) if preset < limits::PRESETS => Ok(number),
-        _ => Err(OutOfRange::Between(Quantity::Preset, 0.0, 9.0).into()),
+        _ => Err(OutOfRange::NoPreset(preset).into()),
     }
 }
 

@@ -16,7 +16,7 @@ use glam::DVec3;
 
 use crate::actions::Action;
 use crate::document::{Edit, Object, Selection};
-use crate::error::{Refused, Result};
+use crate::error::{EngineError, OutOfRange, Refused, Result};
 use crate::math::{orientation, view::View};
 use crate::path::{Change, MayOwn, Orientation, Pose, Space, Target};
 use crate::space::Camera;
@@ -123,9 +123,19 @@ impl Editor {
     /// # Errors
     /// `ErrorKind::Range` if there is no such frame; as [`Editor::frame`].
     pub fn set_frame(&mut self, frame: f64) -> Result<()> {
-        let frame = self.document.frame_of_path(frame);
-        self.document.sampler()?.pose(frame)?;
-        self.scrub(frame);
+        let at = self.document.frame_of_path(frame);
+        let of_scene = |error| match error {
+            // As the caller counts them, who gave one of the scene.
+            EngineError::Range(OutOfRange::NoFrame { first, last, .. }) => OutOfRange::NoFrame {
+                frame,
+                first: first + frame - at,
+                last: last + frame - at,
+            }
+            .into(),
+            other => other,
+        };
+        self.document.sampler()?.pose(at).map_err(of_scene)?;
+        self.scrub(at);
         Ok(())
     }
 

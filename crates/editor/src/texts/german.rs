@@ -69,7 +69,6 @@ german! {
         Frame => "ein Bild";
         Intensity => "die Helligkeit";
         Parameter => "ein Wert einer Verformung";
-        Preset => "der Standardwert";
         Rate => "eine Geschwindigkeit oder Steigung";
         Roll => "der Winkel";
         Tension => "tension";
@@ -206,6 +205,8 @@ german! {
         TooFewSupportPoints => "eine Bahn braucht mindestens zwei Stützpunkte";
         NoPoint { point, last } =>
             "den Punkt {} gibt es nicht: die Bahn hat die Punkte 1 bis {}", Index(*point), Index(*last);
+        NoPreset(preset) =>
+            "den Standardwert {} gibt es nicht: sie sind von 0 bis 9 nummeriert", preset;
         Orientations => "ein Punkt hat 1 bis 10 Orientierungen";
         Hold => "das Halten muss zwischen 0 und 1000000 Bildern liegen";
         NoFrame { frame, first, last } =>
@@ -258,11 +259,11 @@ german! {
             "eine Quaternionenkurve braucht mindestens zwei Schlüssel, jeder mit einer Zeit";
         Time => "die gefragte Zeit muss zwischen dem ersten und dem letzten Schlüssel liegen";
         KeyShapes => "jeder Schlüssel braucht tension, continuity und bias";
-        NoNode { node, count } => "unter {count} Knoten ist kein Knoten {}", Index(*node);
+        NoNode { node, count } => "unter {count} Knoten, gezählt von 0, ist kein Knoten {node}";
         NoLink { node, number, count, link } =>
-            "Knoten „{node}“: unter {count} Knoten ist kein Knoten {} für {link}", Index(*number);
+            "Knoten „{node}“: unter {count} Knoten, gezählt von 0, ist kein Knoten {number} für {link}";
         NoPathPoint { node, point, count } =>
-            "der Pfad von „{node}“ hat unter {count} Punkten keinen Punkt {}", Index(*point);
+            "der Pfad von „{node}“ hat unter {count} Punkten, gezählt von 0, keinen Punkt {point}";
         States { nodes, given } => "{nodes} Knoten brauchen ebenso viele Zustände, nicht {given}";
         Colour => "die Zahlen einer Farbe müssen zwischen 0 und 1e9 liegen";
         Cone =>
@@ -284,7 +285,7 @@ german! {
         Tangent =>
             "eine Tangente muss endlich sein und darf {} nicht überschreiten", limits::MAX_TANGENT;
         NoMeshPoint { point, count } =>
-            "unter {count} Punkten ist kein Punkt {}", Index(*point as usize);
+            "unter {count} Punkten, gezählt von 0, ist kein Punkt {point}";
         MeshColours { points, given } =>
             "{points} Punkte brauchen ebenso viele Farben, nicht {given}";
         PointRoom { points, given } => "{points} Punkte brauchen ebenso viel Platz, nicht {given}";

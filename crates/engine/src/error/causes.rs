@@ -21,7 +21,6 @@ pub enum Quantity {
     Frame,
     Intensity,
     Parameter,
-    Preset,
     Rate,
     Roll,
     Tension,
@@ -41,7 +40,6 @@ impl fmt::Display for Quantity {
             Self::Frame => "a frame",
             Self::Intensity => "the intensity",
             Self::Parameter => "a parameter of a deformation",
-            Self::Preset => "the preset",
             Self::Rate => "a velocity or slope",
             Self::Roll => "the roll",
             Self::Tension => "the tension",
@@ -320,6 +318,8 @@ pub enum OutOfRange {
         Index(*point), Index(0), Index(*last)
     )]
     NoPoint { point: usize, last: usize },
+    #[error("there is no preset {0}: they are numbered 0 to 9")]
+    NoPreset(usize),
     #[error("a point has between 1 and 10 orientations")]
     Orientations,
     #[error("the hold must lie between 0 and 1000000 frames")]
@@ -415,11 +415,10 @@ pub enum OutOfRange {
     KeyShapes,
 
     // Scenes.
-    #[error("there is no node {} among {count}", Index(*node))]
+    #[error("there is no node {node} among {count}, counted from 0")]
     NoNode { node: usize, count: usize },
     #[error(
-        "node \"{node}\": there is no node {} among {count} for its {link}",
-        Index(*number)
+        "node \"{node}\": there is no node {number} among {count} for its {link}, counted from 0"
     )]
     NoLink {
         node: Text,
@@ -427,7 +426,7 @@ pub enum OutOfRange {
         count: usize,
         link: &'static str,
     },
-    #[error("the path of \"{node}\" has no point {} among {count}", Index(*point))]
+    #[error("the path of \"{node}\" has no point {point} among {count}, counted from 0")]
     NoPathPoint {
         node: Text,
         point: usize,
@@ -475,7 +474,7 @@ pub enum OutOfRange {
     Tangent,
 
     // Objects, deformations.
-    #[error("there is no point {} among {count}", Index(*point as usize))]
+    #[error("there is no point {point} among {count}, counted from 0")]
     NoMeshPoint { point: u32, count: usize },
     #[error("{points} points need as many colours, not {given}")]
     MeshColours { points: usize, given: usize },

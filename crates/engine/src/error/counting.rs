@@ -1,5 +1,7 @@
 //! How a sentence counts what the library counts from 0. People see points and orientations
-//! numbered from 1 in the window, the command and files; a C program counts its arrays from 0.
+//! numbered from 1 in the window and the command; a C program counts its arrays from 0. (What has
+//! a number only there or in files, as nodes and the points of a mesh, says "counted from 0" to
+//! everybody.)
 //!
 //! Errors hold indices from 0 and are put into words once, by [`Index`]. How it counts is known
 //! only where the sentence is read, and formatters of nested errors hand no flag down: so

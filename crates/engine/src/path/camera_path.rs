@@ -449,7 +449,7 @@ impl SupportPoint {
         }
         match self.curve {
             CurveParameters::Preset(preset) if usize::from(preset) >= limits::PRESETS => {
-                return Err(OutOfRange::Between(Quantity::Preset, 0.0, 9.0).into());
+                return Err(OutOfRange::NoPreset(preset.into()).into());
             }
             CurveParameters::Preset(_) => {}
             CurveParameters::Own(tcb) => tcb.check()?,

@@ -167,9 +167,9 @@ fn where_there_is_no_way_to_divide_it_says_so() {
     let refused = |path: &CameraPath, frame: f64| on_curve(path, frame).unwrap_err().to_string();
     let pan_end = (pan + 1) as f64;
     for (frame, why) in [
-        (0.5, "a frame must lie between"),
-        (f64::NAN, "a frame must lie between"),
-        ((all + 1) as f64, "a frame must lie between"),
+        (0.5, "there is no frame 0.5: they go from 1 to "),
+        (f64::NAN, "there is no frame NaN"),
+        ((all + 1) as f64, "they go from 1 to "),
         (1.0, "at a key already"),
         (5.0, "turns at point 1"),
         (pan_end, "at a key already"),

@@ -16,6 +16,7 @@ pub mod mesh;
 pub mod motion;
 pub mod node;
 pub mod pins;
+pub mod removal;
 mod reparent;
 mod rotation;
 #[expect(clippy::module_inception)]

@@ -6,6 +6,7 @@ use super::markers::{Marker, Pin};
 use super::mesh::{Mesh, MeshSource, Shape};
 use super::motion::{FollowPath, Motion};
 use super::node::{Kind, Node, check_node_name};
+use super::removal::Removal;
 use super::track::Track;
 use crate::deform::{Bounds, Deformation};
 use crate::error::{Error, Invalid, OutOfRange, Place, Result, TooMany, vec_with_room};
@@ -19,11 +20,11 @@ pub struct Scene {
     /// Nodes in the order of evaluation.
     pub(super) order: Vec<usize>,
     /// Nodes by name.
-    names: Vec<usize>,
+    pub(super) names: Vec<usize>,
     pub(super) markers: Vec<Marker>,
     pub(super) pins: Vec<Pin>,
     /// All numbers of all keys.
-    numbers: usize,
+    pub(super) numbers: usize,
     space: Space,
 }
 
@@ -207,42 +208,9 @@ impl Scene {
     /// # Errors
     /// [`Error::Range`] if there is none, [`Error::Memory`].
     pub fn remove(&mut self, at: usize) -> Result<()> {
-        self.node(at)?;
-        let count = self.nodes.len();
-        // New numbers; none for those that go. Parents come first in the order.
-        let mut new: Vec<Option<usize>> = vec_with_room(count)?;
-        new.resize(count, Some(0));
-        let mut names = vec_with_room(count)?;
-        for &node in &self.order {
-            let parent = self.nodes[node].parent;
-            if node == at || parent.is_some_and(|parent| new[parent].is_none()) {
-                new[node] = None;
-            }
-        }
-        let kept = new.iter_mut().filter_map(Option::as_mut);
-        for (next, number) in kept.enumerate() {
-            *number = next;
-        }
-        names.extend(self.names.iter().filter_map(|&node| new[node]));
-        let mut old = 0;
-        self.nodes.retain(|_| {
-            old += 1;
-            new[old - 1].is_some()
-        });
-        for node in &mut self.nodes {
-            node.parent = node.parent.and_then(|parent| new[parent]);
-            node.aim = node.aim.and_then(|aim| new[aim]);
-        }
-        self.order.retain(|&node| new[node].is_some());
-        for node in &mut self.order {
-            *node = new[*node].unwrap_or(0);
-        }
-        self.names = names;
-        self.pins.retain(|pin| new[pin.node].is_some());
-        for pin in &mut self.pins {
-            pin.node = new[pin.node].unwrap_or(0);
-        }
-        self.numbers = self.nodes.iter().map(|node| node.keys.numbers()).sum();
+        let mut removal = Removal::new(self)?;
+        removal.remove(at)?;
+        self.remove_all(removal);
         Ok(())
     }
 
