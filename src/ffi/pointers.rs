@@ -337,7 +337,8 @@ pub(super) fn count(value: usize) -> Answer<c_int> {
 /// The type is `repr(C)`, its first field is `size: usize`, and any bits are valid for the fields
 /// up to `FIRST`, zeroes for all.
 pub(super) unsafe trait Growing: Copy {
-    /// Its `sizeof` in version 1.0.
+    /// Its `sizeof` in version 1.0, all that a caller without a size has. A field of a later
+    /// version makes it the offset of that field.
     const FIRST: usize;
     /// Values for fields the host does not know.
     // SAFETY: zeroes are valid for all fields.
