@@ -7,7 +7,8 @@ that as a ghost and takes it over into the path (Ctrl-Enter). Q ends the program
 
 import ctypes
 import math
-from ctypes import CFUNCTYPE, POINTER, c_char_p, c_double, c_int, c_size_t, c_uint, c_void_p
+from ctypes import (CFUNCTYPE, POINTER, c_char_p, c_double, c_int, c_size_t, c_uint, c_ulong,
+                    c_void_p)
 
 import vtkmodules.vtkRenderingOpenGL2
 from vtkmodules.vtkFiltersSources import vtkCubeSource
@@ -34,13 +35,15 @@ OnCapture = CFUNCTYPE(c_int, c_void_p, POINTER(Pose), c_void_p)
 
 
 class Options(ctypes.Structure):
-    """V_EDITOR_OPTIONS, as far as this program knows it."""
+    """V_EDITOR_OPTIONS."""
     _fields_ = [("size", c_size_t), ("title", c_char_p), ("file", c_char_p), ("path", c_void_p),
                 ("object", POINTER(Mesh)), ("frames", c_double * 4), ("display", c_char_p),
                 ("language", c_char_p), ("on_poses", c_void_p), ("on_close", c_void_p),
                 ("user", c_void_p), ("space_centre", c_double * 3), ("space_half_size", c_double),
                 ("space_up", c_int), ("on_view", OnView), ("on_change", c_void_p),
-                ("on_capture", OnCapture), ("on_pane", c_void_p), ("host_name", c_char_p)]
+                ("on_capture", OnCapture), ("on_pane", c_void_p), ("host_name", c_char_p),
+                ("parent", c_ulong), ("transient_for", c_ulong), ("application", c_char_p),
+                ("hand_over_saves", c_int), ("on_frame", c_void_p)]
 
 
 vides = ctypes.CDLL("libvides.so.1")

@@ -535,11 +535,12 @@ struct v_editor_options {
     double space_half_size;
     int space_up;
     /**
-     * called with the camera at the playhead whenever that has changed, at most
-     * once for each picture of the window; what came meanwhile is one call. frame
-     * counts from 1. reason is one of V_VIEW_.... The pose is the library's and
-     * valid until it returns. After a call of more than 30 ms the next one waits
-     * as long; the last pose always comes. NULL: none
+     * called with the camera at the playhead whenever that has changed, whether or
+     * not the window is seen (it may be covered, iconified, on another desktop, or in
+     * a parent that is not shown): sixty times a second at most, what came meanwhile
+     * is one call. frame counts from 1. reason is one of V_VIEW_.... The pose is the
+     * library's and valid until it returns. After a call of more than 30 ms the next
+     * one waits as long; the last pose always comes. NULL: none
      */
     void (*on_view)(V_EDITOR *editor,
                     const V_POSE *pose,
@@ -548,7 +549,8 @@ struct v_editor_options {
                     void *user);
     /**
      * called when the path in the window has changed: after each step, undo and
-     * redo too, not while a drag goes on. NULL: none
+     * redo too, not while a drag goes on; steps of one sixtieth of a second are one
+     * call. Seen or not, as on_view. NULL: none
      */
     void (*on_change)(V_EDITOR *editor, void *user);
     /**
@@ -2159,8 +2161,8 @@ int v_path_get_limit(const V_PATH *path, const char *kind, double *limit);
 /**
  * The options' defaults: size, space_up V_UP_Y, and everything else NULL or 0. NULL
  * does nothing but set v_last_error(). In C a macro of this name hands the struct's size
- * on to v_editor_options_init_sized(); the function itself, for other languages,
- * fills in the options of version 1.0, to user.
+ * on to v_editor_options_init_sized(); the function itself, for other languages
+ * (ctypes, JNI, bindgen), fills in all that version 1.0 has: the whole struct.
  * Any thread; from callbacks too.
  */
 void v_editor_options_init(V_EDITOR_OPTIONS *options);
@@ -2259,7 +2261,8 @@ int v_editor_set_frame(V_EDITOR *editor, double frame);
 
 /**
  * Plays the flight from the playhead on, at the end from the beginning; play 0:
- * no more. It begins with the window's next picture.
+ * no more. It begins when the window is served next, and goes on whether or not
+ * that is seen.
  * The thread that opened the window; from callbacks too. V_ERR_NULL,
  * V_ERR_HANDLE, V_ERR_CLOSED.
  */

@@ -1,7 +1,6 @@
 //! Editor windows by handles.
 
 use std::ffi::{c_int, c_ulong};
-use std::mem::offset_of;
 use std::path::{Path, PathBuf};
 use std::ptr;
 use std::rc::Rc;
@@ -82,8 +81,8 @@ pub(super) fn opened(editor: *const V_EDITOR) -> Answer<Counted<Opened>> {
 
 /// The options' defaults: size, space_up V_UP_Y, and everything else NULL or 0. NULL
 /// does nothing but set v_last_error(). In C a macro of this name hands the struct's size
-/// on to v_editor_options_init_sized(); the function itself, for other languages,
-/// fills in the options of version 1.0, to user.
+/// on to v_editor_options_init_sized(); the function itself, for other languages
+/// (ctypes, JNI, bindgen), fills in all that version 1.0 has: the whole struct.
 /// Any thread; from callbacks too.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_options_init(options: *mut V_EDITOR_OPTIONS) {
@@ -116,7 +115,7 @@ pub unsafe extern "C" fn v_editor_options_init_sized(options: *mut V_EDITOR_OPTI
 // every version.
 unsafe impl Growing for V_EDITOR_OPTIONS {
     const NAME: &'static str = "V_EDITOR_OPTIONS";
-    const FIRST: usize = offset_of!(V_EDITOR_OPTIONS, space_centre);
+    const FIRST: usize = size_of::<V_EDITOR_OPTIONS>();
     const DEFAULTS: Self = Self {
         size: size_of::<V_EDITOR_OPTIONS>(),
         title: ptr::null(),

@@ -86,7 +86,8 @@ pub unsafe extern "C" fn v_editor_set_frame(editor: *mut V_EDITOR, frame: c_doub
 }
 
 /// Plays the flight from the playhead on, at the end from the beginning; play 0:
-/// no more. It begins with the window's next picture.
+/// no more. It begins when the window is served next, and goes on whether or not
+/// that is seen.
 /// The thread that opened the window; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_CLOSED.
 #[unsafe(no_mangle)]

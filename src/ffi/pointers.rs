@@ -385,7 +385,8 @@ pub(super) fn count(value: usize) -> Answer<c_int> {
 pub(super) unsafe trait Growing: Copy {
     /// Its name in the header.
     const NAME: &'static str;
-    /// Its `sizeof` in version 1.0.
+    /// Its `sizeof` in version 1.0, all that a caller without a size has. A field of a later
+    /// version makes it the offset of that field.
     const FIRST: usize;
     /// Values for fields the host does not know.
     // SAFETY: zeroes are valid for all fields.

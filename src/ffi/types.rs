@@ -266,11 +266,12 @@ pub struct v_editor_options {
     pub space_centre: [f64; 3],
     pub space_half_size: f64,
     pub space_up: c_int,
-    /// called with the camera at the playhead whenever that has changed, at most
-    /// once for each picture of the window; what came meanwhile is one call. frame
-    /// counts from 1. reason is one of V_VIEW_.... The pose is the library's and
-    /// valid until it returns. After a call of more than 30 ms the next one waits
-    /// as long; the last pose always comes. NULL: none
+    /// called with the camera at the playhead whenever that has changed, whether or
+    /// not the window is seen (it may be covered, iconified, on another desktop, or in
+    /// a parent that is not shown): sixty times a second at most, what came meanwhile
+    /// is one call. frame counts from 1. reason is one of V_VIEW_.... The pose is the
+    /// library's and valid until it returns. After a call of more than 30 ms the next
+    /// one waits as long; the last pose always comes. NULL: none
     pub on_view: Option<
         unsafe extern "C" fn(
             editor: *mut V_EDITOR,
@@ -281,7 +282,8 @@ pub struct v_editor_options {
         ),
     >,
     /// called when the path in the window has changed: after each step, undo and
-    /// redo too, not while a drag goes on. NULL: none
+    /// redo too, not while a drag goes on; steps of one sixtieth of a second are one
+    /// call. Seen or not, as on_view. NULL: none
     pub on_change: Option<unsafe extern "C" fn(editor: *mut V_EDITOR, user: *mut c_void)>,
     /// "take over the view": the host fills in its own camera and returns 1; 0: it
     /// has none. vpn and vup of any length but 0, not parallel. NULL: that of

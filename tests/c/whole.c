@@ -126,44 +126,37 @@ static void texts_in_memory(const char *folder)
     v_path_free(path);
 }
 
-/* V_EDITOR_OPTIONS as version 1.0 had it, to its last field. */
-typedef struct {
-    size_t size;
-    const char *title, *file;
-    const V_PATH *path;
-    const V_MESH *object;
-    double move_frames, turn_frames, zoom_frames, roll_frames;
-    const char *display, *language;
-    void (*on_poses)(V_EDITOR *, const V_POSE *, size_t, void *);
-    int (*on_close)(V_EDITOR *, void *);
-    void *user;
-} earlier_options;
-
-static void shorter_structs(void)
+static void whole_structs_only(void)
 {
     /* On the heap without a byte to spare, so that reading on would be seen. */
-    earlier_options *options = calloc(1, sizeof *options);
+    V_EDITOR_OPTIONS *options = malloc(sizeof *options);
+    size_t shorter, *stub;
     V_EDITOR *editor = NULL;
 
-    CHECK(sizeof *options < sizeof(V_EDITOR_OPTIONS));
-    v_editor_options_init_sized((V_EDITOR_OPTIONS *)options, sizeof *options);
-    CHECK(options->size == sizeof *options && options->user == NULL);
-    /* As a program in another language calls it. */
-    options->user = options;
-    (v_editor_options_init)((V_EDITOR_OPTIONS *)options);
-    CHECK(options->size == sizeof *options && options->user == NULL);
+    v_editor_options_init_sized(options, sizeof *options);
+    CHECK(options->size == sizeof *options && options->on_frame == NULL);
+    /* As a program in another language calls it: all of version 1.0. */
+    memset(options, 0xff, sizeof *options);
+    (v_editor_options_init)(options);
+    CHECK(options->size == sizeof *options && options->user == NULL && options->on_frame == NULL);
     options->display = ":none";
     /* As far as the display, which is not there. */
-    STATUS(V_ERR_DISPLAY, v_editor_open((V_EDITOR_OPTIONS *)options, &editor));
+    STATUS(V_ERR_DISPLAY, v_editor_open(options, &editor));
     options->language = "fr";
-    STATUS(V_ERR_ARGUMENT, v_editor_open((V_EDITOR_OPTIONS *)options, &editor));
-    options->size = sizeof *options - sizeof(void *);
-    STATUS(V_ERR_SIZE, v_editor_open((V_EDITOR_OPTIONS *)options, &editor));
+    STATUS(V_ERR_ARGUMENT, v_editor_open(options, &editor));
+    for (shorter = 0; shorter < sizeof *options; shorter += sizeof(void *)) {
+        options->size = shorter;
+        STATUS(V_ERR_SIZE, v_editor_open(options, &editor));
+    }
     options->size = sizeof *options + 1;
-    STATUS(V_ERR_SIZE, v_editor_open((V_EDITOR_OPTIONS *)options, &editor));
-    options->size = sizeof(V_EDITOR_OPTIONS) + sizeof(void *);
-    STATUS(V_ERR_SIZE, v_editor_open((V_EDITOR_OPTIONS *)options, &editor));
+    STATUS(V_ERR_SIZE, v_editor_open(options, &editor));
+    options->size = sizeof *options + sizeof(void *);
+    STATUS(V_ERR_SIZE, v_editor_open(options, &editor));
     free(options);
+    stub = malloc(sizeof *stub);
+    *stub = sizeof *stub;
+    STATUS(V_ERR_SIZE, v_editor_open((V_EDITOR_OPTIONS *)stub, &editor));
+    free(stub);
 }
 
 int main(int argc, char **argv)
@@ -173,6 +166,6 @@ int main(int argc, char **argv)
     titles_and_comments();
     poses_in_pieces();
     texts_in_memory(argv[1]);
-    shorter_structs();
+    whole_structs_only();
     return failures != 0;
 }

@@ -55,6 +55,7 @@ build readme_window "$out/window.c" -- -lvides -lm
 extra=-D_GNU_SOURCE
 build loop_poll "$here/loop_poll.c" "$here/host.c" -- -lvides -lm
 build loop_live "$here/loop_live.c" "$here/host.c" -- -lvides -lm
+build stacked "$here/stacked.c" "$here/host.c" -- -lvides -lm -lX11
 build loop_xt "$here/loop_xt.c" "$here/host.c" -- -lvides -lm -lXt -lX11
 build loop_pending "$here/loop_pending.c" "$here/host.c" -- -lvides -lm -lXt -lX11
 

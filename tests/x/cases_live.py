@@ -4,9 +4,10 @@ planned, gives its view, and serves windows that follow it."""
 import math
 import os
 import statistics
+import sys
 import time
 
-from harness import check, wait
+from harness import check, run, wait
 from run import test
 from space import first_look
 
@@ -312,3 +313,94 @@ def a_host_that_takes_200_ms(place):
     check(math.dist(space.image(now.vrp), to) < 4, "the drag's end")
     check(most <= 2, f"v_dispatch called the host {most} times")
     host.leave()
+
+
+class Told:
+    """What `told` of stacked.c says of one window."""
+
+    def __init__(self, host, which):
+        words = host.tell(f"told {which}").split()[1:]
+        (self.views, self.frames, self.changes, self.poses, self.played,
+         self.reason) = map(int, words[:6])
+        self.frame = float(words[6])
+
+
+def hears_all(host, which):
+    """A window that nobody sees: its host is told of all that is done there, and at once."""
+    at_rest = wait(lambda: (now := Told(host, which)).reason == RESTED and now, f"a rest of {which}")
+    check(host.tell(f"go {which} 20.25") == "go 0 1 1", f"v_editor_set_frame of {which}")
+    check(Told(host, which).frame == 20.25, f"the frame of {which}")
+    wait(lambda: Told(host, which).reason == RESTED, f"a rest of {which}")
+    check(host.tell(f"alter {which} {0.125 + at_rest.views}") == "alter 0 1 1",
+          f"v_editor_set_path of {which}")
+    wait(lambda: Told(host, which).reason == RESTED, f"a rest of {which}")
+    check(host.tell(f"select {which} 1") == "select 0 1 1", f"v_editor_select of {which}")
+    host.tell(f"go {which} 1")
+    before = Told(host, which).played
+    host.tell(f"play {which} 1")
+    wait(lambda: Told(host, which).played >= before + 5, f"playing of {which}")
+    host.tell(f"play {which} 0")
+    wait(lambda: Told(host, which).reason == RESTED, f"the end of playing of {which}")
+
+
+@test()
+def windows_behind_others_tell_their_host(place):
+    """Of three, two are wholly covered; one more is in a parent that is not shown."""
+    server = place.server()
+    host = place.told(server, "stacked")
+    windows = []
+    for which in range(3):  # all at one place
+        check(host.tell(f"open {which}").split()[1] == "0", "v_editor_open")
+        windows.append(server.new_window(*windows))
+        server.xdotool("windowraise", windows[-1])
+    check(host.tell("open-unseen 3", "open").split()[1] == "0", "v_editor_open")
+    places = {server.geometry(window) for window in windows}
+    check(len(places) == 1, f"they do not cover each other: {places}")
+    for which in range(4):
+        hears_all(host, which)
+
+    # The user plays one that lies behind, and another hands its poses over continuously.
+    host.tell("go 0 1")
+    before = Told(host, 0).played
+    server.xdotool("windowfocus", "--sync", windows[0], "key", "F5")
+    wait(lambda: Told(host, 0).played >= before + 5, "playing by the user")
+    server.xdotool("key", "F5")
+    server.xdotool("windowfocus", "--sync", windows[1], "key", "--delay", "100", "alt+a", "l")
+    wait(lambda: Told(host, 1).poses > 0, "poses")
+    before = Told(host, 1).poses
+    host.tell("alter 1 0.75")
+    wait(lambda: Told(host, 1).poses > before, "poses after a change")
+    host.idle()  # nobody is woken
+    host.leave()
+
+
+@test()
+def iconified_windows_tell_their_host(place):
+    """And those on another desktop."""
+    server = place.server()
+    server.window_manager()
+    host = place.told(server, "stacked")
+    check(host.tell("open 0").split()[1] == "0", "v_editor_open")
+    window = server.new_window()
+    server.xdotool("windowminimize", "--sync", window)
+    wait(lambda: window not in server.windows(), "the icon")
+    hears_all(host, 0)
+    check(host.tell("open 1").split()[1] == "0", "v_editor_open")
+    window = server.new_window()
+    server.xdotool("set_desktop_for_window", window, 1)
+    wait(lambda: window not in server.windows(), "the other desktop")
+    hears_all(host, 1)
+    host.idle()
+    host.leave()
+
+
+@test(kinds=("shared",))
+def a_host_by_ctypes_is_told(place):
+    """It calls v_editor_options_init() itself, not the macro of C."""
+    server = place.server()
+    script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "by_ctypes.py")
+    said = run(sys.executable, script, env=server.env).decode().splitlines()
+    size, told, shorter = (line.split() for line in said)
+    check(size[1] == size[3], f"of the options it knows {size[1]} bytes, of {size[3]}")
+    check(told[1] == "True", "on_view was not called")
+    check(shorter[1] == "5", f"a shorter struct: status {shorter[1]}")

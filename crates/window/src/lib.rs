@@ -78,13 +78,13 @@ pub trait Host {
     }
 
     /// Calls the host with the camera at the playhead and its frame (from 1) after a change: at
-    /// most once for each picture of the window.
+    /// most sixty times a second, whether or not the window is seen.
     fn view(&self, window: Id, pose: &Pose, frame: f64, reason: Reason) {
         let _ = (window, pose, frame, reason);
     }
 
     /// Calls a host that draws the scene itself with the frame at the playhead, after that or the
-    /// scene has changed: at most once for each picture.
+    /// scene has changed: as often as [`Host::view`].
     fn frame(&self, window: Id, frame: f64, reason: Reason) {
         let _ = (window, frame, reason);
     }

@@ -1,12 +1,14 @@
 //! When the host is told what the user does while it is done.
 //!
-//! A picture of the window comes first, then the host; all that came meanwhile is one call. A slow
-//! host gets as much time for itself as it took, so that the window can follow the pointer. The
-//! last call always gives the current state, and once nothing moves the host is told so.
+//! The calls have a clock of their own, sixty a second, since a window that is covered, iconified or
+//! behind a slow line shows no picture: all that came between two ticks is one call. A slow host
+//! gets as much time for itself as it took, so that the window can follow the pointer. The last
+//! call always gives the current state, and once nothing moves the host is told so.
 
 use std::time::{Duration, Instant};
 
 use super::Reason;
+use super::window::FRAME;
 use crate::editor::{Editor, Standing};
 use crate::path::Pose;
 
@@ -39,11 +41,31 @@ pub(super) struct Live {
     frame: Notified<(u64, f64)>,
     /// The last step it knows of.
     step: Option<(u64, u64)>,
+    /// When it may be told of the next one.
+    steps: Clock,
+    /// It wants to know.
+    watches: bool,
     /// The revision of the path whose poses it has.
     handed: Option<u64>,
     next_hand_over: Option<Instant>,
     /// It is left alone until then.
     busy: Option<Instant>,
+}
+
+/// When the next call of one kind may come.
+#[derive(Debug, Default)]
+struct Clock(Option<Instant>);
+
+impl Clock {
+    fn is_due(&self, now: Instant) -> bool {
+        self.0.is_none_or(|at| now >= at)
+    }
+
+    /// For a call now. One that was a little late, behind a picture, does not delay the next.
+    fn strike(&mut self, now: Instant) {
+        let tick = self.0.filter(|at| now < *at + FRAME / 2);
+        self.0 = Some(tick.unwrap_or(now) + FRAME);
+    }
 }
 
 /// What the host has been told of one thing that follows the pointer.
@@ -52,6 +74,7 @@ struct Notified<T> {
     /// The reason for what is still to be told.
     waits: Option<Reason>,
     last: Option<T>,
+    clock: Clock,
     /// When it is told that nothing moves.
     rest: Option<Instant>,
 }
@@ -59,11 +82,15 @@ struct Notified<T> {
 impl<T: Copy + PartialEq> Notified<T> {
     /// What to tell now, if it differs from what was told last.
     fn next(&mut self, now: Instant, what: impl FnOnce() -> Option<T>) -> Option<(T, Reason)> {
+        if !self.clock.is_due(now) {
+            return None;
+        }
         let reason = self.waits.take()?;
         let what = what()?;
         if self.last.replace(what) == Some(what) {
             return None;
         }
+        self.clock.strike(now);
         self.rest = Some(now + REST);
         Some((what, reason))
     }
@@ -82,6 +109,11 @@ impl<T: Copy + PartialEq> Notified<T> {
         self.rest.take_if(|rest| now >= *rest)?;
         self.last = what().or(self.last);
         self.last
+    }
+
+    /// When there may be something to tell, if not now.
+    fn due(&self) -> Option<Instant> {
+        self.waits.and(self.clock.0)
     }
 
     /// Host code changed it.
@@ -111,14 +143,16 @@ impl Live {
         now: Instant,
     ) -> Option<Call> {
         self.look(editor);
+        self.watches = watches;
         let moves = held || editor.is_under_way();
         if self.busy.is_some_and(|busy| now < busy) {
             return None;
         }
         self.busy = None;
-        if !editor.document().in_step() && self.step != Some(editor.step_number()) {
+        if self.owes_step(editor) && self.steps.is_due(now) {
             self.step = Some(editor.step_number());
             if watches {
+                self.steps.strike(now);
                 return Some(Call::Changed);
             }
         }
@@ -161,25 +195,26 @@ impl Live {
         editor.auto_hand_over() && self.handed != Some(editor.document().revision())
     }
 
+    fn owes_step(&self, editor: &Editor) -> bool {
+        !editor.document().in_step() && self.step != Some(editor.step_number())
+    }
+
     /// When there is something to do without news from the screen.
     pub(super) fn due(&self, editor: &Editor, held: bool) -> Option<Instant> {
         let moves = held || editor.is_under_way();
-        let later = self
-            .owes_poses(editor)
-            .then_some(self.next_hand_over)
-            .flatten();
         let rest = [self.view.rest, self.frame.rest];
         let rest = rest.into_iter().flatten().min().filter(|_| !moves);
-        let waits = self.busy.filter(|_| {
-            self.view.waits.is_some()
-                || self.frame.waits.is_some()
-                || self.step != Some(editor.step_number())
-                || self.owes_poses(editor)
-        });
-        // While the host is left alone nothing else comes either.
-        let other = [later, rest].into_iter().flatten().min();
-        let other = other.map(|at| self.busy.map_or(at, |busy| busy.max(at)));
-        waits.into_iter().chain(other).min()
+        let told = [
+            self.owes_step(editor).then_some(self.steps.0).flatten(),
+            self.view.due(),
+            self.frame.due(),
+        ];
+        let told = told.into_iter().flatten().filter(|_| self.watches).min();
+        let poses = self.owes_poses(editor).then_some(self.next_hand_over);
+        let next = [told, poses.flatten(), rest].into_iter().flatten().min();
+        // While the host is left alone nothing comes, and then what waits.
+        self.busy
+            .map_or(next, |busy| Some(next.map_or(busy, |at| at.max(busy))))
     }
 
     /// A call into the host, or preparing one, has ended.

@@ -47,6 +47,8 @@ struct Remote {
     /// The pane, if the server has such things.
     pane: Cell<Option<PaneWindow>>,
     paneless: Cell<bool>,
+    /// Nobody sees it: there is nothing to paint into.
+    covered: Cell<bool>,
 }
 
 #[derive(Clone, Copy, PartialEq)]
@@ -85,6 +87,7 @@ struct Fake {
     ours: UnixStream,
     remote: Rc<Remote>,
     pixels: Vec<u32>,
+    opened: Instant,
 }
 
 impl Drop for Fake {
@@ -136,11 +139,15 @@ impl Screen for Fake {
         RawInput {
             screen_rect: (width > 64.0).then_some(screen),
             events: self.remote.events.take(),
+            time: Some(self.opened.elapsed().as_secs_f64()),
             ..RawInput::default()
         }
     }
 
     fn target(&mut self) -> Option<Target<'_>> {
+        if self.remote.covered.get() {
+            return None;
+        }
         let [width, height] = self.remote.size.get();
         self.pixels.resize((width * height) as usize, 0);
         Some(Target {
@@ -286,6 +293,7 @@ fn open_for(host: Rc<dyn Host>, host_view: HostView) -> (Id, Rc<Remote>) {
         shown: RefCell::default(),
         pane: Cell::new(None),
         paneless: Cell::new(false),
+        covered: Cell::new(false),
     });
     let editor = Editor::new(Options {
         document: Document::new(),
@@ -303,6 +311,7 @@ fn open_for(host: Rc<dyn Host>, host_view: HostView) -> (Id, Rc<Remote>) {
         ours,
         remote: Rc::clone(&remote),
         pixels: Vec::new(),
+        opened: Instant::now(),
     };
     let window = Window::new(Box::new(screen), editor, String::new());
     let id = registry::insert(Box::new(window), host).expect("room");

@@ -50,6 +50,8 @@ pub(super) struct Window {
     title: String,
     /// A button is held.
     held: bool,
+    /// The host is told what happens.
+    tells: bool,
     live: Live,
     /// The pane that the host knows of.
     pane: Option<PaneWindow>,
@@ -98,6 +100,7 @@ impl Window {
             in_flight: false,
             title,
             held: false,
+            tells: false,
             live,
             pane: None,
         }
@@ -118,22 +121,21 @@ impl Window {
         &mut self.editor
     }
 
-    /// When the next turn is due without news from the screen; a picture in flight comes first.
+    /// When the next turn is due without news from the screen.
     pub(super) fn due(&self, now: Instant) -> Option<Instant> {
-        let due = if self.in_flight {
-            None
-        } else if self.fresh {
-            Some(now)
-        } else {
-            self.due
-        };
-        let told = if self.is_shown() {
-            self.live.due(&self.editor, self.held)
-        } else {
-            None
-        };
-        let due = due.into_iter().chain(told);
+        let told = self.live.due(&self.editor, self.held);
+        let due = self.next_pass(now).into_iter().chain(told);
         due.chain(self.screen.deadline()).min()
+    }
+
+    /// When egui should run. A picture in flight comes first, unless the host is told of what
+    /// happens meanwhile: it may be long under way.
+    fn next_pass(&self, now: Instant) -> Option<Instant> {
+        let due = if self.fresh { Some(now) } else { self.due }?;
+        match self.ran {
+            Some(ran) if self.in_flight => self.tells.then(|| due.max(ran + FRAME)),
+            _ => Some(due),
+        }
     }
 
     /// Does what there is to do. After an error the screen is gone, and the window with it.
@@ -171,7 +173,8 @@ impl Window {
             return Ok(polled);
         }
         let now = Instant::now();
-        if !self.in_flight && (self.fresh || self.due.is_some_and(|due| due <= now)) {
+        self.tells = host.watches() || self.editor.auto_hand_over();
+        if self.next_pass(now).is_some_and(|due| due <= now) {
             polled.busy = true;
             self.pass(now)?;
         }
@@ -182,15 +185,10 @@ impl Window {
         }
         polled.busy |= self.paint()?;
         self.screen.flush()?;
-        if polled.request.is_none() && self.is_shown() {
+        if polled.request.is_none() {
             polled.request = self.next_live_call(id, host);
         }
         Ok(polled)
-    }
-
-    /// Whether all there is to see is on the screen, or on its way there.
-    fn is_shown(&self) -> bool {
-        !self.fresh && self.picture.is_none()
     }
 
     fn next_live_call(&mut self, id: Id, host: &Rc<dyn Host>) -> Option<HostRequest> {

@@ -139,7 +139,7 @@ impl Editor {
         Ok(())
     }
 
-    /// Plays from the next picture on, or stops.
+    /// Plays from the next pass on, or stops.
     pub fn set_playing(&mut self, plays: bool) {
         self.playing.order(plays);
     }

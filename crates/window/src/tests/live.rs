@@ -412,3 +412,91 @@ fn a_host_that_draws_the_scene_is_told_its_frame() {
     assert!(host.frames.borrow().is_empty());
     close(id);
 }
+
+/// A covered, iconified or hung window shows no picture; the host flies along nevertheless.
+#[test]
+fn the_host_is_told_though_nothing_can_be_shown() {
+    let (covered, remote, host) = open();
+    remote.covered.set(true);
+    let (hung, never, other) = open();
+    // The two of them serve one another; one that hangs never says that a picture has arrived.
+    let quiet = || {
+        for _ in 0..2000 {
+            dispatch();
+            match wait() {
+                Some(wait) => sleep(wait.min(Duration::from_millis(20))),
+                None => return,
+            }
+        }
+        panic!("it never comes to rest");
+    };
+    quiet();
+    for (id, host) in [(covered, &host), (hung, &other)] {
+        assert_eq!(host.reasons(), [Reason::Selected, Reason::Rested]);
+        host.forget();
+        command(id, |editor| editor.set_frame(33.5))
+            .expect("open")
+            .expect("a frame");
+        dispatch();
+        assert_eq!(host.reasons(), [Reason::Scrubbed], "at once");
+        move_first_point(id, 0.25);
+        quiet();
+        assert_eq!(host.views.borrow().last().unwrap().3.vrp, {
+            let view = look(id, |editor| editor.view().unwrap().0).unwrap();
+            view.vrp
+        });
+        assert_eq!(host.reasons().last(), Some(&Reason::Rested));
+        assert_eq!(host.changes.get(), 1);
+        command(id, |editor| editor.select_key(0, 0))
+            .expect("open")
+            .expect("a key");
+        quiet();
+        host.forget();
+        let began = Instant::now();
+        command(id, |editor| editor.set_playing(true)).expect("open");
+        while began.elapsed() < Duration::from_millis(500) {
+            dispatch();
+            sleep(wait().unwrap_or_default().min(Duration::from_millis(5)));
+        }
+        command(id, |editor| editor.set_playing(false)).expect("open");
+        quiet();
+        let views = host.views.borrow();
+        let played = views.iter().filter(|view| view.2 == Reason::Played);
+        let frames: Vec<f64> = played.map(|view| view.1).collect();
+        // 25 a second; a busy machine leaves some out.
+        let last = frames[frames.len() - 1];
+        assert!(
+            frames.len() >= 3 && (9.0..20.0).contains(&last),
+            "{frames:?}"
+        );
+        assert_eq!(views.last().unwrap().2, Reason::Rested);
+    }
+    assert_eq!((remote.presents.get(), never.presents.get()), (0, 1));
+    close(covered);
+    close(hung);
+}
+
+/// However often something changes; the last pose always comes.
+#[test]
+fn the_host_is_told_sixty_times_a_second_at_most() {
+    let (id, remote, host) = open();
+    rest(&remote);
+    host.forget();
+    let (mut x, began) = (0.0, Instant::now());
+    while began.elapsed() < Duration::from_millis(500) {
+        x += 0.001;
+        move_first_point(id, x);
+        remote.send(News {
+            shown: true,
+            ..News::default()
+        });
+        dispatch();
+    }
+    rest(&remote);
+    let views = host.views.borrow();
+    // Thirty and the rest, and one that came early.
+    assert!((15..=32).contains(&views.len()), "{}", views.len());
+    assert!(host.changes.get() <= 32, "{} steps", host.changes.get());
+    assert_eq!(views.last().unwrap().3.vrp[0], x);
+    close(id);
+}
