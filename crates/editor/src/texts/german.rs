@@ -177,7 +177,10 @@ german! {
         NoNormal => "oben nach „frenet“ braucht eine Kurve der Art cubic, deren Punkte keine \
                      eigenen Tangenten haben, sonst spränge ihre Normale; „minimal“ geht auf \
                      jeder Kurve";
-        NoUp(name) => "es gibt kein oben „{name}“; bekannt: axis, point, path, minimal, frenet";
+        FixedUp(name) => "das Oben „{name}“ einer Orientierung kann nicht mitgehen, wo eine andere \
+                          Achse aufrecht stehen soll; wählen Sie vorher „axis“ dafür";
+        NoUp(name) =>
+            "es gibt kein oben „{name}“; bekannt: axis, point, path, minimal, frenet, y, z";
         MatrixNotFinite => "jede Zahl einer Matrix muss endlich sein";
         Matrix => "die Matrix muss verschieben, drehen, skalieren oder spiegeln, ohne Scherung";
         NoDirection => "um verbunden zu werden, brauchen Pfad und Baustein dort Richtung und Länge";

@@ -262,7 +262,12 @@ pub enum Invalid {
          normal would jump; \"minimal\" goes on any curve"
     )]
     NoNormal,
-    #[error("there is no up \"{0}\"; known: axis, point, path, minimal, frenet")]
+    #[error(
+        "the up \"{0}\" of an orientation cannot go along where another axis is to stand upright; \
+         choose \"axis\" for it before"
+    )]
+    FixedUp(&'static str),
+    #[error("there is no up \"{0}\"; known: axis, point, path, minimal, frenet, y, z")]
     NoUp(Text),
     #[error("each number of a matrix must be finite")]
     MatrixNotFinite,

@@ -11,7 +11,7 @@ use super::chain::Chain;
 use super::curve;
 use super::dispatch;
 use super::hermite::Cubic;
-use super::space::Space;
+use super::space::{Space, Up};
 use super::turning::AT_TARGET;
 use crate::error::{Result, try_arc};
 use crate::math::orientation::unit;
@@ -125,7 +125,7 @@ pub(super) struct Rail {
     closed: bool,
     /// Direction at the end of an open path.
     end: DVec3,
-    space: Space,
+    pub space: Space,
 }
 
 impl Rail {
@@ -175,8 +175,10 @@ pub(super) struct Follow {
     pub look: Look,
     /// The view where the way has no direction at all, in y-up axes.
     pub still: DVec3,
-    /// Which way is up; `None`: the upright axis.
+    /// Which way is up; `None`: an axis.
     pub up: Option<UpAlong>,
+    /// That axis.
+    pub level: Up,
     /// Roll in radians in powers of φ.
     pub roll: [f64; 4],
 }

@@ -11,6 +11,7 @@ use super::arc_length::ArcLength;
 use super::camera_path::{CameraPath, Orientation, Target};
 use super::frenet::Normals;
 use super::own::MayOwn;
+use super::space::Up;
 use super::timeline::Timeline;
 use super::up_vector::{UpPath, UpVector};
 use crate::error::{Result, can_allocate, try_arc, vec_with_room};
@@ -36,10 +37,14 @@ pub(super) struct End<'a> {
 }
 
 /// The look that a section keeps all the way, if both ends have the same look and the same up.
-pub(super) fn look_between(from: &End<'_>, to: &End<'_>) -> Option<Look> {
-    if from.own.up != to.own.up {
-        return None;
-    }
+pub(super) fn look_between(from: &End<'_>, to: &End<'_>, upright: Up) -> Option<Look> {
+    let look = common_look(from, to)?;
+    let same = look != Look::Still || from.roll == to.roll;
+    (same && from.own.up.same(&to.own.up, upright)).then_some(look)
+}
+
+/// The look that both ends have, whatever their ups and rolls.
+pub(super) fn common_look(from: &End<'_>, to: &End<'_>) -> Option<Look> {
     match (from.own.ahead, to.own.ahead) {
         (None, None) => {}
         (Some(a), Some(b)) if a == b => return Some(Look::Ahead(a)),
@@ -48,7 +53,7 @@ pub(super) fn look_between(from: &End<'_>, to: &End<'_>) -> Option<Look> {
     match (from.target, to.target) {
         (Target::Absolute(a), Target::Absolute(b)) if a == b => Some(Look::Target(a)),
         (Target::Relative(_), Target::Relative(_))
-            if (from.view - to.view).length() <= SAME_DIRECTION && from.roll == to.roll =>
+            if (from.view - to.view).length() <= SAME_DIRECTION =>
         {
             Some(Look::Still)
         }
@@ -76,6 +81,15 @@ pub(super) struct Carried {
 }
 
 impl UpAlong {
+    /// By how much an up that does not turn about the view by itself is turned, from φ = 0 to 1.
+    pub(super) fn twist(&self, moves: bool) -> Option<f64> {
+        match self {
+            Self::Minimal(carried) => Some(carried.turn[1] - carried.turn[0]),
+            Self::Key(_) if !moves => Some(0.0),
+            _ => None,
+        }
+    }
+
     pub(super) fn standing(&self, view: DVec3) -> Option<DVec3> {
         match self {
             Self::Key(up) => perpendicular(*up, view),
@@ -129,7 +143,7 @@ impl UpAlong {
 
 #[derive(Debug, Clone)]
 pub(super) struct Alignment {
-    /// Up before the roll of each orientation, in y-up axes; `None` where it is the upright axis.
+    /// Up before the roll of each orientation, in y-up axes; `None` where it is an axis.
     ups: Vec<Option<DVec3>>,
     /// For each section, if it carries its up.
     carried: Vec<Option<Arc<Carried>>>,
@@ -154,21 +168,21 @@ impl Place<'_> {
     }
 }
 
-/// Whether some orientation has another up than the axis.
+/// Whether some orientation has another up than an axis.
 #[must_use]
 pub fn any(path: &CameraPath) -> bool {
     let mut all = path.points.iter().flat_map(|point| &point.orientations);
-    all.any(|orientation| orientation.own.up != UpVector::Axis)
+    all.any(|orientation| !orientation.own.up.is_level())
 }
 
 /// Up with its roll, a unit vector of the world, at an orientation of the path of this timeline.
 #[must_use]
 pub fn up(path: &CameraPath, timeline: &Timeline, point: usize, orientation: usize) -> DVec3 {
     let axes = path.space.up;
-    let view = axes.upright(ahead::view(path, point, orientation));
+    let view = ahead::view(path, point, orientation);
     let roll = path.points[point].orientations[orientation].roll;
-    let reference = timeline.reference(point, orientation);
-    axes.world(rolled(view, reference, roll.to_radians()))
+    let reference = timeline.reference(path, (point, orientation), view);
+    axes.world(rolled(axes.upright(view), reference, roll.to_radians()))
 }
 
 /// [`up`] of each orientation in turn.
@@ -185,7 +199,7 @@ pub fn ups(path: &CameraPath) -> Result<Vec<DVec3>> {
 }
 
 /// Rolls orientations so that they have the `wanted` ups (one entry for each orientation in turn,
-/// `None` to leave its roll). Only those change whose up is not the axis; gives the point of each.
+/// `None` to leave its roll). Only those change whose up is not an axis; gives the point of each.
 ///
 /// # Errors
 /// [`crate::Error::Memory`].
@@ -204,7 +218,7 @@ pub fn keep_ups(path: &mut CameraPath, wanted: &[Option<DVec3>]) -> Result<Vec<u
             let view = ahead::view(path, point, at);
             let orientation = &mut path.points[point].orientations[at];
             if let Some(wanted) = wanted.and_then(|wanted| perpendicular(wanted, view))
-                && orientation.own.up != UpVector::Axis
+                && !orientation.own.up.is_level()
             {
                 let missing = signed_angle(*now, wanted, view).to_degrees();
                 if missing.abs() > 1e-10 {
@@ -227,7 +241,7 @@ pub(super) fn rolled(view: DVec3, reference: Option<DVec3>, roll: f64) -> DVec3 
 }
 
 impl Alignment {
-    /// For a path some of whose ups are not the axis.
+    /// For a path some of whose ups are not an axis.
     pub(super) fn new(path: &CameraPath, rail: &Arc<Rail>) -> Result<Self> {
         let count = path.points.iter().map(|p| p.orientations.len()).sum();
         let mut places = vec_with_room(count)?;
@@ -287,7 +301,7 @@ impl Alignment {
                 None => alignment.up_of(&places[at], last, (path, rail)),
             };
             before = Some((at, up));
-            if places[at].orientation.own.up != UpVector::Axis {
+            if !places[at].orientation.own.up.is_level() {
                 alignment.ups[at] = Some(path.space.up.upright(up));
             }
         }
@@ -306,6 +320,7 @@ impl Alignment {
         let (segments, start) = (rail.chain.curves.len(), rail.chain.starts[place.point]);
         let toward = match &place.orientation.own.up {
             UpVector::Axis => return path.space.up.level_axes(place.view).1,
+            UpVector::Fixed(axis) => return axis.level_axes(place.view).1,
             UpVector::Minimal => Some(axis),
             UpVector::Point(point) => Some(*point - here),
             UpVector::Path(up) if rail.chain.length() > 0.0 => {
@@ -339,7 +354,7 @@ impl Alignment {
             .last
             .then_some(a.point)
             .filter(|&segment| segment < rail.chain.curves.len());
-        let look = look_between(&a.end(), &b.end());
+        let look = look_between(&a.end(), &b.end(), path.space.up);
         let length =
             segment.map(|segment| rail.chain.starts[segment + 1] - rail.chain.starts[segment]);
         let (Some(look), Some(segment), Some(length)) =
@@ -353,6 +368,7 @@ impl Alignment {
             look,
             still: path.space.up.upright(a.view),
             up: None,
+            level: path.space.up,
             roll: [0.0; 4],
         };
         let nodes = carried(&follow, (segment, length), (a.view, up))?;
@@ -389,7 +405,12 @@ impl Alignment {
         Ok(())
     }
 
-    /// Up before the roll of an orientation, in y-up axes; `None` where it is the upright axis.
+    /// Whether the curve is straight all the way.
+    pub(super) fn has_no_normals(&self) -> bool {
+        self.normals.is_none()
+    }
+
+    /// Up before the roll of an orientation, in y-up axes; `None` where it is an axis.
     pub(super) fn up(&self, slot: usize) -> Option<DVec3> {
         self.ups[slot]
     }
@@ -404,7 +425,7 @@ impl Alignment {
     ) -> Option<UpAlong> {
         let key = || self.ups[slot].map(|up| UpAlong::Key(space.up.world(up)));
         match rule {
-            UpVector::Axis => None,
+            UpVector::Axis | UpVector::Fixed(_) => None,
             _ if !moves => key(),
             UpVector::Point(point) => Some(UpAlong::Point(*point)),
             UpVector::Path(path) => Some(UpAlong::Path(path.clone())),

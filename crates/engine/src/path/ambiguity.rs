@@ -38,7 +38,7 @@ pub fn ambiguity(path: &CameraPath, timeline: &Timeline, section: usize) -> Opti
     let from = &here.orientations[begin.orientation];
     let next = next(path, (begin.point, begin.orientation));
     let to = &path.points[next.0].orientations[next.1];
-    let same_up = from.own.up == to.own.up;
+    let same_up = from.own.up.same(&to.own.up, path.space.up);
     if same_up && from.own.ahead.is_some() && from.own.ahead == to.own.ahead {
         return None;
     }
@@ -46,12 +46,14 @@ pub fn ambiguity(path: &CameraPath, timeline: &Timeline, section: usize) -> Opti
     match (from.target, to.target) {
         (Target::Absolute(a), Target::Absolute(b)) if tracks && a == b => {
             let curve = (begin.change == Change::Position).then(|| timeline.curve(begin.point))?;
-            met(curve, a, path.space)
+            let up = from.own.up.level(path.space.up).unwrap_or(path.space.up);
+            met(curve, a, Space { up, ..path.space })
         }
         _ => {
             let key = |(point, number): (usize, usize), orientation: &Orientation| {
-                let view = path.space.up.upright(ahead::view(path, point, number));
-                let reference = timeline.reference(point, number);
+                let view = ahead::view(path, point, number);
+                let reference = timeline.reference(path, (point, number), view);
+                let view = path.space.up.upright(view);
                 let up = rolled(view, reference, orientation.roll.to_radians());
                 quaternion_from_view(view, up)
             };

@@ -245,9 +245,14 @@ fn divide(
         speeds: old.speeds,
         hold: 0,
         own: old.own.for_a_copy()?.with(|own| {
-            if !matches!(sampled.turning, Turning::Follow(_)) {
-                own.ahead = None;
-                own.up = UpVector::Axis;
+            match sampled.turning {
+                Turning::Follow(_) => {}
+                // Rolls are measured as at the section's beginning.
+                Turning::Tracked(..) | Turning::Kept(..) => own.ahead = None,
+                _ => {
+                    own.ahead = None;
+                    own.up = UpVector::Axis;
+                }
             }
         })?,
     };

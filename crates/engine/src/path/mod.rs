@@ -20,6 +20,7 @@ pub mod bezier;
 pub mod camera_path;
 pub mod catmull_rom;
 mod chain;
+pub mod change_up;
 pub mod cubic_spline;
 pub mod curve;
 mod dispatch;

@@ -18,7 +18,6 @@ use super::quaternion_spline::{
 };
 use super::space::{Space, Up};
 use super::turning::Turning;
-use super::up_vector::UpVector;
 use crate::error::{Result, vec_with_room};
 use crate::math::monotone_cubic;
 use crate::math::orientation::{self, POLE};
@@ -52,6 +51,11 @@ impl Key {
         let half = |degrees: DVec3| up.upright(degrees) * (0.5 * 1f64.to_radians());
         let own = self.own.velocities?;
         Some((half(own.reach), half(own.leave)))
+    }
+
+    /// The axis against which its roll is measured, if it has no other up.
+    pub(super) fn level(&self, upright: Up) -> Up {
+        self.own.up.level(upright).unwrap_or(upright)
     }
 
     pub(super) fn up(&self) -> DVec3 {
@@ -242,9 +246,9 @@ fn work<'a>(
 
 impl Work<'_> {
     fn kind(&self, span: usize, from: &Key, to: &Key) -> Kind {
-        match look_between(&from.end(), &to.end()) {
+        match look_between(&from.end(), &to.end(), self.space.up) {
             None => Kind::Free,
-            Some(look) if from.own.up != UpVector::Axis => match self.up_along(span) {
+            Some(look) if !from.own.up.is_level() => match self.up_along(span) {
                 Some(_) => Kind::Follow(look),
                 None => Kind::Free,
             },
@@ -252,6 +256,11 @@ impl Work<'_> {
             Some(Look::Still) => Kind::Kept,
             Some(look) => Kind::Follow(look),
         }
+    }
+
+    /// The axis against which the roll of a span is measured that has no other up.
+    fn level(&self, span: usize) -> Up {
+        self.keys[span].level(self.space.up)
     }
 
     fn up_along(&self, span: usize) -> Option<UpAlong> {
@@ -311,6 +320,7 @@ impl Work<'_> {
             look,
             still: self.keys[span].view,
             up: self.up_along(span),
+            level: self.level(span),
             roll: self.rolls[span],
         })
     }
@@ -468,9 +478,11 @@ impl Work<'_> {
                 let velocity = self.spans[span].way.map_or(DVec3::ZERO, |(curve, length)| {
                     end_direction(curve, at_end).unwrap_or(DVec3::ZERO) * (length / duration)
                 });
+                let level = self.level(span);
                 let [offset, velocity] =
-                    [target - key.position, velocity].map(|v| self.space.up.upright(v));
-                Some(0.5 * tracking_velocity(offset, velocity, slope / duration))
+                    [target - key.position, velocity].map(|v| level.upright(v));
+                let turning = 0.5 * tracking_velocity(offset, velocity, slope / duration);
+                Some(self.space.up.upright(level.world(turning)))
             }
         }
     }

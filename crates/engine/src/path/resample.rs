@@ -8,6 +8,7 @@ use super::own::Tangents;
 use super::sampling::Sampler;
 use super::timeline::Timeline;
 use super::turning::Turning;
+use super::up_vector::UpVector;
 use crate::error::{Invalid, OutOfRange, Result, TooMany, vec_with_room};
 use crate::limits::{MAX_POINTS, MAX_SPEED, MIN_POINTS, MIN_SPEED, SPEEDS};
 use crate::math::orientation::{roll_from_up, unit, wrap_degrees};
@@ -56,7 +57,8 @@ pub fn resample(path: &CameraPath, count: usize) -> Result<CameraPath> {
         let position = DVec3::from_array(pose.vrp);
         let view = DVec3::from_array(pose.vpn);
         let mut point = SupportPoint::try_new(position)?;
-        let [level, up] = [view, DVec3::from_array(pose.vup)].map(|v| path.space.up.upright(v));
+        let axes = sampled.space.up;
+        let [level, up] = [view, DVec3::from_array(pose.vup)].map(|v| axes.upright(v));
         point.curve = CurveParameters::Preset(0);
         let along = step * slope.try_normalize().unwrap_or_default();
         point.tangents = Some(Tangents {
@@ -77,6 +79,10 @@ pub fn resample(path: &CameraPath, count: usize) -> Result<CameraPath> {
                 .clamp(MIN_SPEED, MAX_SPEED); SPEEDS],
             ..Orientation::default()
         };
+        if axes != path.space.up {
+            let own = &mut point.orientations[0].own;
+            *own = own.with(|own| own.up = UpVector::Fixed(axes))?;
+        }
         points.push(point);
     }
     let new = CameraPath { points, ..*path };

@@ -144,7 +144,10 @@ impl Sampler {
             first_frames,
         } = Layout::new(path, timeline)?;
         let turnings = turnings(&mut keys, &spans, path.orientation_mode, guides, path.space)?;
-        for (section, turning) in sections.iter_mut().zip(turnings) {
+        for ((section, key), turning) in sections.iter_mut().zip(&keys).zip(turnings) {
+            if let Turning::Tracked(..) = turning {
+                section.space.up = key.level(path.space.up);
+            }
             section.turning = turning;
         }
         let slopes = zoom_slopes(path, &keys, &spans, &poses)?;
@@ -282,9 +285,9 @@ impl Sampler {
 }
 
 fn key(path: &CameraPath, timeline: &Timeline, point: usize, orientation: usize) -> (Key, Pose) {
-    let reference = timeline.reference(point, orientation);
     let axes = path.space.up;
     let view = ahead::view(path, point, orientation);
+    let reference = timeline.reference(path, (point, orientation), view);
     let point = &path.points[point];
     let orientation = &point.orientations[orientation];
     let roll = orientation.roll.to_radians();

@@ -34,8 +34,9 @@ pub(super) struct SectionSampler {
     /// Where the camera moves; None where it stays at `position`.
     pub way: Option<ArcLengthCurve>,
     pub position: DVec3,
-    /// In y-up axes.
+    /// In the upright axes of `space`.
     pub turning: Turning,
+    /// The path's; where a target is tracked its `up` is what the roll is measured against.
     pub space: Space,
     /// Zoom in powers of φ.
     pub zoom: [f64; 4],

@@ -6,6 +6,7 @@ use glam::DVec3;
 
 use super::camera_path::{SupportPoint, Target};
 use super::own::{Tangents, Velocities};
+use super::up_vector::UpVector;
 use crate::error::{Error, Invalid, OutOfRange, Quantity, Result};
 use crate::limits;
 use crate::math::orientation;
@@ -234,10 +235,21 @@ impl Move {
         self.to.centre + self.offset(p - self.from.centre)
     }
 
+    /// A fixed up. Only the upright axis goes along to one that can be a fixed up.
+    fn axis(self, axis: Up) -> Result<Up> {
+        if self.from.up == self.to.up {
+            return Ok(axis);
+        }
+        if axis == self.from.up {
+            return Ok(self.to.up);
+        }
+        Err(Invalid::FixedUp(axis.name()).into())
+    }
+
     /// A support point with all it has.
     ///
     /// # Errors
-    /// [`Error::Memory`].
+    /// [`Error::Memory`]; [`Error::Argument`] for a fixed up that would lie along x.
     pub fn point(self, point: &SupportPoint) -> Result<SupportPoint> {
         let mut new = point.try_clone()?;
         new.position = self.place(point.position);
@@ -253,8 +265,10 @@ impl Move {
             if orientation.own.is_empty() {
                 continue;
             }
-            let up = &orientation.own.up;
-            let up = up.map(|p| self.place(p), |_, v| self.offset(v))?;
+            let up = match &orientation.own.up {
+                UpVector::Fixed(axis) => UpVector::Fixed(self.axis(*axis)?),
+                up => up.map(|p| self.place(p), |_, v| self.offset(v))?,
+            };
             orientation.own = orientation.own.with(|own| {
                 own.up = up;
                 own.ahead = own.ahead.map(|distance| distance * self.scale());

@@ -14,7 +14,6 @@ use super::hermite::Cubic;
 use super::orientation_curve::Guides;
 use super::speed_curve::SpeedCurve;
 use super::timing::{Timing, facing};
-use super::up_vector::UpVector;
 use crate::error::{Result, TooMany, vec_with_room};
 use crate::limits::{BASE_SPEED, MAX_FRAMES, ZOOM_UNIT};
 use crate::math::rotation_minimising::signed_angle;
@@ -95,7 +94,7 @@ impl State {
 /// Whether an orientation's view or up depends on more than itself.
 fn follows(orientation: &Orientation) -> bool {
     let own = &orientation.own;
-    !own.is_empty() && (own.ahead.is_some() || own.up != UpVector::Axis)
+    !own.is_empty() && (own.ahead.is_some() || !own.up.is_level())
 }
 
 /// Lengths of all segments, frames of all sections. Orientations are counted through the whole
@@ -251,11 +250,34 @@ impl Timeline {
         }
     }
 
-    /// Up before the roll of an orientation, in y-up axes; `None` where it is the upright axis.
-    pub(super) fn reference(&self, point: usize, orientation: usize) -> Option<DVec3> {
+    /// Whether ups by the normal are the upright axis.
+    pub(super) fn has_no_normals(&self) -> bool {
         self.alignment
-            .as_ref()?
-            .up(self.first_slot[point] + orientation)
+            .as_ref()
+            .is_some_and(Alignment::has_no_normals)
+    }
+
+    /// Up before the roll of an orientation with this view, in y-up axes; `None` where it is the
+    /// upright axis.
+    pub(super) fn reference(
+        &self,
+        path: &CameraPath,
+        (point, orientation): (usize, usize),
+        view: DVec3,
+    ) -> Option<DVec3> {
+        let upright = path.space.up;
+        match path.points[point].orientations[orientation]
+            .own
+            .up
+            .level(upright)
+        {
+            Some(axis) if axis == upright => None,
+            Some(axis) => Some(upright.upright(axis.level_axes(view).1)),
+            None => self
+                .alignment
+                .as_ref()?
+                .up(self.first_slot[point] + orientation),
+        }
     }
 
     /// All frames of the path, at least 1.
@@ -424,7 +446,10 @@ impl Timeline {
         };
         let next = next(path, (point, orientation));
         let [a, b] = [(point, orientation), next].map(|(p, o)| ahead::view(path, p, o));
-        let references = [(point, orientation), next].map(|(p, o)| self.reference(p, o));
+        let references = [
+            self.reference(path, (point, orientation), a),
+            self.reference(path, next, b),
+        ];
         if (a - b).length() > NO_CHANGE {
             let key = |view, reference, roll: f64| {
                 let view = path.space.up.upright(view);
@@ -438,7 +463,7 @@ impl Timeline {
         let view = path.space.up.upright(a);
         let level = |up: Option<DVec3>| rolled(view, up, 0.0);
         let between = match references {
-            [None, None] => 0.0,
+            _ if from.own.up.is_level() && from.own.up.same(&to.own.up, path.space.up) => 0.0,
             [a, b] => signed_angle(level(a), level(b), view).to_degrees(),
         };
         let roll = orientation::wrap_degrees(to.roll - from.roll + between).abs();

@@ -7,7 +7,7 @@ use glam::{DQuat, DVec3};
 use super::ahead::Follow;
 use super::quaternion_spline::{barry_goldman_between, bezier};
 use super::space::Space;
-use crate::math::monotone_cubic::value;
+use crate::math::monotone_cubic::{self, value};
 use crate::math::orientation::{self, POLE};
 use crate::math::quaternion::{continue_sign, log, slerp};
 use crate::math::rotation_minimising::{perpendicular, turned};
@@ -87,7 +87,12 @@ impl Follow {
     pub(super) fn view_at(&self, phi: f64) -> (DVec3, DVec3) {
         let direction = |phi: f64| self.direction(phi);
         let Some(up) = &self.up else {
-            return level_view(&direction, &self.roll, phi, self.still);
+            let axes = self.rail.space.up;
+            let levelled = |v: DVec3| self.level.upright(axes.world(v));
+            let direction = |phi: f64| direction(phi).map(levelled);
+            let (view, up) = level_view(&direction, &self.roll, phi, levelled(self.still));
+            let back = |v: DVec3| axes.upright(self.level.world(v));
+            return (back(view), back(up));
         };
         let view = held(&direction, phi).unwrap_or(self.still);
         let there = |phi: f64| self.reference(up, phi, direction(phi)?);
@@ -101,14 +106,26 @@ impl Follow {
     /// Angular velocity on S³ at an end for one whole section.
     pub(super) fn velocity(&self, at_end: bool) -> DVec3 {
         let (from, h) = if at_end { (1.0, -STEP) } else { (0.0, STEP) };
+        let axes = self.rail.space.up;
+        // Of a parabola through three places, from the first of them.
+        let slope = |one: DVec3, two: DVec3| (4.0 * one - two) / (2.0 * h);
+        let moves = self.segment.is_some();
+        if let Some(twist) = self.up.as_ref().and_then(|up| up.twist(moves)) {
+            // No turn about the view but this one: the views alone tell the rest.
+            let direction = |phi: f64| self.direction(phi);
+            let view = |k: f64| held(&direction, from + k * h).unwrap_or(self.still);
+            let first = view(0.0);
+            let turn = first.cross(slope(view(1.0) - first, view(2.0) - first));
+            return 0.5 * (turn + first * (twist + monotone_cubic::slope(&self.roll, from)));
+        }
+        // In the world's axes, so that its rounding does not depend on what is upright.
         let q = |k: f64| {
             let (view, up) = self.view_at(from + k * h);
-            orientation::quaternion_from_view(view, up)
+            orientation::quaternion_from_view(axes.world(view), axes.world(up))
         };
         let first = q(0.0);
         let turned = |k| log(continue_sign(first, q(k)).0 * first.conjugate());
-        // Of a parabola through three places.
-        (4.0 * turned(1.0) - turned(2.0)) / (2.0 * h)
+        axes.upright(slope(turned(1.0), turned(2.0)))
     }
 }
 

@@ -9,7 +9,7 @@ use super::chain::Chain;
 use super::curve;
 use super::dispatch;
 use super::hermite::Cubic;
-use super::space::Space;
+use super::space::{Space, Up};
 use crate::error::{Invalid, OutOfRange, Result, TooMany, try_arc, vec_with_room};
 use crate::limits;
 
@@ -27,6 +27,8 @@ pub enum UpVector {
     Minimal,
     /// The principal normal of the curve.
     Frenet,
+    /// This axis of the world, whatever is upright.
+    Fixed(Up),
 }
 
 impl PartialEq for UpVector {
@@ -34,6 +36,7 @@ impl PartialEq for UpVector {
         match (self, other) {
             (Self::Point(a), Self::Point(b)) => a == b,
             (Self::Path(a), Self::Path(b)) => Arc::ptr_eq(a, b) || a.points == b.points,
+            (Self::Fixed(a), Self::Fixed(b)) => a == b,
             _ => std::mem::discriminant(self) == std::mem::discriminant(other),
         }
     }
@@ -41,7 +44,7 @@ impl PartialEq for UpVector {
 
 impl UpVector {
     /// The names, in files and in C.
-    pub const NAMES: [&'static str; 5] = ["axis", "point", "path", "minimal", "frenet"];
+    pub const NAMES: [&'static str; 7] = ["axis", "point", "path", "minimal", "frenet", "y", "z"];
 
     /// Its name.
     #[must_use]
@@ -52,6 +55,32 @@ impl UpVector {
             Self::Path(_) => "path",
             Self::Minimal => "minimal",
             Self::Frenet => "frenet",
+            Self::Fixed(axis) => axis.name(),
+        }
+    }
+
+    /// The axis against which the roll is measured, if it is one; `upright` is the space's.
+    #[must_use]
+    pub const fn level(&self, upright: Up) -> Option<Up> {
+        match self {
+            Self::Axis => Some(upright),
+            Self::Fixed(axis) => Some(*axis),
+            _ => None,
+        }
+    }
+
+    /// Whether the roll is measured against an axis, so that up depends on the view alone.
+    #[must_use]
+    pub const fn is_level(&self) -> bool {
+        matches!(self, Self::Axis | Self::Fixed(_))
+    }
+
+    /// Whether two ups are the same where `upright` is: the upright axis by either name.
+    #[must_use]
+    pub fn same(&self, other: &Self, upright: Up) -> bool {
+        match (self.level(upright), other.level(upright)) {
+            (None, None) => self == other,
+            (a, b) => a == b,
         }
     }
 

@@ -100,8 +100,21 @@ fn blended(
             orientation.target.offset_from(point.position)
         }))
     };
-    // By the shorter way from the leader's.
-    new.roll = wrap_degrees(first.roll + sum(&|k| wrap_degrees(of(k).1.roll - first.roll)));
+    // Measured as the leader's is, and by the shorter way from it.
+    let upright = all[leader].0.space.up;
+    let level = first.own.up.level(upright);
+    let roll = |k: usize| {
+        let (point, orientation) = of(k);
+        match (orientation.own.up.level(upright), level) {
+            (Some(its), Some(level)) if its != level => {
+                let view = orientation.view(point.position);
+                let up = its.up_from_roll(view, orientation.roll.to_radians());
+                level.roll_from_up(view, up).to_degrees()
+            }
+            _ => orientation.roll,
+        }
+    };
+    new.roll = wrap_degrees(first.roll + sum(&|k| wrap_degrees(roll(k) - first.roll)));
     new.zoom = sum(&|k| of(k).1.zoom);
     for (n, speed) in new.speeds.iter_mut().enumerate() {
         *speed = sum(&|k| of(k).1.speeds[n]);

@@ -14,7 +14,7 @@ use crate::math::orientation::quaternion_from_view;
 use crate::math::quaternion::{angle, continue_sign, log};
 use crate::path::arc_length::ArcLength;
 use crate::path::{
-    Ambiguity, CameraPath, Change, Pose, Sampler, Section, Target, Timeline, UpVector, ambiguity,
+    Ambiguity, CameraPath, Change, Pose, Sampler, Section, Target, Timeline, ambiguity,
 };
 
 /// A kind of fault that is looked for.
@@ -408,15 +408,17 @@ impl Scan<'_> {
             let out = (here.place - space.max()).max(space.min() - here.place);
             self.above(FindingKind::Space, at, out.max_element() / size)?;
         }
-        let view = self.path.space.up.upright(here.pose.vpn.into());
-        let pole = view.x.hypot(view.z).atan2(view.y.abs()).to_degrees();
         let begin = self.section_at(number).map(|section| {
             let point = &self.path.points[section.point];
             &point.orientations[section.orientation]
         });
-        // Another up than the axis does not spin there.
-        let level = begin.is_none_or(|begin| begin.own.up == UpVector::Axis);
-        let pole = if level { pole } else { f64::INFINITY };
+        let upright = self.path.space.up;
+        let level = begin.map_or(Some(upright), |begin| begin.own.up.level(upright));
+        // Another up than an axis does not spin there.
+        let pole = level.map_or(f64::INFINITY, |level| {
+            let view = level.upright(here.pose.vpn.into());
+            view.x.hypot(view.z).atan2(view.y.abs()).to_degrees()
+        });
         let target = match begin.map(|begin| begin.target) {
             Some(Target::Absolute(target)) => (target - here.place).length() / size,
             _ => f64::INFINITY,

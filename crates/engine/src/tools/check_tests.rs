@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::path::own;
-use crate::path::{Ease, EaseKind, Orientation, Pace, SupportPoint, Tangents};
+use crate::path::{Ease, EaseKind, Orientation, Pace, SupportPoint, Tangents, UpVector};
 use crate::scene::Mesh;
 
 fn path(points: &[[f64; 3]]) -> CameraPath {

@@ -7,10 +7,9 @@ use glam::{DMat3, DMat4, DQuat, DVec3};
 use super::keep::picked;
 use crate::deform::{Bounds, Deformation};
 use crate::error::{Invalid, Place, Result, vec_with_room};
-use crate::math::orientation::{roll_from_up, unit, up_from_roll, wrap_degrees};
+use crate::math::orientation::{unit, wrap_degrees};
 use crate::path::{
-    CameraPath, Orientation, SupportPoint, Tangents, Target, Up, UpVector, Velocities, ahead,
-    alignment,
+    CameraPath, Orientation, SupportPoint, Tangents, Target, Up, Velocities, ahead, alignment,
 };
 
 /// Columns of a matrix without shear are at right angles within this.
@@ -229,7 +228,7 @@ fn seen(
             Target::Relative((map.place)(position + offset) - (map.place)(position))
         }
     };
-    if old.own.up != UpVector::Axis {
+    if !old.own.up.is_level() {
         let direction = |at, v| (map.derivative)(at) * v;
         let up = old.own.up.map(map.place, direction)?;
         new.own = new.own.with(|own| own.up = up)?;
@@ -245,11 +244,11 @@ fn seen(
     } else {
         new.target.offset_from((map.place)(position))
     };
-    let up = axis.world(up_from_roll(axis.upright(view), old.roll.to_radians()));
-    let up = *derivative * up;
-    if old.own.up == UpVector::Axis && new_view.cross(up) != DVec3::ZERO {
-        new.roll =
-            wrap_degrees(roll_from_up(axis.upright(unit(new_view)), axis.upright(up)).to_degrees());
+    if let Some(level) = old.own.up.level(axis) {
+        let up = *derivative * level.up_from_roll(view, old.roll.to_radians());
+        if new_view.cross(up) != DVec3::ZERO {
+            new.roll = wrap_degrees(level.roll_from_up(unit(new_view), up).to_degrees());
+        }
     }
     if old.own.is_empty() {
         return Ok(new);
