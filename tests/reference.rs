@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use glam::DVec3;
 use vides::path::{
     BaseFrames, CameraPath, Change, CurveParameters, Orientation, OrientationMode, Pose, Sampler,
-    SupportPoint, Target, Tcb, Timeline, ZoomMode,
+    SupportPoint, Target, Tcb, Timeline, Up, UpVector, ZoomMode,
 };
 
 /// Lengths, relative; positions, relative to the segment and its distance
@@ -120,6 +120,16 @@ impl Case {
                 ("view", _) => {
                     let point = path.points.last_mut().expect("a point before its views");
                     point.orientations.push(view(words));
+                }
+                ("up", ["z"]) => {
+                    let view = path
+                        .points
+                        .last_mut()
+                        .and_then(|p| p.orientations.last_mut());
+                    let own = &mut view.expect("a view before its up").own;
+                    *own = own
+                        .with(|own| own.up = UpVector::Fixed(Up::Z))
+                        .expect("memory");
                 }
                 ("segment", _) => segments.extend(numbers::<1>(words)),
                 ("section", [what, amount, mean, frames]) => {
