@@ -35,7 +35,7 @@ fn number() -> impl Strategy<Value = f64> {
     ]
 }
 
-const KINDS: u8 = 27;
+const KINDS: u8 = 28;
 
 fn raw() -> impl Strategy<Value = Raw> {
     (
@@ -200,6 +200,7 @@ impl Raw {
                 from: at,
                 to: (at + 1 + self.b % points) % (points + 1),
             },
+            26 => Edit::ChangeUp([Up::Y, Up::Z][self.b % 2]),
             // Copies a target onto a point: an absolute target where the next
             // insertion may lie.
             _ => Edit::InsertPoint {

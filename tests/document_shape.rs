@@ -7,7 +7,7 @@ mod common;
 use common::Random;
 use glam::DVec3;
 use vides::document::{Document, Edit};
-use vides::path::{CurveKind, Ease, EaseKind, Own, Pace, Tangents, UpPath, UpVector, own};
+use vides::path::{CurveKind, Ease, EaseKind, Own, Pace, Tangents, Up, UpPath, UpVector, own};
 
 fn document(random: &mut Random) -> Document {
     let path = random.path(30.0);
@@ -40,11 +40,13 @@ fn edits(random: &mut Random, document: &Document) -> Vec<Edit> {
     };
     let keys = [[0.0, 0.0], [random.between(0.1, 0.9), 0.3], [1.0, 1.0]];
     let last = document.path().points.len() - 1;
-    let up = match (random.between(0.0, 5.0)) as usize {
+    let up = match (random.between(0.0, 7.0)) as usize {
         0 => UpVector::Axis,
         1 => UpVector::Point(tangents.after),
         2 => UpVector::Path(UpPath::of(document.path()).unwrap()),
         3 => UpVector::Minimal,
+        4 => UpVector::Fixed(Up::Y),
+        5 => UpVector::Fixed(Up::Z),
         _ => UpVector::Frenet,
     };
     let frames = document.timeline(|t| t.frame_count()).unwrap().unwrap_or(1);
@@ -158,7 +160,7 @@ fn a_wrong_value_is_told_with_its_line() {
         ),
         (
             "up = \"down\"",
-            "line 6: up: must be \"axis\", \"minimal\" or \"frenet\"",
+            "line 6: up: must be \"axis\", \"minimal\", \"frenet\", \"y\" or \"z\"",
         ),
         (
             "up_path = 1",

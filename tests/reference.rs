@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 
 use glam::DVec3;
 use vides::path::{
-    BaseFrames, CameraPath, Change, CurveParameters, Orientation, OrientationMode, Pose, Sampler,
-    SupportPoint, Target, Tcb, Timeline, ZoomMode,
+    BaseFrames, CameraPath, Change, CurveParameters, Orientation, OrientationMode, Own, Pose,
+    Sampler, SupportPoint, Target, Tcb, Timeline, Up, UpVector, ZoomMode,
 };
 
 /// Lengths, relative; positions, relative to the segment and its distance
@@ -87,6 +87,14 @@ fn pose(words: &[&str]) -> (f64, Pose) {
     (v[0], pose)
 }
 
+/// What the last view owns, changed.
+fn own(path: &mut CameraPath, change: impl FnOnce(&mut Own)) {
+    let point = path.points.last_mut();
+    let view = point.and_then(|point| point.orientations.last_mut());
+    let own = &mut view.expect("a view before what it owns").own;
+    *own = own.with(change).expect("memory");
+}
+
 impl Case {
     fn read(file: &Path) -> Self {
         let text = std::fs::read_to_string(file).expect("the file can be read");
@@ -122,15 +130,10 @@ impl Case {
                     point.orientations.push(view(words));
                 }
                 ("zoom_slope", _) => {
-                    let point = path.points.last_mut().expect("a point before its slopes");
-                    let view = point
-                        .orientations
-                        .last_mut()
-                        .expect("a view before its slope");
                     let [slope] = numbers(words);
-                    let own = std::mem::take(&mut view.own);
-                    view.own = own.with(|own| own.zoom_slope = Some(slope)).expect("room");
+                    own(&mut path, |own| own.zoom_slope = Some(slope));
                 }
+                ("up", ["z"]) => own(&mut path, |own| own.up = UpVector::Fixed(Up::Z)),
                 ("segment", _) => segments.extend(numbers::<1>(words)),
                 ("section", [what, amount, mean, frames]) => {
                     let [amount, mean] = numbers(&[amount, mean]);

@@ -282,16 +282,18 @@ fn language_of(name: &[u8]) -> Answer<Language> {
 /// # Safety
 /// As for [`begin`].
 unsafe fn configure(document: &mut Document, options: &V_EDITOR_OPTIONS) -> Answer<bool> {
-    // A scene that edits no path keeps its own space and speeds.
-    if options.space_half_size != 0.0 && document.edits_path() {
-        let space = Space {
-            centre: options.space_centre.into(),
-            half_size: options.space_half_size,
-            up: up_from_c(options.space_up, "options->space_up")?,
-        };
-        // A new path is moved to the same place in the given space; others have coordinates of
-        // their own.
-        let fit = options.path.is_null() && document.fingerprint().is_none();
+    // A new path is moved to the same place in the given space; others have coordinates of their
+    // own.
+    let fit = options.path.is_null() && document.fingerprint().is_none();
+    let mut space = Space {
+        up: up_from_c(options.space_up, "options->space_up")?,
+        ..Space::default()
+    };
+    if options.space_half_size != 0.0 {
+        space.centre = options.space_centre.into();
+        space.half_size = options.space_half_size;
+        document.apply(Edit::SetSpace { space, fit })?;
+    } else if fit {
         document.apply(Edit::SetSpace { space, fit })?;
     }
     // SAFETY: as required of the caller.
@@ -307,6 +309,7 @@ unsafe fn configure(document: &mut Document, options: &V_EDITOR_OPTIONS) -> Answ
         zoom: options.zoom_frames,
         rolling: options.roll_frames,
     };
+    // A scene that edits no path keeps its own speeds.
     let unset = [speeds.movement, speeds.turning, speeds.zoom, speeds.rolling] == [0.0; 4];
     if !unset {
         positive(speeds.movement, "options->move_frames")?;
@@ -413,7 +416,7 @@ pub unsafe extern "C" fn v_editor_get_path(
 }
 
 /// Shows another path in a window, in one step that the user can take back.
-/// path is copied, with its title, comment and so on; its object, too, if it
+/// path is copied, with its space, title, comment and so on; its object, too, if it
 /// has one. Base speeds that were given when the window was opened stay. In a
 /// scene it takes the place of the path of the camera that is shown, which is
 /// edited then.

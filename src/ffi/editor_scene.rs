@@ -33,7 +33,8 @@ pub unsafe extern "C" fn v_editor_get_scene(
 }
 
 /// Shows another scene in a window, in one step that the user can take back. scene is
-/// copied, with its title, comment and so on; its wireframe object, too, if it has one.
+/// copied, with its space, title, comment and so on; its wireframe object, too, if it has
+/// one. The space of the options is that of what the window began with.
 /// The path of the camera that is shown is edited then, if it has one, with the base
 /// speeds that were given when the window was opened. One camera on a path and nothing
 /// else is that path.

@@ -14,7 +14,7 @@ use super::status::{Answer, V_ERR_INTERNAL};
 use super::types::{V_ORIENTATION, V_PATH};
 use crate::document::{Document, Edit, no_longer_ahead};
 use crate::error::{Invalid, OutOfRange, Refused};
-use crate::path::{MayOwn, Orientation, Own, Target, Tcb, UpPath, UpVector};
+use crate::path::{MayOwn, Orientation, Own, Target, Tcb, Up, UpPath, UpVector};
 
 fn to_c(orientation: &Orientation) -> V_ORIENTATION {
     let (absolute, target) = match orientation.target {
@@ -319,6 +319,7 @@ pub unsafe extern "C" fn v_path_set_ahead(
 ///                on a closed path is spread over the length
 ///     "frenet"   the normal of the curve; only for curves of kind "cubic" whose
 ///                points own no tangents
+///     "y", "z"   this axis, whatever is upright
 /// What an up does not need may be NULL. At most 10 different up paths, each with at
 /// most 1000 points.
 /// Any thread; from callbacks too. V_ERR_NULL,
@@ -338,6 +339,8 @@ pub unsafe extern "C" fn v_path_set_up(
             "axis" => UpVector::Axis,
             "minimal" => UpVector::Minimal,
             "frenet" => UpVector::Frenet,
+            "y" => UpVector::Fixed(Up::Y),
+            "z" => UpVector::Fixed(Up::Z),
             // SAFETY: three doubles or NULL, as the header demands.
             "point" => UpVector::Point(unsafe { read_vector(up_point, "up_point") }?),
             "path" => UpVector::Path(

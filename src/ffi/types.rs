@@ -262,7 +262,8 @@ pub struct v_editor_options {
     /// the host's, handed on to the callbacks
     pub user: *mut c_void,
     /// the movement space in the host's world: its centre, half of its edge, and
-    /// which axis is up, V_UP_Y or V_UP_Z. Half size 0: that of file or path
+    /// which axis is up, V_UP_Y or V_UP_Z; of a scene in file, too. Half size 0: that of
+    /// file or path, and V_UP_Z makes z upright in a new path
     pub space_centre: [f64; 3],
     pub space_half_size: f64,
     pub space_up: c_int,

@@ -205,6 +205,235 @@ static void a_bad_space_is_refused(void)
     CHECK(path == (V_PATH *)&path); /* nothing was written */
 }
 
+/* Poses at whole frames and between stay when another axis becomes upright. */
+static void another_axis_turns_nothing(void)
+{
+    static V_POSE before[MOST], after[MOST];
+    static const double aim[3] = {0.1, -0.2, 0.05};
+    V_PATH *path = bent_path(unit_cube, 1, V_UP_Y);
+    V_ORIENTATION o;
+    size_t count, n;
+    int round, k, up;
+    /* Points 0 and 1 track one target; the others turn freely. */
+    for (k = 0; k < 2; k++) {
+        v_orientation_init(&o);
+        OK(v_path_get_orientation(path, k, 0, &o));
+        o.absolute = 1;
+        memcpy(o.target, aim, sizeof aim);
+        OK(v_path_set_orientation(path, k, 0, &o));
+    }
+    OK(v_path_set_up(path, 3, 0, "z", NULL, NULL));
+    count = poses_of(path, before);
+    for (round = 0; round < 2; round++) {
+        int to = round == 0 ? V_UP_Z : V_UP_Y;
+        V_POSE here, there;
+        V_PATH *old = NULL;
+        OK(v_path_clone(path, &old));
+        OK(v_path_change_up(path, to));
+        OK(v_path_get_space(path, NULL, NULL, &up));
+        CHECK(up == to && poses_of(path, after) == count);
+        for (n = 0; n < 2 * count - 1; n++) {
+            OK(v_path_pose(old, 1 + n / 2.0, &here));
+            OK(v_path_pose(path, 1 + n / 2.0, &there));
+            for (k = 0; k < 3; k++) {
+                NEAR(here.vrp[k], there.vrp[k], 1e-12);
+                NEAR(here.vpn[k], there.vpn[k], 1e-12);
+                NEAR(here.vup[k], there.vup[k], 1e-12);
+            }
+        }
+        for (n = 0; n < count; n++)
+            for (k = 0; k < 3; k++)
+                NEAR(before[n].vup[k], after[n].vup[k], 1e-12);
+        v_path_free(old);
+    }
+    STATUS(V_ERR_RANGE, v_path_change_up(path, 9));
+    STATUS(V_ERR_NULL, v_path_change_up(NULL, V_UP_Z));
+    STATUS(V_ERR_ARGUMENT, v_path_set_up(path, 0, 0, "x", NULL, NULL));
+    v_path_free(path);
+    STATUS(V_ERR_HANDLE, v_path_change_up(path, V_UP_Z));
+}
+
+/* What a level camera at eye must be that looks at target, worked out by hand: up is
+ * the axis less its part along the view. */
+static void level(const double eye[3], const double target[3], int axis, double vpn[3], double vup[3])
+{
+    double length = 0, rest = 0;
+    int k;
+    for (k = 0; k < 3; k++)
+        length += (target[k] - eye[k]) * (target[k] - eye[k]);
+    for (k = 0; k < 3; k++)
+        vpn[k] = (target[k] - eye[k]) / sqrt(length);
+    for (k = 0; k < 3; k++) {
+        vup[k] = (k == axis) - vpn[axis] * vpn[k];
+        rest += vup[k] * vup[k];
+    }
+    for (k = 0; k < 3; k++)
+        vup[k] /= sqrt(rest);
+}
+
+static void who_aims_stands_as_the_scene_does(void)
+{
+    static const double eye[3] = {140, 180, 42}, car[3] = {100, 203, 30.5};
+    double centre[3] = {100, 200, 30}, got[3], half = 0, vpn[3], vup[3];
+    V_SCENE *scene = NULL;
+    V_NODE node;
+    V_NODE_STATE states[3];
+    size_t count = 0;
+    int up = 0, target = -1, camera = -1, k;
+    OK(v_scene_new(&scene));
+    OK(v_scene_get_space(scene, got, &half, &up));
+    CHECK(got[0] == 0 && half == 1 && up == V_UP_Y);
+    v_node_init(&node, V_NODE_OBJECT);
+    memcpy(node.position, car, sizeof car);
+    OK(v_scene_add_node(scene, "car", &node, &target));
+    v_node_init(&node, V_NODE_CAMERA);
+    memcpy(node.position, eye, sizeof eye);
+    node.aim = target;
+    OK(v_scene_add_node(scene, "watch", &node, &camera));
+    for (up = V_UP_Y; up <= V_UP_Z; up++) {
+        int is = 0;
+        OK(v_scene_set_space(scene, centre, 50, up));
+        OK(v_scene_get_space(scene, got, &half, &is));
+        CHECK(memcmp(got, centre, sizeof got) == 0 && half == 50 && is == up);
+        OK(v_scene_evaluate(scene, 1, states, 3, &count));
+        level(eye, car, up == V_UP_Z ? 2 : 1, vpn, vup);
+        for (k = 0; k < 3; k++) {
+            NEAR(states[camera].pose.vpn[k], vpn[k], 1e-12);
+            NEAR(states[camera].pose.vup[k], vup[k], 1e-12);
+        }
+    }
+    OK(v_scene_get_space(scene, NULL, NULL, NULL));
+    STATUS(V_ERR_RANGE, v_scene_set_space(scene, centre, 0, V_UP_Z));
+    STATUS(V_ERR_RANGE, v_scene_set_space(scene, centre, 50, 9));
+    STATUS(V_ERR_NULL, v_scene_set_space(scene, NULL, 50, V_UP_Z));
+    centre[1] = HUGE_VAL;
+    STATUS(V_ERR_ARGUMENT, v_scene_set_space(scene, centre, 50, V_UP_Z));
+    OK(v_scene_get_space(scene, got, &half, &up));
+    CHECK(got[1] == 200 && half == 50 && up == V_UP_Z);
+    v_scene_free(scene);
+    STATUS(V_ERR_HANDLE, v_scene_get_space(scene, got, &half, &up));
+}
+
+static void near_poses(const V_POSE *a, const V_POSE *b, size_t count, double metres, double rest)
+{
+    size_t n;
+    int k;
+    for (n = 0; n < count; n++)
+        for (k = 0; k < 3; k++) {
+            NEAR(a[n].vrp[k], b[n].vrp[k], metres);
+            NEAR(a[n].vpn[k], b[n].vpn[k], rest);
+            NEAR(a[n].vup[k], b[n].vup[k], rest);
+        }
+}
+
+/* A program whose world is z-up metres: what it hands in comes out of every door. */
+static void metres_through_every_door(const char *folder)
+{
+    static const double places[4][3] = {{120, 170, 35}, {140, 200, 42}, {118, 228, 38}, {95, 225, 33}};
+    static const double door[3] = {101, 199, 31.5};
+    static V_POSE own[MOST], got[MOST];
+    char file[4096];
+    double centre[3], half, vpn[3], vup[3];
+    V_SPACE space;
+    V_PATH *path = NULL, *copy = NULL, *block = NULL;
+    V_SCENE *scene = NULL, *loaded = NULL;
+    V_NODE_STATE state[1];
+    V_ORIENTATION o;
+    V_KAMERAPAR list, *element;
+    size_t count, n, one;
+    int up, k, points;
+    const double matrix[16] = {0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 300, 100, 5, 1};
+
+    v_space_init(&space);
+    space.centre[0] = 100;
+    space.centre[1] = 200;
+    space.centre[2] = 30;
+    space.half_size = 50;
+    space.up = V_UP_Z;
+    OK(v_path_new_in_space(&space, &path));
+    for (k = 0; k < 4; k++) {
+        OK(v_path_insert_point(path, k, places[k]));
+        v_orientation_init(&o);
+        o.absolute = 1;
+        memcpy(o.target, door, sizeof door);
+        OK(v_path_set_orientation(path, k, 0, &o));
+    }
+    OK(v_path_remove_point(path, 4));
+    OK(v_path_remove_point(path, 4));
+    count = poses_of(path, own);
+    CHECK(count > 50);
+    /* Each camera is level where z is up, by hand. */
+    for (n = 0; n < count; n++) {
+        level(own[n].vrp, door, 2, vpn, vup);
+        for (k = 0; k < 3; k++) {
+            NEAR(own[n].vpn[k], vpn[k], 1e-12);
+            NEAR(own[n].vup[k], vup[k], 1e-12);
+        }
+    }
+    /* The file, and text in memory. */
+    snprintf(file, sizeof file, "%s/metres.vid", folder);
+    OK(v_path_save(path, file));
+    OK(v_path_load(file, &copy));
+    CHECK(poses_of(copy, got) == count && memcmp(own, got, count * sizeof *own) == 0);
+    OK(v_path_get_space(copy, centre, &half, &up));
+    CHECK(memcmp(centre, space.centre, sizeof centre) == 0 && half == 50 && up == V_UP_Z);
+    v_path_free(copy);
+    /* A scene, its file, and the camera in it. */
+    OK(v_scene_new(&scene));
+    OK(v_scene_set_space(scene, space.centre, 50, V_UP_Z));
+    OK(v_scene_set_path(scene, 0, path, 1, V_AFTER_HOLD));
+    snprintf(file, sizeof file, "%s/scene.vid", folder);
+    OK(v_scene_save(scene, file));
+    OK(v_scene_load(file, &loaded));
+    OK(v_scene_get_space(loaded, centre, &half, &up));
+    CHECK(memcmp(centre, space.centre, sizeof centre) == 0 && half == 50 && up == V_UP_Z);
+    for (n = 0; n < count; n += 5) {
+        OK(v_scene_evaluate(loaded, (double)(n + 1), state, 1, &one));
+        near_poses(&state[0].pose, &own[n], 1, 1e-9, 1e-12);
+    }
+    OK(v_scene_get_path(loaded, 0, &copy));
+    CHECK(poses_of(copy, got) == count && memcmp(own, got, count * sizeof *own) == 0);
+    v_path_free(copy);
+    v_scene_free(loaded);
+    v_scene_free(scene);
+    /* The list of 1994, in float. */
+    list.number = -1;
+    OK(v_path_to_list(path, &list));
+    element = &list;
+    for (n = 0; n < count; n++, element = element->next) {
+        NEAR(element->VRP.z, own[n].vrp[2], 1e-4);
+        NEAR(element->VUP.z, own[n].vup[2], 1e-6);
+    }
+    v_free_liste(&list);
+    /* A block, a quarter turn about z with targets, the way back. */
+    OK(v_path_extract(path, 0, 3, &block));
+    OK(v_path_get_space(block, centre, &half, &up));
+    CHECK(memcmp(centre, space.centre, sizeof centre) == 0 && half == 50 && up == V_UP_Z);
+    v_path_free(block);
+    OK(v_path_clone(path, &copy));
+    OK(v_path_point_count(copy, &points));
+    OK(v_path_transform(copy, 0, points - 1, matrix, 1));
+    CHECK(poses_of(copy, got) == count);
+    for (n = 0; n < count; n++) {
+        NEAR(got[n].vrp[0], 300 - own[n].vrp[1], 1e-9);
+        NEAR(got[n].vrp[1], 100 + own[n].vrp[0], 1e-9);
+        NEAR(got[n].vup[0], -own[n].vup[1], 1e-9);
+        NEAR(got[n].vup[2], own[n].vup[2], 1e-9);
+    }
+    v_path_free(copy);
+    OK(v_path_clone(path, &copy));
+    OK(v_path_reverse(copy));
+    OK(v_path_reverse(copy));
+    CHECK(poses_of(copy, got) == count);
+    near_poses(own, got, count, 1e-9, 1e-9);
+    /* Y upright for a moment: nothing is turned, and the ups say which axis was. */
+    OK(v_path_change_up(copy, V_UP_Y));
+    CHECK(poses_of(copy, got) == count);
+    near_poses(own, got, count, 1e-9, 1e-9);
+    v_path_free(copy);
+    v_path_free(path);
+}
+
 /* Every pose of a path, made an orientation, is that pose again. */
 static void a_pose_becomes_an_orientation(void)
 {
@@ -288,6 +517,9 @@ int main(int argc, char **argv)
     what_is_wrong_is_refused();
     a_new_path_lies_in_its_space();
     a_bad_space_is_refused();
+    another_axis_turns_nothing();
+    who_aims_stands_as_the_scene_does();
+    metres_through_every_door(argc > 1 ? argv[1] : ".");
     a_pose_becomes_an_orientation();
     a_bad_pose_is_refused();
     a_file_keeps_it(argc > 1 ? argv[1] : ".");

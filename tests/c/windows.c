@@ -117,6 +117,14 @@ static void opening(void)
     v_editor_options_init(&options);
     options.transient_for = ~0ul;
     refused(V_ERR_RANGE, &options);
+    /* Which axis is up, whether a half size is given or not. */
+    v_editor_options_init(&options);
+    options.space_up = 9;
+    refused(V_ERR_RANGE, &options);
+    options.space_half_size = 2;
+    refused(V_ERR_RANGE, &options);
+    options.space_up = V_UP_Z;
+    refused(V_ERR_DISPLAY, &options);
     v_path_free(path);
     v_editor_options_init(&options);
     options.path = path;

@@ -647,6 +647,12 @@ CALL(v_path_new_in_space)
     return status;
 }
 
+CALL(v_path_change_up)
+{
+    V_PATH *path = a_path();
+    return v_path_change_up(path, whole(V_UP_Y, V_UP_Z));
+}
+
 CALL(v_orientation_from_pose)
 {
     const V_POSE *pose = a_pose();

@@ -272,6 +272,21 @@ CALL(v_scene_get_path)
     return status;
 }
 
+CALL(v_scene_set_space)
+{
+    V_SCENE *of = a_scene();
+    const double *centre = numbers(3, -1, 1);
+    double half_size = number(0.5, 2);
+    return v_scene_set_space(of, centre, half_size, whole(V_UP_Y, V_UP_Z));
+}
+
+CALL(v_scene_get_space)
+{
+    const V_SCENE *of = a_scene();
+    double *centre = result(3 * sizeof(double), 1), *half_size = result(sizeof(double), 1);
+    return v_scene_get_space(of, centre, half_size, result(sizeof(int), 1));
+}
+
 CALL(v_scene_set_marker)
 {
     V_SCENE *of = a_scene();

@@ -64,6 +64,9 @@
     F(v_space_init, NOTHING, V_OK, 0) \
     F(v_space_init_sized, NOTHING, V_OK, 0) \
     F(v_path_new_in_space, STATUS, V_OK, 0) \
+    F(v_path_change_up, STATUS, V_OK, 0) \
+    F(v_scene_set_space, STATUS, V_OK, 0) \
+    F(v_scene_get_space, STATUS, V_OK, 0) \
     F(v_orientation_from_pose, STATUS, V_OK, 0) \
     F(v_path_set_object, STATUS, V_OK, 0) \
     F(v_path_set_curve, STATUS, V_OK, 0) \

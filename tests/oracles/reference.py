@@ -134,6 +134,25 @@ def view_q(n, roll, yaw=None):
     return qmul(qmul(axis_q(1, yaw), axis_q(0, pitch)), axis_q(2, roll))
 
 
+# Ups by a fixed axis: "y" is the upright one, and where it is "z" all of a view's rules
+# hold for the axes y, z, x in place of x, y, z.
+
+TO_Z = (mpf(1) / 2, mpf(-1) / 2, mpf(-1) / 2, mpf(-1) / 2)
+
+
+def levelled(up, v):
+    return (v[1], v[2], v[0]) if up == "z" else v
+
+
+def worldly(up, v):
+    return (v[2], v[0], v[1]) if up == "z" else v
+
+
+def level_q(up, n, roll, yaw=None):
+    q = view_q(levelled(up, n), roll, yaw)
+    return qmul(qconj(TO_Z), q) if up == "z" else q
+
+
 def vpn_vup(q):
     q = unit(q)
     return rotate(q, (0, 0, 1)), rotate(q, (0, 1, 0))
@@ -391,7 +410,8 @@ class Key:
         self.tcb = vec(o["tcb"])
         self.hold = o["hold"]
         self.zoom_slope = None if o["zoom_slope"] is None else mpf(o["zoom_slope"])
-        self.q = view_q(self.view, mp.radians(self.roll))
+        self.up = o["up"]
+        self.q = level_q(self.up, self.view, mp.radians(self.roll))
 
 
 class Section:
@@ -445,7 +465,10 @@ class Path:
             s.moves = a.point != b.point
             s.segment = self.segments[a.point] if s.moves else None
             length = s.segment.length if s.moves else mpf(0)
-            d_roll = abs(wrap(b.roll - a.roll))
+            if a.up == b.up:
+                d_roll = abs(wrap(b.roll - a.roll))
+            else:
+                d_roll = mp.degrees(angle(vpn_vup(a.q)[1], vpn_vup(b.q)[1]))
             if length > mpf("1e-9"):
                 s.change, s.amount, s.base = "position", length, move
             elif angle(a.view, b.view) > mpf("1e-9"):
@@ -544,7 +567,9 @@ class Path:
     def classify(self):
         for s in self.sections:
             a, b = self.keys[s.a], self.keys[s.b]
-            if a.absolute and b.absolute and a.target == b.target:
+            if a.up != b.up:
+                s.kind = "free"
+            elif a.absolute and b.absolute and a.target == b.target:
                 s.kind = "tracked"
             elif (
                 not a.absolute
@@ -602,13 +627,14 @@ class Path:
         if s.kind == "kept":
             return (mpf(0),) * 3
         key = self.keys[s.b if end else s.a]
-        n, d = key.view, norm(sub(key.target, key.position))
+        n, d = levelled(key.up, key.view), norm(sub(key.target, key.position))
         p = mul(s.segment.tangent(end), s.segment.length / s.dt) if s.change == "position" else (mpf(0),) * 3
+        p = levelled(key.up, p)
         dn = mul(sub(p, mul(n, dot(n, p))), -1 / d)
         h2 = n[0] ** 2 + n[2] ** 2
         roll = mp.radians(s.m1 if end else s.m0)
         if norm(p) == 0:
-            return mul(n, roll / 2)
+            return worldly(key.up, mul(n, roll / 2))
         if h2 < POLE**2:
             raise ArithmeticError("no yaw velocity at the pole")
         yaw, _ = yaw_pitch(n)
@@ -617,7 +643,7 @@ class Path:
         full = add(
             add((mpf(0), d_yaw, mpf(0)), mul((mp.cos(yaw), mpf(0), -mp.sin(yaw)), d_pitch)), mul(n, roll)
         )
-        return mul(full, mpf(1) / 2)
+        return worldly(key.up, mul(full, mpf(1) / 2))
 
     def plain_velocity(self, i, weights):
         into, out = self.neighbours(i)
@@ -719,10 +745,10 @@ class Path:
         return at(b[0], b[1], 1, 2)
 
     def tracked_q(self, s, f, place):
-        target = self.keys[s.a].target
+        target, up = self.keys[s.a].target, self.keys[s.a].up
         roll = mp.radians(hermite(s.r0, s.r1, s.m0, s.m1, s.dt, f))
         if s.change != "position":
-            return view_q(self.keys[s.a].view, roll)
+            return level_q(up, self.keys[s.a].view, roll)
         length = s.segment.length
 
         def offset(distance):
@@ -746,7 +772,7 @@ class Path:
             return offset(low)
 
         def off_pole(v):
-            v = unit(v)
+            v = levelled(up, unit(v))
             return mp.hypot(v[0], v[2]) >= POLE
 
         here = sub(target, place)
@@ -754,11 +780,11 @@ class Path:
             found = last(lambda v: norm(v) >= mpf("1e-9"))
             here = self.keys[s.a].view if found is None else found
         n = unit(here)
-        if mp.hypot(n[0], n[2]) < POLE:
+        if not off_pole(n):
             found = last(off_pole)
-            yaw = yaw_pitch(self.keys[s.a].view if found is None else unit(found))[0]
-            return view_q(n, roll, yaw)
-        return view_q(n, roll)
+            yaw = yaw_pitch(levelled(up, self.keys[s.a].view if found is None else unit(found)))[0]
+            return level_q(up, n, roll, yaw)
+        return level_q(up, n, roll)
 
     # ---- frames
 
@@ -862,6 +888,8 @@ def write(case, folder, wanted):
             lines.append(f"view {kind} {values}")
             if o["zoom_slope"] is not None:
                 lines.append(f"zoom_slope {number(mpf(o['zoom_slope']))}")
+            if o["up"] != "y":
+                lines.append(f"up {o['up']}")
     lines += [f"segment {number(s.length)}" for s in path.segments]
     lines.append("# section: what changes, by how much, mean speed, frames")
     for s in path.raw:

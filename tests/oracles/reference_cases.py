@@ -13,7 +13,7 @@ WILD = [100, 1, 1, 100, 100, 1, 50, 100, 1, 1]
 CLIPPED = [100, 1, 100, 1, 100, 1, 100, 1, 100, 1]
 
 
-def view(direction=(0, 0, -0.4), at=None, roll=0, zoom=24, tcb=(0, 0, 0), speeds=FLAT, hold=0, slope=None):
+def view(direction=(0, 0, -0.4), at=None, roll=0, zoom=24, tcb=(0, 0, 0), speeds=FLAT, hold=0, slope=None, up="y"):
     """An orientation: `direction` relative, `at` an absolute target."""
     return {
         "absolute": at is not None,
@@ -24,6 +24,7 @@ def view(direction=(0, 0, -0.4), at=None, roll=0, zoom=24, tcb=(0, 0, 0), speeds
         "speeds": speeds,
         "hold": hold,
         "zoom_slope": slope,
+        "up": up,
     }
 
 
@@ -394,6 +395,25 @@ def short_cases():
             point(CORNERS[4], view((-0.5, 0.2, 0.9)), view((-0.5, 0.2, 0.9), zoom=40), view((0, 0.2, 0.9))),
         ],
         wanted=120,
+    )  # fmt: skip
+    yield path(
+        "ups_by_z", "Tracked, kept and free sections whose ups are the z axis, and one to the y axis.",
+        [
+            point(CORNERS[0], view((0.4, 0.1, -1), roll=5), view((0.4, 0.1, -1), roll=5, up="z")),
+            point(CORNERS[1], view(at=eye, roll=12, up="z")),
+            point(CORNERS[2], view(at=eye, roll=70, zoom=60, up="z")),
+            point(CORNERS[3], view(at=eye, roll=-20, up="z"), view((-0.5, 0.5, 0.5), roll=20, up="z")),
+            point(CORNERS[4], view((-1, 1, 1), roll=20, up="z"), view((0, 0.2, 0.9), up="y")),
+        ],
+        wanted=120,
+    )  # fmt: skip
+    yield path(
+        "tracked_over_z", "Straight past a target along z, which is up: the yaw holds there.",
+        [
+            point((-1, 0.5, 1), view(at=(0, 0.5, 0), up="z")),
+            point((1, 0.5, 1), view(at=(0, 0.5, 0), roll=20, up="z")),
+        ],
+        wanted=90,
     )  # fmt: skip
     for mode in ("barry-goldman", "slerp"):
         tag = mode.replace("-", "_")

@@ -504,6 +504,14 @@ def the_desktop_wakes_a_window_once_a_change(place):
 
 
 @test()
+def windows_lie_where_their_files_say(place):
+    """With space_up, alone or with a space, and whatever path or scene is set."""
+    program = place.program(place.server(), "spaces", place.path("."))
+    status = program.ends()
+    check(status == 0, f"exit status {status}; it complained: {program.complained}")
+
+
+@test()
 def a_settings_manager_that_begins_later(place):
     """What manages the desktop's settings may start after the window: it turns light with
     the desktop. That another manager begins wakes it once, and paints nothing."""

@@ -7,7 +7,8 @@ use vides_engine::tools::block::Fit;
 
 use super::info::Info;
 use crate::path::{
-    BaseFrames, CameraPath, CurveKind, Orientation, OrientationMode, Space, Tangents, Tcb, ZoomMode,
+    BaseFrames, CameraPath, CurveKind, Orientation, OrientationMode, Space, Tangents, Tcb, Up,
+    ZoomMode,
 };
 
 /// A change of a document. Points, orientations, segments and presets count from 0.
@@ -153,13 +154,15 @@ pub enum Edit {
     SetModes(OrientationMode, ZoomMode),
     /// Replaces the info: title, frame rate, unit, object and so on.
     SetInfo(Box<Info>),
-    /// Where the path lies in the world.
+    /// Where the path lies in the world; the scene, too, if it lies there.
     SetSpace {
         /// The new space.
         space: Space,
         /// Whether the path is mapped into the new space. The object never is.
         fit: bool,
     },
+    /// Which axis stands upright; all poses stay.
+    ChangeUp(Up),
     /// Edits the path of another node of the scene, or of none. Files do not record this.
     EditNode(Option<usize>),
     /// Replaces the scene. The shown camera's path is edited, if it has one.

@@ -13,7 +13,6 @@ use crate::error::{
 };
 use crate::limits;
 use crate::math::orientation::wrap_degrees;
-use crate::path::ahead;
 use crate::path::camera_path::check_base_frames;
 use crate::path::fit_frames::{Fixed, fit_frames};
 use crate::path::insertion::{self, Insertion};
@@ -21,6 +20,7 @@ use crate::path::space::Move;
 use crate::path::{
     CameraPath, CurveParameters, Orientation, Pace, Plan, Space, SupportPoint, Target, Timeline,
 };
+use crate::path::{ahead, change_up};
 use crate::tools::{block, transform};
 use vides_engine::scene::pins::pinned;
 
@@ -32,7 +32,7 @@ pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
     let none_edited = matches!(&state.edited_scene, Some(edited) if edited.node().is_none());
     let needs_path = !matches!(
         edit,
-        Edit::EditNode(_) | Edit::ReplaceScene(_) | Edit::SetInfo(_)
+        Edit::EditNode(_) | Edit::ReplaceScene(_) | Edit::SetInfo(_) | Edit::SetSpace { .. }
     );
     if none_edited && needs_path {
         return Err(Refused::NoPathEdited.into());
@@ -218,14 +218,43 @@ pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
         Edit::SetSpace { space, fit } => {
             space.check()?;
             state.info.check(space)?;
-            if fit && path.space != space {
+            let change = if fit && path.space != space {
                 moved(path, space)?
             } else {
                 path.check_in(space)?;
                 Change::Space(space)
+            };
+            match &state.edited_scene {
+                // A scene that lies where its path does goes along.
+                Some(edited) if edited.scene().space() == path.space => {
+                    return scene_in(edited, path, space, fit);
+                }
+                _ => change,
             }
         }
+        Edit::ChangeUp(up) if up == path.space.up => Change::Several(Vec::new()),
+        Edit::ChangeUp(up) => {
+            let changed = change_up::change_up(path, up)?;
+            return Ok((replaced(state, changed, |point| point)?.0, None));
+        }
     };
+    Ok((change, None))
+}
+
+/// The scene with its edited path in another space.
+fn scene_in(edited: &EditedScene, path: &CameraPath, space: Space, fit: bool) -> Result<Prepared> {
+    let mut path = path.try_clone()?;
+    if fit {
+        let to = Move::new(path.space, space);
+        for point in &mut path.points {
+            *point = to.point(point)?;
+        }
+    }
+    path.space = space;
+    let mut scene = edited.with(&path)?;
+    scene.set_space(space)?;
+    let (edited, path) = edited_scene::edit(scene, edited.node())?;
+    let (change, _) = exchanged_scene(Some(edited), path)?;
     Ok((change, None))
 }
 

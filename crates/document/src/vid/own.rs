@@ -12,7 +12,7 @@ use crate::path::Space;
 use crate::path::camera_path::check_curve_speed;
 use crate::path::own::{check_ahead, check_frames, check_rates, distance};
 use crate::path::{
-    Ease, EaseKind, MayOwn, Own, Pace, PacePart, Tangents, TurningPart, UpPath, UpPathPoint,
+    Ease, EaseKind, MayOwn, Own, Pace, PacePart, Tangents, TurningPart, Up, UpPath, UpPathPoint,
     UpVector, Velocities, Whole,
 };
 
@@ -131,8 +131,14 @@ fn up(field: Field<'_>, so_far: &mut SoFar) -> Result<UpVector> {
             }
         }
         _ => {
-            let ups = [UpVector::Axis, UpVector::Minimal, UpVector::Frenet];
-            field.one_of(&["axis", "minimal", "frenet"], ups)
+            let ups = [
+                UpVector::Axis,
+                UpVector::Minimal,
+                UpVector::Frenet,
+                UpVector::Fixed(Up::Y),
+                UpVector::Fixed(Up::Z),
+            ];
+            field.one_of(&["axis", "minimal", "frenet", "y", "z"], ups)
         }
     }
 }
@@ -326,7 +332,9 @@ fn write_up<'a>(out: &mut impl Write, up: &'a UpVector, written: &mut UpPaths<'a
             }
             writeln!(out, "]")
         }
-        UpVector::Minimal | UpVector::Frenet => writeln!(out, "up = \"{}\"", up.name()),
+        UpVector::Minimal | UpVector::Frenet | UpVector::Fixed(_) => {
+            writeln!(out, "up = \"{}\"", up.name())
+        }
     }
 }
 

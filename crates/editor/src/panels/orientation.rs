@@ -11,7 +11,7 @@ use crate::error::Result;
 use crate::limits::MAX_HOLD;
 use crate::math::rotation_minimising::turned;
 use crate::number::Number;
-use crate::path::{CameraPath, Orientation, Own, Target, UpVector, ahead};
+use crate::path::{CameraPath, Orientation, Own, Target, Up, UpVector, ahead};
 use crate::playing::playhead::Shown;
 use crate::state::Editor;
 use crate::texts::fill;
@@ -151,6 +151,8 @@ fn up(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Action>) {
         UpVector::Path(_) => (texts.up_path, texts.up_path_hint),
         UpVector::Minimal => (texts.up_minimal, texts.up_minimal_hint),
         UpVector::Frenet => (texts.up_frenet, texts.up_frenet_hint),
+        UpVector::Fixed(Up::Y) => (texts.up_y, texts.up_fixed_hint),
+        UpVector::Fixed(Up::Z) => (texts.up_z, texts.up_fixed_hint),
     };
     let turns = OwnedMotion::Turning.is_owned(shown);
     let width = share(ui, 1 + usize::from(turns));
@@ -177,6 +179,8 @@ fn up(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Action>) {
             path,
             Some(UpVector::Minimal),
             Some(UpVector::Frenet),
+            Some(UpVector::Fixed(Up::Y)),
+            Some(UpVector::Fixed(Up::Z)),
         ];
         for up in all.into_iter().flatten() {
             let chosen = up.name() == current.name();

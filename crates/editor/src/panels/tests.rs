@@ -4,7 +4,7 @@ use egui_kittest::kittest::NodeT as _;
 
 use crate::document::Selection;
 use crate::limits;
-use crate::path::{CurveParameters, Tcb, UpVector};
+use crate::path::{CurveParameters, Tcb, Up, UpVector};
 use crate::tests::*;
 
 fn selection(window: &Window) -> Selection {
@@ -469,7 +469,14 @@ fn which_way_is_up_is_chosen_in_a_menu() {
         choose(&mut window, texts.up_minimal, texts.up_frenet);
         assert_eq!(up(&window), UpVector::Minimal);
         assert!(said(&window).is_some_and(|said| said.contains("minimal")));
-        choose(&mut window, texts.up_minimal, texts.up_axis);
+        choose(&mut window, texts.up_minimal, texts.up_y);
+        assert_eq!(up(&window), UpVector::Fixed(Up::Y));
+        for (a, b) in before.vup.iter().zip(pose(&window).vup) {
+            assert!((a - b).abs() < 1e-9);
+        }
+        choose(&mut window, texts.up_y, texts.up_z);
+        assert_eq!(up(&window), UpVector::Fixed(Up::Z));
+        choose(&mut window, texts.up_z, texts.up_axis);
         assert_eq!(up(&window), UpVector::Axis);
         for (a, b) in before.vup.iter().zip(pose(&window).vup) {
             assert!((a - b).abs() < 1e-9);

@@ -57,6 +57,10 @@ texts! {
         up_frenet: "curvature", "Krümmung";
         up_frenet_hint: "Towards where the curve bends (Frenet); only where the curve is a cubic spline",
             "Dorthin, wohin sich die Kurve krümmt (Frenet); nur bei kubischem Spline";
+        up_y: "y axis", "y-Achse";
+        up_z: "z axis", "z-Achse";
+        up_fixed_hint: "Along this axis of the world, whatever is upright in the space",
+            "Längs dieser Achse der Welt, was auch im Raum senkrecht steht";
         up_at: "Up towards {0}", "Oben zu {0}";
         up_at_hint: "The point that is up for the camera: drag, or click and type",
             "Der Punkt, der für die Kamera oben ist: ziehen, oder klicken und tippen";
