@@ -123,7 +123,10 @@ impl Case {
                 }
                 ("zoom_slope", _) => {
                     let point = path.points.last_mut().expect("a point before its slopes");
-                    let view = point.orientations.last_mut().expect("a view before its slope");
+                    let view = point
+                        .orientations
+                        .last_mut()
+                        .expect("a view before its slope");
                     let [slope] = numbers(words);
                     let own = std::mem::take(&mut view.own);
                     view.own = own.with(|own| own.zoom_slope = Some(slope)).expect("room");
