@@ -154,7 +154,7 @@ fn ascii_has_as_many_digits_as_asked() {
     );
     assert_eq!(
         said,
-        "vides: --digits goes with the format ascii; csv and json have all digits"
+        "vides: --digits goes with the format ascii; csv and json have all digits\n"
     );
 }
 
