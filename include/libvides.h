@@ -1653,14 +1653,15 @@ int v_path_sample_range(const V_PATH *path,
 
 /**
  * The pose at one frame, 1 to the count of v_path_frame_count(); between two
- * frames also, as 1.5.
+ * frames also, as 1.5. At a whole frame it is that of v_path_sample(), bit for bit.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
  * V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_pose(const V_PATH *path, double frame, V_POSE *pose);
 
 /**
- * All poses of a path as a list in the form of 1994, see V_KAMERAPAR. first is
+ * All poses of a path as a list in the form of 1994, see V_KAMERAPAR: zooms are whole
+ * numbers there, 100 for any beyond. first is
  * the host's and becomes the first element; its number must be set before, to
  * -1 if there are no data yet. A list that VIDES made there before is freed
  * when the new one is complete; any other list is left alone and only
@@ -1668,7 +1669,8 @@ int v_path_pose(const V_PATH *path, double frame, V_POSE *pose);
  * Any thread, if no other uses the list meanwhile; from callbacks too.
  * V_ERR_NULL, V_ERR_HANDLE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
-int v_path_to_list(const V_PATH *path, V_KAMERAPAR *first);
+int v_path_to_list(const V_PATH *path,
+                   V_KAMERAPAR *first);
 
 /**
  * Writes all poses of a path into a text file: one line for each, with VRP,

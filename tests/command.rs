@@ -112,15 +112,50 @@ fn csv_has_every_bit() {
     let mut lines = text.lines();
     assert_eq!(
         lines.next(),
-        Some("frame,vrp_x,vrp_y,vrp_z,vpn_x,vpn_y,vpn_z,vup_x,vup_y,vup_z,zoom")
+        Some("frame,vrp_x,vrp_y,vrp_z,vpn_x,vpn_y,vpn_z,vup_x,vup_y,vup_z,zoom,seconds")
     );
     let poses = poses_of(PYRAMID);
     assert_eq!(lines.clone().count(), poses.len());
     for (index, (line, pose)) in lines.zip(&poses).enumerate() {
         let row = parsed(line.split(','));
         assert_eq!(row[0], (index + 1) as f64);
-        assert_eq!(row[1..], numbers(pose), "frame {}", index + 1);
+        assert_eq!(row[1..11], numbers(pose), "frame {}", index + 1);
+        // 25 frames a second, the first at 0.
+        assert_eq!(row[11..], [index as f64 / 25.0]);
     }
+}
+
+#[test]
+fn ascii_has_as_many_digits_as_asked() {
+    let usual = said(&run(&["sample", PYRAMID]));
+    assert_eq!(said(&run(&["sample", PYRAMID, "--digits", "4"])), usual);
+    for digits in [0, 1, 9, 30] {
+        let text = said(&run(&["sample", PYRAMID, "--digits", &digits.to_string()]));
+        let poses = poses_of(PYRAMID);
+        assert_eq!(text.lines().count(), poses.len());
+        for (line, pose) in text.lines().zip(&poses) {
+            for (field, number) in line.split(' ').zip(numbers(pose)) {
+                let decimals = field.split_once('.').map_or(0, |(_, behind)| behind.len());
+                assert_eq!(decimals, digits, "{field}");
+                let off = (field.parse::<f64>().unwrap() - number).abs();
+                assert!(
+                    off <= 0.501 * 0.1_f64.powi(digits as i32),
+                    "{field} for {number}"
+                );
+            }
+        }
+    }
+    for wrong in ["31", "-1", "2.5", "many"] {
+        complaint(&run(&["sample", PYRAMID, "--digits", wrong]), 2);
+    }
+    let said = sentence(
+        &run(&["sample", PYRAMID, "--digits", "6", "--format", "csv"]),
+        2,
+    );
+    assert_eq!(
+        said,
+        "vides: --digits goes with the format ascii; csv and json have all digits\n"
+    );
 }
 
 #[test]

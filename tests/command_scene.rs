@@ -72,7 +72,8 @@ fn a_camera_of_a_scene_is_written_as_poses() {
     assert_eq!(rows.len(), states.len());
     for (at, (row, state)) in rows.iter().zip(&states).enumerate() {
         assert_eq!(row[0], first + at as f64);
-        assert_eq!(row[1..], numbers(&state.pose));
+        assert_eq!(row[1..11], numbers(&state.pose));
+        assert_eq!(row[11..], [at as f64 / 25.0]);
     }
     // Ten numbers a line, four decimals.
     let ascii = said(&["sample", CAR, "--node", "camera"]);
@@ -92,7 +93,9 @@ fn other_nodes_are_written_as_matrices() {
         let row = row(line);
         assert_eq!(row[1..17], state.matrix);
         assert_eq!(row[17], 1.0);
+        assert_eq!(row.len(), 19);
     }
+    assert!(text.lines().nth(26).unwrap().ends_with(",1,1.0"), "{text}");
     let json = said(&["sample", CAR, "--node", "body", "--format", "json"]);
     let json: serde_json::Value = serde_json::from_str(&json).unwrap();
     assert_eq!(

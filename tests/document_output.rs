@@ -143,7 +143,7 @@ fn csv_has_a_header_and_every_bit() {
     let mut lines = text.lines();
     assert_eq!(
         lines.next().unwrap(),
-        "frame,vrp_x,vrp_y,vrp_z,vpn_x,vpn_y,vpn_z,vup_x,vup_y,vup_z,zoom"
+        "frame,vrp_x,vrp_y,vrp_z,vpn_x,vpn_y,vpn_z,vup_x,vup_y,vup_z,zoom,seconds"
     );
     for (index, pose) in poses(&document).iter().enumerate() {
         let mut cells = lines.next().unwrap().split(',');
@@ -153,6 +153,8 @@ fn csv_has_a_header_and_every_bit() {
             let cell: f64 = cells.next().unwrap().parse().unwrap();
             assert!(same_bits(cell, number));
         }
+        let seconds: f64 = cells.next().unwrap().parse().unwrap();
+        assert!(same_bits(seconds, index as f64 / document.info().fps));
         assert_eq!(cells.next(), None);
     }
     assert_eq!(lines.next(), None);

@@ -101,6 +101,10 @@ fn each_change_counts_with_its_own_speed() {
         with(0.0, 50.5),
     ]));
     assert_eq!(zooms[..2], [(Change::Zoom, 40), (Change::Zoom, 20)]);
+    // The unit stays 99 mm, however long the lens: 19 of them take 760, 19 mm 7.68.
+    let long = [with(0.0, 100.0), with(0.0, 1981.0), with(0.0, 2000.0)];
+    let zooms = sections(&pans(long.to_vec()));
+    assert_eq!(zooms[..2], [(Change::Zoom, 760), (Change::Zoom, 8)]);
     // Nothing.
     let all = sections(&pans(vec![ahead(), ahead()]));
     assert_eq!(all, [(Change::Nothing, 0), (Change::Position, 10)]);

@@ -265,7 +265,7 @@ fn a_path_backwards_gives_the_poses_backwards() {
                 orientation.speeds = [50.0; 10];
                 orientation.hold = 0;
                 // No two are one key, which would be the later one's.
-                orientation.zoom = random.between(1.0, 100.0);
+                orientation.zoom = random.between(1.0, 2000.0);
                 // From pole to pole is half a turn, and that goes by a rule.
                 let offset = orientation.target.offset_from(point.position);
                 if offset.x.hypot(offset.z) < 1e-3 {
@@ -303,7 +303,7 @@ fn zoom_stays_between_its_keys() {
         for point in &mut path.points {
             for orientation in &mut point.orientations {
                 if random.chance(0.3) {
-                    orientation.zoom = [1.0, 100.0][random.below(2)];
+                    orientation.zoom = [1.0, 100.0, 2000.0][random.below(3)];
                 }
             }
         }
@@ -420,7 +420,7 @@ fn a_closed_path_has_no_beginning() {
                 // The first key's hold counts at the start, and not again at the end.
                 orientation.hold = 0;
                 // No two are one key; none is half a turn from the next by a pole.
-                orientation.zoom = random.between(1.0, 100.0);
+                orientation.zoom = random.between(1.0, 2000.0);
                 let offset = orientation.target.offset_from(point.position);
                 if offset.x.hypot(offset.z) < 1e-3 {
                     orientation.target = Target::Relative(DVec3::new(0.1, offset.y, 0.3));

@@ -13,8 +13,8 @@ use super::{Failure, input};
 
 #[derive(Args)]
 pub(super) struct Arguments {
-    /// The poses, as `vides sample` writes them: ten numbers a line, or the
-    /// frame's number before them; - is standard input
+    /// The poses, as `vides sample` writes them: ten numbers a line, with or without the
+    /// frame's number before and seconds behind; - is standard input
     #[arg(value_name = "POSES")]
     file: PathBuf,
     /// How far a position may be from its pose

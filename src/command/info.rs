@@ -10,11 +10,13 @@ use vides::path::{
 };
 
 use super::table::{Align, Table, decimals};
-use super::{Failure, input, one_line, print, scene};
+use super::{Failure, info_json, input, one_line, print, scene};
 
-pub(super) fn run(file: &Path) -> Result<(), Failure> {
+pub(super) fn run(file: &Path, json: bool) -> Result<(), Failure> {
     let document = input::load_scene(file)?;
     let text = match document.path_alone() {
+        _ if json => info_json::object(file, &document)
+            .map_err(|error| Failure::from(error.at(input::name(file))))?,
         Some(path) => tables(file, path, &document.info)
             .map_err(|error| Failure::from(error.at(input::name(file))))?,
         None => scene::tables(file, &document),
@@ -49,6 +51,20 @@ pub(super) fn heading(info: &Info) -> String {
     text
 }
 
+/// How the camera turns, and how the zoom runs, as in a file.
+pub(super) const fn modes(path: &CameraPath) -> [&'static str; 2] {
+    let mode = match path.orientation_mode {
+        OrientationMode::Tcb => "tcb",
+        OrientationMode::BarryGoldman => "barry-goldman",
+        OrientationMode::Slerp => "slerp",
+    };
+    let zoom = match path.zoom_mode {
+        ZoomMode::Smooth => "smooth",
+        ZoomMode::Linear => "linear",
+    };
+    [mode, zoom]
+}
+
 fn summary(
     file: &Path,
     path: &CameraPath,
@@ -60,15 +76,7 @@ fn summary(
     let mut entry = |name: &str, value: &dyn Display| {
         let _ = writeln!(text, "{name:<13}{value}");
     };
-    let mode = match path.orientation_mode {
-        OrientationMode::Tcb => "tcb",
-        OrientationMode::BarryGoldman => "barry-goldman",
-        OrientationMode::Slerp => "slerp",
-    };
-    let zoom = match path.zoom_mode {
-        ZoomMode::Smooth => "smooth",
-        ZoomMode::Linear => "linear",
-    };
+    let [mode, zoom] = modes(path);
     let shape = if path.closed { "closed" } else { "open" };
     let length = timeline.length();
     let places = decimals([length].into_iter());
@@ -126,7 +134,7 @@ fn summary(
     text
 }
 
-fn last_of(first: i64, frames: usize) -> i64 {
+pub(super) fn last_of(first: i64, frames: usize) -> i64 {
     // Both are far below 2⁶³.
     first + frames as i64 - 1
 }
@@ -251,17 +259,23 @@ fn place(path: &CameraPath, point: usize, orientation: usize) -> String {
 }
 
 /// What changes in a section, by how much and in which unit.
-fn change(section: &Section, half_size: f64, places: usize) -> [String; 3] {
+pub(super) fn changed(section: &Section, half_size: f64) -> (&'static str, f64, &'static str) {
     let amount = section.amount;
-    let (name, by, unit) = match section.change {
-        Change::Position => {
-            let length = half_size * amount;
-            ("position", format!("{length:.places$}"), "")
-        }
-        Change::View => ("view", format!("{:.2}", 180.0 * amount), "degrees"),
-        Change::Roll => ("roll", format!("{:.2}", 90.0 * amount), "degrees"),
-        Change::Zoom => ("zoom", format!("{:.2}", ZOOM_UNIT * amount), "mm"),
-        Change::Nothing => ("nothing", String::new(), ""),
+    match section.change {
+        Change::Position => ("position", half_size * amount, ""),
+        Change::View => ("view", 180.0 * amount, "degrees"),
+        Change::Roll => ("roll", 90.0 * amount, "degrees"),
+        Change::Zoom => ("zoom", ZOOM_UNIT * amount, "mm"),
+        Change::Nothing => ("nothing", 0.0, ""),
+    }
+}
+
+fn change(section: &Section, half_size: f64, places: usize) -> [String; 3] {
+    let (name, by, unit) = changed(section, half_size);
+    let by = match section.change {
+        Change::Position => format!("{by:.places$}"),
+        Change::Nothing => String::new(),
+        _ => format!("{by:.2}"),
     };
     [name.to_owned(), by, unit.to_owned()]
 }

@@ -8,6 +8,7 @@ mod check;
 mod edit;
 mod fit;
 mod info;
+mod info_json;
 mod input;
 mod moves;
 mod output;
@@ -61,6 +62,9 @@ enum Command {
         /// The path; - is standard input
         #[arg(value_name = "FILE.vid")]
         file: PathBuf,
+        /// Writes one object, with all digits
+        #[arg(long)]
+        json: bool,
     },
     /// Makes a path of few points of recorded poses
     Fit(fit::Arguments),
@@ -115,7 +119,7 @@ pub(crate) fn run() -> ExitCode {
     conclude(match cli.command {
         Command::Edit { file, object } => edit::run(file.as_deref(), object.as_deref()),
         Command::Sample(arguments) => sample::run(&arguments),
-        Command::Info { file } => info::run(&file),
+        Command::Info { file, json } => info::run(&file, json),
         Command::Fit(arguments) => fit::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
         Command::Plot(arguments) => plot::run(&arguments),

@@ -5,7 +5,7 @@ use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use vides::document::export::{self, Progress};
+use vides::document::export::{self, MAX_DECIMALS, Progress};
 use vides::document::save::save_with;
 use vides::document::{Document, Edit, write_node};
 
@@ -27,6 +27,10 @@ pub(super) struct Arguments {
     #[arg(long, value_enum, default_value_t)]
     format: Format,
 
+    /// Decimals of the format ascii, at most 30 [default: 4]
+    #[arg(long, value_name = "NUMBER", value_parser = decimals, allow_negative_numbers = true)]
+    digits: Option<usize>,
+
     /// A node of a scene, at each of the scene's frames: cameras and lights as
     /// poses, others as matrices (16 numbers, column by column)
     #[arg(long, value_name = "NAME")]
@@ -45,18 +49,29 @@ enum Format {
     /// Ten numbers a line, four decimals: VRP, VPN, VUP (x y z each) and zoom
     #[default]
     Ascii,
-    /// A header, then the frame's number and the ten numbers, all digits
+    /// A header, then the frame's number, the ten numbers and the seconds, all digits
     Csv,
     /// Title, frames per second and the poses, all digits
     Json,
 }
 
-impl From<Format> for export::Format {
-    fn from(format: Format) -> Self {
-        match format {
-            Format::Ascii => Self::Ascii,
-            Format::Csv => Self::Csv,
-            Format::Json => Self::Json,
+fn decimals(text: &str) -> Result<usize, String> {
+    match text.parse() {
+        Ok(digits) if digits <= MAX_DECIMALS => Ok(digits),
+        _ => Err(format!("a whole number from 0 to {MAX_DECIMALS} is needed")),
+    }
+}
+
+impl Arguments {
+    fn format(&self) -> Result<export::Format, Failure> {
+        match (self.format, self.digits) {
+            (Format::Ascii, None) => Ok(export::Format::Ascii),
+            (Format::Ascii, Some(digits)) => Ok(export::Format::Decimals(digits)),
+            (Format::Csv, None) => Ok(export::Format::Csv),
+            (Format::Json, None) => Ok(export::Format::Json),
+            (_, Some(_)) => Err(Failure::Usage(
+                "--digits goes with the format ascii; csv and json have all digits".to_owned(),
+            )),
         }
     }
 }
@@ -126,6 +141,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             out.display()
         )));
     }
+    let format = arguments.format()?;
     for interpolation in &arguments.interpolation {
         scene::register(interpolation)?;
     }
@@ -142,7 +158,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
                 "{file}: there is no node \"{name}\""
             )));
         };
-        let format = arguments.format.into();
         // Report what cannot be evaluated before any file is touched.
         document
             .scene
@@ -157,7 +172,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     arguments.speeds.apply(&mut document).map_err(place)?;
     // Report too many frames before any file is touched.
     document.sampler().map_err(place)?;
-    let format = arguments.format.into();
     write_out(out, &mut |out, progress| {
         export::write(&document, format, out, progress)
     })

@@ -47,9 +47,9 @@ pub(super) enum Tool {
         /// The path; - is standard input
         #[arg(value_name = "FILE.vid")]
         file: PathBuf,
-        /// How many, the first and the last with them
-        #[arg(value_name = "COUNT")]
-        count: usize,
+        /// How many, the first and the last with them; or seconds, as 10s
+        #[arg(value_name = "COUNT", value_parser = length)]
+        count: Length,
         /// The points, as 2-5; all unless told
         #[arg(long, value_name = "POINTS", value_parser = range)]
         points: Option<Range>,
@@ -80,6 +80,24 @@ fn vector(text: &str) -> Result<DVec3, String> {
     match moves::numbers(text)?[..] {
         [x, y, z] => Ok(DVec3::new(x, y, z)),
         _ => Err("three numbers with commas between are needed".to_owned()),
+    }
+}
+
+/// How long a path shall be.
+#[derive(Clone, Copy)]
+pub(super) enum Length {
+    Frames(usize),
+    Seconds(f64),
+}
+
+fn length(text: &str) -> Result<Length, String> {
+    let wrong = || "a number of frames is needed, or seconds as 10s".to_owned();
+    let Some(seconds) = text.strip_suffix('s') else {
+        return text.parse().map(Length::Frames).map_err(|_| wrong());
+    };
+    match seconds.trim_end().parse::<f64>() {
+        Ok(seconds) if seconds > 0.0 && seconds.is_finite() => Ok(Length::Seconds(seconds)),
+        _ => Err(wrong()),
     }
 }
 
@@ -291,7 +309,10 @@ pub(super) fn run(tool: &Tool) -> Result<(), Failure> {
             let edit = Edit::FitFrames {
                 first: points[0],
                 last: points[points.len() - 1],
-                frames: *count,
+                frames: match *count {
+                    Length::Frames(frames) => frames,
+                    Length::Seconds(seconds) => (seconds * document.info().fps).round() as usize,
+                },
             };
             output.applied(document, file, edit)
         }

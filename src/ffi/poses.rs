@@ -160,7 +160,7 @@ pub unsafe extern "C" fn v_path_sample_range(
 }
 
 /// The pose at one frame, 1 to the count of v_path_frame_count(); between two
-/// frames also, as 1.5.
+/// frames also, as 1.5. At a whole frame it is that of v_path_sample(), bit for bit.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
 /// V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
@@ -173,7 +173,8 @@ pub unsafe extern "C" fn v_path_pose(path: *const V_PATH, frame: f64, pose: *mut
     })
 }
 
-/// All poses of a path as a list in the form of 1994, see V_KAMERAPAR. first is
+/// All poses of a path as a list in the form of 1994, see V_KAMERAPAR: zooms are whole
+/// numbers there, 100 for any beyond. first is
 /// the host's and becomes the first element; its number must be set before, to
 /// -1 if there are no data yet. A list that VIDES made there before is freed
 /// when the new one is complete; any other list is left alone and only

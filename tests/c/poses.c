@@ -243,7 +243,7 @@ static char *random_view(char *at)
     if (luck()) at += sprintf(at, "zoom_slope_mm = %.3f\n", drawn(-300, 300));
     if (luck()) at += sprintf(at, "roll_slope_degrees = %.3f\n", drawn(-9, 9));
     if (luck())
-        at += sprintf(at, "velocity_degrees = [[%.3f, %.3f, 0.0], [0.0, %.3f, %.3f]]\n", drawn(-9, 9),
+        at += sprintf(at, "velocity_degrees = { reach = [%.3f, %.3f, 0.0], leave = [0.0, %.3f, %.3f] }\n", drawn(-9, 9),
                       drawn(-9, 9), drawn(-9, 9), drawn(-9, 9));
     if (luck()) at += sprintf(at, "ahead = %.1f\n", luck() ? drawn(0.1, 0.5) : 0);
     if (luck()) at += sprintf(at, "up = \"minimal\"\n");

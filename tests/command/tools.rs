@@ -127,6 +127,171 @@ fn tools_refuse_what_does_not_do() {
     }
 }
 
+/// The true reason, and what helps.
+#[test]
+fn sentences_tell_why() {
+    let folder = tempfile::tempdir().unwrap();
+    let poses = folder.path().join("poses.csv");
+    let poses = poses.to_str().unwrap();
+    said(&run(&["sample", PYRAMID, "--format", "csv", "-o", poses]));
+    let scale = "the scale of a matrix must lie between 1e-18 and 1e18, mirrored or not";
+    let still = "the camera would stay where it is: the move must end elsewhere than it begins";
+    let fps = "the frames per second must be greater than 0 and at most 100000";
+    for (arguments, reason) in [
+        (
+            &["fit", poses, "--tolerance", "inf"][..],
+            "the tolerance must be finite and greater than 0",
+        ),
+        (
+            &["fit", poses, "--tolerance", "0"],
+            "the tolerance must be finite and greater than 0",
+        ),
+        (
+            &["fit", poses, "--angle", "1e300"],
+            "the tolerance of angles must be greater than 0 and at most 180 degrees",
+        ),
+        (&["fit", poses, "--fps", "1e9"], fps),
+        (&["move", "orbit", "--fps", "1e9"], fps),
+        (
+            &["move", "crane", "--height", "0", "--end-height", "0"],
+            still,
+        ),
+        (
+            &["move", "approach", "--distance", "1", "--end-distance", "1"],
+            still,
+        ),
+        (&["transform", PYRAMID, "--scale", "1e300"], scale),
+        (&["transform", PYRAMID, "--scale", "1e-300"], scale),
+        (&["transform", PYRAMID, "--scale", "0"], scale),
+        (
+            &["frames", PYRAMID, "1s"],
+            "25 frames are too few: it must have at least 33",
+        ),
+    ] {
+        let said = sentence(&run(arguments), 1);
+        assert!(
+            said.ends_with(&format!(": {reason}\n")),
+            "{arguments:?}: {said}"
+        );
+    }
+    // No tolerance is too large: what turns has its points by the angle.
+    said(&run(&["fit", poses, "--tolerance", "1e300"]));
+    // So noisy that each pose would be a point.
+    let noisy = folder.path().join("noisy.txt");
+    let mut state = 26_u64;
+    let mut jitter = || {
+        state = state
+            .wrapping_mul(6_364_136_223_846_793_005)
+            .wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / 2_f64.powi(53)
+    };
+    let lines: String = (0..120_000)
+        .map(|_| format!("{} {} {} 0 0 -1 0 1 0 24\n", jitter(), jitter(), jitter()))
+        .collect();
+    fs::write(&noisy, lines).unwrap();
+    let said = sentence(&run(&["fit", noisy.to_str().unwrap()]), 1);
+    assert!(
+        said.ends_with(
+            ": within this tolerance the poses need more than 100000 points: with a larger one the \
+             path does not follow their noise; or fit fewer poses at once\n"
+        ),
+        "{said}"
+    );
+}
+
+#[test]
+fn frames_are_given_as_seconds_too() {
+    let folder = tempfile::tempdir().unwrap();
+    for (given, frames) in [
+        ("10s", 250),
+        ("9.98s", 250),
+        ("250", 250),
+        ("40.04 s", 1001),
+    ] {
+        let path = written(folder.path(), "paced.vid", &["frames", PYRAMID, given]);
+        assert_eq!(poses_of(&path).len(), frames, "{given}");
+    }
+    for wrong in ["s", "-3s", "0s", "infs", "ten", "1e400s"] {
+        complaint(&run(&["frames", PYRAMID, wrong]), 2);
+    }
+}
+
+/// An object's file needs no checksum by hand; saved, it has one.
+#[test]
+fn an_object_is_named_by_its_file_alone() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    fs::write(at("roof.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+    let points = "[[point]]\nposition = [0, 0, 1]\n[[point]]\nposition = [1, 0, 1]\n";
+    let by_hand = format!("version = 1\n[object]\nfile = \"roof.obj\"\n{points}");
+    fs::write(at("hand.vid"), &by_hand).unwrap();
+    let checked = run(&["check", &at("hand.vid")]);
+    assert!(checked.stderr.is_empty(), "{checked:?}");
+    let saved = written(folder.path(), "saved.vid", &["reverse", &at("hand.vid")]);
+    let text = fs::read_to_string(&saved).unwrap();
+    assert!(
+        text.contains("file = \"roof.obj\"\nbytes = 32\nchecksum = \""),
+        "{text}"
+    );
+    // A mesh of a scene too.
+    let scene = "version = 1\n[[node]]\nname = \"roof\"\nkind = \"object\"\n[node.mesh]\nfile = \"roof.obj\"\n";
+    fs::write(at("scene.vid"), scene).unwrap();
+    let text = said(&run(&["info", &at("scene.vid")]));
+    assert!(text.contains("3 points, 1 triangles"), "{text}");
+    // Gone, it stays as it was written; half a checksum is none.
+    fs::remove_file(at("roof.obj")).unwrap();
+    let gone = String::from_utf8(run(&["check", &at("hand.vid")]).stderr).unwrap();
+    assert!(gone.contains("roof.obj: "), "{gone}");
+    let kept = written(folder.path(), "kept.vid", &["reverse", &at("hand.vid")]);
+    let text = fs::read_to_string(&kept).unwrap();
+    assert!(text.contains("file = \"roof.obj\"\n\n"), "{text}");
+    let half = by_hand.replace(".obj\"\n", ".obj\"\nbytes = 32\n");
+    fs::write(at("hand.vid"), half).unwrap();
+    let said = sentence(&run(&["info", &at("hand.vid")]), 1);
+    assert!(
+        said.contains("line 2: object: a mesh has points of its own, or a file: alone"),
+        "{said}"
+    );
+}
+
+/// What the tables say, from the same file by another reader.
+#[test]
+fn info_is_json_too() {
+    let json = |arguments: &[&str]| -> serde_json::Value {
+        serde_json::from_str(&said(&run(arguments))).unwrap()
+    };
+    let path = json(&["info", PYRAMID, "--json"]);
+    let poses = poses_of(PYRAMID);
+    assert_eq!(
+        (&path["kind"], &path["title"]),
+        (&"path".into(), &"Around the pyramid".into())
+    );
+    assert_eq!(path["frames"], poses.len());
+    assert_eq!(path["seconds"], poses.len() as f64 / 25.0);
+    assert_eq!(path["file"], PYRAMID);
+    assert_eq!(
+        path["points"][0]["position"],
+        serde_json::json!(poses[0].vrp)
+    );
+    let sections = path["sections"].as_array().unwrap();
+    let [first, last] = [&sections[0], &sections[sections.len() - 1]];
+    let held = |section: &serde_json::Value| section["hold_frames"].as_u64().unwrap();
+    assert_eq!(first["first_frame"], 2 + held(first));
+    assert_eq!(last["last_frame"], poses.len());
+    let frames = sections
+        .iter()
+        .map(|one| one["frames"].as_u64().unwrap() + held(one));
+    assert_eq!(1 + frames.sum::<u64>(), poses.len() as u64);
+    let scene = json(&["info", CAR, "--json"]);
+    assert_eq!(scene["kind"], "scene");
+    let nodes = scene["nodes"].as_array().unwrap();
+    let camera = nodes.iter().find(|node| node["kind"] == "camera").unwrap();
+    assert_eq!(
+        (&camera["name"], &camera["mesh"]),
+        (&"camera".into(), &serde_json::Value::Null)
+    );
+}
+
 #[test]
 fn a_sampled_film_becomes_a_path_again() {
     let folder = tempfile::tempdir().unwrap();

@@ -20,7 +20,7 @@ pub fn write_ascii(sampler: &Sampler, out: &mut dyn Write) -> Result<()> {
         out,
         &mut |_, _| {},
         |done, poses| Ok(sampler.sample(done + 1, poses)?),
-        |text, _, pose| push_line(text, pose),
+        |text, _, pose| push_line(text, pose, DECIMALS),
     )
 }
 
@@ -32,36 +32,47 @@ pub fn write_ascii_file(sampler: &Sampler, file: &Path) -> Result<()> {
     save::save_with(file, &mut |out| write_ascii(sampler, out))
 }
 
-pub(super) fn push_line(text: &mut Vec<u8>, pose: &Pose) {
+pub(super) fn push_line(text: &mut Vec<u8>, pose: &Pose, decimals: usize) {
     for number in [pose.vrp, pose.vpn, pose.vup].as_flattened() {
-        push_number(text, *number);
+        push_number(text, *number, decimals);
         text.push(b' ');
     }
-    push_number(text, pose.zoom);
+    push_number(text, pose.zoom, decimals);
     text.push(b'\n');
 }
 
-const DECIMALS: u64 = 10_000;
+/// Those of the thesis.
+pub(super) const DECIMALS: usize = 4;
+
+const SCALE: f64 = 1e4;
 
 /// Below this a ten-thousandth is more than the rounding of 10⁴·x: 10⁴·10¹¹ < 2⁵².
 const FAST: f64 = 1e11;
 
-/// Appends `x`, finite, as `%.4f` does: the exact value rounded to four decimals, ties to even.
+/// Appends `x`, finite, as `%.*f` does: the exact value rounded to so many decimals, ties to even.
 ///
-/// `p`, the rounded product 10⁴·x, decides alone unless it is exactly half-way: half-way numbers
+/// Of four decimals `p`, the rounded product 10⁴·x, decides alone unless it is exactly half-way: half-way numbers
 /// are multiples of `p`'s last place here, so the product's rounding cannot step over one.
 /// Half-way, the sign of the rounding error decides.
-pub(super) fn push_number(text: &mut Vec<u8>, x: f64) {
+pub(super) fn push_number(text: &mut Vec<u8>, x: f64, decimals: usize) {
     let magnitude = x.abs();
-    if magnitude >= FAST {
-        let _ = write!(text, "{x:.4}");
+    if magnitude >= FAST || decimals != DECIMALS {
+        let start = text.len();
+        let _ = write!(text, "{x:.decimals$}");
+        if !text[start..]
+            .iter()
+            .any(|digit| (b'1'..=b'9').contains(digit))
+            && x.is_sign_negative()
+        {
+            text.remove(start);
+        }
         return;
     }
-    let product = magnitude * DECIMALS as f64;
+    let product = magnitude * SCALE;
     let mut count = product as u64;
     let rest = product - count as f64;
     let up = if rest == 0.5 {
-        let lost = magnitude.mul_add(DECIMALS as f64, -product);
+        let lost = magnitude.mul_add(SCALE, -product);
         lost > 0.0 || (lost == 0.0 && count % 2 == 1)
     } else {
         rest > 0.5
@@ -105,8 +116,12 @@ mod tests {
     use super::*;
 
     fn ours(x: f64) -> String {
+        with(x, DECIMALS)
+    }
+
+    fn with(x: f64, decimals: usize) -> String {
         let mut text = Vec::new();
-        push_number(&mut text, x);
+        push_number(&mut text, x, decimals);
         String::from_utf8(text).unwrap()
     }
 
@@ -168,6 +183,26 @@ mod tests {
         // Exact ties go to the even digit: 0.03125, 0.09375.
         assert_eq!(ours(0.031_25), "0.0312");
         assert_eq!(ours(0.093_75), "0.0938");
+    }
+
+    /// By hand: 2⁻⁵ = 0.03125, 2⁻²⁰ = 0.00000095367431640625.
+    #[test]
+    fn other_decimals_are_exact_too() {
+        let x = -1.031_25;
+        for (decimals, text) in [
+            (0, "-1"),
+            (1, "-1.0"),
+            (4, "-1.0312"),
+            (5, "-1.03125"),
+            (7, "-1.0312500"),
+        ] {
+            assert_eq!(with(x, decimals), text);
+        }
+        assert_eq!(with(2_f64.powi(-20), 20), "0.00000095367431640625");
+        for (zero, decimals, text) in [(-0.4, 0, "0"), (-0.0, 2, "0.00"), (-0.004, 2, "0.00")] {
+            assert_eq!(with(zero, decimals), text);
+        }
+        assert_eq!(with(-2e11, 0), "-200000000000");
     }
 
     #[test]

@@ -299,7 +299,9 @@ pub enum Malformed {
     NoDeformationKind,
     #[error("a checksum has up to 16 digits 0 to 9, a to f")]
     Checksum,
-    #[error("a mesh has points of its own, or a file, its bytes and its checksum")]
+    #[error(
+        "a mesh has points of its own, or a file: alone, or with both its bytes and its checksum"
+    )]
     MeshFile,
     #[error("a pin has a point and a marker")]
     Pin,

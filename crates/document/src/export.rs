@@ -19,11 +19,17 @@ pub enum Format {
     /// Ten numbers a line, four decimals ([`super::ascii`]).
     #[default]
     Ascii,
-    /// Comma-separated values: a header row, then frame number and ten numbers per row.
+    /// The same with another number of decimals, at most [`MAX_DECIMALS`].
+    Decimals(usize),
+    /// Comma-separated values: a header row, then frame number, ten numbers, and the seconds since
+    /// the first row.
     Csv,
     /// One object: the document's info, then an array of poses.
     Json,
 }
+
+/// The most decimals of a line: what is worth writing in the smallest spaces that are used.
+pub const MAX_DECIMALS: usize = 30;
 
 impl Format {
     /// All formats, in the order they are offered.
@@ -33,7 +39,7 @@ impl Format {
     #[must_use]
     pub const fn ending(self) -> &'static str {
         match self {
-            Self::Ascii => "txt",
+            Self::Ascii | Self::Decimals(_) => "txt",
             Self::Csv => "csv",
             Self::Json => "json",
         }
@@ -65,8 +71,9 @@ pub fn write(
     }
     let sampler = document.sampler()?;
     let (count, first) = (sampler.frame_count(), document.info().first_frame);
+    let fps = document.info().fps;
     let text = match format {
-        Format::Ascii => Vec::new(),
+        Format::Ascii | Format::Decimals(_) => Vec::new(),
         Format::Csv => HEADER.into(),
         Format::Json => json_head(document, count),
     };
@@ -78,7 +85,7 @@ pub fn write(
         |done, poses| Ok(sampler.sample(done + 1, poses)?),
         |text, index, pose| {
             let frame = i64::from(first) + index as i64;
-            push_pose(text, format, index, &frame, pose);
+            push_pose(text, format, index, &frame, pose, fps);
         },
     )?;
     end(format, out)
@@ -98,7 +105,7 @@ pub fn write_file(
 }
 
 pub(super) const HEADER: &str =
-    "frame,vrp_x,vrp_y,vrp_z,vpn_x,vpn_y,vpn_z,vup_x,vup_y,vup_z,zoom\n";
+    "frame,vrp_x,vrp_y,vrp_z,vpn_x,vpn_y,vpn_z,vup_x,vup_y,vup_z,zoom,seconds\n";
 
 fn json_head(document: &Document, count: usize) -> Vec<u8> {
     let info = document.info();
@@ -135,17 +142,19 @@ pub(super) fn push_pose(
     index: usize,
     frame: &dyn Display,
     pose: &Pose,
+    fps: f64,
 ) {
     let vectors = [("vrp", pose.vrp), ("vpn", pose.vpn), ("vup", pose.vup)];
     match format {
-        Format::Ascii => ascii::push_line(text, pose),
+        Format::Ascii => ascii::push_line(text, pose, ascii::DECIMALS),
+        Format::Decimals(decimals) => ascii::push_line(text, pose, decimals),
         Format::Csv => {
             push_row(
                 text,
                 frame,
                 vectors.map(|(_, vector)| vector).as_flattened(),
             );
-            let _ = writeln!(text, ",{:?}", pose.zoom);
+            let _ = writeln!(text, ",{:?},{:?}", pose.zoom, index as f64 / fps);
         }
         Format::Json => {
             push_json_begin(text, index);

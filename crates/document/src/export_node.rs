@@ -32,6 +32,7 @@ pub fn write_node(
     if all > MAX_FRAMES {
         return Err(TooMany::SceneFrames.into());
     }
+    let fps = document.info.fps;
     let mut text = Vec::new();
     head(document, node, all, format, &mut text);
     let frame = |index: usize| first + index as f64;
@@ -50,8 +51,8 @@ pub fn write_node(
             }
         },
         |text, index, state| match looks {
-            true => push_pose(text, format, index, &frame(index), &state.pose),
-            false => push_matrix(text, format, index, &frame(index), state),
+            true => push_pose(text, format, index, &frame(index), &state.pose, fps),
+            false => push_matrix(text, format, index, &frame(index), state, fps),
         },
     )?;
     end(format, out)
@@ -62,7 +63,7 @@ fn head(document: &SceneDocument, node: usize, all: usize, format: Format, text:
     let looks = node.kind.looks();
     // Writing into a vector cannot fail.
     match format {
-        Format::Ascii => {}
+        Format::Ascii | Format::Decimals(_) => {}
         Format::Csv if looks => text.extend_from_slice(HEADER.as_bytes()),
         Format::Csv => {
             text.extend_from_slice(b"frame");
@@ -71,7 +72,7 @@ fn head(document: &SceneDocument, node: usize, all: usize, format: Format, text:
                     let _ = write!(text, ",m{row}{column}");
                 }
             }
-            text.extend_from_slice(b",visible\n");
+            text.extend_from_slice(b",visible,seconds\n");
         }
         Format::Json => {
             text.extend_from_slice(b"{\n  \"title\": ");
@@ -96,18 +97,23 @@ fn push_matrix(
     index: usize,
     frame: &dyn Display,
     state: &NodeState,
+    fps: f64,
 ) {
+    let decimals = match format {
+        Format::Decimals(decimals) => decimals,
+        _ => ascii::DECIMALS,
+    };
     match format {
-        Format::Ascii => {
+        Format::Ascii | Format::Decimals(_) => {
             for (at, number) in state.matrix.iter().enumerate() {
                 text.extend_from_slice(if at == 0 { b"" } else { b" " });
-                ascii::push_number(text, *number);
+                ascii::push_number(text, *number, decimals);
             }
             text.push(b'\n');
         }
         Format::Csv => {
             push_row(text, frame, &state.matrix);
-            let _ = writeln!(text, ",{}", state.visible);
+            let _ = writeln!(text, ",{},{:?}", state.visible, index as f64 / fps);
         }
         Format::Json => {
             push_json_begin(text, index);

@@ -94,7 +94,7 @@ pub(super) fn read_object(info: &mut Info, space: Space, folder: &Path) -> Resul
             let now = object
                 .source()
                 .map(|source| (source.bytes, source.checksum));
-            let changed = now != Some((known.bytes, known.checksum));
+            let changed = known.bytes > 0 && now != Some((known.bytes, known.checksum));
             info.object = object;
             changed.then(|| Error::from(vides_mesh::Error::Changed).at(file.display()))
         }
@@ -126,7 +126,8 @@ pub(super) fn read_meshes(scene: &mut Scene, folder: &Path) -> Result<Vec<Error>
         let file = folder.join(&known.file);
         let trouble = match load_mesh(&file) {
             Ok((source, mesh)) => {
-                let same = (source.bytes, source.checksum) == (known.bytes, known.checksum);
+                let same = known.bytes == 0
+                    || (source.bytes, source.checksum) == (known.bytes, known.checksum);
                 match scene.set_mesh_of(at, source, mesh) {
                     Ok(()) if same => None,
                     Ok(()) => Some(vides_mesh::Error::Changed.into()),

@@ -1,4 +1,5 @@
-//! Recorded poses as text, as [`super::export`] writes them, with or without frame numbers.
+//! Recorded poses as text, as [`super::export`] writes them: with or without frame numbers before
+//! and seconds behind.
 
 use std::io::Read;
 use std::path::Path;
@@ -42,7 +43,7 @@ pub fn poses_of_text(text: &str) -> Result<Recorded> {
         };
         let words = words.split(|c: char| c == ',' || c.is_whitespace());
         let words = words.filter(|word| !word.is_empty());
-        let (mut numbers, mut found, mut read) = ([0.0; POSE + 1], 0, true);
+        let (mut numbers, mut found, mut read) = ([0.0; POSE + 2], 0, true);
         for word in words {
             let number = word.parse();
             read &= number.is_ok();
@@ -61,7 +62,8 @@ pub fn poses_of_text(text: &str) -> Result<Recorded> {
                 }));
             }
             (true, POSE) => {}
-            (true, found) if found == POSE + 1 => {
+            // The frame's number tells the time; seconds behind are for others.
+            (true, found) if found == POSE + 1 || found == POSE + 2 => {
                 frames.try_reserve(1)?;
                 frames.push(numbers[0]);
                 numbers.rotate_left(1);
@@ -97,10 +99,18 @@ mod tests {
         assert_eq!(frames, Some(vec![1.0, 3.0]));
         assert_eq!(poses[1].vrp, [1.0, 2.0, 3.0]);
         assert_eq!(poses[1].zoom, 35.0);
+        let text = "frame,zoom,seconds\n1,1,2,3,0,0,-1,0,1,0,35,0.0\n2,0,0,0,0,0,-1,0,1,0,24,0.04";
+        let (poses, frames) = poses_of_text(text).unwrap();
+        assert_eq!(frames, Some(vec![1.0, 2.0]));
+        assert_eq!((poses[0].vrp, poses[0].zoom), ([1.0, 2.0, 3.0], 35.0));
         let (poses, frames) = poses_of_text("0 0 0 0 0 -1 0 1 0 24").unwrap();
         assert_eq!((poses.len(), frames), (1, None));
         for (text, said) in [
             ("1 2 3", "line 1: expected 10 numbers, found 3"),
+            (
+                "1 2 3 4 5 6 7 8 9 10 11 12 13",
+                "line 1: expected 10 numbers, found 13",
+            ),
             (
                 "0 0 0 0 0 -1 0 1 0 24\n0 a 0 0 0 -1 0 1 0 24",
                 "line 2: expected a number, found a text",

@@ -125,6 +125,8 @@ pub(super) enum Action {
     SaveSetup,
     /// Dark, light, or the desktop's.
     Theme(Option<Theme>),
+    /// The sensor for which the zoom panel tells the lens, by its height in mm.
+    SensorHeight(f64),
     /// Show or hide the camera's picture.
     SwitchCameraView,
     /// Put the camera's picture there, or back into its corner.
@@ -271,6 +273,7 @@ impl Action {
                 | Self::SwitchCameraView
                 | Self::Setup(_)
                 | Self::Theme(_)
+                | Self::SensorHeight(_)
                 | Self::Language(_)
                 | Self::Colours
                 | Self::Display
@@ -434,6 +437,7 @@ impl Editor {
             Action::LoadSetup => self.choose_file(Purpose::LoadSetup),
             Action::SaveSetup => self.choose_file(Purpose::SaveSetup),
             Action::Theme(theme) => self.choose_theme(theme),
+            Action::SensorHeight(height) => self.choose_sensor(height),
             Action::SwitchCameraView => self.setup.camera_view = !self.setup.camera_view,
             Action::CameraPlace(place) => {
                 let setup = &mut self.setup;

@@ -53,6 +53,7 @@ pub(super) fn read(
     if !version.starts_with("2.") {
         return Err(FORMAT);
     }
+    known_extensions(&document["extensionsRequired"])?;
     let mut buffers: Vec<Vec<u8>> = Vec::new();
     let mut all = bytes.len();
     for (at, buffer) in list(&document["buffers"]).iter().enumerate() {
@@ -82,6 +83,20 @@ pub(super) fn read(
     };
     reader.scene(go_on)?;
     joined(reader.mesh)
+}
+
+/// Extensions that change how positions are read.
+const UNREAD: [(&str, Problem); 3] = [
+    ("KHR_draco_mesh_compression", Problem::Draco),
+    ("EXT_meshopt_compression", Problem::Meshopt),
+    ("KHR_mesh_quantization", Problem::Quantised),
+];
+
+/// Fails where the file demands one of these.
+fn known_extensions(needed: &Value) -> Result<()> {
+    let has = |name: &str| list(needed).iter().any(|needed| needed == name);
+    let found = UNREAD.into_iter().find(|(name, _)| has(name));
+    found.map_or(Ok(()), |(_, problem)| Err(Error::File(problem)))
 }
 
 /// Approximate bytes of the parsed JSON.
@@ -283,8 +298,11 @@ impl<'a> Reader<'a> {
         let mut push = |waiting: &mut Vec<_>, node: &Value, transform: DAffine3, depth: usize| {
             let at = index(node).ok_or(INDICES)?;
             // Each node has at most one parent, so there are no cycles.
-            if depth > MAX_DEPTH || std::mem::replace(seen.get_mut(at).ok_or(INDICES)?, true) {
-                return Err(INDICES);
+            if std::mem::replace(seen.get_mut(at).ok_or(INDICES)?, true) {
+                return Err(Error::File(Problem::Cycle));
+            }
+            if depth > MAX_DEPTH {
+                return Err(Error::File(Problem::Long));
             }
             waiting.try_reserve(1)?;
             waiting.push((at, transform, depth));
@@ -307,6 +325,9 @@ impl<'a> Reader<'a> {
             }
             for at in (0..nodes.len()).rev().filter(|&at| !below[at]) {
                 push(&mut waiting, &at.into(), DAffine3::IDENTITY, 0)?;
+            }
+            if waiting.is_empty() && !nodes.is_empty() {
+                return Err(Error::File(Problem::Cycle));
             }
         }
         let (mut done, mut placed) = (0, 0);
@@ -425,7 +446,13 @@ impl<'a> Reader<'a> {
         };
         let component = accessor["componentType"].as_u64().unwrap_or(0);
         let fits = found == width || (width == 0 && found > 1);
-        if !fits || !components.contains(&component) || accessor.get("sparse").is_some() {
+        if accessor.get("sparse").is_some() {
+            return Err(Error::File(Problem::Sparse));
+        }
+        if components == [FLOAT] && (5120..=5123).contains(&component) {
+            return Err(Error::File(Problem::Quantised));
+        }
+        if !fits || !components.contains(&component) {
             return Err(FORMAT);
         }
         let view = element(list(&self.document["bufferViews"]), &accessor["bufferView"])?;

@@ -227,7 +227,12 @@ fn what_is_broken_is_refused() {
             "too early",
         ),
         (r#""byteLength": 96"#, r#""byteLength": 960"#, "too early"),
-        (r#"5126"#, r#"5120"#, "format"),
+        (r#"5126"#, r#"5120"#, "quantised positions"),
+        (
+            r#""count": 8"#,
+            r#""sparse": {"count": 1}, "count": 8"#,
+            "sparse accessors",
+        ),
         (r#""version": "2.0""#, r#""version": "1.0""#, "format"),
     ] {
         assert!(json.contains(old), "{old}");
@@ -263,7 +268,7 @@ fn what_is_broken_is_refused() {
         .map(|at| format!(r#"{{"children": [{at}]}}"#))
         .collect();
     nodes.push(r#"{"mesh": 0}"#.to_owned());
-    assert!(refused(&glb(&document(&nodes.join(","), ""), &data)).contains("expected numbers"));
+    assert!(refused(&glb(&document(&nodes.join(","), ""), &data)).contains("more than"));
 }
 
 #[test]
@@ -289,4 +294,42 @@ fn any_bytes_do_no_harm() {
         read(Format::Gltf, &file, &mut |_| false),
         Err(Error::Stopped)
     ));
+}
+
+/// What files in the wild have that is not read: the reason, and what helps.
+#[test]
+fn what_is_not_read_says_what_helps() {
+    let json = document(r#"{"mesh": 0}"#, "");
+    for (extension, said) in [
+        (
+            "KHR_draco_mesh_compression",
+            "a mesh compressed by Draco (KHR_draco_mesh_compression) is not read; export it uncompressed",
+        ),
+        (
+            "EXT_meshopt_compression",
+            "a mesh compressed by meshoptimizer (EXT_meshopt_compression) is not read; export it uncompressed",
+        ),
+        (
+            "KHR_mesh_quantization",
+            "a mesh with quantised positions (KHR_mesh_quantization) is not read; export it with floats",
+        ),
+    ] {
+        let required = format!(r#"{{"extensionsRequired": ["{extension}"], "#);
+        let json = json.replacen('{', &required, 1);
+        assert_eq!(refused(&glb(&json, &cube())), said);
+    }
+    for nodes in [
+        // Below itself, below each other, below two.
+        r#"{"children": [0], "mesh": 0}"#,
+        r#"{"children": [1]}, {"children": [0], "mesh": 0}"#,
+        r#"{"children": [1, 2]}, {"children": [2]}, {"mesh": 0}"#,
+    ] {
+        assert_eq!(
+            refused(&glb(&document(nodes, ""), &cube())),
+            "a node of this file lies below itself or below two others; each may have one parent"
+        );
+    }
+    // No scene, and no node to begin with.
+    let round = r#"{"asset": {"version": "2.0"}, "nodes": [{"children": [1]}, {"children": [0]}]}"#;
+    assert!(refused(round.as_bytes()).contains("below itself"));
 }

@@ -109,6 +109,27 @@ pub enum Problem {
     /// More than the limits allow.
     #[error("this file has more than is taken")]
     Long,
+    /// A glTF mesh with `KHR_draco_mesh_compression`.
+    #[error(
+        "a mesh compressed by Draco (KHR_draco_mesh_compression) is not read; export it uncompressed"
+    )]
+    Draco,
+    /// A glTF mesh with `EXT_meshopt_compression`.
+    #[error(
+        "a mesh compressed by meshoptimizer (EXT_meshopt_compression) is not read; export it uncompressed"
+    )]
+    Meshopt,
+    /// A glTF mesh whose positions are integers.
+    #[error(
+        "a mesh with quantised positions (KHR_mesh_quantization) is not read; export it with floats"
+    )]
+    Quantised,
+    /// A glTF mesh with a sparse accessor.
+    #[error("a mesh with sparse accessors is not read; export it with plain ones")]
+    Sparse,
+    /// A glTF node below itself, or below two others.
+    #[error("a node of this file lies below itself or below two others; each may have one parent")]
+    Cycle,
     /// Not a file of this format.
     #[error("this is no file of this format")]
     Format,

@@ -1,4 +1,5 @@
-//! The file of a mesh, as a `.vid` file names it: `file`, `bytes`, `checksum`.
+//! The file of a mesh, as a `.vid` file names it: `file`, `bytes`, `checksum`. Written by hand, `file`
+//! alone: 0 bytes, which no mesh has, until it is read.
 
 use std::fmt::{self, Write};
 use std::path::Path;
@@ -34,7 +35,7 @@ impl<'a> Reading<'a> {
         Ok(true)
     }
 
-    /// The source if all keys are given; `alone`: the mesh has no points of its own.
+    /// The source if there is a file; `alone`: the mesh has no points of its own.
     pub(super) fn done(self, table: &Field<'_>, alone: bool) -> Result<Option<MeshSource>> {
         match (self.file, self.bytes, self.checksum) {
             (None, None, None) => Ok(None),
@@ -42,6 +43,11 @@ impl<'a> Reading<'a> {
                 file: file.to_owned(),
                 bytes: bytes.unsigned_abs(),
                 checksum,
+            })),
+            (Some(file), None, None) if alone => Ok(Some(MeshSource {
+                file: file.to_owned(),
+                bytes: 0,
+                checksum: 0,
             })),
             _ => Err(table.error(Malformed::MeshFile)),
         }
@@ -55,5 +61,8 @@ pub(super) fn write(out: &mut Text, source: &MeshSource, folder: Option<&Path>) 
     let MeshSource {
         bytes, checksum, ..
     } = source;
+    if *bytes == 0 {
+        return Ok(());
+    }
     writeln!(out, "bytes = {bytes}\nchecksum = \"{checksum:x}\"")
 }

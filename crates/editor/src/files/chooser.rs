@@ -325,7 +325,7 @@ impl FileWindow {
         let current = Format::of_file(Path::new(self.name.trim()));
         for format in Format::ALL {
             let (name, hint) = match format {
-                Format::Ascii => (texts.as_lines, texts.as_lines_hint),
+                Format::Ascii | Format::Decimals(_) => (texts.as_lines, texts.as_lines_hint),
                 Format::Csv => (texts.as_csv, texts.as_csv_hint),
                 Format::Json => (texts.as_json, texts.as_json_hint),
             };

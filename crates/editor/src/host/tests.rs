@@ -133,7 +133,8 @@ fn a_view_is_taken_over_as_it_is() {
             vpn: (view * 1e-3).to_array(),
             // Of any length, not quite upright.
             vup: (up * 700.0 + view * 30.0).to_array(),
-            zoom: 24.0 + n as f64,
+            // A lens of 135 mm, and longer ones.
+            zoom: 24.0 + 37.0 * n as f64,
         };
         let replace = n % 2 == 1;
         // Whatever was up there before.
@@ -197,7 +198,7 @@ fn what_is_no_view_is_refused_in_words() {
             },
             Pose { zoom: 0.5, ..good },
             Pose {
-                zoom: 101.0,
+                zoom: 2001.0,
                 ..good
             },
         ];

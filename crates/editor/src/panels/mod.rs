@@ -6,8 +6,13 @@ pub(crate) mod output;
 mod position;
 mod speed;
 mod zoom;
+#[cfg(test)]
+mod zoom_tests;
 
-use egui::{Button, Color32, Response, RichText, ScrollArea, Sense, Stroke, Ui, WidgetInfo, vec2};
+use egui::{
+    Button, Color32, Response, RichText, ScrollArea, Sense, Shape, Stroke, Ui, WidgetInfo, pos2,
+    vec2,
+};
 
 use crate::actions::Action;
 use crate::keys;
@@ -106,6 +111,36 @@ fn heading_with_room(ui: &mut Ui, text: &str, remark: &str, room: f32) -> Respon
     } else {
         response.on_hover_text(remark)
     }
+}
+
+/// Room for the arrow of [`heading_with_choice`].
+const ARROW: f32 = 14.0;
+
+/// A panel's heading, with what is chosen at its right, to be clicked for a menu; the row, and that.
+fn heading_with_choice(ui: &mut Ui, text: &str, chosen: &str, name: &str) -> [Response; 2] {
+    let heading = heading_with_room(ui, text, chosen, ARROW);
+    let row = heading.rect;
+    let wide = ui.fonts_mut(|fonts| {
+        let galley = fonts.layout_no_wrap(chosen.to_owned(), theme::text(), Color32::PLACEHOLDER);
+        galley.size().x
+    });
+    let place = row.with_min_x(row.right() - ARROW - wide - 4.0);
+    let response = ui.interact(place, ui.scope_id().with(name), Sense::click());
+    response.widget_info(|| WidgetInfo {
+        current_text_value: Some(chosen.to_owned()),
+        ..WidgetInfo::labeled(egui::Role::ComboBox, true, name)
+    });
+    let palette = theme::palette(ui);
+    let colour = if response.hovered() {
+        palette.text
+    } else {
+        palette.weak
+    };
+    let at = |x: f32, y: f32| pos2(row.right() - 5.0 + x, row.center().y + 1.0 + y);
+    let arrow = vec![at(-3.5, -2.0), at(0.0, 2.0), at(3.5, -2.0)];
+    ui.painter()
+        .add(Shape::line(arrow, Stroke::new(1.5, colour)));
+    [heading, response]
 }
 
 /// A button of a panel.

@@ -1,11 +1,11 @@
 //! Position and curve (thesis A.4.1): adding, removing and choosing points; the shape of the curve
 //! at this point and the next.
 
-use egui::{Button, Color32, Popup, RichText, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2};
+use egui::{Button, Popup, RichText, Ui};
 use glam::DVec3;
 
 use super::curve::{self, in_place_of_tangents, without_shape, words_of};
-use super::{PanelButton, button_row, heading_with_room, pager, share, words};
+use super::{PanelButton, button_row, heading_with_choice, pager, share, words};
 use crate::actions::Action;
 use crate::document::Edit;
 use crate::limits::PRESETS;
@@ -18,9 +18,6 @@ use crate::theme;
 
 /// A lower window does not show the shape at the next point.
 const MIN_HEIGHT_FOR_NEXT_SHAPE: f32 = 630.0;
-
-/// Room for the arrow beside the preset's name.
-const ARROW: f32 = 14.0;
 
 pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let texts = &editor.texts().position;
@@ -66,27 +63,8 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
 fn presets(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let texts = &editor.texts().position;
     let name = preset(editor);
-    let row = heading_with_room(ui, texts.heading, &name, ARROW).rect;
-    let wide = ui.fonts_mut(|fonts| {
-        let galley = fonts.layout_no_wrap(name.clone(), theme::text(), Color32::PLACEHOLDER);
-        galley.size().x
-    });
-    let place = row.with_min_x(row.right() - ARROW - wide - 4.0);
-    let response = ui.interact(place, ui.scope_id().with("preset"), Sense::click());
-    response.widget_info(|| WidgetInfo {
-        current_text_value: Some(name.clone()),
-        ..WidgetInfo::labeled(Role::ComboBox, true, texts.choice)
-    });
+    let [_, response] = heading_with_choice(ui, texts.heading, &name, texts.choice);
     let palette = theme::palette(ui);
-    let colour = if response.hovered() {
-        palette.text
-    } else {
-        palette.weak
-    };
-    let at = |x: f32, y: f32| pos2(row.right() - 5.0 + x, row.center().y + 1.0 + y);
-    let arrow = vec![at(-3.5, -2.0), at(0.0, 2.0), at(3.5, -2.0)];
-    ui.painter()
-        .add(Shape::line(arrow, Stroke::new(1.5, colour)));
     let now = editor.point().map(|point| point.curve);
     let without = without_shape(editor);
     Popup::menu(&response).show(|ui| {

@@ -519,9 +519,9 @@ fn each_orientation_has_a_zoom_of_its_own() {
         let path = window.state().document.path();
         let zooms: Vec<f64> = path.points[2].orientations.iter().map(|o| o.zoom).collect();
         assert_eq!(zooms, [50.0, 24.0, 24.0]);
-        enter(&mut window, texts.value, "101");
+        enter(&mut window, texts.value, "2001");
         let errors = &language.texts().errors;
-        let message = fill(errors.out_of_range, &[&texts.value, &1, &100]);
+        let message = fill(errors.out_of_range, &[&texts.value, &1, &2000]);
         assert_eq!(said(&window), Some(message));
         assert_eq!(window.state().orientation().expect("there").zoom, 50.0);
     }

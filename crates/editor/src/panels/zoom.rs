@@ -1,13 +1,14 @@
 //! Zoom and field of view of the current orientation (thesis A.4.4).
 
-use egui::{Slider, SliderClamping, Ui};
+use egui::{Grid, Popup, PopupCloseBehavior, Response, Slider, SliderClamping, Ui};
 
-use super::heading;
+use super::heading_with_choice;
 use super::orientation::{OwnedMotion, own, with};
 use crate::actions::Action;
-use crate::limits::{MAX_ZOOM, MIN_ZOOM};
+use crate::limits::{MAX_LIST_ZOOM, MAX_ZOOM, MIN_ZOOM};
 use crate::math::view::HALF_FILM_HEIGHT;
 use crate::number::{Entry, Number};
+use crate::setup::{MAX_SENSOR, MIN_SENSOR};
 use crate::state::Editor;
 
 const FIELD: f32 = 56.0;
@@ -25,14 +26,25 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let owns = OwnedMotion::Zoom.is_owned(&shown);
     let (selection, current) = (shown.at, shown.orientation);
     let angle = 2.0 * (HALF_FILM_HEIGHT / current.zoom).atan().to_degrees();
-    let words = format!("{}°", language.number(angle, 1));
-    heading(ui, texts.heading, &words).on_hover_text(texts.angle_hint);
+    let lens = current.zoom * of_sensor(editor);
+    let mut words = format!("{}°", language.number(angle, 1));
+    if lens != current.zoom {
+        words += &format!(" · {} mm", language.number(lens, 1));
+    }
+    let edit = |zoom| with(selection, &current, |new| new.zoom = zoom);
+    let [row, choice] = heading_with_choice(ui, texts.heading, &words, texts.sensor);
+    row.on_hover_text(texts.angle_hint);
+    if let Some(entry) = sensor(editor, &choice, lens, actions) {
+        actions.push(Action::enter(missing, entry.map(edit)));
+    }
+    choice.on_hover_text(texts.sensor_hint);
     ui.horizontal(|ui| {
         let gap = ui.spacing().item_spacing.x;
         let room = if owns { OWN + gap } else { 0.0 };
         ui.spacing_mut().slider_width = super::WIDTH - FIELD - gap - room;
         let mut zoom = current.zoom;
-        let slider = Slider::new(&mut zoom, MIN_ZOOM..=MAX_ZOOM)
+        // Longer lenses are typed; such a value stands at the end, and stays.
+        let slider = Slider::new(&mut zoom, MIN_ZOOM..=MAX_LIST_ZOOM)
             .clamping(SliderClamping::Never)
             .show_value(false)
             .step_by(0.5);
@@ -40,7 +52,6 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         ui.ctx().accesskit_node_builder(response.id, |node| {
             node.set_label(texts.slider);
         });
-        let edit = |zoom| with(selection, &current, |new| new.zoom = zoom);
         if response.drag_started() {
             actions.push(Action::enter(missing, Entry::Begin));
         }
@@ -64,4 +75,54 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
             own(editor, ui, OwnedMotion::Zoom, OWN, actions);
         }
     });
+}
+
+/// The focal length that a sensor of the chosen height needs, by that for a picture of 24 mm.
+fn of_sensor(editor: &Editor) -> f64 {
+    editor.setup.sensor_height / (2.0 * HALF_FILM_HEIGHT)
+}
+
+/// The menu with the height of another sensor and the lens that sees the same on it; the zoom that
+/// was entered by that.
+fn sensor(
+    editor: &Editor,
+    choice: &Response,
+    lens: f64,
+    actions: &mut Vec<Action>,
+) -> Option<Entry> {
+    let (texts, language) = (&editor.texts().zoom, editor.language());
+    let scale = of_sensor(editor);
+    let menu = Popup::menu(choice).close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+    let shown = menu.show(|ui| {
+        let rows = Grid::new("sensor").num_columns(2).show(ui, |ui| {
+            ui.label(texts.sensor);
+            let height = Number::new(texts.sensor, editor.setup.sensor_height)
+                .hint(texts.sensor_hint)
+                .decimals(2)
+                .unit(" mm")
+                .range(MIN_SENSOR..=MAX_SENSOR)
+                .steps(1.0, 0.1)
+                .typed()
+                .show(ui, language, "sensor", 2.0 * FIELD);
+            match height {
+                Entry::Set(height) => actions.push(Action::SensorHeight(height)),
+                Entry::Wrong(words) => actions.push(Action::Complain(words)),
+                _ => {}
+            }
+            ui.end_row();
+            ui.label(texts.lens);
+            Number::new(texts.lens, lens)
+                .hint(texts.lens_hint)
+                .decimals(1)
+                .unit(" mm")
+                .range(MIN_ZOOM * scale..=MAX_ZOOM * scale)
+                .steps(1.0, 0.2)
+                .typed()
+                .show(ui, language, "lens", 2.0 * FIELD)
+        });
+        rows.inner
+    });
+    // Rounding must not lead beyond an end.
+    let zoom = |lens: f64| (lens / scale).clamp(MIN_ZOOM, MAX_ZOOM);
+    shown.map(|shown| shown.inner.map(zoom))
 }

@@ -9,7 +9,9 @@ use std::path::Path;
 use egui::Color32;
 use toml::de::DeTable;
 
-use super::{Aspect, CameraPlace, Colours, Element, Setup, Shown, Theme, View};
+use super::{
+    Aspect, CameraPlace, Colours, Element, MAX_SENSOR, MIN_SENSOR, Setup, Shown, Theme, View,
+};
 use crate::document::save;
 use crate::document::vid::field::{Field, Source, fields};
 use crate::document::vid::read_text;
@@ -24,13 +26,17 @@ const VERSION: i64 = 1;
 /// Bytes of a setup file: forty times what is written. Parsing takes some hundred times as much.
 const MAX_BYTES: u64 = 64 << 10;
 
-const KEYS: [&str; 12] = [
+/// The key of the sensor's height.
+const SENSOR: &str = "sensor_height_mm";
+
+const KEYS: [&str; 13] = [
     "version",
     "theme",
     "language",
     "camera_view",
     "camera_place",
     "camera_aspect",
+    SENSOR,
     "safe_frame",
     "speed_graph",
     "view",
@@ -91,8 +97,8 @@ const fn language_word(language: Option<Language>) -> &'static str {
     }
 }
 
-/// A setup file's text with another word for a top-level key, all else as it was.
-fn with_word(text: &str, key: &str, word: &str) -> Result<String> {
+/// A setup file's text with another value for a top-level key, all else as it was.
+fn with_value(text: &str, key: &str, new: &str) -> Result<String> {
     // A file that is not understood is not touched.
     from_toml(text)?;
     let source = Source { text, start: 0 };
@@ -104,9 +110,9 @@ fn with_word(text: &str, key: &str, word: &str) -> Result<String> {
     Ok(match known {
         Some((_, value)) => {
             let place = value.span();
-            format!("{}\"{word}\"{}", &text[..place.start], &text[place.end..])
+            format!("{}{new}{}", &text[..place.start], &text[place.end..])
         }
-        None => format!("{key} = \"{word}\"\n{text}"),
+        None => format!("{key} = {new}\n{text}"),
     })
 }
 
@@ -118,6 +124,7 @@ fn write_setup(out: &mut String, setup: &Setup) -> std::fmt::Result {
     let place = PLACES[setup.camera_place as usize];
     writeln!(out, "camera_place = \"{place}\"")?;
     writeln!(out, "camera_aspect = \"{}\"", setup.camera_aspect.word())?;
+    writeln!(out, "{SENSOR} = {:?}", setup.sensor_height)?;
     writeln!(out, "safe_frame = {}", setup.safe_frame)?;
     writeln!(out, "speed_graph = {}", setup.speed_graph)?;
     let view = &setup.view;
@@ -182,6 +189,13 @@ fn from_toml(text: &str) -> Result<Setup> {
             }
             "camera_aspect" => {
                 setup.camera_aspect = Aspect::ALL[one_of(&field, &ASPECTS)?];
+            }
+            SENSOR => {
+                setup.sensor_height = field.number()?;
+                if !(MIN_SENSOR..=MAX_SENSOR).contains(&setup.sensor_height) {
+                    let (low, high) = (MIN_SENSOR as i64, MAX_SENSOR as i64);
+                    return Err(field.error(Malformed::Between { low, high }));
+                }
             }
             "safe_frame" => setup.safe_frame = field.boolean()?,
             "speed_graph" => setup.speed_graph = field.boolean()?,
@@ -279,18 +293,25 @@ impl Editor {
     /// Sets light, dark or the desktop's theme, also for the next start.
     pub(crate) fn choose_theme(&mut self, theme: Option<Theme>) {
         self.setup.theme = theme;
-        self.keep_word("theme", theme_word(theme));
+        self.keep("theme", &format!("\"{}\"", theme_word(theme)));
     }
 
     /// Sets the language, also for the next start.
     pub(crate) fn choose_language(&mut self, language: Option<Language>) {
         self.setup.language = language;
-        self.keep_word("language", language_word(language));
+        self.keep("language", &format!("\"{}\"", language_word(language)));
     }
 
-    /// Puts one word into the setup file that is read at start. Anything else that is set up in
+    /// Sets the height in mm of the sensor for which the zoom panel tells the lens, also for the
+    /// next start.
+    pub(crate) fn choose_sensor(&mut self, height: f64) {
+        self.setup.sensor_height = height;
+        self.keep(SENSOR, &format!("{height:?}"));
+    }
+
+    /// Puts one value into the setup file that is read at start. Anything else that is set up in
     /// this window is kept only when the user saves the setup.
-    fn keep_word(&mut self, key: &str, word: &str) {
+    fn keep(&mut self, key: &str, value: &str) {
         let Some(file) = self.folders.setup_file() else {
             return;
         };
@@ -301,7 +322,7 @@ impl Editor {
             read => read,
         };
         let kept = text.and_then(|old| {
-            let new = with_word(&old, key, word)?;
+            let new = with_value(&old, key, value)?;
             if new == old {
                 return Ok(());
             }
@@ -353,6 +374,7 @@ mod tests {
             camera_view: false,
             camera_place: CameraPlace::Beside,
             camera_aspect: Aspect::Scope,
+            sensor_height: 18.66,
             safe_frame: true,
             speed_graph: false,
             view: View {
@@ -405,6 +427,7 @@ mod tests {
             ("[dark]\ncurve = \"#+12345\"", 2, "six digits"),
             ("[dark]\ncurve = \"#äöü\"", 2, "six digits"),
             ("[light]\nkurve = \"#000000\"", 2, "unknown key \"kurve\""),
+            ("sensor_height_mm = 0.5", 1, "must lie between 1 and 500"),
             ("[view]\ntilt_degrees = 91", 2, "out of range"),
             ("[view]\nsize = nan", 2, "finite"),
             ("[view]\nsize = 0", 2, "out of range"),

@@ -13,6 +13,7 @@ pub(crate) use colours::ColourWindow;
 pub(crate) use display::DisplayWindow;
 use egui::Color32;
 
+use crate::math::view::HALF_FILM_HEIGHT;
 use crate::texts::Language;
 use crate::theme::rgb;
 
@@ -287,6 +288,10 @@ impl Aspect {
     }
 }
 
+/// The least and the greatest height of a sensor, in mm: a telephone's and more than large format.
+pub(super) const MIN_SENSOR: f64 = 1.0;
+pub(super) const MAX_SENSOR: f64 = 500.0;
+
 /// Everything that the setup file keeps.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Setup {
@@ -301,6 +306,8 @@ pub(super) struct Setup {
     pub(super) camera_view: bool,
     pub(super) camera_place: CameraPlace,
     pub(super) camera_aspect: Aspect,
+    /// In mm, of the camera whose lens the zoom panel tells.
+    pub(super) sensor_height: f64,
     /// Marks the part of the picture that every screen shows.
     pub(super) safe_frame: bool,
     /// The speeds of the whole path under the frames.
@@ -321,6 +328,7 @@ impl Default for Setup {
             camera_view: true,
             camera_place: CameraPlace::default(),
             camera_aspect: Aspect::default(),
+            sensor_height: 2.0 * HALF_FILM_HEIGHT,
             safe_frame: false,
             speed_graph: true,
             language: None,

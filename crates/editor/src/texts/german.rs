@@ -182,6 +182,8 @@ german! {
         NoUp(name) =>
             "es gibt kein oben „{name}“; bekannt: axis, point, path, minimal, frenet, y, z";
         MatrixNotFinite => "jede Zahl einer Matrix muss endlich sein";
+        MatrixScale => "der Maßstab einer Matrix muss zwischen 1e-18 und 1e18 liegen, gespiegelt oder nicht";
+        MatrixFlat => "die Matrix darf nicht platt drücken: kein Maßstab darf weniger als 1e-12 eines anderen sein";
         Matrix => "die Matrix muss verschieben, drehen, skalieren oder spiegeln, ohne Scherung";
         NoDirection => "um verbunden zu werden, brauchen Pfad und Baustein dort Richtung und Länge";
         PathWeights => "jeder Pfad braucht ein Gewicht";
@@ -307,13 +309,19 @@ german! {
             "{given} Zahlen sind angegeben, höchstens {most} gehören hierher";
         ZoomAtEnd(zoom) => "der Zoom wäre am Ende {}; er muss zwischen 1 und 2000 liegen", number(*zoom);
         NoTurn => "die Kamera muss sich um mehr als 0 Grad drehen";
+        NoWay => "die Kamera bliebe, wo sie ist: die Fahrt muss anderswo enden, als sie beginnt";
         NoNextPoint => "es gibt keinen nächsten Punkt, an dem der Baustein enden könnte";
         WeightSum(sum) => "die Gewichte müssen zusammen 1 ergeben, nicht {}", number(*sum);
-        Tolerance => "Toleranz, Winkel und Bilder je Sekunde müssen größer als 0 sein";
+        Tolerance => "die Toleranz muss endlich und größer als 0 sein";
+        ToleranceAngle => "die Toleranz der Winkel muss größer als 0 sein, und höchstens 180 Grad";
     }
     TooMany {
         NameBytes => "höchstens {} Byte sind erlaubt", limits::MAX_NAME_BYTES;
         CommentBytes => "der Kommentar hat höchstens {} Byte", limits::MAX_COMMENT_BYTES;
+        FittedPoints =>
+            "innerhalb dieser Toleranz brauchen die Posen mehr als {} Punkte: mit einer größeren \
+             folgt der Pfad nicht ihrem Rauschen; oder weniger Posen auf einmal",
+            limits::MAX_POINTS;
         UpPathPoints =>
             "eine Bahn für oben hat höchstens {} Punkte", limits::MAX_UP_PATH_POINTS;
         UpPaths => "eine Bahn hat höchstens {} verschiedene Bahnen für oben", limits::MAX_UP_PATHS;

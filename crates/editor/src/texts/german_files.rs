@@ -72,6 +72,11 @@ german! {
         Empty => "in dieser Datei sind keine Punkte";
         Buffer => "ein Puffer dieser Datei fehlt oder lässt sich nicht lesen";
         Long => "in dieser Datei ist mehr, als genommen wird";
+        Draco => "ein mit Draco gepacktes Netz (KHR_draco_mesh_compression) wird nicht gelesen; ungepackt exportieren";
+        Meshopt => "ein mit meshoptimizer gepacktes Netz (EXT_meshopt_compression) wird nicht gelesen; ungepackt exportieren";
+        Quantised => "ein Netz mit quantisierten Orten (KHR_mesh_quantization) wird nicht gelesen; mit Gleitkommazahlen exportieren";
+        Sparse => "ein Netz mit dünn besetzten Feldern (sparse) wird nicht gelesen; mit einfachen exportieren";
+        Cycle => "ein Knoten dieser Datei liegt unter sich selbst oder unter zweien; jeder darf einen Vorfahren haben";
         Format => "das ist keine Datei dieses Formats";
     }
     End {
@@ -124,7 +129,7 @@ german! {
             "{keys} Schlüssel brauchen ebenso viele Werte, nicht {values}";
         NoDeformationKind => "diese Verformung hat keine Art (kind)";
         Checksum => "eine Prüfsumme hat bis zu 16 Ziffern 0 bis 9, a bis f";
-        MeshFile => "ein Netz hat eigene Punkte, oder eine Datei mit Länge (bytes) und Prüfsumme (checksum)";
+        MeshFile => "ein Netz hat eigene Punkte, oder eine Datei: allein, oder mit Länge (bytes) und Prüfsumme (checksum)";
         Pin => "zum Anheften gehören ein Punkt (point) und eine Marke (marker)";
         Track => "eine Spur hat channel, interpolation, frames und values";
         SetupVersion { version, known } =>

@@ -271,6 +271,10 @@ pub enum Invalid {
     NoUp(Text),
     #[error("each number of a matrix must be finite")]
     MatrixNotFinite,
+    #[error("the scale of a matrix must lie between 1e-18 and 1e18, mirrored or not")]
+    MatrixScale,
+    #[error("the matrix must not press flat: no scale may be less than 1e-12 of another")]
+    MatrixFlat,
     #[error("the matrix must move, turn, scale or mirror, without shear")]
     Matrix,
     #[error("path and block need a direction and a length there to be joined")]
@@ -515,12 +519,16 @@ pub enum OutOfRange {
     ZoomAtEnd(f64),
     #[error("the camera must turn by more than 0 degrees")]
     NoTurn,
+    #[error("the camera would stay where it is: the move must end elsewhere than it begins")]
+    NoWay,
     #[error("there is no next point at which the block could end")]
     NoNextPoint,
     #[error("the weights must sum to 1, not to {0}")]
     WeightSum(f64),
-    #[error("tolerance, angle and frames per second must be greater than 0")]
+    #[error("the tolerance must be finite and greater than 0")]
     Tolerance,
+    #[error("the tolerance of angles must be greater than 0 and at most 180 degrees")]
+    ToleranceAngle,
 }
 
 /// More of something than [`crate::limits`] allows.
@@ -533,6 +541,12 @@ pub enum TooMany {
     CommentBytes,
     #[error("a path has at most {} support points", limits::MAX_POINTS)]
     SupportPoints,
+    #[error(
+        "within this tolerance the poses need more than {} points: with a larger one the path \
+         does not follow their noise; or fit fewer poses at once",
+        limits::MAX_POINTS
+    )]
+    FittedPoints,
     #[error("an up path has at most {} points", limits::MAX_UP_PATH_POINTS)]
     UpPathPoints,
     #[error("a path has at most {} different up paths", limits::MAX_UP_PATHS)]

@@ -82,7 +82,7 @@ pub struct Shape {
 pub struct MeshSource {
     /// Its name.
     pub file: String,
-    /// How long it was.
+    /// How long it was; 0: it was not read yet, and has no checksum either.
     pub bytes: u64,
     /// A checksum of its bytes.
     pub checksum: u64,

@@ -9,8 +9,8 @@ mod piece;
 use glam::{DMat3, DQuat, DVec3};
 
 use super::smooth::{Row, noise, smoothed};
-use crate::error::{Error, Invalid, OutOfRange, Place, Result, vec_with_room};
-use crate::limits::{MAX_FPS, MAX_ZOOM, MIN_ZOOM};
+use crate::error::{Error, Invalid, OutOfRange, Place, Result, TooMany, vec_with_room};
+use crate::limits::{MAX_FPS, MAX_POINTS, MAX_ZOOM, MIN_ZOOM};
 use crate::math::orientation::{quaternion_from_view, roll_from_up, view_from_quaternion};
 use crate::math::quaternion::{angle, continue_sign};
 use crate::path::camera_path::{check_coordinates, check_zoom};
@@ -166,14 +166,14 @@ impl Data {
         fps: f64,
         tolerance: Tolerance,
     ) -> Result<Self> {
-        let sound = fps > 0.0
-            && fps <= MAX_FPS
-            && tolerance.position > 0.0
-            && tolerance.position.is_finite()
-            && tolerance.angle > 0.0
-            && tolerance.angle <= 180.0;
-        if !sound {
+        if !(fps > 0.0 && fps <= MAX_FPS) {
+            return Err(OutOfRange::Fps.into());
+        }
+        if !(tolerance.position > 0.0 && tolerance.position.is_finite()) {
             return Err(OutOfRange::Tolerance.into());
+        }
+        if !(tolerance.angle > 0.0 && tolerance.angle <= 180.0) {
+            return Err(OutOfRange::ToleranceAngle.into());
         }
         if poses.len() < 3 {
             return Err(Invalid::TooFewPoses.into());
@@ -280,6 +280,9 @@ impl Data {
         points.push(self.point(&start, None)?);
         if points.len() == 1 {
             return Err(Invalid::WithinTolerance.into());
+        }
+        if points.len() > MAX_POINTS {
+            return Err(TooMany::FittedPoints.into());
         }
         let mut path = CameraPath::try_new()?;
         path.points = points;

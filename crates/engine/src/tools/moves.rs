@@ -21,6 +21,9 @@ use crate::path::{
 /// The largest angle of one circular segment.
 const ARC: f64 = TAU / 12.0;
 
+/// A way of so many half sizes counts as none (docs/path.md, sections).
+const NO_WAY: f64 = 1e-9;
+
 /// The largest angle between two views of a pan.
 const PAN: f64 = TAU / 8.0;
 
@@ -436,6 +439,9 @@ fn point(given: &Given<'_>, offset: DVec3, tangent: Option<DVec3>) -> Result<Sup
 }
 
 fn straight(given: &Given<'_>, [from, to]: [DVec3; 2]) -> Result<Vec<SupportPoint>> {
+    if (to - from).length() <= NO_WAY * given.space.half_size {
+        return Err(OutOfRange::NoWay.into());
+    }
     let mut points = vec_with_room(2)?;
     for place in [from, to] {
         points.push(point(given, place, Some(to - from))?);

@@ -18,6 +18,9 @@ const SQUARE: f64 = 1e-9;
 /// A side pressed to this share of another is pressed flat.
 const FLAT: f64 = 1e-12;
 
+/// The largest scale: from what is resolved to the largest coordinate.
+const LARGE: f64 = 1e18;
+
 /// Step of the differences, in the largest side of the box.
 const STEP: f64 = 1e-3;
 
@@ -50,9 +53,15 @@ pub fn check_matrix(matrix: &DMat4) -> Result<()> {
     let [x, y, z] = [0, 1, 2].map(|k| matrix.col(k).truncate());
     let square = |a: DVec3, b: DVec3| a.dot(b).abs() <= SQUARE * a.length() * b.length();
     let lengths = DVec3::new(x.length(), y.length(), z.length());
-    let flat = !(lengths.min_element() > FLAT * lengths.max_element());
+    let (least, most) = (lengths.min_element(), lengths.max_element());
+    if !(1.0 / LARGE..=LARGE).contains(&most) {
+        return Err(Invalid::MatrixScale.into());
+    }
+    if !(least > FLAT * most) {
+        return Err(Invalid::MatrixFlat.into());
+    }
     let row = matrix.row(3).to_array();
-    if flat || row != [0.0, 0.0, 0.0, 1.0] || !square(x, y) || !square(y, z) || !square(z, x) {
+    if row != [0.0, 0.0, 0.0, 1.0] || !square(x, y) || !square(y, z) || !square(z, x) {
         return Err(Invalid::Matrix.into());
     }
     Ok(())
