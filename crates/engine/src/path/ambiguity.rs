@@ -1,7 +1,7 @@
 //! Warnings about a section whose result is a choice that the path leaves open (`docs/path.md`):
 //! half a turn goes either way, and a camera that passes through its target has no direction there.
 
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 
 use super::ahead;
 use super::alignment::rolled;
@@ -11,7 +11,7 @@ use super::space::Space;
 use super::timeline::{Change, Timeline, next};
 use super::turning::AT_TARGET;
 use crate::math::orientation::quaternion_from_view;
-use crate::math::quaternion::continue_sign;
+use crate::math::quaternion::{angle, continue_sign};
 
 /// What is ambiguous in a section.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,6 +33,41 @@ const PLACES: usize = 64;
 /// If there is no such section.
 #[must_use]
 pub fn ambiguity(path: &CameraPath, timeline: &Timeline, section: usize) -> Option<Ambiguity> {
+    match turn(path, timeline, section)? {
+        Turn::Tracks(target) => {
+            let begin = timeline.section(section);
+            let curve = (begin.change == Change::Position).then(|| timeline.curve(begin.point))?;
+            met(curve, target, path.space)
+        }
+        Turn::Free(a, b) => continue_sign(a, b).1.then_some(Ambiguity::HalfTurn),
+    }
+}
+
+/// How far short of a half turn a section turns, in degrees; `None` where it follows a rule.
+///
+/// # Panics
+/// If there is no such section.
+#[must_use]
+pub fn half_turn(path: &CameraPath, timeline: &Timeline, section: usize) -> Option<f64> {
+    match turn(path, timeline, section)? {
+        Turn::Tracks(_) => None,
+        Turn::Free(a, b) => {
+            let turned = 2.0 * angle(a, continue_sign(a, b).0);
+            Some(180.0 - turned.to_degrees())
+        }
+    }
+}
+
+/// How a section turns.
+enum Turn {
+    /// With the way, towards a target.
+    Tracks(DVec3),
+    /// From one orientation to another.
+    Free(DQuat, DQuat),
+}
+
+/// How a section turns; `None` along the way.
+fn turn(path: &CameraPath, timeline: &Timeline, section: usize) -> Option<Turn> {
     let begin = timeline.section(section);
     let here = &path.points[begin.point];
     let from = &here.orientations[begin.orientation];
@@ -43,23 +78,20 @@ pub fn ambiguity(path: &CameraPath, timeline: &Timeline, section: usize) -> Opti
         return None;
     }
     let tracks = same_up && from.own.ahead.or(to.own.ahead).is_none();
-    match (from.target, to.target) {
-        (Target::Absolute(a), Target::Absolute(b)) if tracks && a == b => {
-            let curve = (begin.change == Change::Position).then(|| timeline.curve(begin.point))?;
-            met(curve, a, path.space)
-        }
-        _ => {
-            let key = |(point, number): (usize, usize), orientation: &Orientation| {
-                let view = path.space.up.upright(ahead::view(path, point, number));
-                let reference = timeline.reference(point, number);
-                let up = rolled(view, reference, orientation.roll.to_radians());
-                quaternion_from_view(view, up)
-            };
-            let begins = (begin.point, begin.orientation);
-            let (a, b) = (key(begins, from), key(next, to));
-            continue_sign(a, b).1.then_some(Ambiguity::HalfTurn)
-        }
+    if let (Target::Absolute(a), Target::Absolute(b)) = (from.target, to.target)
+        && tracks
+        && a == b
+    {
+        return Some(Turn::Tracks(a));
     }
+    let key = |(point, number): (usize, usize), orientation: &Orientation| {
+        let view = path.space.up.upright(ahead::view(path, point, number));
+        let reference = timeline.reference(point, number);
+        let up = rolled(view, reference, orientation.roll.to_radians());
+        quaternion_from_view(view, up)
+    };
+    let begins = (begin.point, begin.orientation);
+    Some(Turn::Free(key(begins, from), key(next, to)))
 }
 
 /// Whether a curve leads through a target, or straight above or below it.
