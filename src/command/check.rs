@@ -4,7 +4,8 @@ use std::fmt::Write;
 use std::path::PathBuf;
 
 use clap::Args;
-use vides::tools::check::{Finding, FindingKind};
+use vides::document::{Edit, Note};
+use vides::tools::check::{Finding, FindingKind, Limits, OFF};
 
 use super::table::{Align, Table};
 use super::{Failure, input, print};
@@ -14,20 +15,81 @@ pub(super) struct Arguments {
     /// The path, or a scene: the path of the camera that is shown; - is standard input
     #[arg(value_name = "FILE.vid")]
     file: PathBuf,
-    /// Writes the findings as an array of objects
+    /// The object in place of the path's: a mesh (.obj, .ply, .stl, .gltf, .glb),
+    /// or the object of a .vid file
+    #[arg(long, value_name = "FILE")]
+    object: Option<PathBuf>,
+    /// Another limit than the file's, as turning=90; turning=off does not look for it
+    #[arg(long, value_name = "KIND=LIMIT", value_parser = limit)]
+    limit: Vec<(FindingKind, f64)>,
+    /// Does what helps as long as something gets better, writes the path to
+    /// --output and tells what was fixed and what is left
+    #[arg(long, requires = "output")]
+    fix: bool,
+    /// Where --fix writes the path
+    #[arg(short, long, value_name = "OUT.vid", requires = "fix")]
+    output: Option<PathBuf>,
+    /// Writes the findings and notes as an array of objects
     #[arg(long)]
     json: bool,
 }
 
+/// A kind and its limit, as `turning=90`.
+fn limit(text: &str) -> Result<(FindingKind, f64), String> {
+    let (kind, limit) = text
+        .split_once('=')
+        .ok_or("a limit is given as KIND=LIMIT")?;
+    let kind = FindingKind::parse(kind).map_err(|error| error.to_string())?;
+    let limit = match limit {
+        "off" => OFF,
+        number => number
+            .parse()
+            .map_err(|_| format!("\"{number}\" is not a number"))?,
+    };
+    let mut limits = Limits::default();
+    limits.set(kind, limit).map_err(|error| error.to_string())?;
+    Ok((kind, limit))
+}
+
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let document = input::load_shown(&arguments.file)?;
-    let found = document
-        .check(None)
-        .map_err(|error| error.at(input::name(&arguments.file)))?;
+    let mut document = input::load_shown(&arguments.file)?.without_history();
+    let object = arguments.object.as_deref().map(input::object).transpose()?;
+    let object = object.map(|object| object.to_mesh()).transpose()?;
+    let mut info = document.info().clone();
+    for (kind, limit) in &arguments.limit {
+        info.limits.set(*kind, *limit)?;
+    }
+    document.apply(Edit::SetInfo(Box::new(info)))?;
+    let at_file = |error: vides::Error| Failure::from(error.at(input::name(&arguments.file)));
+    let clearance = document.clearance(object.as_ref()).map_err(at_file)?;
+    let mut fixed = Vec::new();
+    let found = match &arguments.output {
+        Some(output) if input::is_standard_stream(output) => {
+            return Err(Failure::Usage(
+                "--fix needs a file for --output, and not -".to_owned(),
+            ));
+        }
+        Some(_) => document.fix(clearance.as_ref(), &mut |finding| fixed.push(*finding)),
+        None => document.check_against(clearance.as_ref()),
+    };
+    let found = found.map_err(at_file)?;
+    let notes = document
+        .notes(clearance.as_ref(), object.is_none())
+        .map_err(at_file)?;
+    if let Some(output) = &arguments.output {
+        document.save(output)?;
+    }
     print(&if arguments.json {
-        json(&found)
+        json(&fixed, &found, &notes)
     } else {
-        text(&found)
+        let told = fixed.iter().map(|finding| {
+            let frames = frames(finding);
+            format!(
+                "Fixed {}, frames {frames}: {finding}\n",
+                finding.kind.name()
+            )
+        });
+        told.collect::<String>() + &text(&found, &notes)
     })?;
     if found.is_empty() {
         Ok(())
@@ -36,49 +98,52 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
 }
 
-fn text(found: &[Finding]) -> String {
+fn text(found: &[Finding], notes: &[Note]) -> String {
     let mut text = String::new();
-    if found.is_empty() {
-        return text;
+    if !found.is_empty() {
+        let columns = [
+            ("Frames", Align::Right),
+            ("Kind", Align::Left),
+            ("Finding", Align::Left),
+        ];
+        let mut table = Table::new(&columns);
+        for finding in found {
+            table.row(vec![
+                frames(finding),
+                finding.kind.name().to_owned(),
+                finding.to_string(),
+            ]);
+        }
+        // Writing into a string cannot fail.
+        let _ = writeln!(text, "{}\n", table.to_string().trim_end());
     }
-    let mut table = Table::new(&[
-        ("Frames", Align::Right),
-        ("From", Align::Right),
-        ("Kind", Align::Left),
-        ("Value", Align::Right),
-        ("Limit", Align::Right),
-    ]);
-    for finding in found {
-        let frames = if finding.first_frame == finding.last_frame {
-            format!("{:.0}", finding.first_frame)
-        } else {
-            format!("{:.0}-{:.0}", finding.first_frame, finding.last_frame)
-        };
-        table.row(vec![
-            frames,
-            format!("{}.{}", finding.point + 1, finding.orientation + 1),
-            finding.kind.name().to_owned(),
-            format!("{:.4}", finding.value),
-            finding.limit.to_string(),
-        ]);
-    }
-    // Writing into a string cannot fail.
-    let _ = writeln!(text, "{}", table.to_string().trim_end());
     for kind in FindingKind::all() {
         if found.iter().any(|finding| finding.kind == kind) {
-            let _ = write!(text, "\n{}: {}", kind.name(), kind.limit().does);
-            let _ = writeln!(text, "; {}", kind.remedy());
+            let _ = writeln!(text, "{}: {}", kind.name(), kind.remedy());
         }
+    }
+    for note in notes {
+        let _ = writeln!(text, "Note: {note}");
     }
     text
 }
 
-fn json(found: &[Finding]) -> String {
-    let objects = found.iter().map(|finding| {
-        // Names and finite numbers need no quoting.
+fn frames(finding: &Finding) -> String {
+    if finding.first_frame == finding.last_frame {
+        format!("{:.0}", finding.first_frame)
+    } else {
+        format!("{:.0}-{:.0}", finding.first_frame, finding.last_frame)
+    }
+}
+
+fn json(fixed: &[Finding], found: &[Finding], notes: &[Note]) -> String {
+    let fixed = fixed.iter().map(|finding| (finding, ", \"fixed\": true"));
+    let findings = fixed.chain(found.iter().map(|finding| (finding, "")));
+    let findings = findings.map(|(finding, fixed)| {
+        // Names, sentences and finite numbers need no quoting.
         format!(
             "  {{\"kind\": \"{}\", \"first_frame\": {:?}, \"last_frame\": {:?}, \"point\": {}, \
-             \"orientation\": {}, \"value\": {:?}, \"limit\": {:?}}}",
+             \"orientation\": {}, \"value\": {:?}, \"limit\": {:?}, \"text\": \"{finding}\"{fixed}}}",
             finding.kind.name(),
             finding.first_frame,
             finding.last_frame,
@@ -88,7 +153,12 @@ fn json(found: &[Finding]) -> String {
             finding.limit
         )
     });
-    let objects: Vec<String> = objects.collect();
+    let notes = notes.iter().map(|note| {
+        // Names of nodes have no control characters.
+        let text = note.to_string().replace('\\', "\\\\").replace('"', "\\\"");
+        format!("  {{\"kind\": \"note\", \"text\": \"{text}\"}}")
+    });
+    let objects: Vec<String> = findings.chain(notes).collect();
     if objects.is_empty() {
         return "[]\n".to_owned();
     }

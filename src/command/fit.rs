@@ -26,12 +26,17 @@ pub(super) struct Arguments {
     /// Frames in a second
     #[arg(long, value_name = "NUMBER", default_value_t = 25.0)]
     fps: f64,
+    /// The object that is shown with the path: a mesh (.obj, .ply, .stl, .gltf, .glb),
+    /// or the object of a .vid file
+    #[arg(long, value_name = "FILE")]
+    object: Option<PathBuf>,
     #[command(flatten)]
     output: Output,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let name = input::name(&arguments.file);
+    let object = arguments.object.as_deref().map(input::object).transpose()?;
     let (poses, frames) = input::poses(&arguments.file)?;
     let seconds = |frames: Vec<f64>| frames.iter().map(|frame| frame / arguments.fps).collect();
     let times: Option<Vec<f64>> = frames.map(seconds);
@@ -57,6 +62,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     .map_err(|error| vides::Error::from(error).at(name))?;
     let info = Info {
         fps: arguments.fps,
+        object: object.unwrap_or_default(),
         ..Info::default()
     };
     arguments.output.write(&Document::from_parts(path, info)?)

@@ -5,7 +5,10 @@ use std::io::{self, Read};
 use std::os::unix::fs::{FileTypeExt, MetadataExt};
 use std::path::Path;
 
-use vides::document::{Document, Recorded, SceneDocument, load_poses, load_poses_from};
+use vides::document::mesh::Format;
+use vides::document::{
+    Document, Edit, Object, Recorded, SceneDocument, load_object, load_poses, load_poses_from,
+};
 use vides::error::reason;
 
 use super::{Failure, complain, one_line};
@@ -24,8 +27,19 @@ pub(super) fn poses(file: &Path) -> Result<Recorded, Failure> {
     }
 }
 
-/// Loads a path, or of a scene the shown camera's path.
+/// Loads a path, or of a scene the shown camera's path; what is missing then is among
+/// [`Document::notes`].
 pub(super) fn load_shown(file: &Path) -> Result<Document, Failure> {
+    let document = load_whole(file)?;
+    if document.shows_path().is_none() {
+        return Err(vides::Error::from(vides::error::Refused::NoCamera)
+            .at(name(file))
+            .into());
+    }
+    Ok(document)
+}
+
+fn load_whole(file: &Path) -> Result<Document, Failure> {
     let name = name(file);
     let (document, warnings) = match stream(file)? {
         Some(mut stream) => Document::load_scene_from(&mut stream, &name)?,
@@ -34,18 +48,35 @@ pub(super) fn load_shown(file: &Path) -> Result<Document, Failure> {
     for warning in warnings {
         complain(&one_line(&format!("{name}: {warning}")));
     }
-    match document.shows_path() {
-        Some(true) => {}
-        Some(false) => complain(&format!(
-            "{name}: this is of the camera's path alone, without what its parent, its aim \
-             and its keys add"
-        )),
-        None => {
-            return Err(vides::Error::from(vides::error::Refused::NoCamera)
-                .at(&name)
-                .into());
-        }
+    Ok(document)
+}
+
+/// The object of a mesh file, or that of a path.
+pub(super) fn object(file: &Path) -> Result<Object, Failure> {
+    if Format::of(file).is_some() {
+        return Ok(load_object(file)?);
     }
+    let object = load_whole(file)?.info().object.clone();
+    if object.is_empty() {
+        return Err(Failure::Input(format!(
+            "{}: there is no object in it",
+            name(file)
+        )));
+    }
+    Ok(object)
+}
+
+/// A path with an object in its space: that of a file, or a new one around a mesh.
+pub(super) fn around(file: &Path) -> Result<Document, Failure> {
+    if Format::of(file).is_none() {
+        return load(file);
+    }
+    let mut document = Document::new().without_history();
+    let mut info = document.info().clone();
+    info.object = load_object(file)?;
+    document.apply(Edit::SetInfo(Box::new(info)))?;
+    let space = document.space_around_object()?;
+    document.apply(Edit::SetSpace { space, fit: true })?;
     Ok(document)
 }
 

@@ -74,9 +74,12 @@ impl Args for Arguments {
                 .arg(
                     Arg::new("object")
                         .long("object")
-                        .value_name("FILE.vid")
+                        .value_name("FILE")
                         .value_parser(clap::value_parser!(PathBuf))
-                        .help("Lies in the space of this file, round its object"),
+                        .help(
+                            "Goes round this object: a mesh (.obj, .ply, .stl, .gltf, .glb) with \
+                             a space around it, or that of a .vid file in its space",
+                        ),
                 )
                 .arg(
                     Arg::new("output")
@@ -148,7 +151,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     };
     let mut bounds = None;
     if let Some(file) = &arguments.object {
-        let (path, of_file) = input::load(file)?.into_parts();
+        let (path, of_file) = input::around(file)?.into_parts();
         space = path.space;
         (info.unit, info.object) = (of_file.unit, of_file.object);
         let places: Vec<_> = info.object.iter().map(|point| point.position).collect();

@@ -7,7 +7,7 @@ use super::path::{edit_by, insert_new, read};
 use super::pointers::{ArrayOut, Out, count, optional, slice, text};
 use super::scene_tracks::mesh;
 use super::scene_types::V_MESH;
-use super::status::{Answer, V_ERR_INTERNAL};
+use super::status::{Answer, V_ERR_INTERNAL, add_last_warning, clear_last_warning};
 use super::types::{V_PATH, V_POSE};
 use crate::document::Edit;
 use crate::path::Pose;
@@ -54,6 +54,7 @@ const NAMES: [&CStr; COUNT] = [
     c"zoom",
     c"redundant",
     c"corner",
+    c"jerk",
 ];
 
 fn finding(found: &Finding) -> Answer<V_FINDING> {
@@ -119,21 +120,27 @@ pub unsafe extern "C" fn v_path_fit_poses(
 /// "view-jump"     degrees at once (1)
 /// "turning"       degrees a second (60)
 /// "turning-acceleration"  degrees a second squared (300)
-/// "half-turn"     that might go either way
+/// "half-turn"     degrees from a half turn, that might go either way (0.1)
 /// "pole"          degrees from straight up or down, below the limit (3)
 /// "target"        the target is nearer than the limit (0.05)
 /// "clearance"     the object is nearer than the limit (0.02)
 /// "through"       the way leads through a triangle of the object
 /// "nothing-to-see"  nothing of the object in the picture, seconds (1)
 /// "zoom"          mm a second (30)
-/// "redundant"     several keys stand where one would do
+/// "redundant"     the poses would be the same without a key: they change by less than
+///                 so many times 0.001 half sizes, 0.1 degrees and 0.1 mm (1)
 /// "corner"        degrees by which the way turns at a point (60)
+/// "jerk"          in half sizes a second cubed, the third difference of the places at
+///                 whole frames (off unless a limit is set)
 ///
 /// object  what the camera must not come near to, in the coordinates of the path;
-///     NULL: the path's own object, if it has one
+///     NULL: the path's own object with its faces, if it has one
 /// findings  room for capacity of them; *count is how many there are. With a
 ///     capacity too small nothing else is written and the answer is V_ERR_SIZE;
 ///     findings NULL with capacity 0 only asks for *count
+/// v_last_warning() then has notes, "" if there are none: that the camera is inside
+/// the object all the time, and what was not looked at (objects that move, what
+/// a parent adds to the camera).
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
 /// V_ERR_ARGUMENT (an object without geometry), V_ERR_RANGE, V_ERR_LIMIT,
 /// V_ERR_MEMORY.
@@ -145,11 +152,19 @@ pub unsafe extern "C" fn v_path_check(
     capacity: usize,
     count: *mut usize,
 ) -> c_int {
+    clear_last_warning();
     border(V_ERR_INTERNAL, || {
         let out = ArrayOut::new(findings, capacity, count, ["findings", "count"])?;
         // SAFETY: a mesh, as the header says.
         let object = optional(object, |object| unsafe { mesh(object, "object") })?;
-        let found = read(path, |document| Ok(document.check(object.as_ref())?))?;
+        let (found, notes) = read(path, |document| {
+            let clearance = document.clearance(object.as_ref())?;
+            let notes = document.notes(clearance.as_ref(), object.is_none())?;
+            Ok((document.check_against(clearance.as_ref())?, notes))
+        })?;
+        notes
+            .iter()
+            .for_each(|note| add_last_warning(format_args!("{note}")));
         // SAFETY: room for so many and a size_t, as the header says; any bits make a finding.
         unsafe {
             if out.wants(found.len())? {
@@ -163,6 +178,7 @@ pub unsafe extern "C" fn v_path_check(
 }
 
 /// Sets the limit of a kind of finding, see v_path_check(); it is kept in the file.
+/// INFINITY: that kind is not looked for.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such
 /// kind), V_ERR_RANGE.
 #[unsafe(no_mangle)]
@@ -182,7 +198,7 @@ pub unsafe extern "C" fn v_path_set_limit(
     })
 }
 
-/// The limit of a kind of finding, see v_path_check().
+/// The limit of a kind of finding, see v_path_check(); INFINITY: not looked for.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_limit(
@@ -218,7 +234,13 @@ mod tests {
                 .find(|line| line.starts_with(&format!("/// \"{}\" ", limit.name)));
             let line = line.unwrap_or_else(|| panic!("{} is not in the header", limit.name));
             let told = format!("({}", limit.default);
-            assert!(limit.default == 0.0 || line.contains(&told), "{line}");
+            let plain = limit.default == 0.0 || !limit.default.is_finite();
+            let told = source
+                .lines()
+                .skip_while(|at| *at != line)
+                .take(2)
+                .any(|l| l.contains(&told));
+            assert!(plain || told, "{line}");
         }
     }
 }

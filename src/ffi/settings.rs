@@ -303,7 +303,9 @@ pub unsafe extern "C" fn v_path_get_first_frame(path: *const V_PATH, number: *mu
     })
 }
 
-/// Sets the object that is shown with a path, copied; NULL: none.
+/// Sets the object that is shown with a path, copied; NULL: none. Its lines and the
+/// edges of its triangles are drawn (of more than 1,000,000 points of lines those at
+/// which it ends or bends), its triangles are there for v_path_check().
 /// Any thread; from callbacks too. V_ERR_NULL (path), V_ERR_SIZE, V_ERR_HANDLE,
 /// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]

@@ -5,6 +5,7 @@ use std::collections::TryReserveError;
 use std::ffi::{c_char, c_int, c_ulong};
 use std::fmt::{self, Write as _};
 use std::ops::Range;
+use std::thread::LocalKey;
 
 use crate::error::{
     EngineError, ErrorKind, FromZero, Index, Invalid, OutOfRange, Refused, Text, TooMany,
@@ -352,10 +353,18 @@ impl fmt::Write for Part<'_> {
 
 thread_local! {
     static LAST: UnsafeCell<Message> = const { UnsafeCell::new(Message::new()) };
+    static WARNING: UnsafeCell<Message> = const { UnsafeCell::new(Message::new()) };
 }
 
 fn with_message<R>(change: impl FnOnce(&mut Message) -> R) -> R {
-    LAST.with(|message| {
+    with(&LAST, change)
+}
+
+fn with<R>(
+    which: &'static LocalKey<UnsafeCell<Message>>,
+    change: impl FnOnce(&mut Message) -> R,
+) -> R {
+    which.with(|message| {
         // SAFETY: the cell belongs to this thread, and no closure in this file keeps the reference
         // or comes back here.
         change(unsafe { &mut *message.get() })
@@ -370,6 +379,21 @@ pub(super) fn set_last_error(sentence: fmt::Arguments<'_>) {
     // Formatting before the borrow would need memory; the values formatted here do not re-enter
     // this module.
     with_message(|message| message.set(sentence));
+}
+
+/// To be called first by what can warn.
+pub(super) fn clear_last_warning() {
+    with(&WARNING, Message::clear);
+}
+
+/// Appends a sentence to the last warning.
+pub(super) fn add_last_warning(sentence: fmt::Arguments<'_>) {
+    with(&WARNING, |message| {
+        if message.used > 0 {
+            message.add(format_args!(" "));
+        }
+        message.add(sentence);
+    });
 }
 
 /// Appends to the last message, or sets it.
@@ -397,6 +421,17 @@ pub(super) fn with_last_error(show: impl FnOnce(&[u8])) {
 #[unsafe(no_mangle)]
 pub extern "C" fn v_last_error() -> *const c_char {
     with_message(|message| message.text.as_ptr().cast())
+}
+
+/// What the calling thread's last call that can warn has to say besides its success:
+/// sentences in English, UTF-8, "" if there is nothing. Functions that can warn say so.
+/// Never NULL. Of a sentence too long for 1023 bytes in all the middle is left out. The
+/// text belongs to the library and is valid until the same thread's next call of a
+/// function that can warn.
+/// Any thread; from callbacks too.
+#[unsafe(no_mangle)]
+pub extern "C" fn v_last_warning() -> *const c_char {
+    with(&WARNING, |message| message.text.as_ptr().cast())
 }
 
 /// What a status means, in English. Never NULL; the text is constant.

@@ -392,7 +392,7 @@ impl Change {
             Self::Name { name, .. } => name.as_ref().map_or(0, String::len),
             Self::InsertPoints { points, .. } => weigh(points),
             Self::RemovePoints { room, .. } => room.capacity() * size_of::<SupportPoint>(),
-            Self::Info(info) => info.title.len() + info.comment.len() + size_of_val(&*info.object),
+            Self::Info(info) => info.title.len() + info.comment.len() + info.object.bytes(),
             Self::Path(path, ..) => weigh(&path.points),
             Self::Scene(scene, path, _) => {
                 weigh(&path.points) + scene.as_ref().map_or(0, |scene| scene.weight())

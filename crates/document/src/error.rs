@@ -303,6 +303,8 @@ pub enum Malformed {
         "a mesh has points of its own, or a file: alone, or with both its bytes and its checksum"
     )]
     MeshFile,
+    #[error("an object has either polylines or a mesh of its own")]
+    PolylinesAndMesh,
     #[error("a pin has a point and a marker")]
     Pin,
     #[error("a track has a channel, an interpolation, frames and values")]

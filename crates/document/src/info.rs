@@ -4,7 +4,7 @@ use std::ops::Deref;
 use std::sync::Arc;
 
 use glam::DVec3;
-use vides_engine::scene::MeshSource;
+use vides_engine::scene::{Mesh, MeshSource};
 use vides_engine::tools::check::Limits;
 
 use crate::error::{OutOfRange, Place, TooMany};
@@ -48,14 +48,15 @@ pub struct Object {
     /// One per point, or none.
     colours: Option<Arc<Vec<[u8; 3]>>>,
     source: Option<Arc<MeshSource>>,
+    /// What the points are the wireframe of.
+    mesh: Option<Arc<Mesh>>,
 }
 
 impl From<Vec<ObjectPoint>> for Object {
     fn from(points: Vec<ObjectPoint>) -> Self {
         Self {
             points: (!points.is_empty()).then(|| Arc::new(points)),
-            colours: None,
-            source: None,
+            ..Self::default()
         }
     }
 }
@@ -75,6 +76,36 @@ impl Object {
             colours: (colours.len() == self.len()).then(|| Arc::new(colours)),
             ..self
         }
+    }
+
+    /// Sets the mesh of which these are the lines.
+    pub(super) fn of(self, mesh: Mesh) -> Self {
+        Self {
+            mesh: Some(Arc::new(mesh)),
+            ..self
+        }
+    }
+
+    /// The mesh that the wireframe was made of, with its faces; none if there is only the wireframe.
+    #[must_use]
+    pub fn mesh(&self) -> Option<&Mesh> {
+        self.mesh.as_deref()
+    }
+
+    /// How many points, lines and triangles there are to look at.
+    #[must_use]
+    pub fn pieces(&self) -> usize {
+        self.mesh().map_or(self.len(), |mesh| {
+            mesh.points.len() + mesh.lines.len() + mesh.triangles.len()
+        })
+    }
+
+    /// Approximate bytes of memory.
+    pub(super) fn bytes(&self) -> usize {
+        let mesh = self.mesh().map_or(0, |mesh| {
+            size_of_val(&*mesh.points) + size_of_val(&*mesh.triangles) + size_of_val(&*mesh.lines)
+        });
+        size_of_val::<[ObjectPoint]>(self) + mesh
     }
 
     /// The lines to draw with the colours of their ends; isolated points are lines of length zero.
@@ -160,6 +191,13 @@ impl Info {
             space
                 .check_place(point.position)
                 .map_err(|error| error.at(Place::ObjectPoint(index)))?;
+        }
+        if let Some(mesh) = self.object.mesh() {
+            for &corner in mesh.triangles.iter().flatten() {
+                let place = mesh.points[corner as usize];
+                let checked = space.check_place(place);
+                checked.map_err(|error| error.at(Place::ObjectPoint(corner as usize + 1)))?;
+            }
         }
         Ok(())
     }

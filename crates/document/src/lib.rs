@@ -24,9 +24,11 @@ mod info;
 mod loading;
 mod mesh_file;
 mod not_a_file;
+mod notes;
 mod place;
 mod poses;
 mod prepare;
+mod remedy;
 pub mod save;
 mod scene;
 mod target;
@@ -45,6 +47,7 @@ pub use info::{Info, Object, ObjectPoint};
 pub use mesh_file::{Watcher, load_mesh, load_object, watch_meshes};
 #[doc(hidden)]
 pub use not_a_file::NotAFile;
+pub use notes::Note;
 pub use wireframe::features;
 
 pub use poses::{Recorded, load_poses, load_poses_from, poses_of_text};

@@ -60,13 +60,13 @@ fn read(file: &Path, name: &str) -> Result<(MeshSource, Mesh)> {
     Ok((source, mesh))
 }
 
-/// The wireframe ([`Object::features_of`]) of a mesh file, whose name a document stores.
+/// The object ([`Object::features_of`]) of a mesh file, whose name a document stores.
 ///
 /// # Errors
 /// As [`load_mesh`] and [`Object::features_of`].
 pub fn load_object(file: &Path) -> Result<Object> {
     let (source, mesh) = load_mesh(file)?;
-    let wireframe = Object::features_of(&mesh)?;
+    let wireframe = Object::features_of(mesh)?;
     let file = absolute(file).unwrap_or_else(|_| file.to_owned());
     Ok(wireframe.of_source(MeshSource {
         file: file.display().to_string(),

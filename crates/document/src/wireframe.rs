@@ -1,9 +1,10 @@
 //! Meshes as wireframes.
 
 use glam::DVec3;
+use vides_engine::Result;
 use vides_engine::scene::Mesh;
 
-use crate::error::{Result, TooMany, vec_with_room};
+use crate::error::{EngineError, TooMany, vec_with_room};
 use crate::info::{Object, ObjectPoint};
 use crate::limits;
 
@@ -18,26 +19,34 @@ const MAX_SMOOTH_LINES: usize = 3_000;
 
 impl Object {
     /// The lines of a mesh and the edges of its triangles, each once; its points if it has neither.
+    /// A mesh with triangles is kept; of one with more than [`limits::MAX_OBJECT_POINTS`] to draw,
+    /// the [`features`] are drawn.
     ///
     /// # Errors
-    /// As [`Mesh::check`]; `ErrorKind::Memory`; `Limit` for over [`limits::MAX_OBJECT_POINTS`].
-    pub fn of_mesh(mesh: &Mesh) -> Result<Self> {
+    /// As [`Mesh::check`]; `ErrorKind::Memory`; `Limit` for too many lines or points alone.
+    pub fn of_mesh(mesh: Mesh) -> Result<Self> {
         mesh.check()?;
-        let mut sides = sides(mesh)?;
+        let mut sides = sides(&mesh)?;
         sides.dedup_by_key(|(side, _)| *side);
-        if mesh.lines.is_empty() && sides.is_empty() {
-            return of_lines(mesh, (0..).take(mesh.points.len()).map(|at| [at, at]));
-        }
         let edges = sides.iter().map(|(side, _)| side);
-        of_lines(mesh, mesh.lines.iter().chain(edges).copied())
+        let whole = if mesh.lines.is_empty() && sides.is_empty() {
+            of_lines(&mesh, (0..).take(mesh.points.len()).map(|at| [at, at]))
+        } else {
+            of_lines(&mesh, mesh.lines.iter().chain(edges).copied())
+        };
+        Ok(match whole {
+            whole if mesh.triangles.is_empty() => whole?,
+            Err(EngineError::Limit(_)) => Self::features_of(mesh)?,
+            whole => whole?.of(mesh),
+        })
     }
 
-    /// The [`features`] of a mesh, few enough to be drawn at once.
+    /// The [`features`] of a mesh, few enough to be drawn at once, with the mesh.
     ///
     /// # Errors
-    /// As [`Object::of_mesh`].
-    pub fn features_of(mesh: &Mesh) -> Result<Self> {
-        of_lines(mesh, features(mesh)?)
+    /// As [`Mesh::check`]; `ErrorKind::Memory`.
+    pub fn features_of(mesh: Mesh) -> Result<Self> {
+        Ok(of_lines(&mesh, features(&mesh)?)?.of(mesh))
     }
 }
 
@@ -150,7 +159,7 @@ mod tests {
                 triangles,
                 ..Mesh::default()
             };
-            let object = Object::of_mesh(&mesh).expect("a wireframe");
+            let object = Object::of_mesh(mesh).expect("a wireframe");
             let numbers = object.iter().map(|point| (point.position.x, point.draw));
             numbers.collect::<Vec<_>>()
         };

@@ -1,7 +1,6 @@
 //! Charts of what changes over the frames.
 
 use vides::tools::check::FindingKind;
-use vides::tools::clearance::Clearance;
 use vides::tools::profile::{self, Quantity};
 
 use super::svg::{Anchor, Spot, Svg};
@@ -32,12 +31,12 @@ pub(super) fn of(film: &Film<'_>) -> vides::Result<Vec<Chart>> {
     let (info, space) = (film.document.info(), film.document.path().space);
     // Fine enough that events within a frame show up in a long film.
     let poses = profile::samples(film.document.sampler()?, FRAMES_LOOKED_AT)?;
-    let object = film.obstacles.as_ref().map(Clearance::new).transpose()?;
+    let object = film.clearance.as_ref();
     let plotted = profile::Film {
         samples: &poses,
         fps: info.fps,
         up: space.up,
-        object: object.as_ref(),
+        object,
     };
     let mut charts = Vec::new();
     for quantity in Quantity::ALL {

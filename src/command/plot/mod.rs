@@ -9,13 +9,14 @@ mod views;
 use std::path::PathBuf;
 
 use clap::Args;
-use vides::document::{Document, save};
+use vides::document::{Document, Note, Object, save};
 use vides::path::{Pose, Timeline};
 use vides::scene::Mesh;
 use vides::tools::check::Finding;
+use vides::tools::clearance::Clearance;
 use vides::tools::profile;
 
-use super::{Failure, input, print};
+use super::{Failure, complain, input, one_line, print};
 use svg::{Anchor, Svg};
 
 #[derive(Args)]
@@ -26,6 +27,10 @@ pub(super) struct Arguments {
     /// Where the picture goes, as .svg or .png; - is standard output, as SVG
     #[arg(short, long, value_name = "OUT", default_value = "-")]
     output: PathBuf,
+    /// The object in place of the path's: a mesh (.obj, .ply, .stl, .gltf, .glb),
+    /// or the object of a .vid file
+    #[arg(long, value_name = "FILE")]
+    object: Option<PathBuf>,
     /// On a dark ground
     #[arg(long)]
     dark: bool,
@@ -83,7 +88,9 @@ struct Film<'a> {
     /// Frames from 1, whole ones unless there are too many.
     samples: Vec<(f64, Pose)>,
     found: Vec<Finding>,
+    notes: Vec<Note>,
     obstacles: Option<Mesh>,
+    clearance: Option<Clearance>,
     frames: usize,
 }
 
@@ -98,8 +105,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         )));
     }
     let document = input::load_shown(&arguments.file)?;
+    let object = arguments.object.as_deref().map(input::object).transpose()?;
     let style = if arguments.dark { &DARK } else { &LIGHT };
-    let svg = picture(&document, style)
+    let svg = picture(&document, object.as_ref(), style)
         .map_err(|error| Failure::from(error.at(input::name(&arguments.file))))?;
     if to_file && ends("png") {
         let png = png::of(&svg).map_err(Failure::Usage)?;
@@ -113,15 +121,26 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
 }
 
-fn picture(document: &Document, style: &Style) -> vides::Result<Svg> {
+fn picture(document: &Document, object: Option<&Object>, style: &Style) -> vides::Result<Svg> {
     let sampler = document.sampler()?;
     let frames = sampler.frame_count();
+    let obstacles = match object {
+        Some(object) => Some(object.to_mesh()?),
+        None => document.obstacles()?,
+    };
+    let clearance = obstacles.as_ref().map(Clearance::new).transpose()?;
+    let notes = document.notes(clearance.as_ref(), object.is_none())?;
+    for note in &notes {
+        complain(&one_line(&note.to_string()));
+    }
     let film = Film {
         document,
         style,
         samples: profile::samples(sampler, POSES)?,
-        found: document.check(None)?,
-        obstacles: document.obstacles()?,
+        found: document.check_against(clearance.as_ref())?,
+        notes,
+        obstacles,
+        clearance,
         frames,
     };
     let title = match document.info().title.as_str() {

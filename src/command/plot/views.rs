@@ -214,15 +214,14 @@ pub(super) fn findings(svg: &mut Svg, film: &Film<'_>, (x, y): Spot, width: f64)
         }
         let wrong = format!("fill=\"{}\"", film.style.wrong);
         for finding in film.found.iter().take(LINES) {
-            let limit = finding.kind.limit();
-            let text = format!(
-                "{:.0}–{:.0}  {} {:.3}: {}",
-                finding.first_frame, finding.last_frame, limit.name, finding.value, limit.does
-            );
-            line(&text, &wrong);
+            let (first, last) = (finding.first_frame, finding.last_frame);
+            line(&format!("{first:.0}–{last:.0}  {finding}"), &wrong);
         }
         if film.found.len() > LINES {
             line(&format!("… and {} more", film.found.len() - LINES), &quiet);
+        }
+        for note in &film.notes {
+            line(&note.to_string(), &quiet);
         }
     });
 }

@@ -54,6 +54,9 @@ pub(super) use write::to_toml;
 /// The format version that is written, and the newest that is read.
 const VERSION: i64 = 1;
 
+/// In place of a limit: its kind is not looked for.
+const OFF_NAME: &str = "off";
+
 /// For names, messages and the like: the standard library aborts if it cannot allocate them.
 const ROOM: usize = 32 << 10;
 

@@ -6,8 +6,8 @@ use toml::de::DeTable;
 use super::field::{Field, Source, fields};
 use super::own::{self, SoFar};
 use super::pieces;
-use super::scene_read::Drafts;
-use super::{VERSION, mesh_source};
+use super::scene_read::{Drafts, MESH_KEYS, take_mesh};
+use super::{OFF_NAME, VERSION, mesh_source};
 use crate::error::{Invalid, Malformed, Quantity, Refused, Result, TooMany, vec_with_room};
 use crate::info::{self, Info, Object, ObjectPoint};
 use crate::limits;
@@ -19,8 +19,8 @@ use crate::path::{
     BaseFrames, CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, Space,
     SupportPoint, Target, Tcb, Up, ZoomMode, space,
 };
-use vides_engine::scene::Scene;
-use vides_engine::tools::check::{FindingKind, Limits};
+use vides_engine::scene::{Mesh, Scene};
+use vides_engine::tools::check::{FindingKind, Limits, OFF};
 
 const KEYS: [&str; 17] = [
     "version",
@@ -328,7 +328,10 @@ pub(super) fn space(
 fn limits_of_checks(table: Field<'_>) -> Result<Limits> {
     let mut limits = Limits::default();
     for field in table.fields()? {
-        let limit = field.number()?;
+        let limit = match field.text() {
+            Ok(OFF_NAME) => OFF,
+            _ => field.number()?,
+        };
         let kind = field.checked(FindingKind::parse(field.key))?;
         field.checked(limits.set(kind, limit))?;
     }
@@ -337,14 +340,16 @@ fn limits_of_checks(table: Field<'_>) -> Result<Limits> {
 
 fn object(table: Field<'_>, space: Space) -> Result<Object> {
     let mut object = Vec::new();
+    let mut mesh = Mesh::default();
     let mut source = mesh_source::Reading::default();
     for field in table.fields()? {
-        if source.take(&field)? {
+        if source.take(&field)? || take_mesh(&field, &mut mesh)? {
             continue;
         }
         if field.key != "polylines" {
-            let [file, bytes, checksum] = mesh_source::KEYS;
-            return Err(field.unknown(&["polylines", file, bytes, checksum]));
+            let known = ["polylines"].into_iter().chain(MESH_KEYS);
+            let known: Vec<&str> = known.chain(mesh_source::KEYS).collect();
+            return Err(field.unknown(&known));
         }
         for polyline in field.elements()? {
             let points = polyline.elements()?;
@@ -360,11 +365,15 @@ fn object(table: Field<'_>, space: Space) -> Result<Object> {
             }
         }
     }
-    let source = source.done(&table, object.is_empty())?;
-    let object = Object::from(object);
+    let own_mesh = mesh != Mesh::default();
+    let source = source.done(&table, object.is_empty() && !own_mesh)?;
+    if own_mesh && !object.is_empty() {
+        return Err(table.error(Malformed::PolylinesAndMesh));
+    }
     Ok(match source {
-        Some(source) => object.of_source(source),
-        None => object,
+        Some(source) => Object::default().of_source(source),
+        None if own_mesh => table.checked(Object::of_mesh(mesh))?,
+        None => object.into(),
     })
 }
 

@@ -420,24 +420,28 @@ fn colours(array: Field<'_>) -> Result<Vec<[u8; 3]>> {
     Ok(all)
 }
 
+/// Takes a field of a mesh; false if it is none of [`MESH_KEYS`].
+pub(super) fn take_mesh(field: &Field<'_>, mesh: &mut Mesh) -> Result<bool> {
+    match field.key {
+        "points" => mesh.points = vectors(*field, limits::MAX_MESH_POINTS)?,
+        "colours" => mesh.colours = colours(*field)?,
+        "lines" => mesh.lines = indices(*field)?,
+        "triangles" => mesh.triangles = indices(*field)?,
+        _ => return Ok(false),
+    }
+    Ok(true)
+}
+
+pub(super) const MESH_KEYS: [&str; 4] = ["points", "colours", "lines", "triangles"];
+
 /// A mesh: its own points, or the file that has them.
 fn mesh(table: Field<'_>) -> Result<(Option<MeshSource>, Mesh)> {
     let mut mesh = Mesh::default();
     let mut source = mesh_source::Reading::default();
     for field in table.fields()? {
-        if source.take(&field)? {
-            continue;
-        }
-        match field.key {
-            "points" => mesh.points = vectors(field, limits::MAX_MESH_POINTS)?,
-            "colours" => mesh.colours = colours(field)?,
-            "lines" => mesh.lines = indices(field)?,
-            "triangles" => mesh.triangles = indices(field)?,
-            _ => {
-                let own = ["points", "colours", "lines", "triangles"];
-                let known: Vec<&str> = own.into_iter().chain(mesh_source::KEYS).collect();
-                return Err(field.unknown(&known));
-            }
+        if !source.take(&field)? && !take_mesh(&field, &mut mesh)? {
+            let known: Vec<&str> = MESH_KEYS.into_iter().chain(mesh_source::KEYS).collect();
+            return Err(field.unknown(&known));
         }
     }
     let alone = mesh == Mesh::default();

@@ -175,6 +175,7 @@ fn object(out: &mut Text, object: &Object, folder: Option<&Path>) -> fmt::Result
         writeln!(out, "\n[node.mesh]")?;
         mesh_source::write(out, source, folder)?;
     } else if !object.mesh().points.is_empty() {
+        writeln!(out, "\n[node.mesh]")?;
         mesh(out, object.mesh())?;
     }
     for shape in object.shapes() {
@@ -184,8 +185,7 @@ fn object(out: &mut Text, object: &Object, folder: Option<&Path>) -> fmt::Result
     deformations.try_for_each(|(deformation, bounds)| self::deformation(out, deformation, bounds))
 }
 
-fn mesh(out: &mut Text, mesh: &Mesh) -> fmt::Result {
-    writeln!(out, "\n[node.mesh]")?;
+pub(super) fn mesh(out: &mut Text, mesh: &Mesh) -> fmt::Result {
     rows(out, "points", mesh.points.iter().map(DVec3::to_array))?;
     rows(out, "colours", &mesh.colours)?;
     rows(out, "lines", &mesh.lines)?;

@@ -6,10 +6,12 @@ use std::path::Path;
 
 use super::comments::{Comments, OURS};
 use super::own::UpPaths;
-use super::{VERSION, mesh_source, own};
+use super::{OFF_NAME, VERSION, mesh_source, own, scene_write};
 use crate::error::{EngineError, Result};
 use crate::info::{Info, Object};
 use crate::limits::BASE_SPEED;
+use vides_engine::tools::check::OFF;
+
 use crate::path::{
     CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, Space, SupportPoint,
     Target, Tcb, ZoomMode,
@@ -111,7 +113,10 @@ pub(super) fn space(
         if number == 0 {
             writeln!(out, "\n[check]")?;
         }
-        writeln!(out, "{} = {limit:?}", kind.name())?;
+        match limit {
+            OFF => writeln!(out, "{} = \"{OFF_NAME}\"", kind.name())?,
+            _ => writeln!(out, "{} = {limit:?}", kind.name())?,
+        }
     }
 
     object(out, &info.object, folder)
@@ -127,6 +132,10 @@ fn object(out: &mut Text, points: &Object, folder: Option<&Path>) -> fmt::Result
     if let Some(source) = points.source() {
         writeln!(out, "\n[object]")?;
         return mesh_source::write(out, source, folder);
+    }
+    if let Some(mesh) = points.mesh() {
+        writeln!(out, "\n[object]")?;
+        return scene_write::mesh(out, mesh);
     }
     if points.is_empty() {
         return Ok(());

@@ -1,14 +1,15 @@
 //! Texts of the check window.
 
 use super::{Language, texts};
-use crate::tools::check::Finding;
+use crate::document::Note;
+use crate::tools::check::{COUNT, Finding, FindingKind};
 
 texts! {
     Check {
         menu: "Check …", "Prüfen …";
         menu_hint: "What will look wrong in the film", "Was im Film falsch aussehen wird";
         title: "Check", "Prüfung";
-        nothing: "Nothing was found", "Nichts gefunden";
+        nothing: "Nothing was found.", "Nichts gefunden.";
         one: "1 finding", "1 Fund";
         many: "{0} findings", "{0} Funde";
         old: "The path has changed since", "Die Bahn hat sich seither geändert";
@@ -21,92 +22,146 @@ texts! {
         go_hint: "Go to this frame and select the key before it: point {0}",
             "Zu diesem Bild gehen und die Stelle davor wählen: Punkt {0}";
         mend: "Fix", "Beheben";
+        limits: "Limits", "Grenzen";
+        limits_hint: "What counts as wrong in this path; it is saved with the path",
+            "Was in dieser Bahn als falsch gilt; es wird mit ihr gespeichert";
+        limit_hint: "Look for this", "Danach suchen";
+        inside: "The camera is inside the object all the time.",
+            "Die Kamera ist die ganze Zeit im Objekt.";
+        moving: "The object “{0}” moves or changes: it was looked at as it stands where the path \
+                 begins.",
+            "Das Objekt „{0}“ bewegt oder ändert sich: Geprüft wurde, wie es am Anfang der Bahn steht.";
+        all_moving: "The object “{0}” and {1} more move or change: they were looked at as they stand \
+                     where the path begins.",
+            "Das Objekt „{0}“ und {1} weitere bewegen oder ändern sich: Geprüft wurde, wie sie am \
+             Anfang der Bahn stehen.";
+        camera: "The camera’s path was looked at alone, without what its parent, its aim, its roll \
+                 and its keys add.",
+            "Geprüft wurde die Bahn der Kamera allein, ohne was Träger, Blickziel, Rollen und \
+             Schlüssel beitragen.";
     }
 }
 
-/// A kind of finding: its name, its message in both languages, and its remedy in German.
-/// `{0}` is the worst value, `{1}` the limit.
+/// A kind of finding in German: its name, what its limit limits and in which unit, its sentence
+/// ([`FindingKind::sentence`]) and its remedy.
 #[rustfmt::skip]
-const WORDS: [(&str, &str, &str, &str); 16] = [
-    ("space", "The camera is outside the space, by {0} half sizes",
-        "Die Kamera ist außerhalb des Raums, um {0} halbe Größen",
-        "Punkte verschieben oder skalieren"),
-    ("cusp", "The way nearly stops within a section",
-        "Der Weg bleibt in einem Abschnitt fast stehen",
-        "Punkte auseinanderziehen oder ihnen Tangenten geben"),
-    ("speed-jump", "The speed jumps at a key",
-        "Die Geschwindigkeit springt an einer Stelle",
-        "den Abschnitt sanft beginnen und enden lassen"),
-    ("acceleration", "The camera accelerates too much: {0} (limit {1})",
-        "Die Kamera beschleunigt zu stark: {0} (Grenze {1})",
-        "den Abschnitt sanft beginnen und enden lassen oder ihm mehr Bilder geben"),
-    ("view-jump", "The view jumps by {0}°", "Der Blick springt um {0}°",
-        "ein Stück vorausblicken oder die Ecke abrunden"),
-    ("turning", "The view turns too fast: {0}°/s (limit {1})",
-        "Der Blick dreht sich zu schnell: {0}°/s (Grenze {1})",
-        "dem Abschnitt mehr Bilder geben"),
-    ("turning-acceleration", "The turning accelerates too much: {0}°/s² (limit {1})",
-        "Die Drehung beschleunigt zu stark: {0}°/s² (Grenze {1})",
-        "den Abschnitt sanft beginnen und enden lassen"),
-    ("half-turn", "A half turn might go either way",
-        "Eine halbe Drehung könnte in beide Richtungen gehen",
-        "einen Blick dazwischen einfügen"),
-    ("pole", "The view is nearly straight up or down: the picture spins",
-        "Der Blick geht fast senkrecht: Das Bild dreht sich",
-        "den Weg daneben vorbeiführen"),
-    ("target", "The target is too near: {0} half sizes (limit {1})",
-        "Das Ziel ist zu nah: {0} halbe Größen (Grenze {1})",
-        "den Weg daneben vorbeiführen"),
-    ("clearance", "The object is too near: {0} half sizes (limit {1})",
-        "Das Objekt ist zu nah: {0} halbe Größen (Grenze {1})",
-        "den Weg daneben vorbeiführen"),
-    ("through", "The way leads through the object", "Der Weg führt durch das Objekt",
-        "den Weg daneben vorbeiführen"),
-    ("nothing-to-see", "Nothing of the object is in the picture for {0} s",
-        "Vom Objekt ist {0} s lang nichts im Bild",
-        "die Blicke auf das Objekt richten"),
-    ("zoom", "The zoom is too fast: {0} mm/s (limit {1})",
-        "Der Zoom ist zu schnell: {0} mm/s (Grenze {1})",
-        "dem Abschnitt mehr Bilder geben"),
-    ("redundant", "Two keys stand where one would do",
-        "Zwei Stellen stehen, wo eine genügte",
-        "die Orientierung oder den Punkt löschen"),
-    ("corner", "The way turns by {0}° at a point (limit {1})",
-        "Der Weg knickt an einem Punkt um {0}° ab (Grenze {1})",
-        "dem Punkt Tangenten geben"),
+const GERMAN: [(&str, &str, &str, &str, &str); COUNT] = [
+    ("space", "außerhalb des Raums", "halbe Größen",
+        "Ab Punkt {2}, Blick {3} ist die Kamera bis zu {0} halbe Größen außerhalb des Raums (Grenze {1}).",
+        "Punkte verschieben oder skalieren."),
+    ("cusp", "Geschwindigkeit im Abschnitt", "der mittleren",
+        "Ab Punkt {2}, Blick {3} bleibt der Weg im Abschnitt fast stehen, bei {0} der mittleren Geschwindigkeit (Grenze {1}).",
+        "Punkte auseinanderziehen oder ihnen glatte Tangenten geben."),
+    ("speed-jump", "Sprung der Geschwindigkeit", "mittlere",
+        "An Punkt {2}, Blick {3} springt die Geschwindigkeit um {0} mittlere Geschwindigkeiten (Grenze {1}).",
+        "Die Geschwindigkeiten beider Abschnitte verbinden, oder sie ruhend enden und beginnen lassen."),
+    ("acceleration", "Beschleunigung", "halbe Größen/s²",
+        "Ab Punkt {2}, Blick {3} beschleunigt die Kamera mit {0} halben Größen/s² (Grenze {1}).",
+        "Den Abschnitt sanft beginnen und enden lassen oder ihm mehr Bilder geben."),
+    ("view-jump", "Sprung des Blicks", "°",
+        "Ab Punkt {2}, Blick {3} springt der Blick um {0}° (Grenze {1}°).",
+        "Ein Stück vorausblicken oder die Ecke abrunden."),
+    ("turning", "Drehung", "°/s",
+        "Ab Punkt {2}, Blick {3} dreht sich der Blick mit {0}°/s (Grenze {1}°/s).",
+        "Dem Abschnitt mehr Bilder geben."),
+    ("turning-acceleration", "Beschleunigung der Drehung", "°/s²",
+        "Ab Punkt {2}, Blick {3} beschleunigt die Drehung mit {0}°/s² (Grenze {1}°/s²).",
+        "Den Abschnitt sanft beginnen und enden lassen."),
+    ("half-turn", "Abstand von der halben Drehung", "°",
+        "Ab Punkt {2}, Blick {3} macht der Blick bis auf {0}° eine halbe Drehung, die in beide Richtungen gehen könnte (Grenze {1}°).",
+        "Einen Blick dazwischen einfügen."),
+    ("pole", "Abstand von der Senkrechten", "°",
+        "Ab Punkt {2}, Blick {3} kommt der Blick der Senkrechten bis auf {0}° nahe, wo sich das Bild dreht (Grenze {1}°).",
+        "Den Weg daneben vorbeiführen."),
+    ("target", "Abstand vom Ziel", "halbe Größen",
+        "Ab Punkt {2}, Blick {3} kommt die Kamera ihrem Ziel bis auf {0} halbe Größen nahe (Grenze {1}).",
+        "Den Weg daneben vorbeiführen."),
+    ("clearance", "Abstand vom Objekt", "halbe Größen",
+        "Ab Punkt {2}, Blick {3} kommt die Kamera dem Objekt bis auf {0} halbe Größen nahe (Grenze {1}).",
+        "Den Weg daneben vorbeiführen."),
+    ("through", "Weg durch das Objekt", "",
+        "Ab Punkt {2}, Blick {3} führt der Weg durch das Objekt.",
+        "Den Weg daneben vorbeiführen."),
+    ("nothing-to-see", "nichts vom Objekt im Bild", "s",
+        "Ab Punkt {2}, Blick {3} ist {0} s lang nichts vom Objekt im Bild (Grenze {1} s).",
+        "Die Blicke auf das Objekt richten."),
+    ("zoom", "Geschwindigkeit des Zooms", "mm/s",
+        "Ab Punkt {2}, Blick {3} ändert sich der Zoom mit {0} mm/s (Grenze {1} mm/s).",
+        "Dem Abschnitt mehr Bilder geben."),
+    ("redundant", "Änderung durch eine Stelle", "× (0,001 halbe Größen, 0,1°, 0,1 mm)",
+        "Ohne Punkt {2}, Blick {3} wären die Posen dieselben.",
+        "Den Blick oder den Punkt löschen."),
+    ("corner", "Knick des Wegs an einem Punkt", "°",
+        "An Punkt {2}, Blick {3} knickt der Weg um {0}° ab (Grenze {1}°).",
+        "Dem Punkt glatte Tangenten geben."),
+    ("jerk", "Änderung der Beschleunigung", "halbe Größen/s³",
+        "Ab Punkt {2}, Blick {3} ändert sich die Beschleunigung um {0} halbe Größen/s³ (Grenze {1}).",
+        "Den Abschnitt sanft beginnen und enden lassen oder ihm mehr Bilder geben."),
 ];
 
+fn german(
+    kind: FindingKind,
+) -> Option<&'static (
+    &'static str,
+    &'static str,
+    &'static str,
+    &'static str,
+    &'static str,
+)> {
+    GERMAN.iter().find(|words| words.0 == kind.name())
+}
+
 impl Language {
-    /// The message of a finding, and its remedy.
+    /// The sentence of a finding, and its remedy.
     pub(crate) fn finding(self, finding: &Finding) -> (String, &'static str) {
-        let number = |value: f64| {
-            let decimals = if value.abs() < 1.0 { 3 } else { 1 };
-            self.number(value, decimals)
+        let kind = finding.kind;
+        let (sentence, remedy) = match (self, german(kind)) {
+            (Self::German, Some(words)) => (words.3, words.4),
+            _ => (kind.sentence(), kind.remedy()),
         };
-        let (name, remedy) = (finding.kind.name(), finding.kind.remedy());
-        let words = WORDS.iter().find(|words| words.0 == name);
-        let Some(&(_, english, german, helps)) = words else {
-            return (name.to_owned(), remedy);
-        };
-        let (text, remedy) = match self {
-            Self::English => (english, remedy),
-            Self::German => (german, helps),
-        };
-        let values: [&dyn std::fmt::Display; 2] = [&number(finding.value), &number(finding.limit)];
-        (super::fill(text, &values), remedy)
+        let say = |value: f64, decimals: usize| self.number(value, decimals);
+        (finding.say(sentence, say), remedy)
+    }
+
+    /// What a kind's limit limits, and its unit.
+    pub(crate) fn limit(self, kind: FindingKind) -> [&'static str; 2] {
+        match (self, german(kind)) {
+            (Self::German, Some(words)) => [words.1, words.2],
+            _ => [kind.limit().does, kind.unit()],
+        }
+    }
+
+    pub(crate) fn note(self, note: &Note) -> String {
+        let texts = &self.texts().check;
+        match note {
+            Note::Inside => texts.inside.to_owned(),
+            Note::Moving { name, others: 0 } => super::fill(texts.moving, &[name]),
+            Note::Moving { name, others } => super::fill(texts.all_moving, &[name, others]),
+            Note::Camera => texts.camera.to_owned(),
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::tools::check::FindingKind;
 
     #[test]
-    fn each_kind_has_its_words() {
+    fn each_kind_has_whole_sentences_with_the_same_numbers() {
         for kind in FindingKind::all() {
-            let name = kind.name();
-            assert!(WORDS.iter().any(|words| words.0 == name), "{name}");
+            let words = german(kind).expect("German words");
+            for (sentence, remedy) in [(words.3, words.4), (kind.sentence(), kind.remedy())] {
+                for text in [sentence, remedy] {
+                    assert!(
+                        text.starts_with(char::is_uppercase) && text.ends_with('.'),
+                        "{text}"
+                    );
+                }
+            }
+            for place in ["{0}", "{1}", "{2}", "{3}"] {
+                let there = [words.3, kind.sentence()].map(|text| text.contains(place));
+                assert_eq!(there[0], there[1], "{place} {}", words.0);
+            }
         }
     }
 }

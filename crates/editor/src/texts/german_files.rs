@@ -130,6 +130,7 @@ german! {
         NoDeformationKind => "diese Verformung hat keine Art (kind)";
         Checksum => "eine Prüfsumme hat bis zu 16 Ziffern 0 bis 9, a bis f";
         MeshFile => "ein Netz hat eigene Punkte, oder eine Datei: allein, oder mit Länge (bytes) und Prüfsumme (checksum)";
+        PolylinesAndMesh => "ein Objekt hat entweder polylines oder ein eigenes Netz";
         Pin => "zum Anheften gehören ein Punkt (point) und eine Marke (marker)";
         Track => "eine Spur hat channel, interpolation, frames und values";
         SetupVersion { version, known } =>

@@ -4,20 +4,30 @@
 //! The path is checked again as soon as nothing is held any more. Where that would take long, it
 //! waits until it is asked for. The tree over the object is kept as long as the object is the same.
 
-use egui::{Button, Context, ScrollArea, Ui, vec2};
+use egui::{Button, Context, Label, RichText, ScrollArea, Ui, vec2};
 
 use super::{SubWindow, Windows, sub_window};
 use crate::actions::Action;
+use crate::document::{Edit, Note};
+use crate::error::Result;
+use crate::number::{Entry, Number};
 use crate::state::Editor;
 use crate::texts::fill;
-use crate::texts::refusals::of_edit;
+use crate::texts::refusals::{of_edit, reason_of};
 use crate::theme;
-use crate::tools::check::Finding;
+use crate::tools::check::{Finding, FindingKind, OFF};
 
 const WIDTH: f32 = 400.0;
 
 /// Width of the button with the frames.
 const FRAMES: f32 = 116.0;
+
+/// Width of a limit's name, of its number.
+const LIMIT: f32 = 230.0;
+const NUMBER: f32 = 80.0;
+
+/// What a jerk is limited to when it is first looked for: gentle flights have less.
+const JERK: f64 = 100.0;
 
 /// A film with more frames, or an object with more pieces, is checked when asked.
 const LONG: usize = 20_000;
@@ -31,6 +41,10 @@ pub(crate) struct CheckWindow {
     /// The revision that was checked.
     checked: Option<u64>,
     found: Vec<Finding>,
+    /// What helps with each of those that are listed.
+    mends: Vec<Vec<Edit>>,
+    notes: Vec<Note>,
+    limits: bool,
     trouble: Option<String>,
     /// A check was asked for.
     asked: bool,
@@ -78,16 +92,74 @@ impl SubWindow for CheckWindow {
                     self.asked |= button.clicked();
                 }
             });
+            for note in &self.notes {
+                let text = RichText::new(editor.language().note(note)).color(palette.weak);
+                ui.add(Label::new(text).wrap());
+            }
+            let open = ui.selectable_label(self.limits, texts.limits);
+            self.limits ^= open.on_hover_text(texts.limits_hint).clicked();
             ScrollArea::vertical().max_height(height).show(ui, |ui| {
-                for (at, finding) in self.found.iter().take(MOST).enumerate() {
-                    ui.push_id(at, |ui| row(editor, ui, finding, current, actions));
+                if self.limits {
+                    limits(editor, ui, actions);
+                }
+                for (at, (finding, mend)) in self.found.iter().zip(&self.mends).enumerate() {
+                    ui.push_id(at, |ui| row(editor, ui, (finding, mend), current, actions));
                 }
             });
         })
     }
 }
 
-fn row(editor: &Editor, ui: &mut Ui, finding: &Finding, current: bool, actions: &mut Vec<Action>) {
+/// The limits of this path: whether a kind is looked for, and from where on.
+fn limits(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
+    let (texts, language) = (&editor.texts().check, editor.language());
+    let info = editor.document.info();
+    let with = |kind: FindingKind, limit: f64| {
+        let mut info = info.clone();
+        let set = info.limits.set(kind, limit);
+        set.map(|()| Edit::SetInfo(Box::new(info)))
+            .map_err(|error| reason_of(language, &error.into()))
+    };
+    for kind in FindingKind::all() {
+        let (known, limit) = (kind.limit(), info.limits.get(kind));
+        let [name, unit] = language.limit(kind);
+        ui.horizontal(|ui| {
+            let mut on = limit != OFF;
+            let tick = ui.allocate_ui(vec2(LIMIT, theme::ROW), |ui| {
+                ui.set_width(LIMIT);
+                theme::tick(ui, &mut on, name)
+            });
+            if tick.inner.on_hover_text(texts.limit_hint).clicked() {
+                let usual = if known.default == OFF {
+                    JERK
+                } else {
+                    known.default
+                };
+                let entry = Entry::Set(if on { usual } else { OFF });
+                actions.push(Action::Enter(entry.try_map(|limit| with(kind, limit))));
+            }
+            if on && kind != FindingKind::Through {
+                let id = format!("check.limit.{}", known.name);
+                let entry = Number::new(name, limit)
+                    .decimals(if limit < 10.0 { 2 } else { 0 })
+                    .range(0.0..=known.most)
+                    .hint(kind.name())
+                    .show(ui, language, &id, NUMBER);
+                actions.push(Action::Enter(entry.try_map(|limit| with(kind, limit))));
+                ui.label(unit);
+            }
+        });
+    }
+    ui.separator();
+}
+
+fn row(
+    editor: &Editor,
+    ui: &mut Ui,
+    (finding, mend): (&Finding, &Vec<Edit>),
+    current: bool,
+    actions: &mut Vec<Action>,
+) {
     let texts = &editor.texts().check;
     let first = f64::from(editor.document.info().first_frame);
     let [from, to] = [finding.first_frame, finding.last_frame].map(|frame| {
@@ -110,17 +182,16 @@ fn row(editor: &Editor, ui: &mut Ui, finding: &Finding, current: bool, actions: 
         if response.clicked() {
             actions.push(Action::GoTo(*finding));
         }
-        let mend = editor.document.remedy(finding).unwrap_or_default();
         let room = if mend.is_empty() { 0.0 } else { 88.0 };
         let width = (ui.available_width() - room).max(80.0);
         ui.allocate_ui(vec2(width, theme::ROW), |ui| {
             ui.set_width(width);
-            ui.add(egui::Label::new(words).wrap()).on_hover_text(remedy);
+            ui.add(Label::new(words).wrap()).on_hover_text(remedy);
         });
         if !mend.is_empty() {
             let button = ui.add_enabled(current, Button::new(texts.mend));
             if button.on_hover_text(remedy).clicked() {
-                actions.push(Action::Mend(mend));
+                actions.push(Action::Mend(mend.clone()));
             }
         }
     });
@@ -132,7 +203,7 @@ fn is_quick(editor: &Editor) -> bool {
         .document
         .sampler()
         .map(|sampler| sampler.frame_count());
-    let mut pieces = editor.document.info().object.len();
+    let mut pieces = editor.document.info().object.pieces();
     if let Some(edited) = editor.document.edited_scene() {
         for node in edited.scene().nodes() {
             if let vides_engine::scene::Kind::Object(object) = &node.kind {
@@ -152,14 +223,18 @@ impl CheckWindow {
     fn check(&mut self, editor: &Editor) {
         self.asked = false;
         self.checked = Some(editor.document.revision());
-        self.found.clear();
-        let found = editor
-            .obstacles()
-            .and_then(|tree| editor.document.check_against(tree.as_deref()));
-        match found {
-            Ok(found) => (self.found, self.trouble) = (found, None),
-            Err(error) => self.trouble = Some(of_edit(editor.language(), &error)),
-        }
+        (self.found, self.mends, self.notes) = Default::default();
+        let document = &editor.document;
+        let looked = editor.obstacles().and_then(|tree| {
+            self.notes = document.notes(tree.as_deref(), true)?;
+            self.found = document.check_against(tree.as_deref())?;
+            let listed = self.found.iter().take(MOST);
+            self.mends = listed
+                .map(|finding| document.remedy(finding))
+                .collect::<Result<_>>()?;
+            Ok(())
+        });
+        self.trouble = looked.err().map(|error| of_edit(editor.language(), &error));
     }
 }
 

@@ -1,17 +1,17 @@
 //! Warnings about a section whose result is a choice that the path leaves open (`docs/path.md`):
 //! half a turn goes either way, and a camera that passes through its target has no direction there.
 
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 
 use super::ahead;
 use super::alignment::rolled;
 use super::camera_path::{CameraPath, Orientation, Target};
 use super::hermite::Cubic;
-use super::space::Space;
+use super::space::{Space, Up};
 use super::timeline::{Change, Timeline, next};
 use super::turning::AT_TARGET;
 use crate::math::orientation::quaternion_from_view;
-use crate::math::quaternion::continue_sign;
+use crate::math::quaternion::{angle, continue_sign};
 
 /// What is ambiguous in a section.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,6 +33,41 @@ const PLACES: usize = 64;
 /// If there is no such section.
 #[must_use]
 pub fn ambiguity(path: &CameraPath, timeline: &Timeline, section: usize) -> Option<Ambiguity> {
+    match turn(path, timeline, section)? {
+        Turn::Tracks(target, up) => {
+            let begin = timeline.section(section);
+            let curve = (begin.change == Change::Position).then(|| timeline.curve(begin.point))?;
+            met(curve, target, Space { up, ..path.space })
+        }
+        Turn::Free(a, b) => continue_sign(a, b).1.then_some(Ambiguity::HalfTurn),
+    }
+}
+
+/// How far short of a half turn a section turns, in degrees; `None` where it follows a rule.
+///
+/// # Panics
+/// If there is no such section.
+#[must_use]
+pub fn half_turn(path: &CameraPath, timeline: &Timeline, section: usize) -> Option<f64> {
+    match turn(path, timeline, section)? {
+        Turn::Tracks(..) => None,
+        Turn::Free(a, b) => {
+            let turned = 2.0 * angle(a, continue_sign(a, b).0);
+            Some(180.0 - turned.to_degrees())
+        }
+    }
+}
+
+/// How a section turns.
+enum Turn {
+    /// With the way, towards a target, with this axis upright.
+    Tracks(DVec3, Up),
+    /// From one orientation to another.
+    Free(DQuat, DQuat),
+}
+
+/// How a section turns; `None` along the way.
+fn turn(path: &CameraPath, timeline: &Timeline, section: usize) -> Option<Turn> {
     let begin = timeline.section(section);
     let here = &path.points[begin.point];
     let from = &here.orientations[begin.orientation];
@@ -43,25 +78,22 @@ pub fn ambiguity(path: &CameraPath, timeline: &Timeline, section: usize) -> Opti
         return None;
     }
     let tracks = same_up && from.own.ahead.or(to.own.ahead).is_none();
-    match (from.target, to.target) {
-        (Target::Absolute(a), Target::Absolute(b)) if tracks && a == b => {
-            let curve = (begin.change == Change::Position).then(|| timeline.curve(begin.point))?;
-            let up = from.own.up.level(path.space.up).unwrap_or(path.space.up);
-            met(curve, a, Space { up, ..path.space })
-        }
-        _ => {
-            let key = |(point, number): (usize, usize), orientation: &Orientation| {
-                let view = ahead::view(path, point, number);
-                let reference = timeline.reference(path, (point, number), view);
-                let view = path.space.up.upright(view);
-                let up = rolled(view, reference, orientation.roll.to_radians());
-                quaternion_from_view(view, up)
-            };
-            let begins = (begin.point, begin.orientation);
-            let (a, b) = (key(begins, from), key(next, to));
-            continue_sign(a, b).1.then_some(Ambiguity::HalfTurn)
-        }
+    if let (Target::Absolute(a), Target::Absolute(b)) = (from.target, to.target)
+        && tracks
+        && a == b
+    {
+        let up = from.own.up.level(path.space.up).unwrap_or(path.space.up);
+        return Some(Turn::Tracks(a, up));
     }
+    let key = |(point, number): (usize, usize), orientation: &Orientation| {
+        let view = ahead::view(path, point, number);
+        let reference = timeline.reference(path, (point, number), view);
+        let view = path.space.up.upright(view);
+        let up = rolled(view, reference, orientation.roll.to_radians());
+        quaternion_from_view(view, up)
+    };
+    let begins = (begin.point, begin.orientation);
+    Some(Turn::Free(key(begins, from), key(next, to)))
 }
 
 /// Whether a curve leads through a target, or straight above or below it.

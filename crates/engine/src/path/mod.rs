@@ -51,7 +51,7 @@ pub mod up_vector;
 #[cfg(test)]
 pub(crate) mod test_support;
 
-pub use ambiguity::{Ambiguity, ambiguity};
+pub use ambiguity::{Ambiguity, ambiguity, half_turn};
 pub use camera_path::{
     BaseFrames, CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, SupportPoint,
     Target, Tcb, ZoomMode,

@@ -3,19 +3,20 @@
 //! Between frames a view that jumps is found by halving the interval, a cusp by the least tangent
 //! of the curve, a jump of the speed by differences on both sides of a key.
 
+use std::fmt;
+
 use glam::{DQuat, DVec3};
 
 use super::clearance::Clearance;
 use super::parameter::{Parameter, Unit};
+use super::redundant::without;
 use crate::deform::Bounds;
 use crate::error::{Invalid, Result, vec_with_room};
 use crate::limits::{BASE_SPEED, MAX_COORDINATE, MIN_SPEED};
 use crate::math::orientation::quaternion_from_view;
 use crate::math::quaternion::{angle, continue_sign, log};
 use crate::path::arc_length::ArcLength;
-use crate::path::{
-    Ambiguity, CameraPath, Change, Pose, Sampler, Section, Target, Timeline, ambiguity,
-};
+use crate::path::{CameraPath, Change, Pose, Sampler, Section, Target, Timeline, half_turn};
 
 /// A kind of fault that is looked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -48,78 +49,108 @@ pub enum FindingKind {
     NothingToSee,
     /// The zoom is too fast.
     Zoom,
-    /// Several keys stand where one would do.
+    /// The poses would be the same without a key.
     Redundant,
     /// The way turns too much at a point.
     Corner,
+    /// The acceleration changes too fast.
+    Jerk,
 }
 
 /// Number of kinds.
-pub const COUNT: usize = 16;
+pub const COUNT: usize = 17;
 
-/// A kind, the limit beyond which it is reported, under the kind's name, and what helps.
-type Row = (FindingKind, Parameter, &'static str);
+/// A limit that nothing is beyond: its kind is not looked for.
+pub const OFF: f64 = f64::INFINITY;
+
+/// A kind, its limit under the kind's name, its unit, what a finding says and what helps.
+type Row = (FindingKind, Parameter, [&'static str; 3]);
 
 const fn row(
     kind: FindingKind,
     [name, does]: [&'static str; 2],
-    unit: Unit,
-    most: f64,
-    default: f64,
+    [most, default]: [f64; 2],
+    unit: &'static str,
+    sentence: &'static str,
     remedy: &'static str,
 ) -> Row {
     let limit = Parameter {
         name,
         does,
-        unit,
+        unit: Unit::One,
         width: 1,
         least: 0.0,
         most,
         default,
     };
-    (kind, limit, remedy)
+    (kind, limit, [unit, sentence, remedy])
 }
 
 /// All that is looked for, in the order of the kinds.
 #[rustfmt::skip]
 static ROWS: [Row; COUNT] = [
-    row(FindingKind::Space, ["space", "the camera is so far outside the space"], Unit::Length,
-        MAX_COORDINATE, 0.0, "move or scale the points: vides transform"),
-    row(FindingKind::Cusp, ["cusp",
-        "the curve or the pace nearly stops within a section, to such a share of its mean"],
-        Unit::One, 1.0, 0.02, "draw the points apart or give them tangents"),
-    row(FindingKind::SpeedJump, ["speed-jump",
-        "the speed jumps at a key by such a share of the mean speed"], Unit::One, 1000.0, 0.5,
-        "ease the section"),
-    row(FindingKind::Acceleration, ["acceleration",
-        "the camera accelerates more, in half sizes a second squared"], Unit::One, MAX_COORDINATE,
-        10.0, "ease the section or give it more frames"),
-    row(FindingKind::ViewJump, ["view-jump", "the view jumps by so much"], Unit::Degrees, 180.0,
-        1.0, "look ahead by a distance, or round off the corner"),
-    row(FindingKind::Turning, ["turning", "the view turns faster, in degrees a second"],
-        Unit::Degrees, 1e6, 60.0, "give the section more frames"),
-    row(FindingKind::TurningAcceleration, ["turning-acceleration",
-        "the turning accelerates more, in degrees a second squared"], Unit::Degrees, 1e9, 300.0,
-        "ease the section"),
-    row(FindingKind::HalfTurn, ["half-turn", "a half turn might go either way"], Unit::One, 1.0,
-        0.0, "put a view between the two"),
-    row(FindingKind::Pole, ["pole", "the view is so near to straight up or down"], Unit::Degrees,
-        90.0, 3.0, "lead the way aside"),
-    row(FindingKind::Target, ["target", "the target is nearer"], Unit::Length, MAX_COORDINATE,
-        0.05, "lead the way aside"),
-    row(FindingKind::Clearance, ["clearance", "the object is nearer"], Unit::Length,
-        MAX_COORDINATE, 0.02, "lead the way aside"),
-    row(FindingKind::Through, ["through", "the way leads through the object"], Unit::One, 1.0, 0.0,
-        "lead the way aside"),
-    row(FindingKind::NothingToSee, ["nothing-to-see",
-        "nothing of the object is in the picture for longer"], Unit::Seconds, 1e6, 1.0,
-        "turn the views towards the object"),
-    row(FindingKind::Zoom, ["zoom", "the zoom is faster, in mm a second"], Unit::Zoom, 1e6, 30.0,
-        "give the section more frames"),
-    row(FindingKind::Redundant, ["redundant", "several keys stand where one would do"], Unit::One,
-        1.0, 0.0, "remove the orientation or the point"),
-    row(FindingKind::Corner, ["corner", "the way turns at a point by more"], Unit::Degrees, 180.0,
-        60.0, "give the point tangents"),
+    row(FindingKind::Space, ["space", "outside the space"], [MAX_COORDINATE, 0.0], "half sizes",
+        "From point {2}, view {3} the camera is up to {0} half sizes outside the space (limit {1}).",
+        "Move or scale the points."),
+    row(FindingKind::Cusp, ["cusp", "speed within a section"], [1.0, 0.02], "of its mean",
+        "From point {2}, view {3} the way nearly stops within the section, at {0} of its mean speed \
+         (limit {1}).",
+        "Draw the points apart or give them smooth tangents."),
+    row(FindingKind::SpeedJump, ["speed-jump", "jump of the speed at a key"], [1000.0, 0.5],
+        "mean speeds",
+        "At point {2}, view {3} the speed jumps by {0} mean speeds (limit {1}).",
+        "Join the speeds of the two sections, or let them end and begin at rest."),
+    row(FindingKind::Acceleration, ["acceleration", "acceleration"], [MAX_COORDINATE, 10.0],
+        "half sizes/s²",
+        "From point {2}, view {3} the camera accelerates by {0} half sizes/s² (limit {1}).",
+        "Ease the section or give it more frames."),
+    row(FindingKind::ViewJump, ["view-jump", "jump of the view"], [180.0, 1.0], "°",
+        "From point {2}, view {3} the view jumps by {0}° (limit {1}°).",
+        "Look ahead by a distance, or round off the corner."),
+    row(FindingKind::Turning, ["turning", "turning"], [1e6, 60.0], "°/s",
+        "From point {2}, view {3} the view turns by {0}°/s (limit {1}°/s).",
+        "Give the section more frames."),
+    row(FindingKind::TurningAcceleration, ["turning-acceleration", "acceleration of the turning"],
+        [1e9, 300.0], "°/s²",
+        "From point {2}, view {3} the turning accelerates by {0}°/s² (limit {1}°/s²).",
+        "Ease the section."),
+    row(FindingKind::HalfTurn, ["half-turn", "distance from a half turn"], [180.0, 0.1], "°",
+        "From point {2}, view {3} the view makes half a turn but for {0}°, which might go either way \
+         (limit {1}°).",
+        "Put a view between the two."),
+    row(FindingKind::Pole, ["pole", "distance from straight up or down"], [90.0, 3.0], "°",
+        "From point {2}, view {3} the view comes within {0}° of straight up or down, where the \
+         picture spins (limit {1}°).",
+        "Lead the way aside."),
+    row(FindingKind::Target, ["target", "distance from the target"], [MAX_COORDINATE, 0.05],
+        "half sizes",
+        "From point {2}, view {3} the camera comes within {0} half sizes of its target (limit {1}).",
+        "Lead the way aside."),
+    row(FindingKind::Clearance, ["clearance", "distance from the object"], [MAX_COORDINATE, 0.02],
+        "half sizes",
+        "From point {2}, view {3} the camera comes within {0} half sizes of the object (limit {1}).",
+        "Lead the way aside."),
+    row(FindingKind::Through, ["through", "way through the object"], [1.0, 0.0], "",
+        "From point {2}, view {3} the way leads through the object.",
+        "Lead the way aside."),
+    row(FindingKind::NothingToSee, ["nothing-to-see", "nothing of the object in the picture"],
+        [1e6, 1.0], "s",
+        "From point {2}, view {3} nothing of the object is in the picture for {0} s (limit {1} s).",
+        "Turn the views towards the object."),
+    row(FindingKind::Zoom, ["zoom", "speed of the zoom"], [1e6, 30.0], "mm/s",
+        "From point {2}, view {3} the zoom changes by {0} mm/s (limit {1} mm/s).",
+        "Give the section more frames."),
+    row(FindingKind::Redundant, ["redundant", "change of the poses by a key"], [1000.0, 1.0],
+        "of 0.001 half sizes, 0.1° and 0.1 mm",
+        "Without point {2}, view {3} the poses would be the same.",
+        "Remove the view or the point."),
+    row(FindingKind::Corner, ["corner", "turn of the way at a point"], [180.0, 60.0], "°",
+        "At point {2}, view {3} the way turns by {0}° (limit {1}°).",
+        "Give the point smooth tangents."),
+    row(FindingKind::Jerk, ["jerk", "change of the acceleration"], [MAX_COORDINATE, OFF],
+        "half sizes/s³",
+        "From point {2}, view {3} the acceleration changes by {0} half sizes/s³ (limit {1}).",
+        "Ease the section or give it more frames."),
 ];
 
 impl FindingKind {
@@ -140,10 +171,23 @@ impl FindingKind {
         self.limit().name
     }
 
+    /// What its limit counts, as it stands behind a number; may be empty.
+    #[must_use]
+    pub const fn unit(self) -> &'static str {
+        ROWS[self as usize].2[0]
+    }
+
+    /// What a finding says, with `{0}` for its value, `{1}` for the limit, `{2}` and `{3}` for the
+    /// numbers, from 1, of the point and the view with which its section begins.
+    #[must_use]
+    pub const fn sentence(self) -> &'static str {
+        ROWS[self as usize].2[1]
+    }
+
     /// What helps.
     #[must_use]
     pub const fn remedy(self) -> &'static str {
-        ROWS[self as usize].2
+        ROWS[self as usize].2[2]
     }
 
     /// The kind of this name.
@@ -173,12 +217,14 @@ impl Limits {
         self.0[kind as usize]
     }
 
-    /// Sets a limit.
+    /// Sets a limit; [`OFF`]: the kind is not looked for.
     ///
     /// # Errors
     /// [`crate::Error::Argument`] or [`crate::Error::Range`]; nothing is changed then.
     pub fn set(&mut self, kind: FindingKind, limit: f64) -> Result<()> {
-        kind.limit().check(limit, 1.0)?;
+        if limit != OFF {
+            kind.limit().check(limit, 1.0)?;
+        }
         self.0[kind as usize] = limit;
         Ok(())
     }
@@ -213,6 +259,35 @@ pub struct Finding {
     pub value: f64,
     /// The limit.
     pub limit: f64,
+}
+
+impl Finding {
+    /// Its sentence, or that of another language in its place; `number` writes one with so many
+    /// decimals.
+    #[must_use]
+    pub fn say(&self, sentence: &str, number: impl Fn(f64, usize) -> String) -> String {
+        let [value, limit] = [self.value, self.limit].map(|value| number(value, decimals(value)));
+        let filled = sentence.replace("{0}", &value).replace("{1}", &limit);
+        let key = [self.point + 1, self.orientation + 1].map(|at| at.to_string());
+        filled.replace("{2}", &key[0]).replace("{3}", &key[1])
+    }
+}
+
+/// The English sentence.
+impl fmt::Display for Finding {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let number = |value: f64, decimals: usize| format!("{value:.decimals$}");
+        f.write_str(&self.say(self.kind.sentence(), number))
+    }
+}
+
+/// So many decimals show three digits of a number, or all.
+fn decimals(value: f64) -> usize {
+    let enough = |decimals: &usize| {
+        let scaled = (value * 10_f64.powi(*decimals as i32)).abs();
+        scaled >= 99.95 || (scaled - scaled.round()).abs() < 1e-6
+    };
+    (0..9).find(enough).unwrap_or(9)
 }
 
 /// What a path is checked against.
@@ -256,9 +331,10 @@ pub fn check(path: &CameraPath, against: &Against<'_>) -> Result<Vec<Finding>> {
         scan.section(&timeline, section)?;
     }
     scan.joins(&timeline)?;
+    scan.redundant(&timeline)?;
     let frames = sampler.frame_count();
     let mut poses = vec_with_room(BLOCK)?;
-    let mut before = [None; 2];
+    let mut before = [None; 3];
     let mut done = 0;
     while done < frames {
         let count = BLOCK.min(frames - done);
@@ -266,15 +342,16 @@ pub fn check(path: &CameraPath, against: &Against<'_>) -> Result<Vec<Finding>> {
         sampler.sample(done + 1, &mut poses)?;
         for pose in &poses {
             done += 1;
-            let here = Frame::new(done, pose, before[1].as_ref());
+            let here = Frame::new(done, pose, before[2].as_ref());
             scan.frame(&here, before)?;
-            before = [before[1], Some(here)];
+            before = [before[1], before[2], Some(here)];
         }
     }
     for kind in FindingKind::all() {
         scan.close(kind)?;
     }
     let mut found = scan.found;
+    found.retain(|finding| finding.limit != OFF);
     found.sort_by(|a, b| a.first_frame.total_cmp(&b.first_frame));
     Ok(found)
 }
@@ -400,7 +477,7 @@ impl Scan<'_> {
         self.see(kind, frames, there.then_some(value), -1.0)
     }
 
-    fn frame(&mut self, here: &Frame, before: [Option<Frame>; 2]) -> Result<()> {
+    fn frame(&mut self, here: &Frame, before: [Option<Frame>; 3]) -> Result<()> {
         let (number, fps) = (here.number, self.against.fps);
         let size = self.path.space.half_size;
         let at = (number, number);
@@ -425,23 +502,14 @@ impl Scan<'_> {
         };
         self.below(FindingKind::Pole, at, pole)?;
         self.below(FindingKind::Target, at, target)?;
+        let last = before[2];
         if let Some(object) = self.against.object {
-            let least = self.against.limits.get(FindingKind::Clearance);
-            let near = object.distance(here.place, size * least);
-            let near = near.map(|near| near / size);
-            let near = near.filter(|near| beyond(least, *near));
-            self.see(FindingKind::Clearance, at, near, -1.0)?;
-            let seen = object.is_seen(&picture(&here.pose));
-            self.see(FindingKind::NothingToSee, at, (!seen).then_some(0.0), 1.0)?;
+            self.beside(object, here, last.as_ref())?;
         }
-        let Some(last) = before[1] else {
+        let Some(last) = last else {
             return Ok(());
         };
         let pair = (number - 1, number);
-        if let Some(object) = self.against.object {
-            let crossed = object.is_crossed(last.place, here.place);
-            self.see(FindingKind::Through, pair, crossed.then_some(0.0), 1.0)?;
-        }
         let turned = 2.0 * angle(last.turn, here.turn);
         let jump = if turned > SUSPECT {
             self.jump(number)?.to_degrees()
@@ -455,7 +523,7 @@ impl Scan<'_> {
             pair,
             (here.pose.zoom - last.pose.zoom).abs() * fps,
         )?;
-        let Some(first) = before[0] else {
+        let Some(first) = before[1] else {
             return Ok(());
         };
         let three = (number - 2, number);
@@ -471,7 +539,35 @@ impl Scan<'_> {
             FindingKind::TurningAcceleration,
             three,
             change.to_degrees() * fps * fps,
+        )?;
+        let Some(start) = before[0] else {
+            return Ok(());
+        };
+        let third = bend - (last.place - 2.0 * first.place + start.place);
+        self.above(
+            FindingKind::Jerk,
+            (number - 3, number),
+            third.length() / size * fps.powi(3),
         )
+    }
+
+    /// How a frame and the way to it lie to the object.
+    fn beside(&mut self, object: &Clearance, here: &Frame, last: Option<&Frame>) -> Result<()> {
+        let (number, size) = (here.number, self.path.space.half_size);
+        let (at, pair) = ((number, number), (number - 1, number));
+        let crossed = last.is_some_and(|last| object.is_crossed(last.place, here.place));
+        let least = self.against.limits.get(FindingKind::Clearance);
+        let near = object.distance(here.place, size * least);
+        let near = near.map(|near| near / size);
+        let near = near.filter(|near| beyond(least, *near));
+        if crossed && least > 0.0 {
+            self.see(FindingKind::Clearance, pair, Some(0.0), -1.0)?;
+        } else {
+            self.see(FindingKind::Clearance, at, near, -1.0)?;
+        }
+        let seen = object.is_seen(&picture(&here.pose));
+        self.see(FindingKind::NothingToSee, at, (!seen).then_some(0.0), 1.0)?;
+        self.see(FindingKind::Through, pair, crossed.then_some(0.0), 1.0)
     }
 
     /// The turn left when the interval before a frame is halved often, to where it turns more.
@@ -506,11 +602,13 @@ impl Scan<'_> {
         let end = begin + section.frames as f64;
         if section.change == Change::Nothing {
             let frames = [first as f64; 2];
-            return self.add(self.finding(FindingKind::Redundant, frames, Some(&section), 1.0));
+            return self.add(self.finding(FindingKind::Redundant, frames, Some(&section), 0.0));
         }
-        if ambiguity(self.path, timeline, number) == Some(Ambiguity::HalfTurn) {
+        if let Some(short) = half_turn(self.path, timeline, number)
+            && !beyond(short, limits.get(FindingKind::HalfTurn))
+        {
             let frames = [begin, end];
-            self.add(self.finding(FindingKind::HalfTurn, frames, Some(&section), 180.0))?;
+            self.add(self.finding(FindingKind::HalfTurn, frames, Some(&section), short))?;
         }
         let timing = timeline.timing(self.path, number)?;
         let mut least = (limits.get(FindingKind::Cusp), None);
@@ -539,6 +637,29 @@ impl Scan<'_> {
         if let (value, Some(u)) = least {
             let frame = begin + u * section.frames as f64;
             self.add(self.finding(FindingKind::Cusp, [frame; 2], Some(&section), value))?;
+        }
+        Ok(())
+    }
+
+    /// Points without which the poses would be the same.
+    fn redundant(&mut self, timeline: &Timeline) -> Result<()> {
+        let most = self.against.limits.get(FindingKind::Redundant);
+        if most == OFF || most == 0.0 {
+            return Ok(());
+        }
+        for point in 1..self.path.points.len() {
+            let Some(without) = without(self.path, point, most)? else {
+                continue;
+            };
+            let Some(number) = timeline.section_from(point, 0) else {
+                continue;
+            };
+            let section = timeline.section(number);
+            if section.change != Change::Nothing {
+                let frames = [(self.sampler.first_frame(number) - 1) as f64; 2];
+                let value = without.change;
+                self.add(self.finding(FindingKind::Redundant, frames, Some(&section), value))?;
+            }
         }
         Ok(())
     }

@@ -11,14 +11,14 @@ const LEAF: usize = 4;
 
 /// A point, a line or a triangle; corners repeat where there are fewer than three.
 #[derive(Debug, Clone, Copy)]
-struct Primitive([DVec3; 3]);
+pub(super) struct Primitive(pub(super) [DVec3; 3]);
 
 #[derive(Debug, Clone, Copy)]
-struct BoxNode {
-    min: DVec3,
-    max: DVec3,
+pub(super) struct BoxNode {
+    pub(super) min: DVec3,
+    pub(super) max: DVec3,
     /// First primitive of a leaf, else the second child; the first one follows.
-    at: u32,
+    pub(super) at: u32,
     /// Primitives of a leaf; 0: not one.
     count: u32,
 }
@@ -26,7 +26,7 @@ struct BoxNode {
 /// The object, ready to be asked.
 #[derive(Debug)]
 pub struct Clearance {
-    primitives: Vec<Primitive>,
+    pub(super) primitives: Vec<Primitive>,
     nodes: Vec<BoxNode>,
 }
 
@@ -143,7 +143,7 @@ impl Clearance {
     }
 
     /// Walks the tree; `look` gets a node with a leaf's primitives and tells whether to go deeper.
-    fn walk(&self, look: &mut dyn FnMut(&BoxNode, &[Primitive]) -> bool) {
+    pub(super) fn walk(&self, look: &mut dyn FnMut(&BoxNode, &[Primitive]) -> bool) {
         // Deeper than a tree of 2⁶⁰ primitives, split at the median.
         let mut stack = [0_u32; 64];
         let mut depth = 1;
@@ -226,7 +226,7 @@ impl Primitive {
     }
 
     /// How far ahead a ray meets a triangle, or passes a line and how far beside it for each unit.
-    fn ahead(&self, from: DVec3, way: DVec3) -> Option<(f64, Option<f64>)> {
+    pub(super) fn ahead(&self, from: DVec3, way: DVec3) -> Option<(f64, Option<f64>)> {
         let [a, b, c] = self.0.map(|corner| corner - from);
         let normal = (b - a).cross(c - a);
         let (far, off) = if normal.length_squared() > 0.0 {

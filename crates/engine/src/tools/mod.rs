@@ -8,11 +8,13 @@ pub mod blend;
 pub mod block;
 pub mod check;
 pub mod clearance;
+pub mod enclosure;
 pub mod fit;
 mod keep;
 pub mod moves;
 pub mod parameter;
 pub mod profile;
+pub mod redundant;
 mod smooth;
 pub mod transform;
 

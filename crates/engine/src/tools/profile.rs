@@ -56,13 +56,13 @@ impl Quantity {
     #[must_use]
     pub const fn findings(self) -> &'static [FindingKind] {
         use FindingKind::{
-            Acceleration, Clearance, Corner, Cusp, HalfTurn, NothingToSee, Pole, Redundant, Space,
-            SpeedJump, Target, Through, Turning, TurningAcceleration, ViewJump, Zoom,
+            Acceleration, Clearance, Corner, Cusp, HalfTurn, Jerk, NothingToSee, Pole, Redundant,
+            Space, SpeedJump, Target, Through, Turning, TurningAcceleration, ViewJump, Zoom,
         };
         match self {
             Self::Distance => &[],
             Self::Speed => &[SpeedJump, Cusp, Corner, Space],
-            Self::Acceleration => &[Acceleration],
+            Self::Acceleration => &[Acceleration, Jerk],
             Self::Turning => &[Turning, TurningAcceleration, ViewJump, HalfTurn, Pole],
             Self::Roll => &[Redundant],
             Self::Zoom => &[Zoom],
@@ -114,16 +114,22 @@ impl Quantity {
                     return Ok(values);
                 };
                 let mut before: Option<(DVec3, f64)> = None;
-                values.extend(samples.iter().map(|(frame, pose)| {
+                for (frame, pose) in samples {
                     let here = place(pose);
                     // No farther than from the place before and the way from there.
                     let most = before.map_or(f64::INFINITY, |(place, far)| {
                         (far + place.distance(here)) * (1.0 + 1e-9) + f64::MIN_POSITIVE
                     });
                     let far = object.distance(here, most).unwrap_or(most);
+                    let crossed = |(place, _)| object.is_crossed(place, here);
+                    if let (true, Some(last)) = (before.is_some_and(crossed), values.last()) {
+                        let (last, _): &(f64, f64) = last;
+                        values.push((0.5 * (last + frame), 0.0));
+                    }
                     before = Some((here, far));
-                    (*frame, far)
-                }));
+                    values.try_reserve(2)?;
+                    values.push((*frame, far));
+                }
             }
         }
         Ok(values)
