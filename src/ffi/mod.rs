@@ -42,6 +42,7 @@ mod points;
 mod poses;
 mod quaternions;
 mod scene;
+mod scene_space;
 mod scene_states;
 mod scene_tracks;
 mod scene_types;
