@@ -529,7 +529,8 @@ struct v_editor_options {
     void *user;
     /**
      * the movement space in the host's world: its centre, half of its edge, and
-     * which axis is up, V_UP_Y or V_UP_Z. Half size 0: that of file or path
+     * which axis is up, V_UP_Y or V_UP_Z; of a scene in file, too. Half size 0: that of
+     * file or path, and V_UP_Z makes z upright in a new path
      */
     double space_centre[3];
     double space_half_size;
@@ -1034,6 +1035,7 @@ int v_path_set_ahead(V_PATH *path, int point, int at, double distance);
  *                on a closed path is spread over the length
  *     "frenet"   the normal of the curve; only for curves of kind "cubic" whose
  *                points own no tangents
+ *     "y", "z"   this axis, whatever is upright
  * What an up does not need may be NULL. At most 10 different up paths, each with at
  * most 1000 points.
  * Any thread; from callbacks too. V_ERR_NULL,
@@ -1225,6 +1227,18 @@ void v_space_init_sized(V_SPACE *space, size_t size);
  */
 int v_path_new_in_space(const V_SPACE *space,
                         V_PATH **path);
+
+/**
+ * Makes another axis stand upright (V_UP_Y, V_UP_Z) and turns nothing that one sees:
+ * each pose stays, between frames, too. Rolls are measured against the new axis.
+ * Where views track a target or look along the way, their ups become "y" or "z",
+ * the axis that was upright (v_path_set_up()); ups "y" or "z" that are upright now
+ * become "axis".
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
+ * V_ERR_MEMORY.
+ */
+int v_path_change_up(V_PATH *path,
+                     int up);
 
 /**
  * How an orientation must be to look as a camera does in a pose, such as the
@@ -1864,6 +1878,27 @@ int v_scene_set_marker(V_SCENE *scene, const char *name, double frame);
  */
 int v_scene_pin(V_SCENE *scene, int node, int point, const char *marker);
 
+/**
+ * Sets the space of a scene, as v_path_set_space() that of a path: up is what stands
+ * upright for nodes that aim at others, and in a new path of its window. The numbers of
+ * its nodes stay what they are; a path in it has a space of its own.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY,
+ * V_ERR_ARGUMENT (a number that is not finite), V_ERR_RANGE.
+ */
+int v_scene_set_space(V_SCENE *scene,
+                      const double centre[3],
+                      double half_size,
+                      int up);
+
+/**
+ * The space of a scene. Each result may be NULL.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
+ */
+int v_scene_get_space(const V_SCENE *scene,
+                      double centre[3],
+                      double *half_size,
+                      int *up);
+
 
 /* ---- Tracks ------------------------------------------------------------------ */
 
@@ -2217,7 +2252,7 @@ int v_editor_get_path(const V_EDITOR *editor,
 
 /**
  * Shows another path in a window, in one step that the user can take back.
- * path is copied, with its title, comment and so on; its object, too, if it
+ * path is copied, with its space, title, comment and so on; its object, too, if it
  * has one. Base speeds that were given when the window was opened stay. In a
  * scene it takes the place of the path of the camera that is shown, which is
  * edited then.
@@ -2341,7 +2376,8 @@ int v_editor_get_scene(const V_EDITOR *editor,
 
 /**
  * Shows another scene in a window, in one step that the user can take back. scene is
- * copied, with its title, comment and so on; its wireframe object, too, if it has one.
+ * copied, with its space, title, comment and so on; its wireframe object, too, if it has
+ * one. The space of the options is that of what the window began with.
  * The path of the camera that is shown is edited then, if it has one, with the base
  * speeds that were given when the window was opened. One camera on a path and nothing
  * else is that path.

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 /// The files with exports, in the order in which the header shows them.
-const SOURCES: [&str; 25] = [
+const SOURCES: [&str; 26] = [
     "status",
     "types",
     "legacy",
@@ -23,6 +23,7 @@ const SOURCES: [&str; 25] = [
     "poses",
     "scene_types",
     "scene",
+    "scene_space",
     "scene_tracks",
     "scene_states",
     "checks",

@@ -43,6 +43,7 @@ mod poses;
 mod quaternions;
 mod scene;
 mod scene_handles;
+mod scene_space;
 mod scene_states;
 mod scene_tracks;
 mod scene_types;

@@ -8,8 +8,6 @@ use super::border::border;
 use super::path::{edit, insert, read};
 use super::pointers::{self, Growing, GrowingOut, Out, init, optional, read_growing, read_vector};
 use super::quaternions::view;
-use super::scene_handles;
-use super::scene_types::V_SCENE;
 use super::status::{Answer, Failure, Name, V_ERR_INTERNAL, V_OK};
 use super::types::{V_ORIENTATION, V_PATH, V_POSE, V_SPACE, V_UP_Y, V_UP_Z};
 use crate::document::{Document, Edit};
@@ -62,10 +60,10 @@ pub(super) unsafe fn optional_space(space: *const V_SPACE) -> Answer<Option<Spac
 }
 
 /// The destinations of a space, each of which may be NULL.
-struct SpaceOut(Out<[f64; 3]>, Out<f64>, Out<c_int>);
+pub(super) struct SpaceOut(Out<[f64; 3]>, Out<f64>, Out<c_int>);
 
 impl SpaceOut {
-    fn new(centre: *mut f64, half_size: *mut f64, up: *mut c_int) -> Answer<Self> {
+    pub(super) fn new(centre: *mut f64, half_size: *mut f64, up: *mut c_int) -> Answer<Self> {
         let centre = Out::optional_array(centre, "centre")?;
         Ok(Self(
             centre,
@@ -76,7 +74,7 @@ impl SpaceOut {
 
     /// # Safety
     /// There is room for three doubles, a double and an int where not NULL.
-    unsafe fn answer(self, space: Space) -> Answer<c_int> {
+    pub(super) unsafe fn answer(self, space: Space) -> Answer<c_int> {
         // SAFETY: as required of the caller.
         unsafe {
             self.0.write(space.centre.to_array());
@@ -197,54 +195,6 @@ pub unsafe extern "C" fn v_path_new_in_space(
 pub unsafe extern "C" fn v_path_change_up(path: *mut V_PATH, up: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
         edit(path, Edit::ChangeUp(up_from_c(up, "up")?))
-    })
-}
-
-/// Sets the space of a scene, as v_path_set_space() that of a path: up is what stands
-/// upright for nodes that aim at others, and in a new path of its window. The numbers of
-/// its nodes stay what they are; a path in it has a space of its own.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY,
-/// V_ERR_ARGUMENT (a number that is not finite), V_ERR_RANGE.
-/// cbindgen:ptrs-as-arrays=[[centre; 3]]
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn v_scene_set_space(
-    scene: *mut V_SCENE,
-    centre: *const f64,
-    half_size: f64,
-    up: c_int,
-) -> c_int {
-    border(V_ERR_INTERNAL, || {
-        // SAFETY: three doubles, as the header says.
-        let centre = unsafe { read_vector(centre, "centre") }?;
-        let up = up_from_c(up, "up")?;
-        let space = Space {
-            centre,
-            half_size,
-            up,
-        };
-        scene_handles::edit(scene, |document| {
-            document.info.check(space)?;
-            document.scene.set_space(space)?;
-            Ok(V_OK)
-        })
-    })
-}
-
-/// The space of a scene. Each result may be NULL.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
-/// cbindgen:ptrs-as-arrays=[[centre; 3]]
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn v_scene_get_space(
-    scene: *const V_SCENE,
-    centre: *mut f64,
-    half_size: *mut f64,
-    up: *mut c_int,
-) -> c_int {
-    border(V_ERR_INTERNAL, || {
-        let out = SpaceOut::new(centre, half_size, up)?;
-        let space = scene_handles::read(scene, |document| Ok(document.scene.space()))?;
-        // SAFETY: room as the header says.
-        unsafe { out.answer(space) }
     })
 }
 

@@ -65,8 +65,6 @@
     F(v_space_init_sized, NOTHING, V_OK, 0) \
     F(v_path_new_in_space, STATUS, V_OK, 0) \
     F(v_path_change_up, STATUS, V_OK, 0) \
-    F(v_scene_set_space, STATUS, V_OK, 0) \
-    F(v_scene_get_space, STATUS, V_OK, 0) \
     F(v_orientation_from_pose, STATUS, V_OK, 0) \
     F(v_path_set_object, STATUS, V_OK, 0) \
     F(v_path_set_curve, STATUS, V_OK, 0) \
@@ -128,6 +126,8 @@
     F(v_scene_get_path, STATUS, V_OK, 0) \
     F(v_scene_set_marker, STATUS, V_OK, 0) \
     F(v_scene_pin, STATUS, V_OK, 0) \
+    F(v_scene_set_space, STATUS, V_OK, 0) \
+    F(v_scene_get_space, STATUS, V_OK, 0) \
     F(v_scene_set_track, STATUS, V_OK, 0) \
     F(v_scene_get_track, STATUS, V_OK, 0) \
     F(v_register_interpolation, STATUS, V_OK, 0) \

@@ -41,7 +41,8 @@ static void holds(V_EDITOR *editor, const char *folder, const char *what, double
     char file[4096], name[100];
     V_PATH *path = NULL;
     V_SCENE *scene = NULL;
-    sprintf(file, "%.4000s/%s.vid", folder, "saved");
+    v_dispatch();
+    sprintf(file, "%.4000s/saved.vid", folder);
     ok(v_editor_get_path(editor, &path), what);
     ok(v_editor_get_scene(editor, &scene), what);
     is(what, centre, half, up, path, scene);
@@ -95,7 +96,7 @@ int main(int argc, char **argv)
     const char *folder = argc > 1 ? argv[1] : ".";
     char file[4096];
     V_EDITOR_OPTIONS options;
-    V_EDITOR *editor;
+    V_EDITOR *editor, *first;
     V_SPACE metres, plain;
     V_SCENE *scene;
     V_PATH *path;
@@ -106,6 +107,7 @@ int main(int argc, char **argv)
     metres.centre[0] = 100;
     metres.half_size = 50;
     metres.up = V_UP_Z;
+    first = opened(NULL, "first"); /* so that the server always has a client */
     for (k = V_UP_Y; k <= V_UP_Z; k++) {
         v_editor_options_init(&options);
         options.space_up = k;
@@ -154,5 +156,6 @@ int main(int argc, char **argv)
     holds(editor, folder, "scene in metres set", 100, 50, V_UP_Z);
     v_scene_free(scene);
     v_editor_close(editor);
+    v_editor_close(first);
     return failures != 0;
 }

@@ -1,0 +1,59 @@
+//! Where a scene lies in the host's world.
+
+use std::ffi::c_int;
+
+use super::border::border;
+use super::pointers::read_vector;
+use super::scene_handles::{edit, read};
+use super::scene_types::V_SCENE;
+use super::space::{SpaceOut, up_from_c};
+use super::status::{V_ERR_INTERNAL, V_OK};
+use crate::path::Space;
+
+/// Sets the space of a scene, as v_path_set_space() that of a path: up is what stands
+/// upright for nodes that aim at others. The numbers of its nodes stay what they are; a
+/// path in it has a space of its own.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY,
+/// V_ERR_ARGUMENT (a number that is not finite), V_ERR_RANGE.
+/// cbindgen:ptrs-as-arrays=[[centre; 3]]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_set_space(
+    scene: *mut V_SCENE,
+    centre: *const f64,
+    half_size: f64,
+    up: c_int,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        // SAFETY: three doubles, as the header says.
+        let centre = unsafe { read_vector(centre, "centre") }?;
+        let up = up_from_c(up, "up")?;
+        let space = Space {
+            centre,
+            half_size,
+            up,
+        };
+        edit(scene, |document| {
+            document.info.check(space)?;
+            document.scene.set_space(space)?;
+            Ok(V_OK)
+        })
+    })
+}
+
+/// The space of a scene. Each result may be NULL.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
+/// cbindgen:ptrs-as-arrays=[[centre; 3]]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_get_space(
+    scene: *const V_SCENE,
+    centre: *mut f64,
+    half_size: *mut f64,
+    up: *mut c_int,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = SpaceOut::new(centre, half_size, up)?;
+        let space = read(scene, |document| Ok(document.scene.space()))?;
+        // SAFETY: room as the header says.
+        unsafe { out.answer(space) }
+    })
+}
