@@ -174,7 +174,16 @@ fn sentences_tell_why() {
             "{arguments:?}: {said}"
         );
     }
-    // No tolerance is too large: what turns has its points by the angle.
+    let line = folder.path().join("line.txt");
+    let lines: String = (0..10)
+        .map(|k| format!("{k} 0 0 0 0 -1 0 1 0 24\n"))
+        .collect();
+    fs::write(&line, lines).unwrap();
+    let fit = ["fit", line.to_str().unwrap(), "--tolerance", "1e300"];
+    assert!(sentence(&run(&fit), 1).ends_with(
+        ": the poses do not differ by more than the tolerance: a smaller one makes a path of them\n"
+    ));
+    // What turns has its points by the angle, whatever the tolerance.
     said(&run(&["fit", poses, "--tolerance", "1e300"]));
     // So noisy that each pose would be a point.
     let noisy = folder.path().join("noisy.txt");

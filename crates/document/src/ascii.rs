@@ -51,9 +51,9 @@ const FAST: f64 = 1e11;
 
 /// Appends `x`, finite, as `%.*f` does: the exact value rounded to so many decimals, ties to even.
 ///
-/// Of four decimals `p`, the rounded product 10⁴·x, decides alone unless it is exactly half-way: half-way numbers
-/// are multiples of `p`'s last place here, so the product's rounding cannot step over one.
-/// Half-way, the sign of the rounding error decides.
+/// Of four decimals `p`, the rounded product 10⁴·x, decides alone unless it is exactly half-way:
+/// half-way numbers are multiples of `p`'s last place here, so the product's rounding cannot step
+/// over one. Half-way, the sign of the rounding error decides.
 pub(super) fn push_number(text: &mut Vec<u8>, x: f64, decimals: usize) {
     let magnitude = x.abs();
     if magnitude >= FAST || decimals != DECIMALS {

@@ -1,5 +1,5 @@
-//! The file of a mesh, as a `.vid` file names it: `file`, `bytes`, `checksum`. Written by hand, `file`
-//! alone: 0 bytes, which no mesh has, until it is read.
+//! The file of a mesh, as a `.vid` file names it: `file`, `bytes`, `checksum`. Written by hand,
+//! `file` alone: 0 bytes, which no mesh has, until it is read.
 
 use std::fmt::{self, Write};
 use std::path::Path;

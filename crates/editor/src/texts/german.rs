@@ -193,7 +193,7 @@ german! {
         TooFewPoses => "eine Anpassung braucht mindestens drei Posen";
         PoseTimes => "die Zeiten der Posen müssen wachsen, eine für jede";
         SamePoses => "alle Posen sind gleich";
-        WithinTolerance => "die Posen unterscheiden sich um nicht mehr als die Toleranz";
+        WithinTolerance => "die Posen unterscheiden sich um nicht mehr als die Toleranz: eine kleinere macht einen Pfad daraus";
         PoseMissed(times) =>
             "kein Pfad, dessen Punkte bei ganzen Bildern liegen, trifft sie innerhalb der \
              Toleranz (verfehlt um das {}-Fache): mehr Bilder pro Sekunde helfen, oder eine \

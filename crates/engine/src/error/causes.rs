@@ -293,7 +293,9 @@ pub enum Invalid {
     PoseTimes,
     #[error("all poses are the same")]
     SamePoses,
-    #[error("the poses do not differ by more than the tolerance")]
+    #[error(
+        "the poses do not differ by more than the tolerance: a smaller one makes a path of them"
+    )]
     WithinTolerance,
     /// By how many times the tolerance it is missed.
     #[error(
