@@ -653,7 +653,9 @@ extern "C" {
 /**
  * What went wrong in the calling thread's last call of the library: one
  * sentence in English, UTF-8, "" after a success. Never NULL. Of a sentence
- * longer than 1023 bytes the middle is left out. The text belongs to the
+ * longer than 1023 bytes the middle is left out. It calls parameters as this
+ * header does (path, options->title, paths[2]) and counts as it does: points,
+ * orientations and so on from 0, which it says; frames from 1. The text belongs to the
  * library and is valid until the same thread's next call of any function but
  * this one, v_strerror() and v_version().
  * Any thread; from callbacks too.
@@ -1106,7 +1108,7 @@ int v_path_get_modes(const V_PATH *path, int *orientation_mode, int *zoom_mode);
 /**
  * Sets what a path is called: UTF-8, one line of at most 256 bytes; "" is none.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
- * V_ERR_LIMIT.
+ * V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_set_title(V_PATH *path, const char *title);
 
@@ -1124,7 +1126,7 @@ int v_path_get_title(const V_PATH *path,
 /**
  * Sets the comment of a path: UTF-8, any lines; "" is none.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
- * V_ERR_LIMIT.
+ * V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_set_comment(V_PATH *path, const char *comment);
 
@@ -1787,7 +1789,8 @@ int v_scene_add_node(V_SCENE *scene,
 
 /**
  * Removes a node with all that is in it. The numbers behind move up; who aimed
- * at one of them aims at none.
+ * at one of them aims at none. Many in a row cost no more than one: count, names
+ * and nodes may be asked for in between.
  * Any thread; from callbacks too. V_ERR_NULL,
  * V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY, V_ERR_MEMORY.
  */
@@ -2325,7 +2328,7 @@ int v_editor_set_object(V_EDITOR *editor, const V_MESH *object);
  * Sets what follows "VIDES" in the window's title, UTF-8, one line (control
  * characters are shown as spaces); NULL: the file's name.
  * The thread that opened the window; from callbacks too. V_ERR_NULL (editor),
- * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT.
+ * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT, V_ERR_MEMORY.
  */
 int v_editor_set_title(V_EDITOR *editor, const char *title);
 

@@ -182,7 +182,7 @@ fn a_new_point_copies_its_predecessor_but_for_the_name() {
                 position: at_end
             }
         ),
-        "a new point must be put at 0 to 4, not at 5"
+        "a new point must be put at 1 to 5, not at 6"
     );
 }
 

@@ -135,7 +135,7 @@ pub unsafe extern "C" fn v_editor_set_object(
 /// Sets what follows "VIDES" in the window's title, UTF-8, one line (control
 /// characters are shown as spaces); NULL: the file's name.
 /// The thread that opened the window; from callbacks too. V_ERR_NULL (editor),
-/// V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT.
+/// V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_set_title(editor: *mut V_EDITOR, title: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {

@@ -25,10 +25,15 @@ pub(super) fn to_c(q: DQuat) -> [f64; 4] {
     [q.w, q.x, q.y, q.z]
 }
 
+/// Normalizes a quaternion from C.
+fn unit_of(given: [f64; 4], name: &'static str) -> Answer<DQuat> {
+    normalized(from_c(given)).map_err(|_| Failure::Zero(name))
+}
+
 /// Normalizes a direction from C.
 fn direction(v: DVec3, name: &'static str) -> Answer<DVec3> {
     if !v.is_finite() || v == DVec3::ZERO {
-        return Err(Failure::NoDirection(name));
+        return Err(Failure::Zero(name));
     }
     Ok(unit(v))
 }
@@ -65,7 +70,7 @@ pub unsafe extern "C" fn v_quat_slerp(a: *const f64, b: *const f64, t: f64, q: *
                 given: t,
             });
         }
-        let q = slerp_shortest(normalized(from_c(a))?, normalized(from_c(b))?, t).normalize();
+        let q = slerp_shortest(unit_of(a, "a")?, unit_of(b, "b")?, t).normalize();
         // SAFETY: room for four doubles, as the header says.
         unsafe { out.answer(to_c(q)) }
     })
@@ -99,7 +104,7 @@ pub unsafe extern "C" fn v_view_from_quat(q: *const f64, vpn: *mut f64, vup: *mu
             Out::optional_array(vup, "vup")?,
         );
         // SAFETY: four doubles, as the header says.
-        let q = normalized(from_c(unsafe { read_array(q, "q") }?))?;
+        let q = unit_of(unsafe { read_array(q, "q") }?, "q")?;
         let (view, up) = view_from_quaternion(q);
         // SAFETY: room for three doubles each, as the header says.
         unsafe {

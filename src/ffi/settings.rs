@@ -193,7 +193,7 @@ pub unsafe extern "C" fn v_path_get_modes(
 
 /// Sets what a path is called: UTF-8, one line of at most 256 bytes; "" is none.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
-/// V_ERR_LIMIT.
+/// V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_title(path: *mut V_PATH, title: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -228,7 +228,7 @@ pub unsafe extern "C" fn v_path_get_title(
 
 /// Sets the comment of a path: UTF-8, any lines; "" is none.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
-/// V_ERR_LIMIT.
+/// V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_comment(path: *mut V_PATH, comment: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {

@@ -142,7 +142,7 @@ pub(super) enum Failure {
     #[error("{name} is {given}, and must be a finite number")]
     NotFinite { name: &'static str, given: f64 },
     #[error("{0} must be finite and not zero")]
-    NoDirection(&'static str),
+    Zero(&'static str),
     #[error("{name} is {given}, and must lie between 0 and {end}")]
     NotBetween {
         name: &'static str,
@@ -201,7 +201,7 @@ impl Failure {
             | Self::NotUtf8(_)
             | Self::NoLanguage(_)
             | Self::NotFinite { .. }
-            | Self::NoDirection(_)
+            | Self::Zero(_)
             | Self::NotPositive { .. } => V_ERR_ARGUMENT,
             Self::Size { .. } | Self::NoRoom { .. } => V_ERR_SIZE,
             Self::TooMany { .. } => V_ERR_LIMIT,
@@ -414,7 +414,9 @@ pub(super) fn with_last_error(show: impl FnOnce(&[u8])) {
 
 /// What went wrong in the calling thread's last call of the library: one
 /// sentence in English, UTF-8, "" after a success. Never NULL. Of a sentence
-/// longer than 1023 bytes the middle is left out. The text belongs to the
+/// longer than 1023 bytes the middle is left out. It calls parameters as this
+/// header does (path, options->title, paths[2]) and counts as it does: points,
+/// orientations and so on from 0, which it says; frames from 1. The text belongs to the
 /// library and is valid until the same thread's next call of any function but
 /// this one, v_strerror() and v_version().
 /// Any thread; from callbacks too.

@@ -113,6 +113,143 @@ static void a_name_is_bytes_and_a_message_is_text(void)
                                  "No such file or directory") == 0);
 }
 
+/* The call answers this status and says this. */
+#define SAYS(status, sentence, call) \
+    do { \
+        STATUS(status, call); \
+        if (strcmp(v_last_error(), sentence) != 0) { \
+            failures++; \
+            fprintf(stderr, "%s:%d: \"%s\" instead of \"%s\"\n", __FILE__, __LINE__, \
+                    v_last_error(), sentence); \
+        } \
+    } while (0)
+
+/* The last message begins so. */
+#define BEGINS(beginning) (strncmp(v_last_error(), beginning, sizeof beginning - 1) == 0)
+
+/* Points, orientations and keys are counted from 0, and the sentence says so once. */
+static void numbers_count_from_0(void)
+{
+    V_PATH *path = new_path();
+    V_ORIENTATION o;
+    V_POSE poses[3];
+    V_SCENE *scene = NULL;
+    const double far[3] = {2e9, 0, 0}, frames[2] = {5, 5}, values[6] = {0};
+
+    SAYS(V_ERR_RANGE, "there is no point 2 (counted from 0): the path has points 0 to 1",
+         v_path_remove_point(path, 2));
+    SAYS(V_ERR_RANGE, "at is -1, and numbers count from 0", v_path_remove_point(path, -1));
+    SAYS(V_ERR_RANGE, "a new point must be put at 0 (counted from 0) to 2, not at 9",
+         v_path_insert_point(path, 9, far));
+    v_orientation_init(&o);
+    SAYS(V_ERR_RANGE,
+         "there is no orientation 4 (counted from 0): point 1 has orientations 0 to 0",
+         v_path_get_orientation(path, 1, 4, &o));
+    SAYS(V_ERR_RANGE, "there is no segment 1 (counted from 0): the path has segments 0 to 0",
+         v_path_segment_length(path, 1, &o.roll));
+    SAYS(V_ERR_RANGE,
+         "the first point of a range, 1 (counted from 0), must not lie behind its last one, 0",
+         v_path_fit_frames(path, 1, 0, 100));
+    SAYS(V_ERR_RANGE, "there is no frame 0.5: they go from 1 to 121",
+         v_path_pose(path, 0.5, poses));
+    memset(poses, 0, sizeof poses);
+    poses[0].zoom = poses[1].zoom = poses[2].zoom = 24;
+    poses[0].vpn[2] = poses[0].vup[1] = 1;
+    CHECK(v_path_fit_poses(poses, NULL, 3, 25, 0.1, 1, &path) != V_OK
+          && BEGINS("pose 1 (counted from 0): "));
+    /* A coordinate of the second point of two. */
+    o.absolute = 1;
+    o.target[0] = 0.6, o.target[1] = 0.2, o.target[2] = 0.8;
+    SAYS(V_ERR_ARGUMENT, "the target must not lie on the camera's own position",
+         v_path_set_orientation(path, 1, 0, &o));
+    o.target[0] = 1.6;
+    OK(v_path_set_orientation(path, 1, 0, &o));
+    SAYS(V_ERR_ARGUMENT, "point 1 (counted from 0) must not lie on the target of its orientation 0",
+         v_path_set_position(path, 1, o.target));
+    OK(v_scene_new(&scene));
+    SAYS(V_ERR_RANGE, "there is no node 3 among 1, counted from 0", v_scene_remove_node(scene, 3));
+    SAYS(V_ERR_ARGUMENT,
+         "channel \"value:a\": key 1 (counted from 0): its frame must lie behind that of the key "
+         "before",
+         v_scene_set_track(scene, 0, "value:a", "linear", frames, values, NULL, 2, V_AFTER_HOLD));
+    v_scene_free(scene);
+    v_path_free(path);
+}
+
+/* What there is to choose is listed, and what is wrong is named as the header does. */
+static void what_there_is_is_told(void)
+{
+    V_PATH *path = new_path();
+    V_SCENE *scene = NULL;
+    V_NODE node;
+    V_EDITOR_OPTIONS options;
+    V_EDITOR *editor = NULL;
+    const double frames[2] = {1, 5}, values[6] = {0};
+    size_t count = 0;
+    V_POSE pose;
+
+    SAYS(V_ERR_RANGE, "there is no kind of curve \"bezier\"; known: tcb, cubic, linear",
+         v_path_set_curve(path, "bezier"));
+    SAYS(V_ERR_ARGUMENT, "there is no up \"z\"; known: axis, point, path, minimal, frenet",
+         v_path_set_up(path, 0, 0, "z", NULL, NULL));
+    SAYS(V_ERR_RANGE, "up is 9; known: V_UP_Y (1), V_UP_Z (2)",
+         v_path_set_space(path, values, 1, 9));
+    SAYS(V_ERR_RANGE, "the deformation \"bend\" does not take 5 numbers; it takes 2, 6",
+         v_path_deform(path, 0, 1, "bend", values, 5, NULL, 0));
+    CHECK(v_path_set_limit(path, "turns", 1) == V_ERR_ARGUMENT
+          && BEGINS("there is no check \"turns\"; known: space, cusp, "));
+    SAYS(V_ERR_SIZE, "poses has room for 1, and 121 are needed",
+         v_path_sample(path, &pose, 1, &count));
+    SAYS(V_ERR_ARGUMENT, "zoom_frames is 0, and must be finite and greater than 0",
+         v_path_set_base_frames(path, 1, 1, 0, 1));
+
+    OK(v_scene_new(&scene));
+    v_node_init(&node, V_NODE_OBJECT);
+    OK(v_scene_add_node(scene, "box", &node, NULL));
+    SAYS(V_ERR_ARGUMENT,
+         "there is no channel \"place\"; known: position, rotation, scale, visible, zoom, roll, "
+         "colour, intensity, cone, weights, aim_weight, deformation.N.NAME, value:NAME",
+         v_scene_set_track(scene, 1, "place", "linear", frames, values, NULL, 2, V_AFTER_HOLD));
+    SAYS(V_ERR_ARGUMENT,
+         "an object has no channel \"zoom\"; it can have: position, rotation, scale, visible, "
+         "colour, weights, deformation.N.NAME, value:NAME",
+         v_scene_set_track(scene, 1, "zoom", "linear", frames, values, NULL, 2, V_AFTER_HOLD));
+    SAYS(V_ERR_ARGUMENT, "an object without shapes has no channel \"weights\"",
+         v_scene_set_track(scene, 1, "weights", "linear", frames, values, NULL, 2, V_AFTER_HOLD));
+    SAYS(V_ERR_ARGUMENT,
+         "there is no interpolation \"lin\"; known: step, linear, ramp, sine, parabolic, "
+         "catmull-rom, hermite, tcb, cubic, euler-linear, euler-catmull-rom, host:NAME",
+         v_scene_set_track(scene, 1, "scale", "lin", frames, values, NULL, 2, V_AFTER_HOLD));
+    SAYS(V_ERR_ARGUMENT,
+         "channel \"visible\": it cannot be interpolated by \"cubic\"; it can by: step",
+         v_scene_set_track(scene, 1, "visible", "cubic", frames, values, NULL, 2, V_AFTER_HOLD));
+    node.kind = 7;
+    SAYS(V_ERR_RANGE,
+         "values->kind is 7; known: V_NODE_GROUP (0), V_NODE_OBJECT (1), V_NODE_LIGHT (2), "
+         "V_NODE_CAMERA (3)",
+         v_scene_add_node(scene, "x", &node, NULL));
+    v_node_init(&node, V_NODE_CAMERA);
+    SAYS(V_ERR_ARGUMENT, "\"box\" is an object and stays one", v_scene_set_node(scene, 1, &node));
+    v_scene_free(scene);
+
+    v_editor_options_init(&options);
+    options.move_frames = -1;
+    SAYS(V_ERR_ARGUMENT, "options->move_frames is -1, and must be finite and greater than 0",
+         v_editor_open(&options, &editor));
+    options.move_frames = 10;
+    SAYS(V_ERR_ARGUMENT, "options->turn_frames is 0, and must be finite and greater than 0",
+         v_editor_open(&options, &editor));
+    options.move_frames = 0;
+    options.language = "fr";
+    SAYS(V_ERR_ARGUMENT, "options->language is \"fr\"; known: de, en",
+         v_editor_open(&options, &editor));
+    options.size = 12;
+    CHECK(v_editor_open(&options, &editor) == V_ERR_SIZE
+          && BEGINS("options->size is 12, but sizeof (V_EDITOR_OPTIONS) is ")
+          && (size_t)atol(v_last_error() + 54) == sizeof options);
+    v_path_free(path);
+}
+
 /* One line on standard error that begins with "vides:". */
 static void haupt_says_what_is_wrong(void)
 {
@@ -142,6 +279,8 @@ int main(void)
     each_thread_has_its_own();
     a_long_message_stays_text();
     a_name_is_bytes_and_a_message_is_text();
+    numbers_count_from_0();
+    what_there_is_is_told();
     haupt_says_what_is_wrong();
     return failures != 0;
 }

@@ -170,7 +170,7 @@ fn what_will_not_do_is_refused_by_its_name() {
         (
             "move",
             ("first", 5.0),
-            "the first point of a range must not lie behind its last one",
+            "the first point of a range, 5, must not lie behind its last one, 4",
         ),
     ] {
         let error = edit(&document, name, &[set]).unwrap_err();

@@ -142,6 +142,10 @@ german! {
         NoChannelOfKind { kind, channel } =>
             "ein Knoten der Art „{kind}“ hat keinen Kanal „{channel}“; er kann haben: {}",
             List(Channel::names(Some(kind)));
+        NoShapes => "ein Objekt ohne Formen hat keinen Kanal „weights“";
+        NoParameter { deformation, parameter, parameters } =>
+            "die Verformung „{deformation}“ hat kein „{parameter}“; sie hat: {}",
+            List(parameters.iter().map(|known| known.0));
         NoChannelOfNode { node, channel } => "„{node}“ hat keinen Kanal „{channel}“";
         ChannelWithoutName => "ein eigener Kanal braucht einen Namen: value:NAME";
         KeysMoveIt { node, channel } =>
@@ -154,7 +158,7 @@ german! {
         NoInterpolation(name) => "eine Interpolation „{name}“ gibt es nicht; bekannt sind: {}",
             List(Interpolation::names(None));
         NotInterpolated { channel, by } =>
-            "der Kanal „{channel}“ kann nicht mit „{by}“ interpoliert werden, nur mit: {}",
+            "er kann nicht mit „{by}“ interpoliert werden, nur mit: {}",
             List(Interpolation::names(Some(channel)));
         InterpolationWithoutName => "eine eigene Interpolation braucht einen Namen";
         NotRegistered { channel, name } =>

@@ -166,6 +166,18 @@ impl Deformation {
         channels.map(|&(name, _, width)| (name, width))
     }
 
+    /// The numbers of one of these parameters, or which there are.
+    pub(crate) fn parameter(&self, name: &str) -> Result<&[f64]> {
+        self.channel(name).ok_or_else(|| {
+            let missing = Invalid::NoParameter {
+                deformation: self.formula.kind(),
+                parameter: name.into(),
+                parameters: self.formula.channels(),
+            };
+            missing.into()
+        })
+    }
+
     /// The numbers of one of these parameters.
     #[must_use]
     pub fn channel(&self, name: &str) -> Option<&[f64]> {

@@ -202,6 +202,14 @@ pub enum Invalid {
         List(Channel::names(Some(kind)))
     )]
     NoChannelOfKind { kind: &'static str, channel: Text },
+    #[error("an object without shapes has no channel \"weights\"")]
+    NoShapes,
+    #[error("the deformation \"{deformation}\" has no \"{parameter}\"; it has: {}", List(parameters.iter().map(|known| known.0)))]
+    NoParameter {
+        deformation: &'static str,
+        parameter: Text,
+        parameters: &'static [(&'static str, usize, usize)],
+    },
     #[error("\"{node}\" has no channel \"{channel}\"")]
     NoChannelOfNode { node: Text, channel: Text },
     #[error("a channel of the host's own needs a name: value:NAME")]
@@ -221,7 +229,7 @@ pub enum Invalid {
     #[error("there is no interpolation \"{}\"; known: {}", .0, List(Interpolation::names(None)))]
     NoInterpolation(Text),
     #[error(
-        "the channel \"{channel}\" cannot be interpolated by \"{by}\"; it can by: {}",
+        "it cannot be interpolated by \"{by}\"; it can by: {}",
         List(Interpolation::names(Some(channel)))
     )]
     NotInterpolated { channel: Channel, by: Text },

@@ -156,14 +156,21 @@ impl Channel {
             Self::Colour => matches!(kind, Kind::Light(_) | Kind::Object(_)),
             Self::Intensity | Self::Cone => matches!(kind, Kind::Light(_)),
             Self::AimWeight => matches!(kind, Kind::Light(_) | Kind::Camera(_)),
-            Self::Weights => matches!(kind, Kind::Object(object) if !object.shapes().is_empty()),
-            Self::Deformation { .. } => matches!(kind, Kind::Object(_)),
+            Self::Weights | Self::Deformation { .. } => matches!(kind, Kind::Object(_)),
         };
         let width = match (self, kind) {
-            (Self::Weights, Kind::Object(object)) => Some(object.shapes().len()),
+            (Self::Weights, Kind::Object(object)) => match object.shapes().len() {
+                0 => return Err(Invalid::NoShapes.into()),
+                shapes => Some(shapes),
+            },
             (Self::Deformation { at, parameter }, Kind::Object(object)) => {
-                let deformation = object.deformations().get(*at);
-                deformation.and_then(|(deformation, _)| Some(deformation.channel(parameter)?.len()))
+                let all = object.deformations();
+                let missing = OutOfRange::NoDeformation {
+                    at: *at,
+                    count: all.len(),
+                };
+                let (deformation, _) = all.get(*at).ok_or(missing)?;
+                Some(deformation.parameter(parameter)?.len())
             }
             _ => self.own_width(),
         };

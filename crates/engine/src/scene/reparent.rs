@@ -7,7 +7,7 @@ use super::hierarchy::local;
 use super::node::Node;
 use super::scene::Scene;
 use super::state::Warnings;
-use crate::error::{Error, Invalid, Result};
+use crate::error::{Error, Invalid, Place, Result};
 
 /// How well a place must be kept, relative to its size.
 const KEPT: f64 = 1e-9;
@@ -16,7 +16,7 @@ impl Scene {
     /// Changes the rest values of `new`, node `at` in another parent, to keep its world matrix.
     pub(super) fn keep_world(&self, at: usize, new: &mut Node) -> Result<()> {
         if let Some(parent) = new.parent {
-            self.node(parent)?;
+            self.node(parent).map_err(|error| error.at(Place::Parent))?;
             let mut above = std::iter::successors(Some(parent), |&up| self.nodes()[up].parent);
             if above.any(|up| up == at) {
                 return Err(Invalid::ParentMovesWithIt {

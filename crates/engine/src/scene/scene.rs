@@ -182,8 +182,10 @@ impl Scene {
             self.check_below(parent, &node.name)?;
         }
         if let Some(aim) = node.aim {
-            self.node(aim)
-                .map_err(|error| error.at(Place::Node((&node.name).into())))?;
+            self.node(aim).map_err(|error| {
+                let place = Place::Node((&node.name).into());
+                error.at(Place::Aim).at(place)
+            })?;
         }
         self.nodes.push(node);
         self.names.insert(place, at);
@@ -195,7 +197,8 @@ impl Scene {
 
     fn check_below(&self, parent: usize, name: &str) -> Result<()> {
         let place = |error: Error| error.at(Place::Node(name.into()));
-        self.node(parent).map_err(place)?;
+        self.node(parent)
+            .map_err(|error| place(error.at(Place::Parent)))?;
         let levels = std::iter::successors(Some(parent), |&at| self.nodes[at].parent).count();
         if levels >= crate::limits::MAX_LEVELS {
             return Err(place(TooMany::Levels.into()));

@@ -58,7 +58,9 @@ fn links_that_lead_nowhere_or_round_are_refused() {
         said(scene.add(group("a", None))),
         "there is a node \"a\" already"
     );
-    assert!(said(scene.add(group("c", Some(7)))).contains("node \"c\": there is no node 7"));
+    assert!(
+        said(scene.add(group("c", Some(7)))).contains("node \"c\": parent: there is no node 7")
+    );
     assert!(said(scene.add(group("", None))).contains("needs a name"));
     assert!(said(scene.add(group("x\n", None))).contains("control characters"));
     let round = Node {
@@ -424,7 +426,11 @@ fn an_object_changes_by_its_tracks_as_by_single_values() {
     assert_eq!(vertices(&scene, 5.0), want);
     assert!(
         said(scene.set_track(node, track("deformation.1.a", "step", &[1.0], &[1.0])))
-            .contains("no channel")
+            .contains("there is no deformation 1 among 1")
+    );
+    assert!(
+        said(scene.set_track(node, track("deformation.0.a", "step", &[1.0], &[1.0])))
+            .contains("has no \"a\"; it has: ")
     );
     // The second one becomes the first, its track with it.
     scene.remove_deformation(node, 0).unwrap();

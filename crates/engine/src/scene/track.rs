@@ -89,7 +89,7 @@ impl Interpolation {
 
     fn fits(&self, channel: &Channel) -> bool {
         match self {
-            Self::Cubic => *channel != Channel::Rotation,
+            Self::Cubic => !matches!(channel, Channel::Rotation | Channel::Visible),
             Self::EulerLinear | Self::EulerCatmullRom => *channel == Channel::Rotation,
             Self::Step => true,
             _ => *channel != Channel::Visible,
