@@ -131,9 +131,8 @@ fn decide(slots: &mut [Slot<'_>], path: &CameraPath, timeline: &Timeline, new: U
         let levels = [level(a), level(b)];
         match common_look(&a.end(), &b.end()) {
             Some(Look::Still) if levels == [Some(old); 2] => {
-                if a.orientation.roll == b.orientation.roll {
-                    kept.push([from, to]);
-                }
+                let same = a.orientation.roll == b.orientation.roll;
+                kept.extend(same.then_some([from, to]));
             }
             // Tracked or followed; or free so far, and not to be either with the new axis.
             Some(_) if levels[0].is_some() && levels[1].is_some() => fix(slots, [from, to]),
