@@ -205,13 +205,9 @@ fn what_is_broken_is_refused() {
         (
             r#"{"mesh": 0}"#,
             r#"{"mesh": 0, "children": [0]}"#,
-            "expected numbers",
+            "below itself",
         ),
-        (
-            r#"{"nodes": [0]}"#,
-            r#"{"nodes": [0, 0]}"#,
-            "expected numbers",
-        ),
+        (r#"{"nodes": [0]}"#, r#"{"nodes": [0, 0]}"#, "in two places"),
         (r#""scene": 0"#, r#""scene": 1"#, "expected numbers"),
         (r#""count": 8"#, r#""count": 9"#, "too early"),
         (r#""count": 8"#, r#""count": 7"#, "expected numbers"),
@@ -326,7 +322,7 @@ fn what_is_not_read_says_what_helps() {
     ] {
         assert_eq!(
             refused(&glb(&document(nodes, ""), &cube())),
-            "a node of this file lies below itself or below two others; each may have one parent"
+            "a node of this file lies below itself or in two places; each may stand in one"
         );
     }
     // No scene, and no node to begin with.

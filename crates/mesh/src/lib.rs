@@ -127,8 +127,8 @@ pub enum Problem {
     /// A glTF mesh with a sparse accessor.
     #[error("a mesh with sparse accessors is not read; export it with plain ones")]
     Sparse,
-    /// A glTF node below itself, or below two others.
-    #[error("a node of this file lies below itself or below two others; each may have one parent")]
+    /// A glTF node below itself, or in two places.
+    #[error("a node of this file lies below itself or in two places; each may stand in one")]
     Cycle,
     /// Not a file of this format.
     #[error("this is no file of this format")]

@@ -76,7 +76,7 @@ german! {
         Meshopt => "ein mit meshoptimizer gepacktes Netz (EXT_meshopt_compression) wird nicht gelesen; ungepackt exportieren";
         Quantised => "ein Netz mit quantisierten Orten (KHR_mesh_quantization) wird nicht gelesen; mit Gleitkommazahlen exportieren";
         Sparse => "ein Netz mit dünn besetzten Feldern (sparse) wird nicht gelesen; mit einfachen exportieren";
-        Cycle => "ein Knoten dieser Datei liegt unter sich selbst oder unter zweien; jeder darf einen Vorfahren haben";
+        Cycle => "ein Knoten dieser Datei liegt unter sich selbst oder an zwei Stellen; jeder darf an einer stehen";
         Format => "das ist keine Datei dieses Formats";
     }
     End {
