@@ -227,7 +227,7 @@ static void objects_change(void)
     OK(v_scene_set_track(scene, sheet, "deformation.0.angle", "linear", two, weight, NULL, 2, 0));
     OK(v_scene_remove_deformation(scene, sheet, 0));
     STATUS(V_ERR_RANGE, v_scene_remove_deformation(scene, sheet, 0));
-    STATUS(V_ERR_ARGUMENT,
+    STATUS(V_ERR_RANGE,
            v_scene_set_track(scene, sheet, "deformation.0.angle", "linear", two, weight, NULL, 2, 0));
     STATUS(V_ERR_ARGUMENT, v_deform("shear", twist, 2, box, p, 1));
     STATUS(V_ERR_RANGE, v_deform("twist", twist, 1, box, p, 1));
