@@ -318,7 +318,7 @@ pub(super) fn with_last_error(show: impl FnOnce(&[u8])) {
 /// sentence in English, UTF-8, "" after a success. Never NULL. Of a sentence
 /// longer than 1023 bytes the middle is left out. The text belongs to the
 /// library and is valid until the same thread's next call of any function but
-/// this one, v_strerror() and v_version().
+/// this one, v_last_warning(), v_strerror() and v_version().
 /// Any thread; from callbacks too.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_last_error() -> *const c_char {
