@@ -418,7 +418,7 @@ pub(super) fn with_last_error(show: impl FnOnce(&[u8])) {
 /// header does (path, options->title, paths[2]) and counts as it does: points,
 /// orientations and so on from 0, which it says; frames from 1. The text belongs to the
 /// library and is valid until the same thread's next call of any function but
-/// this one, v_strerror() and v_version().
+/// this one, v_last_warning(), v_strerror() and v_version().
 /// Any thread; from callbacks too.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_last_error() -> *const c_char {

@@ -179,8 +179,76 @@ static void what_looks_wrong_is_found(void)
     v_path_free(path);
 }
 
+/* Whether a kind is among the findings, with its value. */
+static int has(const V_FINDING *findings, size_t count, const char *kind, double *value)
+{
+    size_t i;
+
+    for (i = 0; i < count; i++)
+        if (strcmp(findings[i].kind, kind) == 0) {
+            *value = findings[i].value;
+            return 1;
+        }
+    return 0;
+}
+
+/* Quads of a box whose corners are the bits of their number, in two triangles each. */
+static const unsigned box_corners[36] = {
+    0, 1, 3, 0, 3, 2, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
+    2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 3, 7, 1, 7, 5};
+
+static void the_faces_of_the_own_object_are_looked_at(void)
+{
+    V_PATH *path = NULL;
+    V_FINDING own[16], given[16];
+    V_MESH box = {sizeof box, NULL, 0, NULL, NULL, 0, NULL, 0};
+    double corners[24], value = 9, limit = 0;
+    const double ends[2][3] = {{-0.8, 0.01, 0.02}, {0.8, 0.01, 0.02}};
+    size_t i, count = 0, other = 0;
+
+    for (i = 0; i < 24; i++)
+        corners[i] = (i / 3) >> (i % 3) & 1 ? 0.25 : -0.25;
+    box.xyz = corners;
+    box.points = 8;
+    box.triangles = box_corners;
+    box.corners = 36;
+    OK(v_path_new(&path));
+    OK(v_path_set_position(path, 0, ends[0]));
+    OK(v_path_set_position(path, 1, ends[1]));
+    OK(v_path_check(path, NULL, own, 16, &count));
+    CHECK(!has(own, count, "through", &value));
+    OK(v_path_check(path, &box, given, 16, &other));
+    OK(v_path_set_object(path, &box));
+    OK(v_path_check(path, NULL, own, 16, &count));
+    CHECK(count == other && memcmp(own, given, count * sizeof *own) == 0);
+    CHECK(has(own, count, "through", &value));
+    CHECK(has(own, count, "clearance", &value) && value == 0);
+    CHECK(strcmp(v_last_warning(), "") == 0);
+    /* A room: the camera never leaves it. */
+    for (i = 0; i < 24; i++)
+        corners[i] *= 4;
+    OK(v_path_set_object(path, &box));
+    OK(v_path_check(path, NULL, own, 16, &count));
+    CHECK(!has(own, count, "through", &value));
+    CHECK(strstr(v_last_warning(), "inside") != NULL && v_last_error()[0] == 0);
+    OK(v_path_set_object(path, NULL));
+    OK(v_path_check(path, NULL, NULL, 0, &count));
+    CHECK(strcmp(v_last_warning(), "") == 0);
+    /* What is off, and what is not unless a limit is set. */
+    OK(v_path_get_limit(path, "jerk", &limit));
+    CHECK(limit == INFINITY);
+    OK(v_path_set_limit(path, "jerk", 0));
+    OK(v_path_check(path, NULL, own, 16, &count));
+    CHECK(has(own, count, "jerk", &value));
+    OK(v_path_set_limit(path, "jerk", INFINITY));
+    OK(v_path_check(path, NULL, own, 16, &count));
+    CHECK(!has(own, count, "jerk", &value));
+    v_path_free(path);
+}
+
 int main(void)
 {
+    the_faces_of_the_own_object_are_looked_at();
     an_orbit_is_round();
     points_are_moved_and_deformed();
     blocks();

@@ -34,6 +34,7 @@ static const V_OBJEKT_LIST *an_object(int *count)
 /* ---- The interface of 1994, loops, windows ------------------------------------------ */
 
 CALL(v_last_error) { return v_last_error() != NULL; }
+CALL(v_last_warning) { return v_last_warning() != NULL; }
 CALL(v_strerror) { return v_strerror(whole(V_OK, V_ERR_INTERNAL)) != NULL; }
 CALL(v_version) { return strcmp(v_version(), "") != 0; }
 

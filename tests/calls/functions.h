@@ -12,6 +12,7 @@
 
 #define EACH_FUNCTION(F) \
     F(v_last_error, TEXT, V_OK, 0) \
+    F(v_last_warning, TEXT, V_OK, 0) \
     F(v_strerror, TEXT, V_OK, 0) \
     F(v_version, TEXT, V_OK, 0) \
     F(v_haupt, NOTHING, V_OK, 1) \

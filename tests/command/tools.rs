@@ -353,6 +353,106 @@ fn a_check_tells_by_its_exit_status() {
     sentence(&run(&["check", "no such file"]), 1);
 }
 
+/// The same object from the path's file, from a mesh file and from another path.
+#[test]
+fn a_check_looks_at_the_object_that_it_is_told() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let wall = folder.join("wall.obj");
+    fs::write(&wall, "v 0 -9 -9\nv 0 9 -9\nv 0 0 9\nf 1 2 3\n").unwrap();
+    let wall = wall.to_str().unwrap();
+    let plain = folder.join("plain.vid");
+    let document = Document::new();
+    document.save(&plain).unwrap();
+    let plain = plain.to_str().unwrap();
+    let kinds = |arguments: &[&str]| {
+        let output = run(arguments);
+        assert!(output.stderr.is_empty());
+        let found: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        let found = found.as_array().unwrap().iter();
+        found
+            .map(|f| f["kind"].as_str().unwrap().to_owned())
+            .collect::<Vec<_>>()
+    };
+    assert!(!kinds(&["check", plain, "--json"]).contains(&"through".to_owned()));
+    let wanted = kinds(&["check", plain, "--json", "--object", wall]);
+    assert!(wanted.contains(&"through".to_owned()) && wanted.contains(&"clearance".to_owned()));
+    let poses = folder.join("poses.csv");
+    let poses = poses.to_str().unwrap();
+    said(&run(&["sample", plain, "--format", "csv", "-o", poses]));
+    let fitted = written(folder, "fitted.vid", &["fit", poses, "--object", wall]);
+    assert!(kinds(&["check", &fitted, "--json"]).contains(&"through".to_owned()));
+    assert_eq!(
+        kinds(&["check", plain, "--json", "--object", &fitted]),
+        wanted
+    );
+    let plot = said(&run(&["plot", plain, "--object", wall]));
+    assert!(plot.contains("leads through the object") && plot.contains("Clearance"));
+    let past = ["move", "flyby", "--object", wall];
+    assert!(written(folder, "past.vid", &past).ends_with("past.vid"));
+    assert!(
+        fs::read_to_string(folder.join("past.vid"))
+            .unwrap()
+            .contains("wall.obj")
+    );
+    let off = [
+        "through=off",
+        "clearance=off",
+        "nothing-to-see=off",
+        "redundant=off",
+    ];
+    let off: Vec<&str> = off.iter().flat_map(|kind| ["--limit", kind]).collect();
+    let left = kinds(&[&["check", plain, "--json", "--object", wall][..], &off].concat());
+    assert!(!left.contains(&"through".to_owned()), "{left:?}");
+    for wrong in ["turning", "tuning=3", "turning=x", "turning=-1"] {
+        complaint(&run(&["check", plain, "--limit", wrong]), 2);
+    }
+    sentence(&run(&["check", plain, "--object", plain]), 1);
+}
+
+#[test]
+fn a_note_is_no_finding() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let room = folder.join("room.obj");
+    let corners = "v -9 -9 -9\nv 9 -9 -9\nv 0 9 -9\nv 0 0 9\n";
+    fs::write(
+        &room,
+        format!("{corners}f 1 2 3\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"),
+    )
+    .unwrap();
+    let path = written(folder, "orbit.vid", &["move", "orbit", "--radius", "0.9"]);
+    let check = ["check", &path, "--object", room.to_str().unwrap()];
+    let text = said(&run(&check));
+    assert_eq!(
+        text,
+        "Note: The camera is inside the object all the time.\n"
+    );
+    let json = said(&run(&[&check[..], &["--json"]].concat()));
+    let notes: serde_json::Value = serde_json::from_str(&json).unwrap();
+    assert_eq!(notes[0]["kind"], "note");
+    assert_eq!(
+        notes[0]["text"],
+        "The camera is inside the object all the time."
+    );
+}
+
+#[test]
+fn what_can_be_is_fixed() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let fast = ["move", "orbit", "--radius", "0.9", "--seconds", "3"];
+    let fast = written(folder, "fast.vid", &fast);
+    let fixed = folder.join("fixed.vid");
+    let fixed = fixed.to_str().unwrap();
+    let text = said(&run(&["check", &fast, "--fix", "-o", fixed]));
+    assert!(text.starts_with("Fixed turning, frames "), "{text}");
+    assert_eq!(said(&run(&["check", fixed])), "");
+    complaint(&run(&["check", &fast, "--fix"]), 2);
+    complaint(&run(&["check", &fast, "-o", fixed]), 2);
+    complaint(&run(&["check", &fast, "--fix", "-o", "-"]), 2);
+}
+
 #[test]
 fn a_plot_has_all_its_parts() {
     let folder = tempfile::tempdir().unwrap();

@@ -149,3 +149,96 @@ fn what_is_for_the_user_to_choose_has_no_edit() {
     let finding = found(&document, "space").unwrap();
     assert!(document.remedy(&finding).unwrap().is_empty());
 }
+
+fn speeds(document: &mut Document, point: usize, speed: f64, (frames, hold): (u32, u32)) {
+    let mut orientation = document.path().points[point].orientations[0].clone();
+    (orientation.speeds, orientation.hold) = ([speed; SPEEDS], hold);
+    orientation.own = orientation.own.with(|own| own.frames = frames).unwrap();
+    let at = 0;
+    document
+        .apply(Edit::SetOrientation {
+            point,
+            at,
+            orientation,
+        })
+        .unwrap();
+}
+
+#[test]
+fn speeds_that_jump_are_joined() {
+    // By the ten speeds, by fixed frames, and before a rest.
+    for (speed, frames, hold) in [(100.0, 0, 0), (50.0, 10, 0), (50.0, 0, 12)] {
+        let mut document = straight([DVec3::NEG_Z; 3]);
+        speeds(&mut document, 0, 40.0, (0, 0));
+        speeds(&mut document, 1, speed, (frames, hold));
+        assert!(
+            found(&document, "speed-jump").is_some(),
+            "{speed} {frames} {hold}"
+        );
+        assert!(
+            mended(&mut document, "speed-jump"),
+            "{speed} {frames} {hold}"
+        );
+    }
+}
+
+#[test]
+fn a_cusp_gets_smooth_tangents() {
+    let mut document = straight([DVec3::NEG_Z; 3]);
+    for (at, y) in [(0, 2.5), (1, -2.5)] {
+        let tangent = DVec3::new(1.5, y, 0.0);
+        document.apply(set_tangent(at, tangent)).unwrap();
+    }
+    assert!(found(&document, "cusp").is_some());
+    assert!(mended(&mut document, "cusp"));
+}
+
+/// The poses stay where a point goes that changes nothing, also if the others have fixed frames.
+#[test]
+fn without_a_redundant_point_the_poses_stay() {
+    let mut document = straight([DVec3::NEG_Z; 3]);
+    speeds(&mut document, 0, 50.0, (70, 0));
+    speeds(&mut document, 1, 50.0, (70, 0));
+    let before = document.sampler().unwrap().pose(70.0).unwrap();
+    assert!(mended(&mut document, "redundant"));
+    assert_eq!(document.path().points.len(), 2);
+    let after = document.sampler().unwrap();
+    assert_eq!(after.frame_count(), 141);
+    let after = after.pose(70.0).unwrap();
+    assert!((DVec3::from(before.vrp) - DVec3::from(after.vrp)).length() < 1e-9);
+}
+
+#[test]
+fn all_that_can_be_is_fixed_and_the_rest_is_left() {
+    let mut document = straight([DVec3::NEG_Z, DVec3::new(1.0, 0.0, 0.2), DVec3::NEG_Z]);
+    let position = DVec3::new(1.5, 0.0, 0.8);
+    document
+        .apply(Edit::SetPosition { at: 2, position })
+        .unwrap();
+    let few = Edit::FitFrames {
+        first: 0,
+        last: 2,
+        frames: 60,
+    };
+    document.apply(few).unwrap();
+    speeds(&mut document, 0, 20.0, (10, 0));
+    let before = document.check(None).unwrap();
+    let mut told = Vec::new();
+    let left = document
+        .fix(None, &mut |finding| told.push(finding.kind))
+        .unwrap();
+    assert_eq!(left, document.check(None).unwrap());
+    assert!(
+        left.len() < before.len() && !told.is_empty(),
+        "{before:?} {left:?}"
+    );
+    let kinds: Vec<_> = left.iter().map(|finding| finding.kind).collect();
+    assert!(kinds.contains(&FindingKind::Space), "{kinds:?}");
+    for cured in [FindingKind::Turning, FindingKind::SpeedJump] {
+        assert!(!kinds.contains(&cured), "{kinds:?}");
+    }
+    // Nothing more helps.
+    let path = document.path().clone();
+    assert_eq!(document.fix(None, &mut |_| ()).unwrap(), left);
+    assert_eq!(*document.path(), path);
+}

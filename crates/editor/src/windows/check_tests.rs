@@ -125,6 +125,69 @@ fn what_helps_is_one_step() {
     }
 }
 
+/// Switched off, set and switched on again, each a step that is found again in the path.
+#[test]
+fn limits_are_steps_that_can_be_undone() {
+    use crate::tools::check::{FindingKind, OFF};
+    for language in BOTH {
+        let mut window = checked(language, LARGE, Theme::Dark);
+        let limit = |window: &Window, kind| window.state().document.info().limits.get(kind);
+        let count = |window: &Window| window.state().windows.check.as_ref().unwrap().found.len();
+        let before = count(&window);
+        click(&mut window, language.texts().check.limits);
+        let [name, _] = language.limit(FindingKind::Space);
+        let tick = |window: &mut Window| {
+            window.get_by_role_and_label(Role::CheckBox, name).click();
+            window.run();
+        };
+        tick(&mut window);
+        assert_eq!(limit(&window, FindingKind::Space), OFF);
+        assert!(count(&window) < before);
+        press(&mut window, Modifiers::CTRL, Key::Z);
+        assert_eq!(
+            (limit(&window, FindingKind::Space), count(&window)),
+            (0.0, before)
+        );
+        screenshot(&mut window, &format!("check-limits-{language:?}.png"));
+    }
+}
+
+#[test]
+fn a_camera_in_a_room_is_noted() {
+    let corner = |k: usize| [0, 1, 2].map(|bit| if k >> bit & 1 == 1 { 9.0 } else { -9.0 });
+    let sides = [
+        [0, 1, 3],
+        [0, 3, 2],
+        [4, 5, 7],
+        [4, 7, 6],
+        [0, 1, 5],
+        [0, 5, 4],
+        [2, 3, 7],
+        [2, 7, 6],
+        [0, 2, 6],
+        [0, 6, 4],
+        [1, 3, 7],
+        [1, 7, 5],
+    ];
+    let room = vides_engine::scene::Mesh {
+        points: (0..8).map(|k| DVec3::from_array(corner(k))).collect(),
+        triangles: sides.to_vec(),
+        ..Default::default()
+    };
+    for language in BOTH {
+        let mut window = checked(language, LARGE, Theme::Dark);
+        let mut info = window.state().document.info().clone();
+        info.object = crate::document::Object::of_mesh(room.clone()).unwrap();
+        window.state_mut().edit(Edit::SetInfo(Box::new(info)));
+        window.run();
+        assert!(
+            window
+                .query_by_label(language.texts().check.inside)
+                .is_some()
+        );
+    }
+}
+
 #[test]
 fn a_long_film_is_checked_when_asked() {
     let mut window = checked(Language::English, LARGE, Theme::Dark);

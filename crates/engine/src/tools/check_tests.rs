@@ -221,6 +221,108 @@ fn half_turn() {
 }
 
 #[test]
+fn a_half_turn_is_one_within_a_tenth_of_a_degree() {
+    for (degrees, there) in [(0.0, true), (0.09, true), (-0.09, true), (0.11, false)] {
+        let mut path = path(&LINE[..2]);
+        let (sin, cos) = f64::to_radians(degrees).sin_cos();
+        path.points[1].orientations[0].target = Target::Relative(DVec3::new(sin, 0.0, cos));
+        let all = check(&path, &plain()).unwrap();
+        let half = all.iter().find(|f| f.kind == FindingKind::HalfTurn);
+        assert_eq!(half.is_some(), there, "{degrees}");
+        assert!(half.is_none_or(|f| (f.value - degrees.abs()).abs() < 1e-9));
+    }
+}
+
+/// A point on the straight way between two others, moved aside, its view turned, its zoom changed:
+/// without it the poses change by so much there, and nowhere by more.
+#[test]
+fn a_point_is_redundant_if_the_poses_change_by_less() {
+    let redundant = |aside: f64, degrees: f64, zoom: f64| {
+        let mut path = path(&[[-0.5, 0.0, 0.8], [0.0, aside, 0.8], [0.5, 0.0, 0.8]]);
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        let view = &mut path.points[1].orientations[0];
+        view.target = Target::Relative(DVec3::new(sin, 0.0, -cos));
+        view.zoom += zoom;
+        found(&path).contains(&"redundant")
+    };
+    assert!(redundant(0.0, 0.0, 0.0));
+    assert!(redundant(0.000_9, 0.0, 0.0) && !redundant(0.001_1, 0.0, 0.0));
+    assert!(redundant(0.0, 0.09, 0.0) && !redundant(0.0, 0.11, 0.0));
+    assert!(redundant(0.0, 0.0, 0.09) && !redundant(0.0, 0.0, 0.11));
+    // Another pace, a rest.
+    let mut slow = path(&[[-0.5, 0.0, 0.8], [0.0, 0.0, 0.8], [0.5, 0.0, 0.8]]);
+    let first = &mut slow.points[0].orientations[0];
+    first.own = first.own.with(|own| own.frames = 40).unwrap();
+    assert!(!found(&slow).contains(&"redundant"));
+    let mut rest = path(&[[-0.5, 0.0, 0.8], [0.0, 0.0, 0.8], [0.5, 0.0, 0.8]]);
+    rest.points[1].orientations[0].hold = 1;
+    assert!(!found(&rest).contains(&"redundant"));
+    // In a long path, where only the points around are planned: a straight one, and a wave.
+    for curve in [crate::path::CurveKind::Tcb, crate::path::CurveKind::Cubic] {
+        for (high, count) in [(0.0, 98), (0.3, 0)] {
+            let points = (0..100).map(f64::from);
+            let points = points.map(|k| [0.1 * k, high * (0.9 * k).sin(), 0.8]);
+            let long = path(&points.collect::<Vec<_>>());
+            let all = check(&CameraPath { curve, ..long }, &plain()).unwrap();
+            let redundant = all.iter().filter(|f| f.kind == FindingKind::Redundant);
+            assert_eq!(redundant.count(), count, "{curve:?}");
+        }
+    }
+}
+
+/// From rest to rest in 50 frames with constant acceleration, then constant braking: 4·L/T² is
+/// 1 half size/s², which goes down to −1 within two frames, 1/s³ times 25 for each.
+#[test]
+fn jerk_is_found_if_it_is_limited() {
+    let mut braking = path(&[[-0.5, 0.0, 0.8], [0.5, 0.0, 0.8]]);
+    let ease = Pace::Ease(Ease {
+        kind: EaseKind::Parabolic,
+        rise: 0.5,
+        fall: 0.5,
+        cruise: 50.0,
+    });
+    let begin = &mut braking.points[0].orientations[0];
+    let own = begin.own.with(|own| (own.pace, own.frames) = (ease, 50));
+    begin.own = own.unwrap();
+    assert!(found(&braking).is_empty());
+    let mut against = plain();
+    for (limit, there) in [(24.9, true), (25.1, false)] {
+        against.limits.set(FindingKind::Jerk, limit).unwrap();
+        let all = check(&braking, &against).unwrap();
+        assert_eq!(all.len(), usize::from(there), "{all:?}");
+        assert!(all.iter().all(|f| (f.value - 25.0).abs() < 1e-9));
+    }
+    assert!(all_off(&braking).is_empty());
+}
+
+/// What is found where nothing is looked for.
+fn all_off(path: &CameraPath) -> Vec<&'static str> {
+    let mut against = plain();
+    for kind in FindingKind::all() {
+        against.limits.set(kind, OFF).unwrap();
+    }
+    found_against(path, &against)
+}
+
+#[test]
+fn a_finding_is_a_sentence_with_its_numbers() {
+    let finding = Finding {
+        kind: FindingKind::Turning,
+        first_frame: 1.0,
+        last_frame: 2.0,
+        point: 1,
+        orientation: 0,
+        value: 123.456,
+        limit: 60.0,
+    };
+    let said = "From point 2, view 1 the view turns by 123°/s (limit 60°/s).";
+    assert_eq!(finding.to_string(), said);
+    let numbers = [0.0, 0.02, 0.5, 1.234_56, 12.3456, 0.000_123_4, 60.0, 1e6];
+    let decimals = numbers.map(super::decimals);
+    assert_eq!(decimals, [0, 2, 1, 2, 1, 6, 0, 0]);
+}
+
+#[test]
 fn pole_and_target() {
     let over = |height: f64, aside: f64| {
         let mut path = path(&[[-0.5, height, aside], [0.5, height, aside]]);
@@ -267,7 +369,13 @@ fn clearance_through_and_nothing_to_see() {
     }
     assert_eq!(found_against(&line, &against), ["clearance"]);
     line.points[2].position.z = 0.6;
-    assert!(found_against(&line, &against).contains(&"through"));
+    let all = check(&line, &against).unwrap();
+    assert!(all.iter().any(|f| f.kind == FindingKind::Through));
+    // Between two frames it is nowhere near, and yet there.
+    let mut near = all.iter().filter(|f| f.kind == FindingKind::Clearance);
+    assert!(near.any(|f| f.value == 0.0), "{all:?}");
+    let many = all_off(&line);
+    assert!(many.is_empty(), "{many:?}");
     // Away from it for 1.2 seconds, and for 0.8.
     for (seconds, there) in [(1.2, true), (0.8, false)] {
         let mut away = path(&LINE[..2]);
