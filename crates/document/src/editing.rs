@@ -8,6 +8,7 @@ use super::fingerprint::Fingerprint;
 use super::history::{History, Step};
 use super::info::Info;
 use super::prepare;
+use super::step_name::StepName;
 use crate::error::Result;
 use crate::limits;
 use crate::path::up_vector::check_ups;
@@ -199,6 +200,7 @@ impl Document {
     /// Why the edit is impossible; the document is unchanged then.
     pub fn apply(&mut self, edit: Edit) -> Result<()> {
         let same_for_a_file = matches!(edit, Edit::EditNode(_));
+        let name = StepName::of(&edit, self.path(), self.info());
         let (mut change, selection) = prepare::prepare(&self.state, edit)?;
         if change.is_idle(&self.state) {
             return Ok(());
@@ -234,6 +236,7 @@ impl Document {
             held.apply(&mut self.state, &mut self.plan);
         }
         if keeps_record {
+            step.name.get_or_insert(name);
             step.push(change);
             held.into_iter().for_each(|held| step.push(held));
         }
@@ -295,8 +298,19 @@ impl Document {
         self.open.is_some()
     }
 
-    /// Names the open step, for example after a tool.
-    pub fn name_step(&mut self, name: &'static str) {
+    /// Opens the newest step again, so that what follows is taken back together with it. False if
+    /// there is none, or if it was undone.
+    pub fn reopen_step(&mut self) -> bool {
+        self.end_step();
+        self.open = self.history.pop();
+        if let Some(step) = &mut self.open {
+            step.reopen();
+        }
+        self.open.is_some()
+    }
+
+    /// Names the open step, for example after a tool; else it is called after its first edit.
+    pub fn name_step(&mut self, name: StepName) {
         if let Some(step) = &mut self.open {
             step.name = Some(name);
         }
@@ -304,7 +318,7 @@ impl Document {
 
     /// The names of the steps that [`Document::undo`] and [`Document::redo`] would take, if any.
     #[must_use]
-    pub fn step_names(&self) -> [Option<&'static str>; 2] {
+    pub fn step_names(&self) -> [Option<StepName>; 2] {
         match &self.open {
             Some(open) => [open.name, None],
             None => self.history.names(),

@@ -5,6 +5,7 @@ use std::collections::VecDeque;
 
 use super::change::Change;
 use super::editing::Selection;
+use super::step_name::StepName;
 use crate::error::Result;
 use crate::limits;
 
@@ -17,7 +18,7 @@ pub(super) struct Step {
     pub(super) selection: Selection,
     /// Number of the state on the other side.
     pub(super) number: u64,
-    pub(super) name: Option<&'static str>,
+    pub(super) name: Option<StepName>,
 }
 
 impl Step {
@@ -64,6 +65,7 @@ impl Step {
 
     /// Appends the records of an inner step; the memory was reserved by [`Step::reserve_for`].
     pub(super) fn append(&mut self, inner: Self) {
+        self.name = self.name.or(inner.name);
         for record in inner.changes {
             self.push(record);
         }
@@ -81,6 +83,11 @@ impl Step {
     /// Applies each record, which then undoes itself.
     pub(super) fn exchange(&mut self, apply: impl FnMut(&mut Change)) {
         self.changes.iter_mut().for_each(apply);
+        self.changes.reverse();
+    }
+
+    /// Puts the records back into the order in which they came, so that more can follow.
+    pub(super) fn reopen(&mut self) {
         self.changes.reverse();
     }
 
@@ -124,7 +131,7 @@ impl History {
         self.done < self.steps.len()
     }
 
-    pub(super) fn names(&self) -> [Option<&'static str>; 2] {
+    pub(super) fn names(&self) -> [Option<StepName>; 2] {
         let name = |at: usize| self.steps.get(at).and_then(|(step, _)| step.name);
         [self.done.checked_sub(1).and_then(name), name(self.done)]
     }
@@ -151,6 +158,17 @@ impl History {
             self.weight -= self.steps.pop_front().map_or(0, |(_, weight)| weight);
             self.done -= 1;
         }
+    }
+
+    /// Takes the newest step out, if nothing was undone after it.
+    pub(super) fn pop(&mut self) -> Option<Step> {
+        if self.can_redo() {
+            return None;
+        }
+        let (step, weight) = self.steps.pop_back()?;
+        self.weight -= weight;
+        self.done -= 1;
+        Some(step)
     }
 
     /// Undoes the newest step by `exchange`, or redoes the one undone last. False if there is none.

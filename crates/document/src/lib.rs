@@ -21,6 +21,7 @@ mod export_node;
 mod fingerprint;
 mod history;
 mod info;
+mod keys_to_path;
 mod loading;
 mod mesh_file;
 mod not_a_file;
@@ -31,6 +32,7 @@ mod prepare;
 mod remedy;
 pub mod save;
 mod scene;
+mod step_name;
 mod target;
 pub mod tool;
 #[doc(hidden)]
@@ -44,6 +46,7 @@ pub use error::{Error, Result};
 pub use export_node::write_node;
 pub use fingerprint::Fingerprint;
 pub use info::{Info, Object, ObjectPoint};
+pub use keys_to_path::KeysToPath;
 pub use mesh_file::{Watcher, load_mesh, load_object, watch_meshes};
 #[doc(hidden)]
 pub use not_a_file::NotAFile;
@@ -53,6 +56,7 @@ pub use wireframe::features;
 pub use poses::{Recorded, load_poses, load_poses_from, poses_of_text};
 pub use prepare::no_longer_ahead;
 pub use scene::SceneDocument;
+pub use step_name::StepName;
 
 pub use vides_mesh as mesh;
 

@@ -251,13 +251,7 @@ impl Tool {
                     angle: given.number("angle"),
                 };
                 let (fps, seconds) = (document.info().fps, seconds.as_deref());
-                let mut made = fit(poses, seconds, fps, tolerance, &mut |_, _| true)?;
-                made.base_frames = path.base_frames;
-                // The fit computes rolls for an upright y.
-                made.space = Space {
-                    up: Up::Y,
-                    ..path.space
-                };
+                let made = fitted(poses, seconds, fps, tolerance, path)?;
                 Edit::ReplacePath(Box::new(made))
             }
             (Kind::Insert | Kind::Blend | Kind::Fit | Kind::Draw, _) => return Ok(None),
@@ -286,6 +280,24 @@ impl Tool {
         let given = Given::new(self, document, numbers);
         Document::from_parts(given.extracted()?, document.info().try_clone()?)
     }
+}
+
+/// A path of few points through recorded poses, in the space and with the base speeds of another.
+pub(super) fn fitted(
+    poses: &[Pose],
+    seconds: Option<&[f64]>,
+    fps: f64,
+    tolerance: Tolerance,
+    like: &CameraPath,
+) -> Result<CameraPath> {
+    let mut made = fit(poses, seconds, fps, tolerance, &mut |_, _| true)?;
+    made.base_frames = like.base_frames;
+    // The fit computes rolls for an upright y.
+    made.space = Space {
+        up: Up::Y,
+        ..like.space
+    };
+    Ok(made)
 }
 
 /// A tool's numbers by parameter name.

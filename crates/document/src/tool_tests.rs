@@ -1,5 +1,5 @@
 use super::*;
-use crate::Edit;
+use crate::{Edit, StepName};
 
 /// A path with four points about (0.2, 0, 0).
 fn document() -> Document {
@@ -65,13 +65,16 @@ fn each_tool_changes_a_path_in_one_step_that_leaves_nothing_behind() {
         };
         document.begin_step();
         document.apply(edit).unwrap();
-        document.name_step(tool.name);
+        document.name_step(StepName::Tool(tool.name));
         document.end_step();
         assert_ne!(*document.path(), before, "{}", tool.name);
-        assert_eq!(document.step_names(), [Some(tool.name), None]);
+        assert_eq!(
+            document.step_names(),
+            [Some(StepName::Tool(tool.name)), None]
+        );
         assert!(document.undo());
         assert_eq!(*document.path(), before, "{}", tool.name);
-        assert_eq!(document.step_names(), [None, Some(tool.name)]);
+        assert_eq!(document.step_names()[1], Some(StepName::Tool(tool.name)));
     }
 }
 

@@ -141,6 +141,8 @@ pub(super) enum Action {
     Keys,
     /// Edit the path of this node, or of none.
     EditNode(Option<usize>),
+    /// Let a camera follow a path in place of its keys.
+    KeysToPath(usize),
     Edit(Edit),
     /// An entry into a number of the path.
     Enter(Entry<Edit>),
@@ -161,6 +163,8 @@ pub(super) enum Action {
     /// An entry into the play bar's frame.
     Playhead(Entry),
     SwitchLoops,
+    /// Keep the length of the path whatever is changed, or no longer.
+    SwitchKeepsLength,
     Pace(Pace),
     Setup(Box<Setup>),
     /// A language of the window, or the environment's.
@@ -219,6 +223,7 @@ impl Action {
                 | Self::View(_)
                 | Self::Playhead(_)
                 | Self::SwitchLoops
+                | Self::SwitchKeepsLength
                 | Self::Pace(_)
                 | Self::Setup(_)
                 | Self::Language(_)
@@ -267,6 +272,7 @@ impl Action {
                 | Self::Playhead(_)
                 | Self::PlayOrPause
                 | Self::SwitchLoops
+                | Self::SwitchKeepsLength
                 | Self::Pace(_)
                 | Self::Plot(_)
                 | Self::Fly(_)
@@ -315,6 +321,7 @@ impl Editor {
 
     pub(super) fn act(&mut self, action: Action, context: &egui::Context) {
         self.done(action, context);
+        self.settle_length();
         self.selected.follow(&self.document);
     }
 
@@ -324,6 +331,7 @@ impl Editor {
         }
         if !action.leaves_tool() {
             self.take_tool();
+            self.settle_length();
         }
         let Selection { point, orientation } = self.document.selection();
         match action {
@@ -450,6 +458,7 @@ impl Editor {
             Action::PlayOrPause => self.play_or_pause(context),
             Action::Keys => windows::open::<HelpWindow>(self, context),
             Action::EditNode(node) => self.edit_node(node),
+            Action::KeysToPath(node) => self.keys_to_path(node),
             Action::Edit(edit) => {
                 self.edit_selected(edit);
             }
@@ -468,6 +477,7 @@ impl Editor {
             Action::View(view) => self.setup.view = view,
             Action::Playhead(entry) => self.enter_frame(entry),
             Action::SwitchLoops => self.switch_loops(context),
+            Action::SwitchKeepsLength => self.switch_keeps_length(),
             Action::Pace(pace) => self.set_pace(pace, context),
             Action::Setup(setup) => {
                 self.setup = *setup;

@@ -25,6 +25,9 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     let context = ui.ctx().clone();
     // The host edits the path, too.
     editor.selected.follow(&editor.document);
+    if !editor.document.in_step() {
+        editor.look_at_length();
+    }
     if let Some(theme) = context.system_theme() {
         editor.setup.desktop = Theme::of_system(theme);
     }
@@ -64,8 +67,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
             bar.ui(ui, |ui| {
                 ui.set_min_height(BAR);
                 let picked = menu::show(editor, ui);
-                output::show(editor, ui);
-                picked
+                picked.or(output::show(editor, ui))
             })
         })
     });
@@ -76,7 +78,10 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
             if editor.document.edits_path() {
                 panels::show(editor, ui);
             } else {
-                scene_view::no_path(editor, ui);
+                let show = |editor: &Editor, actions: &mut _| {
+                    scene_view::no_path(editor, ui, actions);
+                };
+                editor.part(&context, show);
             }
         });
     });
@@ -86,6 +91,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     ui.painter()
         .vline(right.left() + 0.5, below.y_range(), line);
     windows::show(editor, &context);
+    windows::free_of_tooltips(&context);
     for (number, action) in actions.into_iter().chain(picked).enumerate() {
         // The first may have raised a question: the rest was typed blindly.
         if number > 0 && editor.windows.has_modal() {

@@ -16,6 +16,7 @@ mod host;
 #[cfg(any(test, fuzzing))]
 pub mod hostile;
 mod keys;
+mod length;
 mod menu;
 mod number;
 mod obstacles;

@@ -11,6 +11,7 @@ use crate::files::recovery::Autosave;
 use crate::host::Warnings;
 use crate::host::pane::HostPane;
 use crate::host::{Program, Standing};
+use crate::length::Length;
 use crate::number::Entry;
 use crate::obstacles::Obstacles;
 use crate::panels::orientation::with;
@@ -127,6 +128,7 @@ pub struct Editor {
     pub(super) typing: bool,
     /// Shown in the output field instead of the current pose.
     pub(super) message: Option<Message>,
+    pub(super) length: Length,
     pub(super) requests: Vec<Request>,
     pub(super) setup: Setup,
     pub(super) space: space::MovementWindow,
@@ -146,6 +148,8 @@ pub(super) struct Message {
     pub(super) text: String,
     /// It says what could not be done.
     pub(super) error: bool,
+    /// It offers to undo the step that led to this state.
+    pub(super) undoes: Option<u64>,
 }
 
 impl Editor {
@@ -181,6 +185,7 @@ impl Editor {
             waiting: None,
             typing: false,
             message: None,
+            length: Length::default(),
             requests: Vec::new(),
             setup: Setup::default(),
             space: space::MovementWindow::default(),
@@ -245,13 +250,21 @@ impl Editor {
     /// Shows a sentence in the output field.
     pub fn say(&mut self, text: impl Into<String>) {
         let text = text.into();
-        self.message = Some(Message { text, error: false });
+        self.message = Some(Message {
+            text,
+            error: false,
+            undoes: None,
+        });
     }
 
     /// Shows in the output field what could not be done.
     pub fn complain(&mut self, text: impl Into<String>) {
         let text = text.into();
-        self.message = Some(Message { text, error: true });
+        self.message = Some(Message {
+            text,
+            error: true,
+            undoes: None,
+        });
     }
 
     /// Shows in the output field what was wrong with what the host gave.

@@ -4,7 +4,7 @@
 use std::path::Path;
 use std::rc::Rc;
 
-use crate::document::{Document, Edit, load_object};
+use crate::document::{self, Document, Edit, load_object};
 use crate::editor::{self, Folders, Warnings};
 use crate::error::{Error, Result};
 use crate::{Host, Options, document_of, main_loop, open, own_program};
@@ -17,19 +17,7 @@ use crate::{Host, Options, document_of, main_loop, open, own_program};
 /// # Errors
 /// `ErrorKind::Display`: no X server, or it goes away; as [`Document::load`] and [`load_object`].
 pub fn edit(file: Option<&Path>, object: Option<&Path>) -> Result<()> {
-    let (mut document, warnings) = match file {
-        Some(file) => document_of(file)?,
-        None => (Document::try_new()?, Vec::new()),
-    };
-    if let Some(object) = object {
-        let mut info = document.info().clone();
-        info.object = load_object(object)?;
-        document.apply(Edit::SetInfo(Box::new(info)))?;
-        if file.is_none_or(|file| !file.exists()) {
-            let space = document.space_around_object()?;
-            document.apply(Edit::SetSpace { space, fit: true })?;
-        }
-    }
+    let (document, warnings) = beginning(file, object)?;
     let mut about_meshes = Warnings::default();
     about_meshes.add_meshes(warnings);
     open(Options {
@@ -57,9 +45,51 @@ pub fn edit(file: Option<&Path>, object: Option<&Path>) -> Result<()> {
     }
 }
 
+/// What the window begins with, as if just opened: the object is no change of the user's.
+fn beginning(
+    file: Option<&Path>,
+    object: Option<&Path>,
+) -> Result<(Document, Vec<document::Error>)> {
+    let (mut document, warnings) = match file {
+        Some(file) => document_of(file)?,
+        None => (Document::try_new()?, Vec::new()),
+    };
+    if let Some(object) = object {
+        let mut info = document.info().clone();
+        info.object = load_object(object)?;
+        document.apply(Edit::SetInfo(Box::new(info)))?;
+        if file.is_none_or(|file| !file.exists()) {
+            let space = document.space_around_object()?;
+            document.apply(Edit::SetSpace { space, fit: true })?;
+        }
+    }
+    Ok((document.as_opened(), warnings))
+}
+
 /// Takes no poses, and lets the user close at will.
 struct Nobody;
 
 impl Host for Nobody {
     fn lost(&self, _: &str) {}
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_window_with_an_object_opens_unchanged() {
+        let examples = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples"));
+        let folder = tempfile::tempdir().unwrap();
+        let object = folder.path().join("house.obj");
+        std::fs::write(&object, "v 0 0 0\nv 3 0 0\nv 0 3 0\nl 1 2 3\n").unwrap();
+        let pyramid = examples.join("pyramid.vid");
+        for file in [None, Some(pyramid.as_path())] {
+            let (plain, _) = beginning(file, None).unwrap();
+            let (document, _) = beginning(file, Some(&object)).unwrap();
+            assert_ne!(plain.info().object, document.info().object);
+            assert!(!document.is_modified() && !document.can_undo());
+            assert_eq!(plain.fingerprint(), document.fingerprint());
+        }
+    }
 }

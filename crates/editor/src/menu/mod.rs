@@ -9,6 +9,7 @@ use egui::{
 };
 
 use crate::actions::Action;
+use crate::document::StepName;
 use crate::document::tool::{self, Needs};
 use crate::keys;
 use crate::limits::MIN_POINTS;
@@ -21,6 +22,8 @@ use crate::windows::is_cramped;
 
 /// Room for a mark before an entry's text.
 const MARK: f32 = 28.0;
+/// Room for a line between entries.
+const LINE: f32 = 9.0;
 /// Beside a menu's title.
 const TITLE_MARGIN: f32 = 6.0;
 /// The same in a narrow window.
@@ -58,11 +61,6 @@ impl Entry {
         }
     }
 
-    fn does(mut self, hint: &'static str, action: Action) -> Self {
-        (self.hint, self.action) = (Cow::Borrowed(hint), action);
-        self
-    }
-
     const fn letter(mut self, letter: Key) -> Self {
         self.letter = Some(letter);
         self
@@ -70,8 +68,8 @@ impl Entry {
 
     /// Otherwise it is disabled, and its hint says why.
     fn only_if(mut self, possible: bool, why_not: &'static str) -> Self {
-        self.enabled = possible;
         if !possible {
+            self.enabled = false;
             self.hint = Cow::Borrowed(why_not);
         }
         self
@@ -129,6 +127,15 @@ fn menus(editor: &Editor) -> [Menu; 6] {
     })
 }
 
+/// The actions of a menu and the words of their entries.
+#[cfg(test)]
+pub(super) fn names(editor: &Editor, menu: usize) -> Vec<(Action, Cow<'static, str>)> {
+    let entries = menus(editor).into_iter().nth(menu);
+    let entries = entries.map(|menu| menu.entries).unwrap_or_default();
+    let named = entries.into_iter().map(|entry| (entry.action, entry.text));
+    named.collect()
+}
+
 fn file(editor: &Editor) -> Vec<Entry> {
     let (texts, hints) = (&editor.texts().menu, &editor.texts().menu_hints);
     let mut file = vec![
@@ -155,16 +162,13 @@ fn edit(editor: &Editor) -> Vec<Entry> {
     let orientations = editor.point().map_or(1, |point| point.orientations.len());
     let path = editor.document.path();
     let closed = path.closed;
-    let tools = &editor.texts().tools;
     let [back, forth] = editor.document.step_names();
     let close_hint = if closed { hints.open } else { hints.close };
-    vec![
-        named(editor, back, tools.undo, texts.undo)
-            .does(hints.undo, Action::Undo)
-            .only_if(editor.document.can_undo(), output.nothing_to_undo),
-        named(editor, forth, tools.redo, texts.redo)
-            .does(hints.redo, Action::Redo)
-            .only_if(editor.document.can_redo(), output.nothing_to_redo),
+    let travels = [
+        travel(editor, false, back).only_if(editor.document.can_undo(), output.nothing_to_undo),
+        travel(editor, true, forth).only_if(editor.document.can_redo(), output.nothing_to_redo),
+    ];
+    let of_path = [
         Entry::new(texts.add_point, position.add_hint, Action::AddPoint)
             .only_if(editor.has_segment(), position.last_point)
             .apart(),
@@ -187,8 +191,7 @@ fn edit(editor: &Editor) -> Vec<Entry> {
             editor.texts().space.all_points,
             hints.select_all,
             Action::Choose(Choice::All),
-        )
-        .only_if(editor.document.edits_path(), editor.texts().tools.only_path),
+        ),
         Entry::new(
             texts.add_orientation,
             orientation.add_hint,
@@ -214,20 +217,30 @@ fn edit(editor: &Editor) -> Vec<Entry> {
         .only_if(editor.copied.is_some(), output.nothing_copied),
         Entry::new(texts.aim_all, hints.aim_all, Action::AimAll),
         Entry::new(texts.space, hints.space, Action::Space).apart(),
-    ]
+    ];
+    let edits_path = editor.document.edits_path();
+    let only_path = editor.texts().tools.only_path;
+    let of_path = of_path.map(|entry| entry.only_if(edits_path, only_path));
+    travels.into_iter().chain(of_path).collect()
 }
 
-/// An entry for undo or redo, with the name of the tool that made the step.
-fn named(
-    editor: &Editor,
-    step: Option<&'static str>,
-    of: &'static str,
-    plain: &'static str,
-) -> Entry {
-    let text = step.map(|step| fill(of, &[&editor.language().tool(step)]).into());
+/// An entry for undo or redo that says what it takes back or does again.
+fn travel(editor: &Editor, redo: bool, step: Option<StepName>) -> Entry {
+    let hints = &editor.texts().menu_hints;
+    let (hint, action) = if redo {
+        (hints.redo, Action::Redo)
+    } else {
+        (hints.undo, Action::Undo)
+    };
+    let text = editor.language().travel(redo, step);
+    let hint = match step {
+        Some(_) => format!("{text}. {hint}").into(),
+        None => Cow::Borrowed(hint),
+    };
     Entry {
-        text: text.unwrap_or(Cow::Borrowed(plain)),
-        ..Entry::new("", "", Action::Undo)
+        text,
+        hint,
+        ..Entry::new("", "", action)
     }
 }
 
@@ -369,11 +382,15 @@ fn show_entries(editor: &Editor, ui: &mut Ui, menu: &Menu, bar: &mut Bar) -> Opt
     let widest = |of: &dyn Fn(&Entry) -> f32| menu.entries.iter().map(of).fold(0.0, f32::max);
     let all =
         MARK + widest(&|entry| width(&entry.text)) + APART + widest(&|entry| width(&keys(entry)));
-    let size = vec2((all + 8.0).ceil(), theme::ROW);
+    let columns = || menu.entries.chunk_by(|_, next| !next.beside);
+    let row = columns()
+        .map(|entries| row_height(ui, entries))
+        .fold(theme::ROW, f32::min);
+    let size = vec2((all + 8.0).ceil(), row);
     let mut column = |ui: &mut Ui, picked: &mut Option<Action>, entries: &[Entry]| {
         for entry in entries {
             if entry.apart {
-                let (line, _) = ui.allocate_exact_size(vec2(size.x, 9.0), Sense::hover());
+                let (line, _) = ui.allocate_exact_size(vec2(size.x, LINE), Sense::hover());
                 let stroke = Stroke::new(1.0, theme::palette(ui).line);
                 ui.painter().hline(line.x_range(), line.center().y, stroke);
             }
@@ -399,11 +416,19 @@ fn show_entries(editor: &Editor, ui: &mut Ui, menu: &Menu, bar: &mut Bar) -> Opt
         }
     };
     ui.horizontal_top(|ui| {
-        for entries in menu.entries.chunk_by(|_, next| !next.beside) {
+        for entries in columns() {
             ui.vertical(|ui| column(ui, &mut picked, entries));
         }
     });
     picked
+}
+
+/// How high a row may be for a column of entries to fit into the window.
+fn row_height(ui: &Ui, entries: &[Entry]) -> f32 {
+    let lines = entries.iter().filter(|entry| entry.apart).count() as f32;
+    let frame = ui.spacing().menu_margin.sum().y + 2.0;
+    let room = ui.ctx().content_rect().height() - frame - LINE * lines;
+    (room / entries.len() as f32).floor().max(theme::ROW / 2.0)
 }
 
 fn show_entry(ui: &mut Ui, entry: &Entry, keys: &str, size: Vec2) -> Response {

@@ -144,7 +144,7 @@ fn all_cameras_are_aimed_at_one_target_in_one_step() {
         });
         window.run();
         press(&mut window, Modifiers::NONE, Key::F7);
-        let told = said(&window);
+        let told = said_besides_length(&window);
         assert_eq!(told.as_deref(), Some(texts.orientation.all_aimed));
         for (point, was) in window
             .state()
@@ -446,5 +446,88 @@ fn a_letter_of_one_menu_is_shown_behind_the_menus_keys() {
         press(&mut window, Modifiers::NONE, Key::D);
         let export = language.texts().files.export;
         assert!(window.query_by_label(export).is_some());
+    }
+}
+
+/// Menu and tooltip name what would be taken back, whatever the edit was.
+#[test]
+fn undo_and_redo_say_what() {
+    use crate::document::{Info, Selection};
+    use crate::panels::orientation::with;
+    use crate::path::Tcb;
+    for (language, undo, redo) in [
+        (Language::English, "Undo {}", "Redo {}"),
+        (Language::German, "{} rückgängig", "{} wiederholen"),
+    ] {
+        let steps = &language.texts().steps;
+        let mut window = window_with_points(language, LARGE, 1.0, Theme::Dark);
+        let key = window.state().document.path().points[1].orientations[0].clone();
+        let at = Selection::at(1, 0);
+        let info = Info {
+            fps: 30.0,
+            ..window.state().document.info().clone()
+        };
+        let edits = [
+            (Edit::AppendAfterLast, steps.insert_point),
+            (Edit::RemovePoint { at: 0 }, steps.remove_point),
+            (
+                Edit::SetPosition {
+                    at: 0,
+                    position: DVec3::new(0.1, 0.2, 0.3),
+                },
+                steps.set_position,
+            ),
+            (with(at, &key, |key| key.zoom = 55.0), steps.zoom),
+            (with(at, &key, |key| key.hold = 5), steps.hold),
+            (with(at, &key, |key| key.speeds[3] = 7.0), steps.pace),
+            (with(at, &key, |key| key.roll = 7.0), steps.roll),
+            (
+                with(at, &key, |key| (key.roll, key.zoom) = (3.0, 3.0)),
+                steps.orientation,
+            ),
+            (
+                Edit::SetOwn {
+                    at: 0,
+                    tcb: Tcb::new(0.5, 0.0, 0.0),
+                },
+                steps.curve,
+            ),
+            (Edit::SetClosed(true), steps.closed),
+            (Edit::SetInfo(Box::new(info)), steps.fps),
+            (Edit::Reverse, steps.reverse),
+        ];
+        for (edit, name) in edits {
+            window.state_mut().document.apply(edit).unwrap();
+            window.run();
+            for (pattern, next) in [(undo, Key::Z), (redo, Key::Y)] {
+                let wanted = pattern.replace("{}", name);
+                press(&mut window, Modifiers::ALT, Key::B);
+                assert!(window.query_by_label(&wanted).is_some(), "{wanted}");
+                press(&mut window, Modifiers::NONE, Key::Escape);
+                press(&mut window, Modifiers::CTRL, next);
+            }
+            press(&mut window, Modifiers::CTRL, Key::Z);
+        }
+    }
+}
+
+/// Where no path is edited, all that needs one is grey.
+#[test]
+fn without_a_path_what_needs_one_is_grey() {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/car.vid");
+    let (document, _) = crate::document::Document::load_scene(file.as_ref()).unwrap();
+    assert!(!document.edits_path());
+    let options = crate::Options {
+        document,
+        ..options(Language::English)
+    };
+    let window = window_of(options, LARGE, 1.0, Theme::Dark);
+    let editor = window.state();
+    for menu in super::menus(editor) {
+        for entry in menu.entries {
+            // There is nothing to undo or redo yet, either.
+            let grey = [Key::B, Key::W].contains(&menu.letter);
+            assert!(!(grey && entry.enabled), "{}", entry.text);
+        }
     }
 }

@@ -1,13 +1,15 @@
 //! The output field (thesis A.2): the current camera setting in columns, or a message.
 
 use egui::{
-    Align, Align2, Color32, FontId, Rect, Response, Role, Sense, Ui, WidgetInfo, pos2, vec2,
+    Align, Align2, Button, Color32, FontId, Rect, Response, Role, Sense, Ui, WidgetInfo, pos2, vec2,
 };
 
+use crate::actions::Action;
+use crate::keys;
 use crate::number::decimals;
 use crate::path::ahead;
 use crate::playing::playhead::Missing;
-use crate::state::Editor;
+use crate::state::{Editor, Message};
 use crate::theme;
 
 /// One part of the setting.
@@ -19,8 +21,15 @@ struct Column {
     widest: &'static str,
 }
 
-pub(crate) fn show(editor: &Editor, ui: &mut Ui) {
+/// Shows it; returns what its button asks for.
+pub(crate) fn show(editor: &Editor, ui: &mut Ui) -> Option<Action> {
     let room = ui.available_rect_before_wrap();
+    let state = Some(editor.document.state_number());
+    let undoes = |message: &Message| message.undoes == state;
+    let (room, undone) = match editor.message.as_ref().filter(|message| undoes(message)) {
+        Some(_) => undo_button(editor, ui, room),
+        None => (room, None),
+    };
     let response = ui.allocate_rect(room, Sense::hover());
     match &editor.message {
         Some(message) => {
@@ -34,6 +43,25 @@ pub(crate) fn show(editor: &Editor, ui: &mut Ui) {
         }
         None => show_setting(editor, ui, response),
     }
+    undone
+}
+
+/// A button at the right that takes back what the message tells; and the room left of it.
+fn undo_button(editor: &Editor, ui: &mut Ui, room: Rect) -> (Rect, Option<Action>) {
+    let texts = &editor.texts().menu;
+    let width = text_width(ui, texts.undo, theme::text()) + 16.0;
+    let (left, right) = room.split_left_right_at_x(room.right() - width - 4.0);
+    let place = Rect::from_center_size(right.center(), vec2(width, theme::ROW));
+    let response = ui.put(place, Button::new(texts.undo));
+    let step = editor
+        .language()
+        .travel(false, editor.document.step_names()[0]);
+    let hint = match keys::words(editor.language(), &Action::Undo) {
+        Some(keys) => format!("{step} ({keys})"),
+        None => step.into_owned(),
+    };
+    let clicked = response.on_hover_text(hint).clicked();
+    (left, clicked.then_some(Action::Undo))
 }
 
 /// A sentence on one line, or small on two; if it is cut, all of it in the tooltip.
@@ -65,51 +93,72 @@ fn show_message(ui: &Ui, response: Response, text: &str, color: Color32) {
 }
 
 fn show_setting(editor: &Editor, ui: &Ui, response: Response) {
-    let columns = columns(editor);
+    let mut columns = columns(editor);
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, in_words(&columns)));
     let rect = response.rect.shrink2(vec2(12.0, 0.0));
     let width = |text: &str, font: FontId| text_width(ui, text, font);
-    let digits = width("0", theme::text());
-    // Labels beside the numbers if there is room, else above.
-    for (above, between) in [
-        (false, 20.0),
-        (false, 12.0),
-        (true, 14.0),
-        (true, 8.0),
-        (true, 4.0),
-    ] {
-        let mut places = Vec::new();
-        let mut x = 0.0;
-        for column in &columns {
-            let label_width = if above {
-                places.push((x, Align2::LEFT_BOTTOM, column.label, Kind::Above));
-                x + width(column.label, theme::small())
-            } else {
-                places.push((x, Align2::LEFT_CENTER, column.label, Kind::Beside));
-                x += width(column.label, theme::text()) + digits * 0.75;
-                x
-            };
-            for value in &column.values {
-                x += width(column.widest, theme::text()).max(width(value, theme::text()));
-                let align = if above {
-                    Align2::RIGHT_TOP
-                } else {
-                    Align2::RIGHT_CENTER
-                };
-                places.push((x, align, value, Kind::Value));
-                x += digits * 0.75;
+    let words = in_words(&columns);
+    loop {
+        // Labels beside the numbers if there is room, else above.
+        for (above, between) in [
+            (false, 20.0),
+            (false, 12.0),
+            (true, 14.0),
+            (true, 8.0),
+            (true, 4.0),
+        ] {
+            let (all, places) = arranged(&columns, above, between, &width);
+            if all <= rect.width() || columns.len() == 1 {
+                paint(ui, rect, rect.right() - all, &places);
+                if above {
+                    response.on_hover_text(words);
+                }
+                return;
             }
-            x = x.max(label_width + digits * 0.75) + between - digits * 0.75;
         }
-        let all = x - between;
-        if all <= rect.width() || (above && between < 5.0) {
-            paint(ui, rect, rect.right() - all, &places);
-            if above {
-                response.on_hover_text(in_words(&columns));
-            }
-            return;
-        }
+        // The view first, then from the left: panels and tooltip have all of it.
+        columns.remove(if columns.len() == ALL { VIEW } else { 0 });
     }
+}
+
+/// All columns, and which is the view.
+const ALL: usize = 5;
+const VIEW: usize = 2;
+
+type Place<'a> = (f32, Align2, &'a str, Kind);
+
+/// How wide the columns are, and where their labels and values stand.
+fn arranged<'a>(
+    columns: &'a [Column],
+    above: bool,
+    between: f32,
+    width: &dyn Fn(&str, FontId) -> f32,
+) -> (f32, Vec<Place<'a>>) {
+    let digits = width("0", theme::text());
+    let mut places = Vec::new();
+    let mut x = 0.0;
+    for column in columns {
+        let label_width = if above {
+            places.push((x, Align2::LEFT_BOTTOM, column.label, Kind::Above));
+            x + width(column.label, theme::small())
+        } else {
+            places.push((x, Align2::LEFT_CENTER, column.label, Kind::Beside));
+            x += width(column.label, theme::text()) + digits * 0.75;
+            x
+        };
+        for value in &column.values {
+            x += width(column.widest, theme::text()).max(width(value, theme::text()));
+            let align = if above {
+                Align2::RIGHT_TOP
+            } else {
+                Align2::RIGHT_CENTER
+            };
+            places.push((x, align, value.as_str(), Kind::Value));
+            x += digits * 0.75;
+        }
+        x = x.max(label_width + digits * 0.75) + between - digits * 0.75;
+    }
+    (x - between, places)
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -121,7 +170,7 @@ enum Kind {
     Above,
 }
 
-fn paint(ui: &Ui, rect: Rect, left: f32, places: &[(f32, Align2, &str, Kind)]) {
+fn paint(ui: &Ui, rect: Rect, left: f32, places: &[Place<'_>]) {
     let palette = theme::palette(ui);
     let painter = ui.painter().with_clip_rect(rect);
     for &(x, align, text, kind) in places {

@@ -13,8 +13,10 @@ use crate::theme;
 /// Widths of frame and second, of the rate and of a button; the gap between them.
 const FIELD: f32 = 84.0;
 const RATE: f32 = 76.0;
-const BUTTON: f32 = 35.0;
+const BUTTON: f32 = (RATE - 2.0 * NARROW) / 3.0;
 const GAP: f32 = 6.0;
+/// Between buttons.
+const NARROW: f32 = 4.0;
 
 /// Speed of playing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -138,8 +140,46 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
             .show(ui, language, "playing.duration", FIELD);
         let entry = entry.map(|seconds| fit((seconds * fps).round()));
         actions.push(Action::Enter(entry));
+        ui.spacing_mut().item_spacing.x = NARROW;
+        ui.spacing_mut().button_padding.x = 0.0;
+        lock(editor, ui, of_scene, actions);
         how(editor, ui, actions);
     });
+}
+
+/// The padlock that keeps the duration; that of a scene is not one path's to keep.
+fn lock(editor: &Editor, ui: &mut Ui, of_scene: bool, actions: &mut Vec<Action>) {
+    let texts = &editor.texts().space;
+    let keeps = editor.keeps_length();
+    ui.add_enabled_ui(!of_scene, |ui| {
+        let response = ui.add_sized([BUTTON, theme::ROW], Button::new("").selected(keeps));
+        let name = texts.keep_length;
+        response.widget_info(|| WidgetInfo::selected(Role::Button, !of_scene, keeps, name));
+        let visuals = ui.style().interact_selectable(&response, keeps);
+        let color = visuals.fg_stroke.color;
+        ui.painter()
+            .extend(padlock(response.rect.center(), keeps, color));
+        if response.on_hover_text(texts.keep_length_tip).clicked() {
+            actions.push(Action::SwitchKeepsLength);
+        }
+    });
+}
+
+/// Shut, or with its shackle turned aside.
+fn padlock(centre: Pos2, shut: bool, color: egui::Color32) -> [Shape; 2] {
+    let body = Rect::from_center_size(centre + vec2(0.0, 2.5), vec2(11.0, 8.0));
+    let aside = if shut { 0.0 } else { 6.0 };
+    let at = |x: f32, y: f32| centre + vec2(x + aside, y);
+    let round = (0..=8).map(|step| {
+        let angle = std::f32::consts::PI * (1.0 + step as f32 / 8.0);
+        at(3.0 * angle.cos(), -4.0 + 3.0 * angle.sin())
+    });
+    let ends = [at(-3.0, -1.5), at(3.0, if shut { -1.5 } else { -3.0 })];
+    let way = std::iter::once(ends[0]).chain(round).chain([ends[1]]);
+    [
+        Shape::rect_filled(body, 1.5, color),
+        Shape::line(way.collect(), Stroke::new(1.5, color)),
+    ]
 }
 
 /// The buttons for looping and for the pace.

@@ -183,8 +183,11 @@ pub(super) fn show(
     let painter = ui.painter_at(rect);
     painter.rect_filled(ground, CornerRadius::same(3), palette.field);
     let room = rect.with_max_x(ground.left() - 12.0);
-    plot::choices(editor, ui, room, actions);
-    if marks.frames == 0 || !editor.document.edits_path() {
+    let edits_path = editor.document.edits_path();
+    ui.add_enabled_ui(edits_path, |ui| {
+        plot::choices(editor, ui, room, actions);
+    });
+    if marks.frames == 0 || !edits_path {
         return;
     }
     let scale = Scale::new(rail.x_range(), ground, marks);

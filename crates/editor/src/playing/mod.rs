@@ -73,6 +73,8 @@ pub(super) struct Playing {
 struct Marks {
     revision: Option<u64>,
     keys: Vec<Mark>,
+    /// The scene's markers: frames of the path, and their names.
+    markers: Vec<(f64, String)>,
     /// All frames; 0 if there are too many.
     frames: usize,
     graph: graph::Graph,
@@ -108,8 +110,15 @@ impl Marks {
         }
         self.revision = Some(revision);
         self.keys.clear();
+        self.markers.clear();
         self.graph.clear();
         self.frames = 0;
+        if let Some(edited) = document.edited_scene() {
+            let markers = edited.scene().markers().iter();
+            let of_path = |frame: f64| document.frame_of_path(frame);
+            self.markers
+                .extend(markers.map(|marker| (of_path(marker.frame), marker.name.clone())));
+        }
         if !document.edits_path() {
             // No path is edited, so there are no keys to show.
             self.frames = document.timeline(Timeline::frame_count)??;
@@ -151,6 +160,12 @@ impl Marks {
             timeline.frame_count()
         })??;
         self.graph.update(document, &self.keys)
+    }
+
+    /// The markers between the first frame and the last one.
+    fn markers_between(&self, last: f64) -> impl Iterator<Item = &(f64, String)> {
+        let within = move |marker: &&(f64, String)| (1.0..=last).contains(&marker.0);
+        self.markers.iter().filter(within)
     }
 
     fn of(&self, selection: Selection) -> Option<Mark> {
@@ -543,6 +558,8 @@ fn scrub_by_mouse(
         let marks = editor.playing.marks.keys.iter();
         let nearest = marks.min_by(|a, b| away(a).total_cmp(&away(b)));
         let snapped = nearest.filter(|mark| away(mark) <= reach);
+        let mut markers = editor.playing.marks.markers_between(last);
+        let marker = markers.find(|(at, _)| (at - frame).abs() * span <= reach);
         // As in the space and in the list: one more, or all up to here.
         let held = ui.input(|input| input.modifiers);
         if held.ctrl || held.shift {
@@ -555,7 +572,8 @@ fn scrub_by_mouse(
             actions.extend(choice.map(Action::Choose));
             return;
         }
-        actions.push(to_frame(snapped.map_or(frame, |mark| mark.first())));
+        let marker = marker.map_or(frame, |(at, _)| *at);
+        actions.push(to_frame(snapped.map_or(marker, |mark| mark.first())));
         ui.ctx().request_repaint();
     }
 }
@@ -648,6 +666,7 @@ fn paint_timeline(editor: &Editor, ui: &Ui, rect: Rect, rail: Rect, focus: bool)
             );
         }
     }
+    paint_markers(ui, &painter, marks, rail, &x_of);
     let plays = editor.playing.frame.is_some();
     let handle: Pos2 = pos2(at, rail.center().y);
     let color = if plays {
@@ -658,6 +677,27 @@ fn paint_timeline(editor: &Editor, ui: &Ui, rect: Rect, rail: Rect, focus: bool)
     painter.circle(handle, 7.0, color, Stroke::new(2.0, palette.panel));
     if focus {
         painter.circle_stroke(handle, 9.5, Stroke::new(1.5, palette.focus));
+    }
+}
+
+/// The scene's markers below the rail, with their names as far as there is room.
+fn paint_markers(ui: &Ui, painter: &Painter, marks: &Marks, rail: Rect, x_of: &dyn Fn(f64) -> f32) {
+    let palette = theme::palette(ui);
+    let mut free = f32::NEG_INFINITY;
+    for (frame, name) in marks.markers_between(as_frame(marks.frames)) {
+        let tip = pos2(x_of(*frame), rail.bottom() + 2.0);
+        let corners = [tip, tip + vec2(3.5, 6.0), tip + vec2(-3.5, 6.0)];
+        let sign = Shape::convex_polygon(corners.to_vec(), palette.weak, Stroke::NONE);
+        painter.add(sign);
+        let galley = painter.layout_no_wrap(name.clone(), FontId::proportional(11.0), palette.weak);
+        let room = painter.clip_rect();
+        let width = galley.size().x;
+        let left =
+            (tip.x - width / 2.0).clamp(room.left(), (room.right() - width).max(room.left()));
+        if left > free {
+            free = left + width + 6.0;
+            painter.galley(pos2(left, tip.y + 7.0), galley, palette.weak);
+        }
     }
 }
 

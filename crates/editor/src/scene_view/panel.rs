@@ -4,7 +4,10 @@ use egui::{Button, Context, Rect, RichText, ScrollArea, Ui, vec2};
 use vides_engine::scene::{Kind, Node, Scene};
 
 use crate::actions::Action;
+use crate::document::StepName;
+use crate::number::decimals;
 use crate::state::Editor;
+use crate::texts::fill;
 use crate::texts::refusals::reason_of;
 use crate::theme;
 
@@ -136,8 +139,56 @@ fn kind(editor: &Editor, node: &Node) -> &'static str {
 }
 
 /// Stands in place of the panels where no path is edited.
-pub(crate) fn no_path(editor: &Editor, ui: &mut Ui) {
-    let palette = theme::palette(ui);
-    let text = RichText::new(editor.texts().scene.no_path).color(palette.weak);
-    ui.label(text);
+pub(crate) fn no_path(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
+    let (texts, weak) = (&editor.texts().scene, theme::palette(ui).weak);
+    let camera = camera_by_keys(editor);
+    let text = match &camera {
+        Some((_, name)) => fill(texts.runs_by_keys, &[name]),
+        None => texts.no_path.to_owned(),
+    };
+    ui.label(RichText::new(text).color(weak));
+    let Some((node, _)) = camera else {
+        return;
+    };
+    ui.add_space(theme::GAP);
+    let size = vec2(ui.available_width(), theme::ROW);
+    let button = Button::new(texts.keys_to_path);
+    if ui
+        .add_sized(size, button)
+        .on_hover_text(texts.keys_to_path_hint)
+        .clicked()
+    {
+        actions.push(Action::KeysToPath(node));
+    }
+}
+
+/// The camera that is shown, with its name, if it moves but follows no path.
+fn camera_by_keys(editor: &Editor) -> Option<(usize, String)> {
+    let scene = editor.document.edited_scene()?.scene();
+    let node = scene.shown_camera()?;
+    let camera = &scene.nodes()[node];
+    let moves = camera.aim.is_some() || !camera.keys().tracks().is_empty();
+    (moves && camera.path().is_none()).then(|| (node, camera.name.clone()))
+}
+
+impl Editor {
+    /// Lets a camera follow a path in place of its keys, in one step.
+    pub(crate) fn keys_to_path(&mut self, node: usize) {
+        let made = match self.document.keys_to_path(node) {
+            Ok(made) => made,
+            Err(error) => return self.complain_of(&error),
+        };
+        self.document.begin_step();
+        self.document.name_step(StepName::KeysToPath);
+        if !self.edit_together(made.edits) {
+            self.document.cancel_step();
+            return;
+        }
+        self.document.end_step();
+        let language = self.language();
+        let off = language.number(made.off, decimals(self.document.path().space.half_size) + 1);
+        let turned = language.number(made.turned, 2);
+        let text = self.texts().scene.became_path;
+        self.say(fill(text, &[&made.points, &off, &turned]));
+    }
 }

@@ -435,3 +435,57 @@ fn a_function_that_no_program_has_registered_is_told() {
         assert!(well.query_by_label_contains("host:").is_none());
     }
 }
+
+/// A camera that moves by keys is told, and one click makes it a path; that is one step.
+#[test]
+fn a_camera_by_keys_is_offered_a_path() {
+    for language in BOTH {
+        let texts = &language.texts().scene;
+        let mut window = window_of_file(&car(), language, Theme::Dark);
+        let camera = {
+            let edited = window.state().document.edited_scene().unwrap();
+            let scene = edited.scene();
+            scene.nodes()[scene.shown_camera().unwrap()].name.clone()
+        };
+        let told = fill(texts.runs_by_keys, &[&camera]);
+        assert!(window.query_by_label(&told).is_some());
+        screenshot(&mut window, &format!("by-keys-{language:?}.png"));
+        click(&mut window, texts.keys_to_path);
+        assert!(window.state().document.edits_path());
+        let name = window.state().document.step_names()[0];
+        assert_eq!(name, Some(crate::document::StepName::KeysToPath));
+        let told_off = said(&window).unwrap();
+        let points = window.state().document.path().points.len();
+        assert!(told_off.contains(&points.to_string()), "{told_off}");
+        screenshot(&mut window, &format!("became-path-{language:?}.png"));
+        press(&mut window, Modifiers::CTRL, Key::Z);
+        assert!(!window.state().document.edits_path());
+        assert!(!window.state().document.can_undo());
+    }
+}
+
+/// The scene's markers stand below the scale of frames, and a press near one goes there.
+#[test]
+fn markers_stand_at_the_scale_of_frames() {
+    let mut window = window_of_file(&car(), Language::English, Theme::Dark);
+    let name = Language::English.texts().space.timeline;
+    let bar = window.get_by_role_and_label(Role::Slider, name).rect();
+    let shapes = window.output().shapes.iter();
+    let mut marker = shapes.filter_map(|clipped| match &clipped.shape {
+        egui::Shape::Text(text) if text.galley.text() == "at the arm" => {
+            Some(egui::Rect::from_min_size(text.pos, text.galley.size()))
+        }
+        _ => None,
+    });
+    let place = marker.next().expect("a marker");
+    assert!(bar.expand(1.0).contains_rect(place), "{bar:?} {place:?}");
+    // Frame 51 of 1 to 76.
+    let middle = bar.left() + 8.0 + (bar.width() - 16.0) * 50.0 / 75.0;
+    assert!((place.center().x - middle).abs() < 1.0);
+    let at = egui::pos2(middle + 3.0, bar.center().y);
+    window.hover_at(at);
+    window.run();
+    window.drag_at(at);
+    window.step();
+    assert_eq!(window.state().frame().unwrap(), 51.0);
+}

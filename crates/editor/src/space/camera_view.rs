@@ -4,8 +4,8 @@
 use std::sync::Arc;
 
 use egui::{
-    Align, Align2, Button, Color32, Context, Key, Label, Layout, Painter, PointerButton, Pos2,
-    Rect, Response, RichText, Sense, Ui, UiBuilder, Vec2, vec2,
+    Align, Align2, Button, Color32, Context, FontId, Key, Label, Layout, Painter, PointerButton,
+    Pos2, Rect, Response, RichText, Sense, Ui, UiBuilder, Vec2, vec2,
 };
 use glam::{DMat4, DVec2, DVec3};
 
@@ -27,6 +27,7 @@ const WIDTH: f32 = 228.0;
 
 /// Height of the caption above it, in points.
 const CAPTION: f32 = 19.0;
+const CAPTION_TEXT: f32 = 11.0;
 
 /// A narrower caption has no room for what is rarely wanted.
 const MIN_WIDTH_FOR_OPTIONS: f32 = 330.0;
@@ -369,10 +370,27 @@ fn caption(editor: &Editor, ui: &mut Ui, size: Vec2, camera: &Camera, actions: &
             .layout(Layout::left_to_right(Align::Center));
         ui.scope_builder(left, |ui| {
             ui.add_space(5.0);
-            let words = RichText::new(text)
-                .size(11.0)
+            // As much of it as there is room for: at last the number of the frame or the key.
+            let room = ui.available_width();
+            let part = what.rsplit(" \u{b7} ").next().unwrap_or_default();
+            let word = part.rsplit(' ').next().unwrap_or_default();
+            let shown = [text.as_str(), &what, part, word]
+                .into_iter()
+                .find(|words| {
+                    let font = FontId::proportional(CAPTION_TEXT);
+                    let words = (*words).to_owned();
+                    let galley = ui
+                        .painter()
+                        .layout_no_wrap(words, font, Color32::PLACEHOLDER);
+                    galley.size().x <= room
+                });
+            let words = RichText::new(shown.unwrap_or(word))
+                .size(CAPTION_TEXT)
                 .color(theme::palette(ui).weak);
-            ui.add(Label::new(words).truncate().selectable(false));
+            let label = ui.add(Label::new(words).truncate().selectable(false));
+            if shown != Some(&text) {
+                label.on_hover_text(&text);
+            }
         });
     });
 }

@@ -103,7 +103,10 @@ fn a_square_that_is_dragged_deforms_the_path_around_it() {
     end(&mut harness, true);
     assert_ne!(text(&harness), before);
     let document = &mut harness.state_mut().document;
-    assert_eq!(document.step_names()[0], Some("free-form"));
+    assert_eq!(
+        document.step_names()[0],
+        Some(crate::document::StepName::Tool("free-form"))
+    );
     assert!(document.undo());
     assert!(!document.can_undo());
     assert_eq!(text(&harness), before);

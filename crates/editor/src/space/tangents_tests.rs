@@ -230,7 +230,7 @@ fn the_ends_of_tangents_are_dragged_as_points_are() {
             assert!(to.distance(now) < 1e-6, "{to} {now}");
         }
         release(&mut harness, start + vec2(-25.0, 20.0), which);
-        assert_eq!(message(&harness), None);
+        assert_eq!(crate::tests::said_besides_length(&harness), None);
         is_one_step(&mut harness, &before);
     }
 }

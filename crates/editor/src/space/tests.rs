@@ -211,7 +211,7 @@ fn each_button_drags_in_its_plane_and_a_drag_is_one_step() {
         }
         let end = start + vec2(-32.0, 24.0);
         release(&mut harness, end, which);
-        assert_eq!(message(&harness), None);
+        assert_eq!(crate::tests::said_besides_length(&harness), None);
         let dragged = text(&harness);
         assert_ne!(dragged, before);
         let document = &mut harness.state_mut().document;

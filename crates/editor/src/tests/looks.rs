@@ -6,6 +6,7 @@ use egui_kittest::kittest::{NodeT, by};
 
 use super::*;
 use crate::actions::Action;
+use crate::screenshots::screenshot;
 use crate::texts::Texts;
 use crate::theme;
 
@@ -38,18 +39,26 @@ fn digits_are_of_equal_width() {
 
 /// Whatever has a name lies within the window, to a border's width.
 fn check_nothing_is_cut_off(window: &Window, when: &str) {
+    let cut = cut_off(window);
+    assert!(cut.is_empty(), "{when}: {cut:?}");
+}
+
+/// What does not lie within the window, and where it is.
+fn cut_off(window: &Window) -> Vec<(String, egui::Rect)> {
     let whole = window.ctx.content_rect();
-    let mut count = 0;
-    for node in window.query_all(by().predicate(|node| node.label().is_some())) {
-        let rect = node.rect();
-        assert!(
-            whole.expand(1.0).contains_rect(rect),
-            "{when}: {:?} {rect:?}",
-            node.accesskit_node().label()
-        );
-        count += 1;
-    }
-    assert!(count > 20, "{when}: {count}");
+    let named = window.query_all(by().predicate(|node| node.label().is_some()));
+    // What is scrolled out of sight may have no place.
+    let placed = named.filter(|node| node.accesskit_node().bounding_box().is_some());
+    let all = placed.map(|node| {
+        (
+            node.accesskit_node().label().unwrap_or_default(),
+            node.rect(),
+        )
+    });
+    let all = Vec::from_iter(all);
+    assert!(all.len() > 20, "{}", all.len());
+    let cut = |(_, rect): &(_, egui::Rect)| !whole.expand(1.0).contains_rect(*rect);
+    all.into_iter().filter(cut).collect()
 }
 
 #[test]
@@ -339,6 +348,9 @@ fn columns_do_not_jump() {
         ("Zoomwert", "8"),
     ] {
         enter(&mut window, name, text);
+        // In place of what is said of the length.
+        window.state_mut().message = None;
+        window.run();
         let after = places(&window);
         assert_eq!(after.len(), before.len());
         for (before, after) in before.iter().zip(&after) {
@@ -537,5 +549,103 @@ fn the_border_of_what_has_the_keyboard_covers_no_neighbour() {
         let at = room.left_center() + vec2(1.0, 40.0);
         assert_eq!(picture.get_pixel(at.x as u32, at.y as u32).0, colour);
         assert!(around(&mut window) == before, "{size:?}");
+    }
+}
+
+/// Where a tooltip would lie over a window to which it does not belong, there is none.
+#[test]
+fn no_tooltip_covers_a_dialog() {
+    let texts = Language::English.texts();
+    let shown = |window: &mut Window| {
+        let at = window.get_by_label(texts.points_list.fold).rect();
+        window.hover_at(at.left_center() + vec2(12.0, 0.0));
+        for _ in 0..80 {
+            window.step();
+        }
+        let shown = painted(&window.output().shapes);
+        let shown = shown.iter().any(|text| text == texts.points_list.fold);
+        window.hover_at(egui::pos2(600.0, 400.0));
+        window.run();
+        shown
+    };
+    let mut window = window_with_points(Language::English, LARGE, 1.0, Theme::Dark);
+    assert!(shown(&mut window));
+    click(&mut window, texts.speed.change);
+    assert!(!shown(&mut window));
+    press(&mut window, Modifiers::NONE, Key::Escape);
+    assert!(shown(&mut window));
+}
+
+/// A screen of 1400 × 900 at twice the size leaves 700 × 450 points.
+#[test]
+fn nothing_is_cut_off_at_twice_the_size() {
+    const SIZE: [f32; 2] = [700.0, 450.0];
+    for language in BOTH {
+        let mut window = window_with_points(language, SIZE, 2.0, Theme::Light);
+        let mut cut = Vec::new();
+        let mut look = |window: &mut Window, when: &str| {
+            screenshot(window, &format!("twice-{language:?}-{when}.png"));
+            let areas = |wanted: egui::Order| {
+                window.ctx.memory(|memory| {
+                    let all = memory.areas().visible_layer_ids().into_iter();
+                    let all = all.filter(|layer| layer.order == wanted);
+                    Vec::from_iter(all.filter_map(|layer| memory.area_rect(layer.id)))
+                })
+            };
+            // Menus and windows as a whole; what lies in a window scrolls, and so do the panels.
+            let mut scrolling = areas(egui::Order::Middle);
+            let whole = window.ctx.content_rect().expand(1.0);
+            for rect in areas(egui::Order::Foreground).iter().chain(&scrolling) {
+                assert!(whole.contains_rect(*rect), "{when}: {rect:?}");
+            }
+            scrolling.push(egui::Rect::everything_right_of(SIZE[0] - 250.0));
+            let scrolls = |rect: egui::Rect| {
+                let within = |outer: &egui::Rect| {
+                    let across = outer.x_range().expand(1.0);
+                    across.contains(rect.left()) && across.contains(rect.right())
+                };
+                scrolling.iter().any(within)
+            };
+            let found = cut_off(window).into_iter();
+            let found = found.filter(|(_, rect)| !scrolls(*rect));
+            cut.extend(found.map(|found| (when.to_owned(), found)));
+        };
+        look(&mut window, "first");
+        for (letter, _) in crate::menu::letters(language.texts()) {
+            press(&mut window, Modifiers::ALT, letter);
+            look(&mut window, letter.name());
+            press(&mut window, Modifiers::NONE, Key::Escape);
+        }
+        let context = window.ctx.clone();
+        let tools = crate::document::tool::tools().map(|tool| (tool.name, Action::Tool(tool)));
+        let needs_file = ["insert", "blend", "fit"];
+        let tools = tools.filter(|(name, _)| !needs_file.contains(name));
+        let windows = [
+            ("curve", Action::Curve),
+            ("speed", Action::SpeedCurve),
+            ("colours", Action::Colours),
+            ("display", Action::Display),
+            ("points", Action::AskPoints),
+            ("space", Action::Space),
+            ("keys", Action::Keys),
+            ("check", Action::Check),
+            ("load", Action::Load),
+            ("save", Action::SaveAs),
+            ("export", Action::Export),
+        ];
+        for (name, action) in windows.into_iter().chain(tools) {
+            window.state_mut().act(action, &context);
+            window.run();
+            look(&mut window, name);
+            press(&mut window, Modifiers::NONE, Key::Escape);
+        }
+        let append = Edit::AppendAfterLast;
+        window.state_mut().act(Action::Edit(append), &context);
+        window.run();
+        look(&mut window, "length");
+        window.state_mut().ask_to_close();
+        window.run();
+        look(&mut window, "question");
+        assert!(cut.is_empty(), "{cut:#?}");
     }
 }

@@ -137,6 +137,17 @@ pub(crate) fn said(window: &Window) -> Option<String> {
     })
 }
 
+/// The same without how the length of the path has changed.
+pub(crate) fn said_besides_length(window: &Window) -> Option<String> {
+    let tells_length = window.state().message.as_ref()?.undoes.is_some();
+    let text = said(window)?;
+    match text.rsplit_once(" · ") {
+        _ if !tells_length => Some(text),
+        Some((text, _)) => Some(text.to_owned()),
+        None => None,
+    }
+}
+
 /// Types into the number of this name and presses Enter.
 pub(crate) fn enter(window: &mut Window, name: &str, text: &str) {
     type_into(window, name, text);

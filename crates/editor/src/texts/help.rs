@@ -5,7 +5,6 @@ use super::texts;
 texts! {
     Help {
         title: "Keys and mouse", "Tasten und Maus";
-        this_window: "This window", "Dieses Fenster";
 
         mouse: "Movement window", "Bewegungsfenster";
         left_button: "Drag, left button", "Ziehen, linke Taste";
@@ -28,7 +27,7 @@ texts! {
 
         shortcuts: "Shortcuts", "Tastenkürzel";
 
-        absolute: "Switch between Abs. and Rel.", "Zwischen Abs. und Rel. wechseln";
+        absolute: "Switch between {0} and {1}", "Zwischen {0} und {1} wechseln";
 
         menus: "Menus", "Menüs";
         open_menu: "Open the menu {0}", "Menü {0} öffnen";
@@ -36,8 +35,7 @@ texts! {
         arrows: "Arrow keys, Enter", "Pfeiltasten, Enter";
         arrows_meaning: "Walk through the menus, pick an entry",
             "Durch die Menüs gehen, Eintrag wählen";
-        d_meaning: "Open the menu Output, then write to a file",
-            "Menü Ausgabe öffnen, dann in Datei ausgeben";
+        d_meaning: "Open the menu {0}, there: {1}", "Menü {0} öffnen, darin: {1}";
 
         squares: "Drag a square, arrow keys", "Quadrat ziehen, Pfeiltasten";
         squares_meaning: "Change the pace of the section; Shift: ten times finer when dragged, ten steps by keys",

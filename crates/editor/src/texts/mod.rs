@@ -43,6 +43,7 @@ mod space;
 mod space_window;
 mod speed;
 mod speed_window;
+mod steps;
 mod tools;
 mod zoom;
 
@@ -172,6 +173,7 @@ parts! {
     space_window: SpaceWindow;
     speed: Speed;
     speed_window: SpeedWindow;
+    steps: Steps;
     tools: Tools;
     zoom: Zoom;
 }

@@ -24,6 +24,8 @@ texts! {
             "Zwischen {0} und {1} kommt die Kamera an den Ort, auf den sie blickt: Dort behält sie ihre Richtung";
         over_target: "Between {0} and {1} the camera comes to be straight above or below its target: its picture turns round there",
             "Zwischen {0} und {1} kommt die Kamera genau über oder unter ihr Ziel: Dort dreht sich ihr Bild";
+        length_changed: "Now {1} instead of {0}", "Jetzt {1} statt {0}";
+        cannot_keep: "{0} cannot be kept: {1}", "{0} lassen sich nicht halten: {1}";
         nothing_to_redo: "There is nothing to redo", "Es gibt nichts zu wiederholen";
     }
 }

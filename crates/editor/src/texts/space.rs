@@ -98,6 +98,9 @@ texts! {
         last_frame_tip: "Type how many frames the whole flight shall have: each section keeps its share", "Wie viele Bilder der ganze Flug haben soll: jeder Abschnitt behält seinen Anteil";
         duration: "Duration", "Dauer";
         duration_tip: "Type how long the whole flight shall take: each section keeps its share", "Wie lange der ganze Flug dauern soll: jeder Abschnitt behält seinen Anteil";
+        keep_length: "Keep the duration", "Dauer halten";
+        keep_length_tip: "Whatever is changed, the whole flight takes as long as now: the frames of its sections adapt",
+            "Was auch geändert wird, der ganze Flug dauert so lange wie jetzt: die Bilder der Abschnitte passen sich an";
         rate: "Frames per second", "Bilder je Sekunde";
         rate_tip: "Frames shown in a second: drag, or click and type",
             "Bilder, die in einer Sekunde zu sehen sind: ziehen, oder klicken und tippen";
@@ -107,7 +110,7 @@ texts! {
         pace: "Playing speed", "Abspieltempo";
         pace_tip: "Half, whole or double speed", "Halbes, ganzes oder doppeltes Tempo";
         loop_keys: "L", "L";
-        loop_meaning: "Begin anew at the end when playing", "Beim Abspielen am Ende von vorn beginnen";
+        loop_meaning: "Loop: begin anew at the end when playing", "Endlos: beim Abspielen am Ende von vorn beginnen";
         too_many_frames: "Too many frames", "Zu viele Bilder";
         speed_graph: "Pace", "Tempo";
         plot: "Plot", "Verlauf";
@@ -134,11 +137,11 @@ texts! {
             "Um wie viel Grad die Kamera um ihre Blickrichtung gedreht ist";
         plot_zoom_tip: "The camera's zoom, in millimetres", "Der Zoom der Kamera, in Millimetern";
         speed_graph_tip: "Speed all along the path; 50 is the base speed, a red step a jump",
-            "Geschwindigkeit über den ganzen Pfad; 50 ist die Grundgeschwindigkeit, eine rote Stufe ein Sprung";
+            "Geschwindigkeit über die ganze Bahn; 50 ist die Grundgeschwindigkeit, eine rote Stufe ein Sprung";
         speed_graph_switch: "Shows the speed all along the path (G)",
-            "Zeigt die Geschwindigkeit über den ganzen Pfad (G)";
+            "Zeigt die Geschwindigkeit über die ganze Bahn (G)";
         speed_graph_keys: "G", "G";
-        speed_graph_meaning: "Open and close the speed graph", "Geschwindigkeitsverlauf öffnen und schließen";
+        speed_graph_meaning: "Pace: show or hide the speed all along the path", "Tempo: die Geschwindigkeit über die ganze Bahn zeigen oder verbergen";
         section_border: "End of section {0}", "Ende des Abschnitts {0}";
         section_border_tip: "Drag: frames go from one section to the other; Shift: all behind moves along",
             "Ziehen: Bilder wechseln vom einen Abschnitt zum anderen; Umschalt: alles dahinter rückt mit";
@@ -163,7 +166,7 @@ texts! {
         fly_mouse: "Drag in the large camera picture, W A S D Q E", "Im großen Kamerabild ziehen, W A S D Q E";
         fly_meaning: "Look around, walk; then take over as a point", "Umsehen, gehen; dann als Punkt übernehmen";
         fly_back: "Back", "Zurück";
-        fly_back_tip: "To the camera of the path (Esc)", "Zur Kamera des Pfades (Esc)";
+        fly_back_tip: "To the camera of the path (Esc)", "Zur Kamera der Bahn (Esc)";
         camera_view: "Camera view", "Kamerabild";
         camera_view_tip: "Shows what the camera sees (C)", "Zeigt, was die Kamera sieht (C)";
         camera_picture: "What the camera sees", "Was die Kamera sieht";
@@ -189,8 +192,8 @@ texts! {
         size_meaning: "Size of the space; Home: as at first",
             "Größe des Raumes; Pos1: wie am Anfang";
         next_keys: "N, O", "N, O";
-        next_meaning: "Next point, next orientation; Shift: previous",
-            "Nächster Punkt, nächste Orientierung; Umschalt: vorige";
+        next_meaning: "Point ›, View ›: the next one; Shift: the one before",
+            "Punkt ›, Blick ›: der nächste; Umschalt: der vorige";
         play_keys: "Space bar", "Leertaste";
         play_meaning: "Play, pause", "Abspielen, anhalten";
         camera_keys: "C", "C";

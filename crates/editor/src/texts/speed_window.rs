@@ -77,14 +77,14 @@ texts! {
         constant_hint: "The same speed all the way; the section takes as long as before",
             "Überall dieselbe Geschwindigkeit; der Abschnitt dauert so lange wie bisher";
         ease_in: "Slow start", "Langsam los";
-        ease_in_hint: "Slow at the start, at the end as fast as the next section begins; without one the section takes as long as before",
-            "Am Anfang langsam, am Ende so schnell, wie der nächste Abschnitt beginnt; ohne einen dauert er so lange wie bisher";
+        ease_in_hint: "Slow at the start, at the end as fast as the next section begins; where the camera comes from another section it first slows down. Without a next one, or with fixed frames, it takes as long as before",
+            "Am Anfang langsam, am Ende so schnell, wie der nächste Abschnitt beginnt; kommt die Kamera aus einem anderen, bremst sie zuerst ab. Ohne einen nächsten oder mit festen Bildern dauert er so lange wie bisher";
         ease_out: "Slow end", "Langsam aus";
-        ease_out_hint: "At the start as fast as the section before ends, slow at the end; without one the section takes as long as before",
-            "Am Anfang so schnell, wie der vorige Abschnitt endet, am Ende langsam; ohne einen dauert er so lange wie bisher";
+        ease_out_hint: "At the start as fast as the section before ends, slow at the end; where the camera goes on it then speeds up again. Without one before, or with fixed frames, it takes as long as before",
+            "Am Anfang so schnell, wie der vorige Abschnitt endet, am Ende langsam; geht es danach weiter, fährt sie zuletzt wieder an. Ohne einen vorigen oder mit festen Bildern dauert er so lange wie bisher";
         both: "Both", "Beides";
-        both_hint: "Slow at both ends; the section takes as long as before",
-            "An beiden Enden langsam; der Abschnitt dauert so lange wie bisher";
+        both_hint: "Slow at both ends; joins the sections beside it as the other two do, and takes as long as before",
+            "An beiden Enden langsam; schließt an die Nachbarn an wie die beiden anderen und dauert so lange wie bisher";
 
         copy: "Copy", "Kopieren";
         copy_hint: "Keep these ten speeds for pasting", "Diese zehn Geschwindigkeiten zum Einfügen merken";

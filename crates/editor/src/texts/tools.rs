@@ -18,8 +18,6 @@ texts! {
         draw_now: "Draw a line with the left button: in the space, or on the object in the camera's picture",
             "Mit der linken Taste eine Linie zeichnen: in den Raum, oder im Kamerabild auf das Objekt";
         only_path: "There is no path that is edited", "Es wird keine Bahn bearbeitet";
-        undo: "Undo: {0}", "Rückgängig: {0}";
-        redo: "Redo: {0}", "Wiederholen: {0}";
         block_written: "Points {0} to {1} are written to {2}",
             "Die Punkte {0} bis {1} sind in {2} geschrieben";
     }

@@ -64,7 +64,7 @@ impl SubWindow for HelpWindow {
 type Row = (String, Cow<'static, str>);
 
 fn sections(language: Language) -> [(&'static str, Vec<Row>); 5] {
-    let texts = &language.texts().help;
+    let (texts, in_menus) = (&language.texts().help, &language.texts().menu);
     let row = |keys: &str, meaning: &'static str| (keys.to_owned(), meaning.into());
     let plain = |key| combination(language, Modifiers::NONE, key);
     let mut mouse = vec![
@@ -84,7 +84,7 @@ fn sections(language: Language) -> [(&'static str, Vec<Row>); 5] {
         .map(|(modifiers, key, action)| {
             (
                 combination(language, *modifiers, *key),
-                meaning(language, action).into(),
+                meaning(language, action),
             )
         })
         .collect();
@@ -93,7 +93,7 @@ fn sections(language: Language) -> [(&'static str, Vec<Row>); 5] {
         row(texts.arrows, texts.arrows_meaning),
         (
             menu::in_menu(language, Key::A, Key::D),
-            texts.d_meaning.into(),
+            fill(texts.d_meaning, &[&in_menus.output, &in_menus.export]).into(),
         ),
     ];
     let opened = menu::letters(language.texts()).map(|(letter, title)| {
@@ -123,44 +123,118 @@ fn sections(language: Language) -> [(&'static str, Vec<Row>); 5] {
     ]
 }
 
-/// What an action does: the words of its menu entry.
-fn meaning(language: Language, action: &Action) -> &'static str {
+/// What an action does, in the words of the window: those of its menu entry, else of its button.
+pub(crate) fn meaning(language: Language, action: &Action) -> Cow<'static, str> {
     let texts = language.texts();
-    let (menu, help, space) = (&texts.menu, &texts.help, &texts.space);
+    let (menu, space) = (&texts.menu, &texts.space);
+    let (position, orientation) = (&texts.position, &texts.orientation);
+    let button = |name: &str, does: &str| format!("{name} · {does}").into();
     match action {
-        Action::Load => menu.load,
-        Action::Save => menu.save,
-        Action::SaveAs => menu.save_as,
-        Action::Quit => menu.quit,
-        Action::Undo => menu.undo,
-        Action::Redo => menu.redo,
-        Action::AddPoint => menu.add_point,
-        Action::AddHere => texts.position.add_here,
-        Action::AskPoints => menu.add_points,
-        Action::RemovePoint => menu.remove_point,
-        Action::Choose(_) => space.all_points,
-        Action::NextPoint => texts.position.next_hint,
-        Action::PreviousPoint => texts.position.previous_hint,
-        Action::AddOrientation => menu.add_orientation,
-        Action::RemoveOrientation => menu.remove_orientation,
-        Action::NextOrientation => texts.orientation.next_hint,
-        Action::PreviousOrientation => texts.orientation.previous_hint,
-        Action::SwitchAbsolute => help.absolute,
-        Action::AimAll => menu.aim_all,
-        Action::TakeOver { replace: false } => space.take_over,
-        Action::TakeOver { replace: true } => space.take_over_here,
-        Action::SwitchHandsOver => menu.hands_over,
-        Action::Curve => texts.curve.title,
-        Action::SpeedCurve => texts.speed_window.title,
-        Action::SwitchCameraView => space.camera_meaning,
-        Action::PlayOrPause => space.play_meaning,
-        Action::CopyOrientation => menu.copy_orientation,
-        Action::PasteOrientation => menu.paste_orientation,
-        Action::HandOver => menu.hand_over,
-        Action::Colours => menu.colours,
-        Action::Display => menu.display,
-        Action::LoadSetup => menu.load_setup,
-        Action::SaveSetup => menu.save_setup,
-        _ => help.this_window,
+        Action::Load => menu.load.into(),
+        Action::Save => menu.save.into(),
+        Action::SaveAs => menu.save_as.into(),
+        Action::Quit => menu.quit.into(),
+        Action::Undo => menu.undo.into(),
+        Action::Redo => menu.redo.into(),
+        Action::AddPoint => menu.add_point.into(),
+        Action::AddHere => button(position.add_here, position.add_here_hint),
+        Action::AskPoints => menu.add_points.into(),
+        Action::RemovePoint => menu.remove_point.into(),
+        Action::Choose(_) => space.all_points.into(),
+        Action::NextPoint => button(position.next, position.next_hint),
+        Action::PreviousPoint => button(position.previous, position.previous_hint),
+        Action::AddOrientation => menu.add_orientation.into(),
+        Action::RemoveOrientation => menu.remove_orientation.into(),
+        Action::NextOrientation => button(orientation.next, orientation.next_hint),
+        Action::PreviousOrientation => button(orientation.previous, orientation.previous_hint),
+        Action::SwitchAbsolute => fill(
+            texts.help.absolute,
+            &[&orientation.absolute, &orientation.relative],
+        )
+        .into(),
+        Action::AimAll => menu.aim_all.into(),
+        Action::TakeOver { replace: false } => space.take_over.into(),
+        Action::TakeOver { replace: true } => space.take_over_here.into(),
+        Action::SwitchHandsOver => menu.hands_over.into(),
+        Action::Curve => button(texts.curve.title, position.change_hint),
+        Action::SpeedCurve => button(texts.speed_window.title, texts.speed.change_hint),
+        Action::SwitchCameraView => space.camera_meaning.into(),
+        Action::PlayOrPause => space.play_meaning.into(),
+        Action::CopyOrientation => menu.copy_orientation.into(),
+        Action::PasteOrientation => menu.paste_orientation.into(),
+        Action::HandOver => menu.hand_over.into(),
+        Action::Colours => menu.colours.into(),
+        Action::Display => menu.display.into(),
+        Action::LoadSetup => menu.load_setup.into(),
+        Action::SaveSetup => menu.save_setup.into(),
+        _ => menu.keys.into(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tests::*;
+
+    /// What stands in a menu or on a button is called so here, too.
+    #[test]
+    fn it_speaks_the_words_of_the_window() {
+        for language in BOTH {
+            let texts = language.texts();
+            let mut window = window(language);
+            let mut entries = 0;
+            for (at, (letter, title)) in menu::letters(texts).into_iter().enumerate() {
+                let named = menu::names(window.state(), at);
+                for (action, name) in named {
+                    let known = SHORTCUTS.iter().any(|(.., known)| *known == action);
+                    if known {
+                        entries += 1;
+                        let here = meaning(language, &action);
+                        assert_eq!(here.split(" · ").next(), Some(&*name), "{title}");
+                    }
+                }
+                let rows = sections(language);
+                let opens = combination(language, Modifiers::ALT, letter);
+                assert!(rows.iter().any(|(_, rows)| {
+                    rows.iter()
+                        .any(|(keys, meaning)| *keys == opens && meaning.contains(title))
+                }));
+            }
+            assert!(entries >= 20, "{entries}");
+            // Buttons that the window shows.
+            for action in [
+                Action::NextPoint,
+                Action::PreviousPoint,
+                Action::NextOrientation,
+                Action::PreviousOrientation,
+            ] {
+                let words = meaning(language, &action);
+                let button = words.split(" · ").next().unwrap();
+                assert!(
+                    window
+                        .query_by_role_and_label(Role::Button, button)
+                        .is_some()
+                );
+            }
+            let absolute = meaning(language, &Action::SwitchAbsolute);
+            for button in [texts.orientation.absolute, texts.orientation.relative] {
+                assert!(
+                    absolute.contains(button) && window.query_all_by_label(button).next().is_some()
+                );
+            }
+            for (meaning, button) in [
+                (texts.space.loop_meaning, texts.space.again),
+                (texts.space.speed_graph_meaning, texts.space.speed_graph),
+                (texts.space.camera_meaning, texts.space.camera_view),
+            ] {
+                let meaning = meaning.to_lowercase();
+                assert!(meaning.contains(&button.to_lowercase()), "{meaning}");
+                let mut there = window.query_all_by_label(button);
+                assert!(there.next().is_some(), "{button}");
+            }
+            // Its own windows are titled as here.
+            press(&mut window, Modifiers::NONE, Key::F1);
+            assert!(window.query_all_by_label(texts.menu.keys).next().is_some());
+        }
     }
 }

@@ -67,6 +67,10 @@ pub(super) fn is_cramped(context: &egui::Context) -> bool {
     context.content_rect().width() < MIN_WIDTH_FOR_ROOM
 }
 
+/// A lower window cannot show every sub-window whole: they scroll. Height of a title and the frame.
+const MIN_HEIGHT_FOR_ALL: f32 = 560.0;
+const FRAME: f32 = 72.0;
+
 /// How far the cross of a sub-window lies within its upper right corner.
 const CROSS: f32 = 36.0;
 
@@ -111,6 +115,53 @@ pub(super) fn show(editor: &mut Editor, context: &egui::Context) {
     show_slot(editor, context, |open| &mut open.files, FileWindow::show);
     show_slot(editor, context, |open| &mut open.question, Question::show);
     show_slot(editor, context, |open| &mut open.changed, Question::show);
+}
+
+/// The sub-windows that lie about; [`ToolWindow`] and the modal ones beside.
+const ALL: [&str; 10] = [
+    CurveWindow::ID,
+    SpeedWindow::ID,
+    ColourWindow::ID,
+    DisplayWindow::ID,
+    PointsWindow::ID,
+    SpaceWindow::ID,
+    HelpWindow::ID,
+    CheckWindow::ID,
+    RecoveryWindow::ID,
+    ToolWindow::ID,
+];
+
+/// Takes away the tooltips of this pass that would cover another window than that of the pointer.
+pub(super) fn free_of_tooltips(context: &egui::Context) {
+    let pointer = context.input(|input| input.pointer.latest_pos());
+    let owner = pointer.and_then(|pointer| context.layer_id_at(pointer));
+    if owner.is_some_and(|owner| owner.order > egui::Order::Middle) {
+        // A menu lies above windows, a modal one alone.
+        return;
+    }
+    let hidden: Vec<egui::LayerId> = context.memory(|memory| {
+        let visible = memory.areas().visible_layer_ids();
+        let others = ALL.map(layer).into_iter().chain(memory.top_modal_layer());
+        let others = others.filter(|other| Some(*other) != owner && visible.contains(other));
+        let others: Vec<_> = others
+            .filter_map(|other| memory.area_rect(other.id))
+            .collect();
+        let covers = |layer: &egui::LayerId| {
+            let rect = memory.area_rect(layer.id);
+            rect.is_some_and(|rect| others.iter().any(|other| other.intersects(rect)))
+        };
+        let tips = visible
+            .into_iter()
+            .filter(|layer| layer.order == egui::Order::Tooltip);
+        tips.filter(covers).collect()
+    });
+    context.graphics_mut(|graphics| {
+        for layer in hidden {
+            if let Some(list) = graphics.get_mut(layer) {
+                (0..list.next_idx().0).for_each(|at| list.reset_shape(egui::layers::ShapeIdx(at)));
+            }
+        }
+    });
 }
 
 /// Takes the keys of what has the keyboard in one of them.
@@ -201,11 +252,19 @@ pub(crate) fn sub_window_as(
     let asked = context.memory(|memory| memory.top_modal_layer().is_some());
     let escape = !asked && topmost(context) == Some(layer(id)) && keys::take_escape(context);
     let window = egui::Window::new(title).id(egui::Id::unique(id));
+    let screen = context.content_rect().height();
     arrange(window)
         .open(&mut open)
         .collapsible(false)
         .auto_sized()
-        .show(context, add);
+        .show(context, |ui| {
+            if screen >= MIN_HEIGHT_FOR_ALL {
+                return add(ui);
+            }
+            let room = (screen - FRAME).max(120.0);
+            let all = egui::ScrollArea::vertical().id_salt("whole");
+            all.max_height(room).show(ui, add).inner
+        });
     open && !escape
 }
 

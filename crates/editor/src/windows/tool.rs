@@ -14,7 +14,7 @@ use glam::DVec3;
 use super::{name_cross, row_at_right, sub_window_as};
 use crate::actions::Action;
 use crate::document::tool::{Cage, Material, Needs, Tool};
-use crate::document::{Document, Selection};
+use crate::document::{Document, Selection, StepName};
 use crate::error::{EngineError, Error, OutOfRange, Result};
 use crate::files::Purpose;
 use crate::number::{Entry, Number};
@@ -57,7 +57,7 @@ pub(crate) struct ToolWindow {
 }
 
 impl ToolWindow {
-    const ID: &'static str = "tool";
+    pub(super) const ID: &'static str = "tool";
 
     /// Shows it. What closes it is an action.
     pub(super) fn show(
@@ -468,7 +468,7 @@ impl Editor {
             .edit(document, &window.material, &window.numbers);
         let done = edit.and_then(|edit| {
             document.begin_step();
-            document.name_step(window.tool.name);
+            document.name_step(StepName::Tool(window.tool.name));
             edit.map_or(Ok(()), |edit| document.apply(edit))
         });
         window.applied = done.is_ok();

@@ -7,6 +7,7 @@ use egui::{Align, Layout, Sense, Ui, vec2};
 mod distance;
 mod ease;
 mod graph;
+mod join;
 mod pace;
 mod shapes;
 mod ten;

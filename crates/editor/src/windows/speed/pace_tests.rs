@@ -139,7 +139,11 @@ fn the_numbers_of_an_ease_are_typed() {
             (texts.cruise, "77,5", false),
         ] {
             enter(&mut window, name, text);
-            assert_eq!(said(&window).is_some(), wrong, "{name} {text}");
+            assert_eq!(
+                said_besides_length(&window).is_some(),
+                wrong,
+                "{name} {text}"
+            );
             window.state_mut().message = None;
         }
         let Ease {
@@ -348,7 +352,7 @@ fn keys_of_a_distance_are_dragged_between_their_neighbours() {
             for part in 0..2 {
                 assert!(all.windows(2).all(|pair| pair[1][part] > pair[0][part]));
             }
-            assert!(said(&window).is_none());
+            assert_eq!(said_besides_length(&window), None);
         }
         for _ in 0..3 {
             press(&mut window, Modifiers::CTRL, Key::Z);

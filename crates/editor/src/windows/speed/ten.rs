@@ -3,6 +3,7 @@
 use egui::{CursorIcon, Id, Rect, Ui, pos2, vec2};
 
 use super::graph::{Axes, Handle, Held, Quantity};
+use super::join::ready;
 use super::shapes::Shape;
 use super::{SCALE, Section, Size, entered};
 use crate::actions::Action;
@@ -183,7 +184,7 @@ pub(super) fn buttons(editor: &Editor, ui: &mut Ui, section: &Section, actions: 
     let mut new = None;
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = theme::GAP;
-        new = shapes(editor, ui, section);
+        new = shapes(editor, ui);
         if Size::of(ui).one_row {
             new = new.or(exchange(editor, ui, section, actions));
         }
@@ -197,7 +198,7 @@ pub(super) fn buttons(editor: &Editor, ui: &mut Ui, section: &Section, actions: 
     }
 }
 
-fn shapes(editor: &Editor, ui: &mut Ui, section: &Section) -> Option<[f64; SPEEDS]> {
+fn shapes(editor: &Editor, ui: &mut Ui) -> Option<[f64; SPEEDS]> {
     let texts = &editor.texts().speed_window;
     let names = [
         (texts.constant, texts.constant_hint),
@@ -208,7 +209,7 @@ fn shapes(editor: &Editor, ui: &mut Ui, section: &Section) -> Option<[f64; SPEED
     let mut new = None;
     for (shape, (name, hint)) in Shape::ALL.into_iter().zip(names) {
         if ui.button(name).on_hover_text(hint).clicked() {
-            new = Some(shape.speeds(&section.speeds, section.before, section.after));
+            new = ready(&editor.document, editor.document.selection(), shape);
         }
     }
     new

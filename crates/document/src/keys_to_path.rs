@@ -1,0 +1,184 @@
+//! A camera that moves by keys comes to follow a path, fitted to its poses.
+
+use glam::DVec3;
+use vides_engine::scene::{Channel, Extrapolation, FollowPath, Kind, NodeState, Scene, Warnings};
+use vides_engine::tools::fit::Tolerance;
+
+use super::edit::Edit;
+use super::editing::Document;
+use super::tool::fitted;
+use crate::error::{EngineError, Invalid, Refused, Result, TooMany, vec_with_room};
+use crate::limits::MAX_FRAMES;
+use crate::math::orientation::quaternion_from_view;
+use crate::math::quaternion::{angle, continue_sign};
+use crate::path::{CameraPath, Plan, Pose};
+
+/// How near the path comes to the poses: shares of the half size, degrees.
+const NEAR: f64 = 1e-3;
+const ANGLE: f64 = 0.1;
+
+/// What [`Document::keys_to_path`] makes.
+#[derive(Debug)]
+pub struct KeysToPath {
+    /// The scene in which the camera follows its path, and its choice, to be one step.
+    pub edits: [Edit; 2],
+    /// Points of the path.
+    pub points: usize,
+    /// The farthest that a whole frame is from where it was, in world units.
+    pub off: f64,
+    /// And by how many degrees the view and its up are turned.
+    pub turned: f64,
+}
+
+impl Document {
+    /// The edits that let a camera of the scene follow a path in place of its keys and its aim,
+    /// from the scene's first frame to its last.
+    ///
+    /// # Errors
+    /// `ErrorKind::Argument` without a scene or for a node that is no camera; `ErrorKind::Range` if
+    /// there is no such node; those of [`vides_engine::tools::fit`].
+    pub fn keys_to_path(&self, node: usize) -> Result<KeysToPath> {
+        if self.edited_scene().is_none() {
+            return Err(Refused::NoScene.into());
+        }
+        let mut scene = self.scene()?;
+        if !matches!(scene.node(node)?.kind, Kind::Camera(_)) {
+            return Err(Refused::NoCamera.into());
+        }
+        let (start, poses) = poses_in_parent(&scene, node)?;
+        let space = scene.space();
+        let tolerance = Tolerance {
+            position: NEAR * space.half_size,
+            angle: ANGLE,
+        };
+        let like = CameraPath {
+            space,
+            ..CameraPath::try_new()?
+        };
+        let path = fitted(&poses, None, self.info().fps, tolerance, &like)?;
+        let (off, turned) = missed(&path, &poses)?;
+        let points = path.points.len();
+        for channel in [
+            Channel::Position,
+            Channel::Rotation,
+            Channel::Zoom,
+            Channel::Roll,
+            Channel::AimWeight,
+        ] {
+            scene.remove_track(node, &channel)?;
+        }
+        let mut still = scene.node(node)?.clone();
+        still.aim = None;
+        still.rest.roll = 0.0;
+        scene.set_node(node, &still)?;
+        scene.set_path(
+            node,
+            Some(FollowPath::new(path, start, Extrapolation::Hold)?),
+        )?;
+        Ok(KeysToPath {
+            edits: [
+                Edit::ReplaceScene(Box::new(scene)),
+                Edit::EditNode(Some(node)),
+            ],
+            points,
+            off,
+            turned,
+        })
+    }
+}
+
+/// The scene's first frame, and the poses from there on in the coordinates of the node's parent.
+fn poses_in_parent(scene: &Scene, node: usize) -> Result<(f64, Vec<Pose>)> {
+    let (first, last) = scene.frame_range();
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    let count = (last - first).floor() as usize + 1;
+    if count > MAX_FRAMES {
+        return Err(TooMany::SceneFrames.into());
+    }
+    let states = |node: usize| -> Result<Vec<NodeState>> {
+        let mut states = vec_with_room(count)?;
+        states.resize(count, NodeState::default());
+        let mut warnings = Warnings::default();
+        scene.sample(node, first, 1.0, &mut states, &mut warnings)?;
+        warnings
+            .into_error()
+            .map_or(Ok(states), |error| Err(error.into()))
+    };
+    let seen = states(node)?;
+    let parents = scene.nodes()[node].parent.map(states).transpose()?;
+    let mut poses = vec_with_room(count)?;
+    for (at, state) in seen.iter().enumerate() {
+        let mut pose = state.pose;
+        if let Some(parents) = &parents {
+            let into = parents[at].world().inverse();
+            if !into.is_finite() {
+                return Err(EngineError::Argument(Invalid::RotationZero).into());
+            }
+            let turned = |way: [f64; 3]| into.transform_vector3(way.into()).normalize().to_array();
+            pose.vrp = into.transform_point3(pose.vrp.into()).to_array();
+            (pose.vpn, pose.vup) = (turned(pose.vpn), turned(pose.vup));
+        }
+        poses.push(pose);
+    }
+    Ok((first, poses))
+}
+
+/// How far a path is at most from the poses at its whole frames.
+fn missed(path: &CameraPath, poses: &[Pose]) -> Result<(f64, f64)> {
+    let plan = Plan::new();
+    let sampler = plan.sampler(path)?;
+    let (mut off, mut turned): (f64, f64) = (0.0, 0.0);
+    for (at, pose) in poses.iter().enumerate() {
+        #[allow(clippy::cast_precision_loss)]
+        let made = sampler.pose((at + 1).min(sampler.frame_count()) as f64)?;
+        let place = |pose: &Pose| DVec3::from_array(pose.vrp);
+        let turn = |pose: &Pose| quaternion_from_view(pose.vpn.into(), pose.vup.into());
+        off = off.max(place(&made).distance(place(pose)));
+        let (a, b) = (turn(pose), turn(&made));
+        turned = turned.max(2.0 * angle(a, continue_sign(a, b).0).to_degrees());
+    }
+    Ok((off, turned))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The example's camera looks at a car that drives; its keys move it along.
+    #[test]
+    fn a_camera_by_keys_comes_to_follow_a_path_that_sees_the_same() {
+        let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/car.vid");
+        let (mut document, _) = Document::load_scene(file.as_ref()).unwrap();
+        let camera = document.scene().unwrap().shown_camera().unwrap();
+        assert!(!document.edits_path());
+        let all = |document: &Document| {
+            let scene = document.scene().unwrap();
+            let mut states = vec![NodeState::default(); 76];
+            scene
+                .sample(camera, 1.0, 1.0, &mut states, &mut Warnings::default())
+                .unwrap();
+            states.iter().map(|state| state.pose).collect::<Vec<_>>()
+        };
+        let before = all(&document);
+        let made = document.keys_to_path(camera).unwrap();
+        assert!(made.points >= 2 && made.points < 40, "{}", made.points);
+        document.apply_all(made.edits).unwrap();
+        assert!(document.edits_path());
+        assert_eq!(document.edited_scene().unwrap().node(), Some(camera));
+        let after = all(&document);
+        let half_size = document.path().space.half_size;
+        for (a, b) in before.iter().zip(&after) {
+            let [a, b, u, v] = [a.vrp, b.vrp, a.vpn, b.vpn].map(DVec3::from_array);
+            assert!(a.distance(b) <= (1.001 * NEAR * half_size).min(made.off + 1e-12));
+            let turned = u.dot(v).clamp(-1.0, 1.0).acos().to_degrees();
+            assert!(
+                turned <= made.turned + 1e-5 && made.turned < 1.01 * ANGLE,
+                "{turned}"
+            );
+        }
+        // It is one step.
+        assert!(document.undo() && !document.edits_path() && !document.can_undo());
+        assert!(document.keys_to_path(99).is_err());
+        assert!(Document::new().keys_to_path(0).is_err());
+    }
+}

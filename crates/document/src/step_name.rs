@@ -1,0 +1,193 @@
+//! What a step of the history changed, so that a window can say what it takes back.
+
+use super::edit::Edit;
+use super::info::Info;
+use crate::path::{CameraPath, Orientation};
+
+/// What a step changed: its tool, or else what its first edit did.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum StepName {
+    /// The tool of this name.
+    Tool(&'static str),
+    /// Inserted a point.
+    InsertPoint,
+    /// Inserted several points.
+    InsertPoints,
+    /// Removed a point.
+    RemovePoint,
+    /// Renumbered points.
+    MovePoint,
+    /// Moved a point.
+    SetPosition,
+    /// Named a point.
+    SetName,
+    /// A point's own tangents.
+    Tangents,
+    /// How the curve runs at a point, or everywhere.
+    Curve,
+    /// The number of frames of the path or a part of it.
+    FitFrames,
+    /// Inserted an orientation.
+    InsertOrientation,
+    /// Removed an orientation.
+    RemoveOrientation,
+    /// Where the camera looks, or from absolute to relative.
+    View,
+    /// The roll.
+    Roll,
+    /// The zoom.
+    Zoom,
+    /// The ten speeds or another pace.
+    Pace,
+    /// A hold.
+    Hold,
+    /// The frames of a section.
+    SectionFrames,
+    /// Several values of an orientation, or another one.
+    Orientation,
+    /// The base speeds.
+    BaseFrames,
+    /// Closed or opened the path.
+    Closed,
+    /// How the camera turns and zooms.
+    Modes,
+    /// The frame rate.
+    Fps,
+    /// The object.
+    Object,
+    /// The limits of checks.
+    Limits,
+    /// The rest of the info.
+    Info,
+    /// The space.
+    Space,
+    /// Whose path is edited.
+    EditNode,
+    /// Another scene.
+    ReplaceScene,
+    /// A node's keys became a path.
+    KeysToPath,
+    /// Another path.
+    ReplacePath,
+    /// Moved, turned, scaled or mirrored points.
+    Transform,
+    /// Deformed points.
+    Deform,
+    /// Inserted a path.
+    InsertPath,
+    /// Reversed the path.
+    Reverse,
+    /// Repeated the path.
+    Repeat,
+}
+
+impl StepName {
+    /// What an edit of these would change.
+    pub(super) fn of(edit: &Edit, path: &CameraPath, info: &Info) -> Self {
+        match edit {
+            Edit::InsertPoint { .. }
+            | Edit::AppendAfterLast
+            | Edit::PrependBeforeFirst
+            | Edit::DivideSegment { points: 1, .. }
+            | Edit::InsertOnCurve { .. } => Self::InsertPoint,
+            Edit::DivideSegment { .. } => Self::InsertPoints,
+            Edit::SetTangents { .. } => Self::Tangents,
+            Edit::SetCurveKind(_)
+            | Edit::SetOwn { .. }
+            | Edit::UsePreset { .. }
+            | Edit::SetPreset { .. } => Self::Curve,
+            Edit::FitFrames { .. } => Self::FitFrames,
+            Edit::RemovePoint { .. } => Self::RemovePoint,
+            Edit::MovePoint { .. } => Self::MovePoint,
+            Edit::SetPosition { .. } => Self::SetPosition,
+            Edit::SetName { .. } => Self::SetName,
+            Edit::InsertOrientation { .. } => Self::InsertOrientation,
+            Edit::RemoveOrientation { .. } => Self::RemoveOrientation,
+            Edit::SetOrientation {
+                point,
+                at,
+                orientation,
+            } => {
+                let here = path.points.get(*point);
+                let old = here.and_then(|here| here.orientations.get(*at));
+                old.map_or(Self::Orientation, |old| of_values(old, orientation))
+            }
+            Edit::SetAbsolute { .. } => Self::View,
+            Edit::SetBaseFrames(_) => Self::BaseFrames,
+            Edit::SetClosed(_) => Self::Closed,
+            Edit::SetModes(..) => Self::Modes,
+            Edit::SetInfo(new) if new.fps != info.fps => Self::Fps,
+            Edit::SetInfo(new) if new.object != info.object => Self::Object,
+            Edit::SetInfo(new) if new.limits != info.limits => Self::Limits,
+            Edit::SetInfo(_) => Self::Info,
+            Edit::SetSpace { .. } => Self::Space,
+            Edit::EditNode(_) => Self::EditNode,
+            Edit::ReplaceScene(_) => Self::ReplaceScene,
+            Edit::ReplacePath(_) => Self::ReplacePath,
+            Edit::TransformPoints { .. } => Self::Transform,
+            Edit::DeformPoints { .. } => Self::Deform,
+            Edit::InsertPath { .. } => Self::InsertPath,
+            Edit::Reverse => Self::Reverse,
+            Edit::Repeat(_) => Self::Repeat,
+        }
+    }
+}
+
+/// The one thing in which two orientations differ.
+fn of_values(old: &Orientation, new: &Orientation) -> StepName {
+    let (had, has) = (&old.own, &new.own);
+    let view = old.target != new.target || had.ahead != has.ahead || had.up != has.up;
+    let pace = old.speeds != new.speeds || had.pace != has.pace;
+    let frames = had.frames != has.frames || had.locked != has.locked;
+    let differs = [
+        (view, StepName::View),
+        (old.roll != new.roll, StepName::Roll),
+        (old.zoom != new.zoom, StepName::Zoom),
+        (pace, StepName::Pace),
+        (old.hold != new.hold, StepName::Hold),
+        // A pace may come with frames.
+        (frames && !pace, StepName::SectionFrames),
+    ];
+    let mut differs = differs.into_iter().filter(|(differs, _)| *differs);
+    match (differs.next(), differs.next()) {
+        (Some((_, name)), None) => name,
+        _ => StepName::Orientation,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Document;
+
+    /// What is added to a step is taken back with it; it keeps its name.
+    #[test]
+    fn a_step_that_is_opened_again_takes_in_what_follows() {
+        let mut document = Document::new();
+        assert!(!document.reopen_step());
+        let first = document.path().clone();
+        document.apply(Edit::AppendAfterLast).unwrap();
+        let second = document.path().clone();
+        document.apply(Edit::Reverse).unwrap();
+        assert!(document.reopen_step() && document.in_step());
+        let last = document.path().points.len() - 1;
+        let edit = Edit::FitFrames {
+            first: 0,
+            last,
+            frames: 77,
+        };
+        document.apply(edit).unwrap();
+        document.end_step();
+        let third = document.path().clone();
+        let names = [Some(StepName::Reverse), None];
+        assert_eq!(document.step_names(), names);
+        assert!(document.undo());
+        assert_eq!(*document.path(), second);
+        // Not while something is undone: that could not be done again.
+        assert!(!document.reopen_step());
+        assert!(document.redo());
+        assert_eq!(*document.path(), third);
+        assert!(document.undo() && document.undo() && !document.undo());
+        assert_eq!(*document.path(), first);
+    }
+}

@@ -1,0 +1,120 @@
+//! What undo takes back, and redo does again.
+
+use std::borrow::Cow;
+
+use super::{Language, fill, texts};
+use crate::document::StepName;
+
+texts! {
+    Steps {
+        undo: "Undo {0}", "{0} rückgängig";
+        redo: "Redo {0}", "{0} wiederholen";
+
+        insert_point: "new point", "Neuer Punkt";
+        insert_points: "new points", "Neue Punkte";
+        remove_point: "removing a point", "Löschen eines Punktes";
+        move_point: "reordering the points", "Umordnen der Punkte";
+        set_position: "moving a point", "Verschieben eines Punktes";
+        set_name: "naming a point", "Benennen eines Punktes";
+        tangents: "tangents", "Tangenten";
+        curve: "shape of the curve", "Kurvenform";
+        fit_frames: "length of the path", "Länge der Bahn";
+        insert_orientation: "new orientation", "Neue Orientierung";
+        remove_orientation: "removing an orientation", "Löschen einer Orientierung";
+        view: "view", "Blick";
+        roll: "roll", "Winkel";
+        zoom: "zoom", "Zoom";
+        pace: "speed curve", "Zeitkurve";
+        hold: "hold", "Halt";
+        section_frames: "frames of a section", "Bilder eines Abschnitts";
+        orientation: "orientation", "Orientierung";
+        base_frames: "base frames", "Grundbilder";
+        closed: "closing or opening the path", "Schließen oder Öffnen der Bahn";
+        modes: "kind of turning", "Art der Drehung";
+        fps: "frame rate", "Bildrate";
+        object: "object", "Objekt";
+        limits: "limits of the check", "Grenzen der Prüfung";
+        info: "notes on the path", "Angaben zur Bahn";
+        space: "space", "Raum";
+        edit_node: "choice of the node", "Wahl des Knotens";
+        replace_scene: "other scene", "Andere Szene";
+        keys_to_path: "keys to path", "Schlüssel zu Bahn";
+        replace_path: "other path", "Andere Bahn";
+        transform: "moving points", "Verschieben von Punkten";
+        deform: "deformation", "Verformung";
+        insert_path: "inserted path", "Eingefügte Bahn";
+        reverse: "reversed path", "Umgekehrte Bahn";
+        repeat: "repeated path", "Wiederholte Bahn";
+    }
+}
+
+impl Language {
+    /// What a step changed.
+    pub(crate) fn step(self, name: StepName) -> Cow<'static, str> {
+        let texts = &self.texts().steps;
+        let name = match name {
+            StepName::Tool(tool) => return self.tool_in_sentence(tool),
+            StepName::InsertPoint => texts.insert_point,
+            StepName::InsertPoints => texts.insert_points,
+            StepName::RemovePoint => texts.remove_point,
+            StepName::MovePoint => texts.move_point,
+            StepName::SetPosition => texts.set_position,
+            StepName::SetName => texts.set_name,
+            StepName::Tangents => texts.tangents,
+            StepName::Curve => texts.curve,
+            StepName::FitFrames => texts.fit_frames,
+            StepName::InsertOrientation => texts.insert_orientation,
+            StepName::RemoveOrientation => texts.remove_orientation,
+            StepName::View => texts.view,
+            StepName::Roll => texts.roll,
+            StepName::Zoom => texts.zoom,
+            StepName::Pace => texts.pace,
+            StepName::Hold => texts.hold,
+            StepName::SectionFrames => texts.section_frames,
+            StepName::Orientation => texts.orientation,
+            StepName::BaseFrames => texts.base_frames,
+            StepName::Closed => texts.closed,
+            StepName::Modes => texts.modes,
+            StepName::Fps => texts.fps,
+            StepName::Object => texts.object,
+            StepName::Limits => texts.limits,
+            StepName::Info => texts.info,
+            StepName::Space => texts.space,
+            StepName::EditNode => texts.edit_node,
+            StepName::ReplaceScene => texts.replace_scene,
+            StepName::KeysToPath => texts.keys_to_path,
+            StepName::ReplacePath => texts.replace_path,
+            StepName::Transform => texts.transform,
+            StepName::Deform => texts.deform,
+            StepName::InsertPath => texts.insert_path,
+            StepName::Reverse => texts.reverse,
+            StepName::Repeat => texts.repeat,
+        };
+        Cow::Borrowed(name)
+    }
+
+    /// "Undo orbit": what [`crate::actions::Action::Undo`] would do, or redo; without a step the
+    /// plain word.
+    pub(crate) fn travel(self, redo: bool, step: Option<StepName>) -> Cow<'static, str> {
+        let (steps, menu) = (&self.texts().steps, &self.texts().menu);
+        let (text, plain) = if redo {
+            (steps.redo, menu.redo)
+        } else {
+            (steps.undo, menu.undo)
+        };
+        let named = step.map(|step| fill(text, &[&self.step(step)]).into());
+        named.unwrap_or(Cow::Borrowed(plain))
+    }
+
+    /// A tool's name as it stands within an English sentence.
+    fn tool_in_sentence(self, tool: &'static str) -> Cow<'static, str> {
+        let name = self.tool(tool);
+        let mut letters = name.chars();
+        match (self, letters.next()) {
+            (Self::English, Some(first)) => {
+                format!("{}{}", first.to_lowercase(), letters.as_str()).into()
+            }
+            _ => Cow::Borrowed(name),
+        }
+    }
+}

@@ -1,0 +1,291 @@
+//! Ready paces that join the sections beside them: a section ends as fast as the next goes on. No
+//! egui here.
+
+use super::shapes::{End, Shape};
+use crate::document::{Document, Selection};
+use crate::limits::{MAX_SPEED, MIN_SPEED, SPEEDS};
+use crate::path::{CameraPath, Change, Orientation, Pace, Timeline, Timing};
+
+/// Speeds and frames depend on each other: rounds until they agree to the last digit shown.
+const ROUNDS: usize = 12;
+const ENOUGH: f64 = 0.06;
+
+/// As far as the rounding of frames moves a speed, it is that of the neighbour's square.
+const ROUNDING: f64 = 0.05;
+
+/// A section as it would be with other speeds beside it.
+struct Beside<'a> {
+    orientation: &'a Orientation,
+    facing: [Option<f64>; 2],
+    /// Frames at a mean speed of one, not rounded.
+    work: f64,
+}
+
+impl<'a> Beside<'a> {
+    fn new(path: &'a CameraPath, timeline: &Timeline, number: usize) -> Self {
+        let section = timeline.section(number);
+        let (before, after) = timeline.facing_speeds(path, number);
+        Self {
+            orientation: &path.points[section.point].orientations[section.orientation],
+            facing: [before, after],
+            work: timeline.unrounded_frames(path, number) * section.mean_speed,
+        }
+    }
+
+    /// Its pace, and how much faster it is than its speeds say since its frames are whole or fixed.
+    fn timing(&self, orientation: &Orientation) -> Option<(Timing, f64)> {
+        let [before, after] = self.facing;
+        let timing = Timing::new(orientation, before, after).ok()?;
+        let frames = self.work / timing.mean();
+        let whole = match orientation.own.frames {
+            0 => frames.round().max(1.0),
+            fixed => f64::from(fixed),
+        };
+        Some((timing, frames / whole))
+    }
+}
+
+/// What lies beyond an end of a section.
+enum Neighbour<'a> {
+    /// The end of the path.
+    None,
+    /// The camera rests, or turns in one place.
+    Still,
+    Goes(Beside<'a>),
+}
+
+/// The sections that move before and after one.
+fn neighbours(timeline: &Timeline, number: usize, closed: bool) -> [Option<usize>; 2] {
+    let moves = |&at: &usize| timeline.section(at).change != Change::Nothing;
+    let all = if closed { timeline.section_count() } else { 0 };
+    [
+        (0..number).rev().chain((number + 1..all).rev()).find(moves),
+        (number + 1..timeline.section_count())
+            .chain(0..number.min(all))
+            .find(moves),
+    ]
+}
+
+/// Ten speeds of this shape for the section that begins with an orientation; without a section, as
+/// if it stood alone.
+pub(super) fn ready(document: &Document, at: Selection, shape: Shape) -> Option<[f64; SPEEDS]> {
+    let path = document.path();
+    let key = path
+        .points
+        .get(at.point)?
+        .orientations
+        .get(at.orientation)?;
+    let made = document.timeline(|timeline| {
+        let number = timeline.section_from(at.point, at.orientation)?;
+        let change = timeline.section(number).change;
+        let this = Beside::new(path, timeline, number);
+        let [before, after] = neighbours(timeline, number, path.closed);
+        // The camera rests where a section begins.
+        let rests = |begin: usize| {
+            let section = timeline.section(begin);
+            path.points[section.point].orientations[section.orientation].hold > 0
+        };
+        let of = |other: Option<usize>, begin: Option<usize>| match other {
+            None => Neighbour::None,
+            Some(_) if begin.is_some_and(rests) => Neighbour::Still,
+            // A turn goes on in a flight, a flight not in a turn.
+            Some(other)
+                if change == Change::Position
+                    && timeline.section(other).change != Change::Position =>
+            {
+                Neighbour::Still
+            }
+            Some(other) => Neighbour::Goes(Beside::new(path, timeline, other)),
+        };
+        joined(this, [of(before, Some(number)), of(after, after)], shape)
+    });
+    match made {
+        Ok(Some(speeds)) => Some(speeds),
+        Ok(None) => {
+            let alone = Timing::new(key, None, None).ok()?;
+            Some(shape.speeds([End::Free; 2], alone.mean(), true))
+        }
+        Err(_) => None,
+    }
+}
+
+fn joined(this: Beside<'_>, mut beside: [Neighbour<'_>; 2], shape: Shape) -> Option<[f64; SPEEDS]> {
+    let fixed = this.orientation.own.frames > 0;
+    let own = &this.orientation.own;
+    let mut new = Orientation {
+        own: own.with(|own| own.pace = Pace::Speeds).ok()?,
+        ..this.orientation.clone()
+    };
+    let old = this.timing(this.orientation)?.0.mean();
+    let mut best: Option<(f64, [f64; SPEEDS])> = None;
+    for round in 0..ROUNDS {
+        let scale = this.timing(&new)?.1;
+        let mut ends = [End::Free; 2];
+        let mut off: f64 = 0.0;
+        for (side, neighbour) in beside.iter_mut().enumerate() {
+            ends[side] = match neighbour {
+                Neighbour::None => End::Free,
+                Neighbour::Still => End::Still,
+                Neighbour::Goes(other) => {
+                    let here = new.speeds[side * (SPEEDS - 1)];
+                    other.facing[1 - side] = Some(here);
+                    let (course, faster) = other.timing(other.orientation)?;
+                    let nominal = course.speed(1.0 - side as f64);
+                    let real = nominal * faster / scale;
+                    let near = (real - nominal).abs() < ROUNDING * nominal;
+                    let speed = if near { nominal } else { real }.clamp(MIN_SPEED, MAX_SPEED);
+                    off = off.max((speed - here).abs());
+                    End::Goes(speed)
+                }
+            };
+        }
+        if round > 0 && best.is_none_or(|(least, _)| off < least) {
+            best = Some((off, new.speeds));
+        }
+        if round > 0 && off < ENOUGH {
+            break;
+        }
+        new.speeds = shape.speeds(ends, old, fixed);
+    }
+    best.map(|(_, speeds)| speeds)
+}
+
+#[cfg(test)]
+mod tests {
+    use glam::DVec3;
+
+    use super::*;
+    use crate::document::{Edit, Info};
+    use crate::path::{SupportPoint, Target};
+    use crate::tools::check::FindingKind;
+
+    /// Random numbers in [0, 1): xorshift64*.
+    struct Random(u64);
+
+    impl Random {
+        fn unit(&mut self) -> f64 {
+            self.0 ^= self.0 >> 12;
+            self.0 ^= self.0 << 25;
+            self.0 ^= self.0 >> 27;
+            (self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 11) as f64 / (1u64 << 53) as f64
+        }
+
+        fn vector(&mut self) -> DVec3 {
+            DVec3::from_array(std::array::from_fn(|_| 2.0 * self.unit() - 1.0))
+        }
+    }
+
+    /// From here on a check reports a jump.
+    const LIMIT: f64 = 0.5;
+
+    /// Flights with turns in one place and rests; with `fixed` frames, too.
+    fn random_path(random: &mut Random, closed: bool, fixed: bool) -> Document {
+        let count = 3 + (random.unit() * 4.0) as usize;
+        let points = (0..count).map(|_| {
+            let turns = if random.unit() < 0.2 { 2 } else { 1 };
+            let keys = (0..turns).map(|_| {
+                let speed = 35.0 + 30.0 * random.unit();
+                let frames = if fixed {
+                    20 + (random.unit() * 60.0) as u32
+                } else {
+                    0
+                };
+                Orientation {
+                    target: Target::Relative(random.vector()),
+                    speeds: std::array::from_fn(|_| speed + 4.0 * random.unit()),
+                    hold: if random.unit() < 0.2 { 5 } else { 0 },
+                    own: Orientation::default()
+                        .own
+                        .with(|own| own.frames = frames)
+                        .unwrap(),
+                    ..Orientation::default()
+                }
+            });
+            SupportPoint {
+                orientations: keys.collect(),
+                ..SupportPoint::new(random.vector())
+            }
+        });
+        let path = CameraPath {
+            points: points.collect(),
+            closed,
+            ..CameraPath::default()
+        };
+        let mut info = Info::default();
+        info.limits.set(FindingKind::SpeedJump, 0.0).unwrap();
+        Document::from_parts(path, info).unwrap()
+    }
+
+    /// The jumps of the speed at all keys, in shares of the mean speed.
+    fn jumps(document: &Document) -> Vec<((usize, usize), f64)> {
+        let found = document.check(None).unwrap();
+        let jumps = found
+            .iter()
+            .filter(|found| found.kind == FindingKind::SpeedJump);
+        let jumps = jumps.map(|found| ((found.point, found.orientation), found.value));
+        jumps.collect()
+    }
+
+    fn frames(document: &Document) -> f64 {
+        document.sampler().unwrap().frame_count() as f64 - 1.0
+    }
+
+    /// The keys at which a section begins and ends.
+    fn ends_of(document: &Document, at: Selection) -> [(usize, usize); 2] {
+        let path = document.path();
+        let here = (at.point, at.orientation);
+        let next = if at.orientation + 1 < path.points[at.point].orientations.len() {
+            (at.point, at.orientation + 1)
+        } else {
+            ((at.point + 1) % path.points.len(), 0)
+        };
+        [here, next]
+    }
+
+    #[test]
+    fn a_ready_pace_makes_no_jump_that_was_not_there() {
+        let mut random = Random(13);
+        let mut made = 0;
+        for round in 0..400 {
+            let document = random_path(&mut random, round % 3 == 0, round % 4 == 0);
+            let before = jumps(&document);
+            let was = |key: &(usize, usize)| {
+                let found = before.iter().find(|(other, _)| other == key);
+                found.map_or(0.0, |found| found.1)
+            };
+            for (point, here) in document.path().points.iter().enumerate() {
+                for (orientation, key) in here.orientations.iter().enumerate() {
+                    for shape in [Shape::EaseIn, Shape::EaseOut, Shape::Both] {
+                        let at = Selection::at(point, orientation);
+                        let speeds = ready(&document, at, shape).unwrap();
+                        let mut changed = document.try_clone().unwrap();
+                        let orientation = Orientation {
+                            speeds,
+                            ..key.clone()
+                        };
+                        let edit = Edit::SetOrientation {
+                            point,
+                            at: at.orientation,
+                            orientation,
+                        };
+                        changed.apply(edit).unwrap();
+                        made += 1;
+                        // Elsewhere the mean speed is another, and frames beside it are rounded.
+                        let slower = frames(&document) / frames(&changed);
+                        let ends = ends_of(&document, at);
+                        for (jump, share) in jumps(&changed) {
+                            let old = was(&jump);
+                            let new = share > LIMIT && old <= LIMIT;
+                            let rounded = share * slower < old + 0.1;
+                            assert!(
+                                !new || !ends.contains(&jump) && rounded,
+                                "{round}: {shape:?} at {at:?} jumps at {jump:?} by {share}, not {old}: {speeds:?}"
+                            );
+                        }
+                    }
+                }
+            }
+        }
+        assert!(made > 5000, "{made}");
+    }
+}
