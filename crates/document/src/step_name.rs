@@ -120,7 +120,7 @@ impl StepName {
             Edit::SetInfo(new) if new.object != info.object => Self::Object,
             Edit::SetInfo(new) if new.limits != info.limits => Self::Limits,
             Edit::SetInfo(_) => Self::Info,
-            Edit::SetSpace { .. } => Self::Space,
+            Edit::SetSpace { .. } | Edit::ChangeUp(_) => Self::Space,
             Edit::EditNode(_) => Self::EditNode,
             Edit::ReplaceScene(_) => Self::ReplaceScene,
             Edit::ReplacePath(_) => Self::ReplacePath,
