@@ -76,6 +76,7 @@ fn sections(language: Language) -> [(&'static str, Vec<Row>); 5] {
         row(texts.empty, texts.empty_meaning),
         row(texts.wheel, texts.wheel_meaning),
         row(texts.context, texts.context_meaning),
+        row(texts.drop, texts.drop_meaning),
     ];
     let others = space::shortcut_help(language.texts());
     mouse.extend(others.map(|(hand, meaning)| row(hand, meaning)));
@@ -154,8 +155,9 @@ fn meaning(language: Language, action: &Action) -> &'static str {
         Action::SpeedCurve => texts.speed_window.title,
         Action::SwitchCameraView => space.camera_meaning,
         Action::PlayOrPause => space.play_meaning,
-        Action::CopyOrientation => menu.copy_orientation,
-        Action::PasteOrientation => menu.paste_orientation,
+        Action::Copy => help.copy,
+        Action::Cut => menu.cut,
+        Action::Paste => help.paste,
         Action::HandOver => menu.hand_over,
         Action::Colours => menu.colours,
         Action::Display => menu.display,
