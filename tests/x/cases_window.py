@@ -332,6 +332,33 @@ def clipboard_both_ways(place):
 
 
 @test()
+def points_by_the_clipboard(place):
+    """Into a text file, from there into another program's window; a text that is none."""
+    server, host, window = opened(place)
+    server.press(window, "ctrl+a", "ctrl+c")
+    text = wait(lambda: "[[point]]" in server.copied() and server.copied(), "the points' text")
+    check(text.startswith("version = 1\n") and text.count("[[point]]") == 2, text)
+    with open(place.path("pasted.vid"), "w", encoding="utf-8") as file:
+        file.write(text)
+    other = place.told(server)
+    other.edit(0, place.path("pasted.vid"))
+    further = server.new_window(window)
+    first = host.path()
+    check(other.path() == first, f"from the text: {other.path()}")
+    server.press(further, "ctrl+v")
+    wait(lambda: other.path() == [first[0], *first, first[1]], f"pasted: {other.path()}")
+    server.copy("milk, eggs")
+    before = server.drawn(further)
+    server.press(further, "ctrl+v")
+    wait(lambda: server.picture(further).rows != before.rows, "a sentence")
+    check(len(other.path()) == 4, "points of no text")
+    server.press(further, "ctrl+z")
+    wait(lambda: other.path() == first, "one step")
+    other.leave()
+    host.leave()
+
+
+@test()
 def a_middle_click_pastes_what_is_marked(place):
     """The primary selection: of another program into a field, and of a field elsewhere."""
     server, host, window = opened(place)

@@ -11,6 +11,7 @@ mod blocks;
 mod cage;
 mod change;
 mod check;
+mod copied;
 mod draw;
 mod edit;
 mod edited_scene;

@@ -77,8 +77,17 @@ pub(super) enum Action {
     SwitchAbsolute,
     /// Let every orientation of the path look where the current one does.
     AimAll,
-    CopyOrientation,
+    /// Copy the selected points, or the current orientation.
+    Copy,
+    /// Copy the selected points, and remove them.
+    Cut,
+    /// Ask for what the clipboard has.
+    Paste,
+    /// The clipboard had this.
+    Pasted(String),
     PasteOrientation,
+    /// Open what was dropped on the window.
+    Dropped(Vec<PathBuf>),
     LoadObject,
     Export,
     HandOver,
@@ -284,7 +293,8 @@ impl Action {
                 | Self::Colours
                 | Self::Display
                 | Self::Keys
-                | Self::CopyOrientation
+                | Self::Copy
+                | Self::Paste
                 | Self::CopySpeeds(_)
                 | Self::FileChosen(
                     Purpose::LoadBlock | Purpose::LoadPoses | Purpose::SaveBlock,
@@ -401,14 +411,12 @@ impl Editor {
                 self.act(Action::SetAbsolute(!absolute), context);
             }
             Action::AimAll => self.aim_all(),
-            Action::CopyOrientation => {
-                self.copied = self.orientation().cloned();
-                self.say(self.texts().output.copied);
-            }
-            Action::PasteOrientation => match self.copied.clone() {
-                Some(orientation) => self.set_orientation(|current| *current = orientation),
-                None => self.complain(self.texts().output.nothing_copied),
-            },
+            Action::Copy => self.copy(context),
+            Action::Cut => self.cut(context),
+            Action::Paste => Self::ask_for_clipboard(context),
+            Action::Pasted(text) => self.pasted(&text),
+            Action::PasteOrientation => self.paste_view(),
+            Action::Dropped(files) => self.dropped(&files, context),
             Action::LoadObject => self.choose_file(Purpose::LoadObject),
             Action::Export => self.choose_file(Purpose::Export),
             Action::HandOver if self.host_takes_poses => self.requests.push(Request::HandOver),

@@ -45,6 +45,11 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
         points_list::take_keys(editor, &context);
         windows::take_keys(editor, &context);
         actions.extend(keys::pressed(&context));
+        let dropped: Vec<_> = context.input(|input| {
+            let files = input.raw.dropped_files.iter();
+            files.map(|file| file.path().to_owned()).collect()
+        });
+        actions.extend((!dropped.is_empty()).then_some(Action::Dropped(dropped)));
     }
     if !actions.is_empty() {
         keys::release(&context);

@@ -37,8 +37,9 @@ pub(super) const SHORTCUTS: &[(Modifiers, Key, Action)] = &[
     (ALT, Key::Delete, Action::RemoveOrientation),
     (CTRL_SHIFT, Key::PageDown, Action::NextOrientation),
     (CTRL_SHIFT, Key::PageUp, Action::PreviousOrientation),
-    (CTRL, Key::C, Action::CopyOrientation),
-    (CTRL, Key::V, Action::PasteOrientation),
+    (CTRL, Key::C, Action::Copy),
+    (CTRL, Key::X, Action::Cut),
+    (CTRL, Key::V, Action::Paste),
     (ALT, Key::U, Action::HandOver),
     (CTRL, Key::Enter, Action::TakeOver { replace: false }),
     (CTRL_SHIFT, Key::Enter, Action::TakeOver { replace: true }),
@@ -71,8 +72,9 @@ const OF_TEXTS: &[Action] = &[
     Action::Redo,
     Action::RemovePoint,
     Action::RemoveOrientation,
-    Action::CopyOrientation,
-    Action::PasteOrientation,
+    Action::Copy,
+    Action::Cut,
+    Action::Paste,
     Action::Choose(Choice::All),
 ];
 
@@ -91,8 +93,9 @@ pub(super) fn pressed(context: &Context) -> Vec<Action> {
                     ..
                 } => action_of(*modifiers, *key)
                     .filter(|action| !repeat || REPEATED.contains(action)),
-                Event::Copy => Some(Action::CopyOrientation),
-                Event::Paste(_) => Some(Action::PasteOrientation),
+                Event::Copy => Some(Action::Copy),
+                Event::Cut => Some(Action::Cut),
+                Event::Paste(text) if !typing => Some(Action::Pasted(text.clone())),
                 _ => None,
             };
             let action = action.filter(|action| !(typing && OF_TEXTS.contains(action)));

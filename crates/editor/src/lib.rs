@@ -10,6 +10,7 @@
 #![forbid(unsafe_code)]
 
 mod actions;
+mod clipboard;
 mod files;
 mod frame;
 mod host;

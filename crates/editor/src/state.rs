@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use crate::actions::Action;
+use crate::clipboard::Copied;
 use crate::document::{Document, Edit, Fingerprint, Selection};
 use crate::error::{Error, Result};
 use crate::files::Folders;
@@ -114,7 +115,8 @@ pub struct Editor {
     /// The state last handed over, where a hand-over saves.
     pub(super) handed_state: Option<u64>,
     pub(super) obstacles: Obstacles,
-    pub(super) copied: Option<Orientation>,
+    /// The view that was copied last.
+    pub(super) copied: Option<Copied>,
     /// The points selected together with the current one.
     pub(super) selected: Selected,
     /// How own tangents are joined, as chosen for this point.

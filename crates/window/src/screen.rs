@@ -18,6 +18,7 @@ pub(super) trait Screen {
     fn target(&mut self) -> Option<Target<'_>>;
     fn present(&mut self, areas: &[Area]) -> Result<()>;
     fn take_output(&mut self, output: PlatformOutput) -> Result<()>;
+    fn ask_for_clipboard(&mut self) -> Result<()>;
     fn set_title(&mut self, title: &str) -> Result<()>;
     fn raise(&mut self) -> Result<()>;
     fn place_pane(&mut self, place: Option<&PanePlace>) -> Result<bool>;
@@ -56,6 +57,10 @@ impl Screen for Window {
 
     fn take_output(&mut self, output: PlatformOutput) -> Result<()> {
         self.take_output(output)
+    }
+
+    fn ask_for_clipboard(&mut self) -> Result<()> {
+        self.ask_for_clipboard()
     }
 
     fn set_title(&mut self, title: &str) -> Result<()> {

@@ -170,6 +170,10 @@ impl Screen for Fake {
         Ok(())
     }
 
+    fn ask_for_clipboard(&mut self) -> Result<()> {
+        Ok(())
+    }
+
     fn raise(&mut self) -> Result<()> {
         self.remote.raised.set(true);
         Ok(())

@@ -6,7 +6,7 @@
 use std::rc::Rc;
 use std::time::{Duration, Instant};
 
-use egui::{ClippedPrimitive, Context, FullOutput, ViewportId};
+use egui::{ClippedPrimitive, Context, FullOutput, ViewportCommand, ViewportId, ViewportOutput};
 
 use super::live::{Call, Live};
 use super::screen::Screen;
@@ -263,9 +263,12 @@ impl Window {
         let primitives = raster::primitives(context, shapes, pixels_per_point);
         self.picture = Some((primitives, pixels_per_point));
         self.screen.take_output(platform_output)?;
-        let delay = viewport_output
-            .remove(&ViewportId::ROOT)
-            .map_or(Duration::MAX, |viewport| viewport.repaint_delay);
+        let ours = viewport_output.remove(&ViewportId::ROOT);
+        let asks = |ours: &ViewportOutput| ours.commands.contains(&ViewportCommand::RequestPaste);
+        if ours.as_ref().is_some_and(asks) {
+            self.screen.ask_for_clipboard()?;
+        }
+        let delay = ours.map_or(Duration::MAX, |ours| ours.repaint_delay);
         self.passes = self.passes.saturating_add(1);
         let (held, pressed) =
             context.input(|input| (input.pointer.any_down(), input.pointer.any_pressed()));

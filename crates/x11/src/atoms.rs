@@ -36,6 +36,18 @@ atom_manager! {
         NULL,
         TEXT_PLAIN: b"text/plain",
         TEXT_PLAIN_UTF8: b"text/plain;charset=utf-8",
+        // Dragging and dropping.
+        XdndAware,
+        XdndEnter,
+        XdndPosition,
+        XdndStatus,
+        XdndLeave,
+        XdndDrop,
+        XdndFinished,
+        XdndSelection,
+        XdndTypeList,
+        XdndActionCopy,
+        TEXT_URI_LIST: b"text/uri-list",
         // The desktop's settings.
         MANAGER,
         _XSETTINGS_S0,

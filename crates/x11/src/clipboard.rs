@@ -22,7 +22,7 @@ use x11rb::wrapper::ConnectionExt as _;
 use x11rb::{CURRENT_TIME, NONE};
 
 use super::connection::Connection;
-use super::incoming::{self, Incoming, Step};
+use super::incoming::{self, Incoming, Step, Wanted};
 use super::outgoing::{self, Outgoing};
 use super::stream::wait;
 use crate::error::Result;
@@ -124,7 +124,7 @@ impl Clipboard {
         }
         let selection = atom(connection, which);
         let now = Instant::now();
-        let started = Incoming::start(connection, selection, time, place, now)?;
+        let started = Incoming::start(connection, selection, time, place, Wanted::Text, now)?;
         self.incoming.extend(started);
         Ok(())
     }

@@ -31,9 +31,10 @@ impl Window {
         {
             return Ok(());
         }
+        let ours = self.frame.window;
+        self.news.input |= self.drops.handle(connection, ours, event)?;
         self.pane_event(event)?;
         self.home_event(event)?;
-        let ours = self.frame.window;
         match event {
             Event::MotionNotify(event) if event.event == ours => {
                 self.time = event.time;
@@ -205,6 +206,9 @@ impl Window {
             } else if data[0] == atoms._NET_WM_PING {
                 window::answer_ping(&self.connection, event)?;
             }
+        } else {
+            let (connection, ours) = (&self.connection, self.frame.window);
+            self.drops.message(connection, ours, event)?;
         }
         Ok(())
     }

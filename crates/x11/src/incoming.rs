@@ -1,4 +1,4 @@
-//! Receiving text from another program's selection, possibly in pieces (ICCCM 2.7.2, INCR).
+//! Receiving text, or a list of dropped files, from another program's selection, possibly in pieces (ICCCM 2.7.2, INCR).
 //!
 //! The other program is not trusted to answer sensibly or ever to stop, so each transfer has its
 //! own window, a size limit, and time limits.
@@ -29,6 +29,17 @@ const READ_TIMEOUT: Duration = Duration::from_secs(2);
 /// The length of one property read, in 32-bit words (256 KB).
 const PIECE: u32 = 1 << 16;
 
+/// The most bytes of a list of dropped files.
+const MOST_OF_A_LIST: usize = 1 << 20;
+
+/// What is asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Wanted {
+    Text,
+    /// A list of URIs.
+    Files,
+}
+
 pub(super) struct Incoming {
     window: Window,
     selection: Atom,
@@ -36,8 +47,9 @@ pub(super) struct Incoming {
     time: u32,
     /// Where in the window to paste; `None` for the keyboard focus.
     pub(super) place: Option<Pos2>,
-    /// Index into [`targets`] of the target requested last.
-    target: usize,
+    wanted: Wanted,
+    /// How many of its targets were requested in vain.
+    refused: usize,
     pieces: bool,
     kind: Atom,
     bytes: Vec<u8>,
@@ -69,6 +81,7 @@ impl Incoming {
         selection: Atom,
         time: u32,
         place: Option<Pos2>,
+        wanted: Wanted,
         now: Instant,
     ) -> Result<Option<Self>> {
         let window = connection.generate_id();
@@ -81,7 +94,8 @@ impl Incoming {
             selection,
             time,
             place,
-            target: 0,
+            wanted,
+            refused: 0,
             pieces: false,
             kind: NONE,
             bytes: Vec::new(),
@@ -106,21 +120,21 @@ impl Incoming {
         event: &SelectionNotifyEvent,
         now: Instant,
     ) -> Result<Step> {
-        let asked = targets(connection).get(self.target).copied();
+        let asked = self.target(connection);
         if self.pieces || event.selection != self.selection || Some(event.target) != asked {
             return Ok(Step::Underway);
         }
         self.step_end = now + STEP_TIMEOUT;
         if event.property == NONE {
-            self.target += 1;
-            if self.target >= targets(connection).len() {
+            self.refused += 1;
+            if self.target(connection).is_none() {
                 return Ok(Step::Over(Some(String::new())));
             }
             self.ask(connection)?;
             return Ok(Step::Underway);
         }
         match self.read(connection)? {
-            Read::Pieces(size) if size as usize <= MAX_CLIPBOARD_BYTES => {
+            Read::Pieces(size) if size as usize <= self.most() => {
                 self.pieces = true;
                 Ok(Step::Underway)
             }
@@ -160,7 +174,7 @@ impl Incoming {
     }
 
     fn ask(&self, connection: &Connection) -> Result<()> {
-        let Some(&target) = targets(connection).get(self.target) else {
+        let Some(target) = self.target(connection) else {
             return Ok(());
         };
         let property = connection.atoms()._VIDES_SELECTION;
@@ -171,6 +185,30 @@ impl Incoming {
             property,
             self.time,
         ))
+    }
+
+    /// The target to request, best first.
+    fn target(&self, connection: &Connection) -> Option<Atom> {
+        let atoms = connection.atoms();
+        let texts = [
+            atoms.UTF8_STRING,
+            atoms.TEXT_PLAIN_UTF8,
+            AtomEnum::STRING.into(),
+        ];
+        let files = [atoms.TEXT_URI_LIST];
+        let targets: &[Atom] = match self.wanted {
+            Wanted::Text => &texts,
+            Wanted::Files => &files,
+        };
+        targets.get(self.refused).copied()
+    }
+
+    /// Bytes that are taken.
+    const fn most(&self) -> usize {
+        match self.wanted {
+            Wanted::Text => MAX_CLIPBOARD_BYTES,
+            Wanted::Files => MOST_OF_A_LIST,
+        }
     }
 
     fn read(&mut self, connection: &Connection) -> Result<Read> {
@@ -194,7 +232,7 @@ impl Incoming {
             }
             let left = piece.bytes_after as usize;
             let size = self.bytes.len() + piece.value.len() + left;
-            if piece.format != 8 || size > MAX_CLIPBOARD_BYTES || Instant::now() > end {
+            if piece.format != 8 || size > self.most() || Instant::now() > end {
                 return Ok(Read::Useless);
             }
             if self.bytes.try_reserve(piece.value.len()).is_err() {
@@ -218,6 +256,7 @@ impl Incoming {
         let text = if self.kind == u32::from(AtomEnum::STRING) {
             bytes.iter().copied().map(char::from).collect()
         } else if [atoms.UTF8_STRING, atoms.TEXT_PLAIN_UTF8, atoms.TEXT_PLAIN].contains(&self.kind)
+            || self.wanted == Wanted::Files && self.kind == atoms.TEXT_URI_LIST
         {
             match String::from_utf8(bytes) {
                 Ok(text) => text,
@@ -228,16 +267,6 @@ impl Incoming {
         };
         Some(clean(&text)).filter(|text| !text.is_empty())
     }
-}
-
-/// Targets to request, best first.
-fn targets(connection: &Connection) -> [Atom; 3] {
-    let atoms = connection.atoms();
-    [
-        atoms.UTF8_STRING,
-        atoms.TEXT_PLAIN_UTF8,
-        AtomEnum::STRING.into(),
-    ]
 }
 
 /// Normalizes line endings and drops control characters.

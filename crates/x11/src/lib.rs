@@ -15,6 +15,7 @@ mod connect;
 mod connection;
 mod core_keymap;
 mod cursor;
+mod drops;
 mod embedded;
 mod error;
 mod events;
@@ -40,6 +41,8 @@ mod window;
 mod clipboard_hostile_tests;
 #[cfg(test)]
 mod clipboard_tests;
+#[cfg(test)]
+mod drops_tests;
 #[cfg(test)]
 mod input_tests;
 #[cfg(test)]
@@ -69,6 +72,7 @@ use clipboard::{Clipboard, Selection};
 pub use connect::without_signals;
 use connection::Connection;
 use cursor::Cursors;
+use drops::Drops;
 use embedded::Home;
 pub use error::{Cause, Error, Result};
 use keyboard::Keyboard;
@@ -133,6 +137,7 @@ pub struct Window {
     pointer: Pointer,
     keyboard: Keyboard,
     clipboard: Clipboard,
+    drops: Drops,
     cursors: Cursors,
     /// The X resources.
     resources: Database,
@@ -206,6 +211,7 @@ impl Window {
             pointer: Pointer::default(),
             keyboard,
             clipboard: Clipboard::new(),
+            drops: Drops::default(),
             cursors: Cursors::new(),
             resources,
             settings,
@@ -255,6 +261,7 @@ impl Window {
     fn drain(&mut self) -> Result<()> {
         let now = Instant::now();
         self.clipboard.tick(&self.connection, now)?;
+        (self.drops).tick(&self.connection, self.frame.window, now)?;
         self.recheck_focus(now)?;
         self.connection.push()?;
         // Handling an event may wait for a reply, which can bring further events into x11rb's queue
@@ -315,6 +322,7 @@ impl Window {
                 false => egui::Theme::Light,
             }),
             events,
+            dropped_files: self.drops.take(),
             ..egui::RawInput::default()
         }
     }
@@ -322,7 +330,11 @@ impl Window {
     /// When to call [`Window::poll`] even if the connection stays quiet: a clipboard transfer times
     /// out, or the focus is to be checked.
     pub fn deadline(&self) -> Option<Instant> {
-        let due = [self.clipboard.deadline(), self.focus_check()];
+        let due = [
+            self.clipboard.deadline(),
+            self.drops.deadline(),
+            self.focus_check(),
+        ];
         due.into_iter().flatten().min()
     }
 
@@ -413,6 +425,19 @@ impl Window {
         self.alive()?;
         let result = self.connection.flush();
         self.noted(result)
+    }
+
+    /// Asks for the clipboard's text, as the keys do; it comes as input.
+    ///
+    /// # Errors
+    /// `ErrorKind::Display` if the server or the window is gone.
+    pub fn ask_for_clipboard(&mut self) -> Result<()> {
+        self.alive()?;
+        let result = self.paste(Selection::Clipboard, self.time, None);
+        self.noted(result)?;
+        // Our own is there at once.
+        self.news.input |= !self.events.is_empty();
+        self.flush()
     }
 
     /// Requests the text of a selection, which may be our own.

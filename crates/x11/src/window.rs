@@ -11,7 +11,7 @@ use x11rb::wrapper::ConnectionExt as _;
 
 use super::connection::Connection;
 use super::visual::Visual;
-use super::{Options, connect, icon, scale};
+use super::{Options, connect, drops, icon, scale};
 use crate::error::{Error, Result};
 
 /// The events selected on our window.
@@ -175,6 +175,7 @@ fn describe(
     set(atoms._NET_WM_PID, AtomEnum::CARDINAL, &[std::process::id()])?;
     text(atoms.WM_LOCALE_NAME, locale().as_bytes())?;
     let kind = [atoms._NET_WM_WINDOW_TYPE_NORMAL];
+    set(atoms.XdndAware, AtomEnum::ATOM, &[drops::VERSION])?;
     set(atoms._NET_WM_WINDOW_TYPE, AtomEnum::ATOM, &kind)?;
     set(atoms._NET_WM_ICON, AtomEnum::CARDINAL, &icon::icon())?;
     if let Some(owner) = options.transient_for {

@@ -49,7 +49,7 @@ use crate::limits::MAX_FILE_BYTES;
 pub(super) use comments::{Comments, insert_points, remove_points};
 pub(super) use read::{from_toml, scene_from_toml, shown_from_toml};
 pub(super) use scene_write::{alone, scene_to_toml};
-pub(super) use write::to_toml;
+pub(super) use write::{to_toml, view_to_toml};
 
 /// The format version that is written, and the newest that is read.
 const VERSION: i64 = 1;

@@ -31,6 +31,14 @@ pub(crate) fn to_toml(
     comments.put_into(out.0)
 }
 
+/// A view as it stands in a file.
+pub(crate) fn view_to_toml(view: &Orientation) -> Result<String> {
+    let mut out = Text(String::new());
+    let written = orientation(&mut out, "point", view, &mut UpPaths::default());
+    written.map_err(|_| EngineError::Memory)?;
+    Ok(out.0.trim_start().to_owned())
+}
+
 /// A string that reports running out of memory.
 pub(super) struct Text(pub(super) String);
 

@@ -64,6 +64,8 @@ pub(crate) enum Then {
     Load,
     /// A recent file is loaded, by its number.
     Recent(usize),
+    /// The path that was dropped on the window is loaded.
+    Dropped,
     /// Unsaved work that was found takes its place, by its number.
     Restore(usize),
 }
@@ -95,6 +97,7 @@ impl Editor {
                     self.complain(text);
                 }
             }
+            Then::Dropped => self.load_dropped(),
             Then::Restore(number) => self.restore_found(number),
         }
     }

@@ -76,7 +76,7 @@ impl Question {
             About::Unsaved(then) => {
                 let text = match then {
                     Then::Close => texts.before_close,
-                    Then::Load | Then::Recent(_) => texts.before_load,
+                    Then::Load | Then::Recent(_) | Then::Dropped => texts.before_load,
                     Then::Restore(_) => texts.before_restore,
                 };
                 let name = name.unwrap_or_else(|| texts.this_path.to_owned());

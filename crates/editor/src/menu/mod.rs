@@ -163,6 +163,11 @@ fn edit(editor: &Editor) -> Vec<Entry> {
     let path = editor.document.path();
     let closed = path.closed;
     let [back, forth] = editor.document.step_names();
+    let several = editor.several().is_some();
+    let (copy, copy_hint) = match several {
+        true => (texts.copy_points, hints.copy_points),
+        false => (texts.copy_orientation, hints.copy_orientation),
+    };
     let close_hint = if closed { hints.open } else { hints.close };
     let travels = [
         travel(editor, false, back).only_if(editor.document.can_undo(), output.nothing_to_undo),
@@ -204,11 +209,9 @@ fn edit(editor: &Editor) -> Vec<Entry> {
             Action::RemoveOrientation,
         )
         .only_if(orientations > 1, orientation.one_remains),
-        Entry::new(
-            texts.copy_orientation,
-            hints.copy_orientation,
-            Action::CopyOrientation,
-        ),
+        Entry::new(copy, copy_hint, Action::Copy).apart(),
+        Entry::new(texts.cut, hints.cut, Action::Cut).only_if(several, output.nothing_to_cut),
+        Entry::new(texts.paste, hints.paste, Action::Paste),
         Entry::new(
             texts.paste_orientation,
             hints.paste_orientation,

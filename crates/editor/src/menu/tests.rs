@@ -285,6 +285,8 @@ fn every_entry_has_a_tooltip() {
                     (menu.add_orientation, texts.orientation.add_hint),
                     (menu.remove_orientation, texts.orientation.one_remains),
                     (menu.copy_orientation, hints.copy_orientation),
+                    (menu.cut, texts.output.nothing_to_cut),
+                    (menu.paste, hints.paste),
                     (menu.paste_orientation, texts.output.nothing_copied),
                     (menu.aim_all, hints.aim_all),
                     (menu.space, hints.space),

@@ -160,8 +160,15 @@ fn entries(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         actions.push(Action::OwnTangents(editor.joint().is_none()));
     }
     ui.separator();
-    if entry(ui, menu.copy_orientation, hints.copy_orientation, None) {
-        actions.push(Action::CopyOrientation);
+    let (copy, hint) = match editor.several() {
+        Some(_) => (menu.copy_points, hints.copy_points),
+        None => (menu.copy_orientation, hints.copy_orientation),
+    };
+    if entry(ui, copy, hint, None) {
+        actions.push(Action::Copy);
+    }
+    if entry(ui, menu.paste, hints.paste, None) {
+        actions.push(Action::Paste);
     }
     let nothing = editor.copied.is_none().then_some(output.nothing_copied);
     if entry(ui, menu.paste_orientation, hints.paste_orientation, nothing) {

@@ -243,9 +243,35 @@ fn undo_and_redo_say_when_there_is_nothing() {
 fn an_orientation_is_copied_and_pasted() {
     let mut window = window(Language::German);
     enter(&mut window, "Winkel", "45");
-    press(&mut window, Modifiers::CTRL, Key::C);
+    // One event, so that the step shows what came of it.
+    let pressed = |key| egui::Event::Key {
+        key,
+        physical_key: None,
+        pressed: true,
+        repeat: false,
+        modifiers: Modifiers::CTRL,
+    };
+    window.event(pressed(Key::C));
+    window.step();
+    let commands = window.output().platform_output.commands.iter();
+    let text = commands.last().and_then(|command| match command {
+        egui::OutputCommand::CopyText(text) => Some(text.clone()),
+        _ => None,
+    });
+    window.run();
     click_button(&mut window, |texts| texts.position.next);
-    press(&mut window, Modifiers::CTRL, Key::V);
+    window.event(pressed(Key::V));
+    window.step();
+    let paste = |output: &egui::ViewportOutput| {
+        output
+            .commands
+            .contains(&egui::ViewportCommand::RequestPaste)
+    };
+    assert!(window.output().viewport_output.values().any(paste));
+    let text = text.expect("a text");
+    assert!(text.contains("roll_degrees = 45.0"), "{text}");
+    window.event(egui::Event::Paste(text));
+    window.run();
     assert_eq!(window.state().orientation().expect("there").roll, 45.0);
     press(&mut window, Modifiers::CTRL, Key::Z);
     assert_eq!(window.state().orientation().expect("there").roll, 0.0);

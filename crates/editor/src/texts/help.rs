@@ -25,9 +25,18 @@ texts! {
         context: "Right click on a point", "Rechtsklick auf einen Punkt";
         context_meaning: "What can be done with it", "Was sich mit ihm tun lässt";
 
+        drop: "Drop a file", "Eine Datei ablegen";
+        drop_meaning: "Open a path (.vid), or show an object (OBJ, PLY, STL, glTF)",
+            "Eine Bahn (.vid) öffnen oder ein Objekt (OBJ, PLY, STL, glTF) zeigen";
+
         shortcuts: "Shortcuts", "Tastenkürzel";
 
         absolute: "Switch between {0} and {1}", "Zwischen {0} und {1} wechseln";
+
+        copy: "Copy the selected points, else the orientation",
+            "Die gewählten Punkte kopieren, sonst die Orientierung";
+        paste: "Paste copied points behind this one, or a copied orientation in place of this one",
+            "Kopierte Punkte hinter diesem einfügen, oder eine kopierte Orientierung an die Stelle dieser";
 
         menus: "Menus", "Menüs";
         open_menu: "Open the menu {0}", "Menü {0} öffnen";

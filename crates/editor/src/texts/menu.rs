@@ -27,6 +27,9 @@ texts! {
         add_orientation: "New orientation", "Neue Orientierung";
         remove_orientation: "Remove this orientation", "Orientierung löschen";
         copy_orientation: "Copy orientation", "Orientierung kopieren";
+        copy_points: "Copy points", "Punkte kopieren";
+        cut: "Cut points", "Punkte ausschneiden";
+        paste: "Paste points", "Punkte einfügen";
         paste_orientation: "Paste orientation", "Orientierung einfügen";
         space: "Space …", "Raum …";
         aim_all: "Aim all cameras at this target", "Alle Kameras auf dieses Ziel richten";

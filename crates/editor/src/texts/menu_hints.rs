@@ -25,6 +25,12 @@ texts! {
         open: "End the path at the last point", "Die Bahn am letzten Punkt enden lassen";
         copy_orientation: "Keep this orientation to be pasted elsewhere",
             "Diese Orientierung merken, um sie anderswo einzufügen";
+        copy_points: "Put the selected points into the clipboard, as the text of a .vid file",
+            "Die gewählten Punkte in die Zwischenablage legen, als Text einer .vid-Datei";
+        cut: "Put the selected points into the clipboard, and remove them",
+            "Die gewählten Punkte in die Zwischenablage legen und hier löschen";
+        paste: "Put the points in the clipboard behind this one, as they lie",
+            "Die Punkte der Zwischenablage hinter diesem einfügen, wie sie liegen";
         paste_orientation: "Put the copied orientation in place of this one",
             "Die kopierte Orientierung an die Stelle dieser setzen";
         select_all: "What is dragged, typed or deleted then changes all points at once",

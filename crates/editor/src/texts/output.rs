@@ -17,6 +17,14 @@ texts! {
         saved: "{0} saved", "{0} gespeichert";
         copied: "Orientation copied", "Orientierung kopiert";
         nothing_copied: "No orientation has been copied yet", "Es wurde noch keine Orientierung kopiert";
+        points_copied: "{0} points copied", "{0} Punkte kopiert";
+        points_pasted: "{0} points pasted", "{0} Punkte eingefügt";
+        nothing_to_cut: "Only points that are selected together can be cut (with Shift, Ctrl or a box)",
+            "Ausschneiden lassen sich nur zusammen gewählte Punkte (mit Umschalt, Strg oder einem Rahmen)";
+        no_points: "What was copied last is no point of a path: nothing was pasted",
+            "Zuletzt wurden keine Punkte einer Bahn kopiert: Eingefügt wurde nichts";
+        not_pasted: "The copied points cannot be pasted: {0}",
+            "Die kopierten Punkte lassen sich nicht einfügen: {0}";
         nothing_to_undo: "There is nothing to undo", "Es gibt nichts rückgängig zu machen";
         half_turn: "From {0} to {1} it is half a turn: the camera may go either way. An orientation in between decides",
             "Von {0} nach {1} ist es eine halbe Drehung: Beide Wege sind gleich lang. Eine Orientierung dazwischen entscheidet";

@@ -76,6 +76,7 @@ fn sections(language: Language) -> [(&'static str, Vec<Row>); 5] {
         row(texts.empty, texts.empty_meaning),
         row(texts.wheel, texts.wheel_meaning),
         row(texts.context, texts.context_meaning),
+        row(texts.drop, texts.drop_meaning),
     ];
     let others = space::shortcut_help(language.texts());
     mouse.extend(others.map(|(hand, meaning)| row(hand, meaning)));
@@ -160,8 +161,9 @@ pub(crate) fn meaning(language: Language, action: &Action) -> Cow<'static, str> 
         Action::SpeedCurve => button(texts.speed_window.title, texts.speed.change_hint),
         Action::SwitchCameraView => space.camera_meaning.into(),
         Action::PlayOrPause => space.play_meaning.into(),
-        Action::CopyOrientation => menu.copy_orientation.into(),
-        Action::PasteOrientation => menu.paste_orientation.into(),
+        Action::Copy => button(menu.copy_orientation, texts.help.copy),
+        Action::Cut => menu.cut.into(),
+        Action::Paste => button(menu.paste_orientation, texts.help.paste),
         Action::HandOver => menu.hand_over.into(),
         Action::Colours => menu.colours.into(),
         Action::Display => menu.display.into(),

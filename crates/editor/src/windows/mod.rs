@@ -46,6 +46,8 @@ pub(super) struct Windows {
     pub(super) tool: Option<ToolWindow>,
     /// A file is being chosen: modal.
     pub(super) files: Option<FileWindow>,
+    /// A path that was dropped, while there is that question.
+    pub(super) dropped: Option<std::path::PathBuf>,
     /// A question before unsaved work is lost: modal.
     pub(super) question: Option<Question>,
     /// A question about a file that has changed: modal.

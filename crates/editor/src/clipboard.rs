@@ -1,0 +1,161 @@
+//! Points by the clipboard, between windows and programs, and files dropped on the window.
+//!
+//! The clipboard has points as the text of a `.vid` file. A view that was copied is there as text,
+//! too, so that what was copied last is what is pasted; it is pasted in its own window only.
+
+use std::path::PathBuf;
+
+use egui::{Context, ViewportCommand};
+
+use crate::actions::Action;
+use crate::document::{Document, Edit};
+use crate::files::{Purpose, Then, readable, short};
+use crate::limits::MIN_POINTS;
+use crate::path::Orientation;
+use crate::selected::Choice;
+use crate::state::Editor;
+use crate::texts::fill;
+use crate::texts::refusals::of_edit;
+use crate::tools::block::Fit;
+
+/// A view that was copied, with its text in the clipboard.
+#[derive(Clone, Debug)]
+pub(crate) struct Copied {
+    view: Orientation,
+    text: String,
+}
+
+/// The endings of files that become the object.
+const MESHES: [&str; 5] = ["obj", "ply", "stl", "gltf", "glb"];
+
+impl Editor {
+    /// Copies the points that are selected together, else the current orientation.
+    pub(crate) fn copy(&mut self, context: &Context) {
+        if self.several().is_some() {
+            self.copy_points(context);
+            return;
+        }
+        let Some(view) = self.orientation().cloned() else {
+            return;
+        };
+        match Document::view_as_text(&view) {
+            Ok(text) => {
+                context.copy_text(text.clone());
+                self.copied = Some(Copied { view, text });
+                self.say(self.texts().output.copied);
+            }
+            Err(error) => self.complain_of(&error),
+        }
+    }
+
+    fn copy_points(&mut self, context: &Context) -> bool {
+        let points = self.all_selected();
+        match self.document.points_as_text(&points) {
+            Ok(text) => {
+                context.copy_text(text);
+                self.say(fill(self.texts().output.points_copied, &[&points.len()]));
+                true
+            }
+            Err(error) => {
+                self.complain_of(&error);
+                false
+            }
+        }
+    }
+
+    /// Copies the points that are selected together, and removes them.
+    pub(crate) fn cut(&mut self, context: &Context) {
+        let Some(chosen) = self.several().map(<[usize]>::len) else {
+            return self.complain(self.texts().output.nothing_to_cut);
+        };
+        let left = self.document.path().points.len() - chosen;
+        // Nothing is copied if it has to stay, which is told.
+        if left < MIN_POINTS || self.copy_points(context) {
+            let said = self.message.take();
+            self.remove_selected();
+            self.message = self.message.take().or(said);
+        }
+    }
+
+    /// Asks for what the clipboard has; it comes as [`Action::Pasted`].
+    pub(crate) fn ask_for_clipboard(context: &Context) {
+        context.send_viewport_cmd(ViewportCommand::RequestPaste);
+    }
+
+    /// Puts the points in a text behind the current one, as they lie, or pastes the view whose text
+    /// it is.
+    pub(crate) fn pasted(&mut self, text: &str) {
+        let copied = self.copied.as_ref();
+        if text.is_empty() || copied.is_some_and(|copied| copied.text.trim() == text.trim()) {
+            self.paste_view();
+            return;
+        }
+        let texts = &self.texts().output;
+        let block = match Document::points_of_text(text) {
+            Ok(Some(block)) => Box::new(block),
+            Ok(None) => return self.complain(texts.no_points),
+            Err(error) => {
+                let why = self.without_name(&error);
+                return self.complain(fill(texts.not_pasted, &[&why]));
+            }
+        };
+        let before = self.document.path().points.len();
+        let edit = Edit::InsertPath {
+            at: self.document.selection().point,
+            block,
+            fit: Fit::None,
+            with_targets: false,
+        };
+        self.document.end_step();
+        if let Err(error) = self.document.apply(edit) {
+            let why = of_edit(self.language(), &error);
+            return self.complain(fill(texts.not_pasted, &[&why]));
+        }
+        self.playing.leave();
+        let first = self.document.selection().point;
+        let count = self.document.path().points.len() - before;
+        self.choose(Choice::These((first..first + count).collect()));
+        self.say(fill(texts.points_pasted, &[&count]));
+    }
+
+    /// Puts the view that was copied in place of the current one.
+    pub(crate) fn paste_view(&mut self) {
+        match self.copied.clone() {
+            Some(Copied { view, .. }) => self.set_orientation(|current| *current = view),
+            None => self.complain(self.texts().output.nothing_copied),
+        }
+    }
+
+    /// Opens a file that was dropped: a path after a question, a mesh as the object.
+    pub(crate) fn dropped(&mut self, files: &[PathBuf], context: &Context) {
+        let texts = &self.texts().files;
+        let [file] = files else {
+            return self.complain(texts.one_file);
+        };
+        // What is on another machine, or no file, keeps its URI.
+        if !file.is_absolute() {
+            return self.complain(fill(texts.not_here, &[&readable(file.as_os_str())]));
+        }
+        let ending = file.extension().unwrap_or_default().to_ascii_lowercase();
+        if ending == "vid" {
+            self.windows.dropped = Some(file.clone());
+            self.ask_before(Then::Dropped);
+        } else if MESHES.iter().any(|known| ending == *known) {
+            let chosen = Action::FileChosen(Purpose::LoadObject, file.clone());
+            self.act(chosen, context);
+        } else {
+            self.complain(fill(texts.unknown_file, &[&short(file)]));
+        }
+    }
+
+    /// Opens the path that was dropped; what was unsaved is no more.
+    pub(crate) fn load_dropped(&mut self) {
+        if let Some(file) = self.windows.dropped.take() {
+            self.file_chosen(Purpose::LoadPath, &file);
+        }
+    }
+}
+
+#[cfg(test)]
+#[path = "clipboard_tests.rs"]
+mod tests;

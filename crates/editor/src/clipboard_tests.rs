@@ -1,0 +1,222 @@
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use egui::Event;
+use glam::DVec3;
+
+use crate::document::{Document, Selection};
+use crate::path::SupportPoint;
+use crate::selected::Choice;
+use crate::tests::*;
+
+/// What a window has put into the clipboard in its last pass.
+fn clipboard(window: &Window) -> Option<String> {
+    let commands = window.output().platform_output.commands.iter();
+    let texts = commands.filter_map(|command| match command {
+        egui::OutputCommand::CopyText(text) => Some(text.clone()),
+        _ => None,
+    });
+    texts.last()
+}
+
+/// Copies or cuts by the event that the keyboard's keys make.
+fn taken(window: &mut Window, event: Event) -> Option<String> {
+    window.event(event);
+    window.step();
+    let text = clipboard(window);
+    window.run();
+    text
+}
+
+fn paste(window: &mut Window, text: &str) {
+    window.event(Event::Paste(text.to_owned()));
+    window.run();
+}
+
+fn fresh() -> Window {
+    window_with_points(Language::English, LARGE, 1.0, Theme::Dark)
+}
+
+fn choose(window: &mut Window, points: &[usize]) {
+    window.state_mut().choose(Choice::These(points.to_vec()));
+    window.run();
+}
+
+fn points(window: &Window) -> Vec<SupportPoint> {
+    window.state().document.path().points.clone()
+}
+
+fn places(window: &Window) -> Vec<DVec3> {
+    points(window).iter().map(|point| point.position).collect()
+}
+
+#[test]
+fn points_go_from_window_to_window_as_the_text_of_a_file() {
+    let (mut one, mut other) = (fresh(), fresh());
+    choose(&mut one, &[1, 2, 3]);
+    let text = taken(&mut one, Event::Copy).expect("a text");
+    // Whoever pastes it into a text file has a path.
+    let of_file = Document::from_toml(&text).expect("a file");
+    assert_eq!(of_file.path().points.len(), 3);
+    let (before, known) = (places(&other), places(&one));
+    other.state_mut().select_key(4, 0).unwrap();
+    other.run();
+    paste(&mut other, &text);
+    let now = places(&other);
+    assert_eq!(now[..=4], before[..=4]);
+    assert_eq!(now[5..8], known[1..4]);
+    assert_eq!(now[8..], before[5..]);
+    // What was pasted is selected, so that it can be moved at once; one step.
+    assert_eq!(other.state().several(), Some(&[5, 6, 7][..]));
+    assert_eq!(other.state().document.selection(), Selection::at(5, 0));
+    let output = &Language::English.texts().output;
+    assert_eq!(said(&other), Some(fill(output.points_pasted, &[&3])));
+    press(&mut other, Modifiers::CTRL, Key::Z);
+    assert_eq!(places(&other), before);
+    // Their own window is none other.
+    paste(&mut one, &text);
+    assert_eq!(places(&one).len(), known.len() + 3);
+}
+
+#[test]
+fn points_that_are_apart_are_copied_without_those_between_and_cut_in_one_step() {
+    let mut window = fresh();
+    let before = points(&window);
+    choose(&mut window, &[0, 2, 5]);
+    let text = taken(&mut window, Event::Cut).expect("a text");
+    let cut = Document::from_toml(&text).expect("a file");
+    let at = |number: usize| before[number].position;
+    let positions = cut.path().points.iter().map(|point| point.position);
+    assert_eq!(positions.collect::<Vec<_>>(), [at(0), at(2), at(5)]);
+    let views = |points: &[SupportPoint]| points[1].orientations.clone();
+    assert_eq!(views(&cut.path().points), before[2].orientations);
+    assert_eq!(points(&window).len(), before.len() - 3);
+    let output = &Language::English.texts().output;
+    assert_eq!(said(&window), Some(fill(output.points_copied, &[&3])));
+    press(&mut window, Modifiers::CTRL, Key::Z);
+    assert_eq!(points(&window), before);
+    // Two remain: what cannot be removed is not copied either.
+    choose(&mut window, &(0..before.len()).collect::<Vec<_>>());
+    assert_eq!(taken(&mut window, Event::Cut), None);
+    assert_eq!(points(&window), before);
+    choose(&mut window, &[1]);
+    assert_eq!(taken(&mut window, Event::Cut), None);
+    assert_eq!(said(&window).as_deref(), Some(output.nothing_to_cut));
+}
+
+#[test]
+fn what_was_copied_last_is_pasted() {
+    let mut window = fresh();
+    window.state_mut().set_orientation(|view| view.roll = 45.0);
+    let view = taken(&mut window, Event::Copy).expect("a text");
+    assert!(view.starts_with("[[point.orientation]]"), "{view}");
+    choose(&mut window, &[0, 1]);
+    let text = taken(&mut window, Event::Copy).expect("a text");
+    let before = points(&window).len();
+    window.state_mut().select_key(1, 0).unwrap();
+    paste(&mut window, &text);
+    assert_eq!(points(&window).len(), before + 2);
+    // The view is still there: for its entry in the menu, and when nobody has a text.
+    window.state_mut().select_key(4, 0).unwrap();
+    paste(&mut window, "");
+    assert_eq!(window.state().orientation().unwrap().roll, 45.0);
+    // In another window its text is none of points.
+    let mut other = fresh();
+    paste(&mut other, &view);
+    let no_points = Language::English.texts().output.no_points;
+    assert_eq!(said(&other).as_deref(), Some(no_points));
+}
+
+#[test]
+fn a_text_that_will_not_do_is_told_in_a_sentence() {
+    for language in BOTH {
+        let mut window = window_with_points(language, LARGE, 1.0, Theme::Dark);
+        let before = window.state().document.state_number();
+        let output = &language.texts().output;
+        for text in [
+            "milk, eggs",
+            "[[points]]\n",
+            "\0\u{7f}",
+            &"x".repeat(1 << 20),
+        ] {
+            paste(&mut window, text);
+            assert_eq!(said(&window).as_deref(), Some(output.no_points));
+        }
+        let far =
+            "version = 1\n[[point]]\nposition = [1e300, 0, 0]\n[[point]]\nposition = [0, 0, 0]\n";
+        let bad = "version = 1\n[[point]]\nposition = [0, 0]\n[[point]]\n";
+        let one = "version = 1\n[[point]]\nposition = [0, 0, 0]\n";
+        for text in ["[[point]]", far, bad, one] {
+            paste(&mut window, text);
+            let begin = fill(output.not_pasted, &[&""]);
+            let said = said(&window).expect("a sentence");
+            assert!(said.starts_with(begin.trim_end()), "{said}");
+            assert!(said.len() < 300 && !said.contains('\n'), "{said}");
+        }
+        assert_eq!(window.state().document.state_number(), before);
+        assert!(!window.state().document.in_step());
+    }
+}
+
+#[derive(Debug)]
+struct Dropped(PathBuf);
+
+impl egui::DroppedFile for Dropped {
+    fn path(&self) -> &Path {
+        &self.0
+    }
+
+    fn bytes(&self) -> Result<Vec<u8>, String> {
+        Err("only its name is of interest".to_owned())
+    }
+}
+
+/// Drops files on a window.
+fn drop_on(window: &mut Window, files: &[PathBuf]) {
+    for file in files {
+        let files = &mut window.input_mut().dropped_files;
+        files.push(Arc::new(Dropped(file.clone())));
+    }
+    window.run();
+}
+
+#[test]
+fn files_that_are_dropped_are_opened() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("a flight.VID");
+    let mut flight = Document::new();
+    flight.apply(Edit::AppendAfterLast).unwrap();
+    std::fs::write(&path, flight.to_toml().unwrap()).unwrap();
+    let mesh = folder.path().join("box.obj");
+    std::fs::write(&mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+    let other = folder.path().join("notes.txt");
+    std::fs::write(&other, "milk").unwrap();
+    let texts = Language::English.texts();
+
+    let mut window = window(Language::English);
+    drop_on(&mut window, std::slice::from_ref(&mesh));
+    assert!(!window.state().document.info().object.is_empty());
+    // That is unsaved: a path asks first, and may be kept.
+    drop_on(&mut window, std::slice::from_ref(&path));
+    assert!(window.state().windows.question.is_some());
+    assert_eq!(points(&window).len(), 2);
+    press(&mut window, Modifiers::NONE, Key::Escape);
+    assert!(window.state().windows.question.is_none());
+    assert_eq!(points(&window).len(), 2);
+    press(&mut window, Modifiers::CTRL, Key::Z);
+    drop_on(&mut window, std::slice::from_ref(&path));
+    assert_eq!(points(&window).len(), 3);
+    assert_eq!(window.state().file.as_ref(), Some(&path));
+
+    let state = window.state().document.state_number();
+    drop_on(&mut window, std::slice::from_ref(&other));
+    let unknown = fill(texts.files.unknown_file, &[&"notes.txt"]);
+    assert_eq!(said(&window), Some(unknown));
+    drop_on(&mut window, &[path, mesh.clone()]);
+    assert_eq!(said(&window).as_deref(), Some(texts.files.one_file));
+    drop_on(&mut window, &[folder.path().join("gone.vid")]);
+    assert!(said(&window).is_some_and(|said| said.contains("gone.vid")));
+    drop_on(&mut window, &["http://example.org/a.vid".into()]);
+    assert!(said(&window).is_some_and(|said| said.contains("example.org")));
+    assert_eq!(window.state().document.state_number(), state);
+}
