@@ -134,7 +134,7 @@ fn sentences_tell_why() {
     let poses = folder.path().join("poses.csv");
     let poses = poses.to_str().unwrap();
     said(&run(&["sample", PYRAMID, "--format", "csv", "-o", poses]));
-    let scale = "the scale of a matrix must lie between 1e-18 and 1e18, mirrored or not";
+    let scale = "the scale of a matrix must lie between 1e-78 and 1e78, mirrored or not";
     let still = "the camera would stay where it is: the move must end elsewhere than it begins";
     let fps = "the frames per second must be greater than 0 and at most 100000";
     for (arguments, reason) in [

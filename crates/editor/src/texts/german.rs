@@ -186,7 +186,7 @@ german! {
         NoUp(name) =>
             "es gibt kein oben „{name}“; bekannt: axis, point, path, minimal, frenet, y, z";
         MatrixNotFinite => "jede Zahl einer Matrix muss endlich sein";
-        MatrixScale => "der Maßstab einer Matrix muss zwischen 1e-18 und 1e18 liegen, gespiegelt oder nicht";
+        MatrixScale => "der Maßstab einer Matrix muss zwischen 1e-78 und 1e78 liegen, gespiegelt oder nicht";
         MatrixFlat => "die Matrix darf nicht platt drücken: kein Maßstab darf weniger als 1e-12 eines anderen sein";
         Matrix => "die Matrix muss verschieben, drehen, skalieren oder spiegeln, ohne Scherung";
         NoDirection => "um verbunden zu werden, brauchen Pfad und Baustein dort Richtung und Länge";

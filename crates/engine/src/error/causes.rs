@@ -279,7 +279,7 @@ pub enum Invalid {
     NoUp(Text),
     #[error("each number of a matrix must be finite")]
     MatrixNotFinite,
-    #[error("the scale of a matrix must lie between 1e-18 and 1e18, mirrored or not")]
+    #[error("the scale of a matrix must lie between 1e-78 and 1e78, mirrored or not")]
     MatrixScale,
     #[error("the matrix must not press flat: no scale may be less than 1e-12 of another")]
     MatrixFlat,

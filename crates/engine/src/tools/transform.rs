@@ -18,8 +18,9 @@ const SQUARE: f64 = 1e-9;
 /// A side pressed to this share of another is pressed flat.
 const FLAT: f64 = 1e-12;
 
-/// The largest scale: from what is resolved to the largest coordinate.
-const LARGE: f64 = 1e18;
+/// The largest scale: from the smallest space to the largest (1e60), and there from what is resolved
+/// to the largest coordinate (1e18).
+const LARGE: f64 = 1e78;
 
 /// Step of the differences, in the largest side of the box.
 const STEP: f64 = 1e-3;

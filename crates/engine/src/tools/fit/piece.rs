@@ -4,7 +4,7 @@ use glam::{DQuat, DVec3};
 
 use super::{Data, Joint, Piece, ROUNDS, view_angle};
 use crate::error::{Result, vec_with_room};
-use crate::limits::{MAX_DISTANCE_KEYS, MAX_ZOOM, MIN_ZOOM};
+use crate::limits::{MAX_DISTANCE_KEYS, MAX_LIST_ZOOM, MAX_ZOOM, MIN_ZOOM};
 use crate::math::quaternion::{angle, exp, log};
 use crate::path::arc_length::ArcLength;
 use crate::path::hermite::Cubic;
@@ -346,8 +346,10 @@ impl Data {
             m = [m[0] + x * x, m[1] + x * y, m[2] + y * y];
             right = [right[0] + x * off, right[1] + y * off];
         }
+        // A piece of few frames tells its slopes badly: none may leave for the longest lenses.
+        let longest = MAX_LIST_ZOOM.max(2.0 * from.max(to)).min(MAX_ZOOM);
         let clip = |slope: f64, end: f64, sign: f64| {
-            let bounds = [3.0 * sign * (MIN_ZOOM - end), 3.0 * sign * (MAX_ZOOM - end)];
+            let bounds = [3.0 * sign * (MIN_ZOOM - end), 3.0 * sign * (longest - end)];
             slope.clamp(bounds[0].min(bounds[1]), bounds[0].max(bounds[1]))
         };
         let determinant = m[0] * m[2] - m[1] * m[1];
