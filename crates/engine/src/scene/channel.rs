@@ -91,15 +91,20 @@ impl Channel {
     /// The names of all, or of those that a kind of node can have.
     #[doc(hidden)]
     pub fn names(kind: Option<&str>) -> impl Iterator<Item = &'static str> + Clone {
-        let has = move |channel: &Self| match (channel, kind) {
-            (_, None)
-            | (Self::Position | Self::Rotation | Self::Scale | Self::Visible, _)
-            | (Self::Zoom | Self::Roll, Some("camera"))
-            | (Self::Colour, Some("light" | "object"))
-            | (Self::Intensity | Self::Cone, Some("light"))
-            | (Self::AimWeight, Some("light" | "camera"))
-            | (Self::Weights, Some("object")) => true,
-            _ => false,
+        let has = move |channel: &Self| {
+            matches!(
+                (channel, kind),
+                (_, None)
+                    | (
+                        Self::Position | Self::Rotation | Self::Scale | Self::Visible,
+                        _
+                    )
+                    | (Self::Zoom | Self::Roll, Some("camera"))
+                    | (Self::Colour, Some("light" | "object"))
+                    | (Self::Intensity | Self::Cone, Some("light"))
+                    | (Self::AimWeight, Some("light" | "camera"))
+                    | (Self::Weights, Some("object"))
+            )
         };
         let plain = PLAIN.iter().filter(move |(_, channel)| has(channel));
         let deforms = matches!(kind, None | Some("object")).then_some("deformation.N.NAME");

@@ -426,11 +426,11 @@ fn an_object_changes_by_its_tracks_as_by_single_values() {
     assert_eq!(vertices(&scene, 5.0), want);
     assert!(
         said(scene.set_track(node, track("deformation.1.a", "step", &[1.0], &[1.0])))
-            .contains("there is no deformation 1 among 1")
+            .contains("the deformation \"bend\" has no \"a\"; it has: angle")
     );
     assert!(
-        said(scene.set_track(node, track("deformation.0.a", "step", &[1.0], &[1.0])))
-            .contains("has no \"a\"; it has: ")
+        said(scene.set_track(node, track("deformation.2.a", "step", &[1.0], &[1.0])))
+            .contains("there is no deformation 2 among 2, counted from 0")
     );
     // The second one becomes the first, its track with it.
     scene.remove_deformation(node, 0).unwrap();
