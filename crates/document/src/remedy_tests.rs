@@ -89,6 +89,11 @@ fn a_turn_at_once_is_left_to_the_user() {
 #[test]
 fn keys_that_stand_for_nothing_go() {
     let mut document = straight([DVec3::NEG_Z; 3]);
+    // Not redundant itself.
+    let position = DVec3::new(0.0, 0.01, 0.8);
+    document
+        .apply(Edit::SetPosition { at: 1, position })
+        .unwrap();
     document
         .apply(Edit::InsertOrientation {
             point: 1,

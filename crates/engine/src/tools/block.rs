@@ -16,8 +16,8 @@ use crate::limits::{MAX_NAME_BYTES, MAX_POINTS};
 use crate::path::own::distance_backwards;
 use crate::path::up_vector::check_ups;
 use crate::path::{
-    CameraPath, CurveKind, CurveParameters, Ease, Orientation, Pace, PacePart, SupportPoint,
-    Tangents, Tcb, TurningPart, Up, UpVector, Velocities, Whole, alignment,
+    CameraPath, Change, CurveKind, CurveParameters, Ease, Orientation, Pace, PacePart,
+    SupportPoint, Tangents, Tcb, Timeline, TurningPart, Up, UpVector, Velocities, Whole, alignment,
 };
 
 /// Half sizes of the space that a length must have to tell a direction.
@@ -431,6 +431,7 @@ impl Names {
 /// # Errors
 /// [`Error::Memory`].
 pub fn reverse(path: &CameraPath) -> Result<CameraPath> {
+    let path = &merged(path)?;
     let count = path.points.len();
     // A closed path still begins at its first point.
     let old = |number: usize| {
@@ -488,6 +489,33 @@ pub fn reverse(path: &CameraPath) -> Result<CameraPath> {
         alignment::keep_ups(&mut reversed, &wanted.concat())?;
     }
     Ok(reversed)
+}
+
+/// Keys between which nothing changes are one with the properties of the later: here both have
+/// them, since backwards the other one is the later.
+fn merged(path: &CameraPath) -> Result<CameraPath> {
+    let timeline = Timeline::new(path)?;
+    let mut path = path.try_clone()?;
+    for number in (0..timeline.section_count()).rev() {
+        let section = timeline.section(number);
+        if section.change != Change::Nothing {
+            continue;
+        }
+        let (point, at) = (section.point, section.orientation);
+        let here = &path.points[point].orientations;
+        let later = match here.get(at + 1) {
+            Some(later) => later.clone(),
+            None => path.points[(point + 1) % path.points.len()].orientations[0].clone(),
+        };
+        let earlier = &mut path.points[point].orientations[at];
+        (earlier.hold, earlier.turning) = (later.hold, later.turning);
+        earlier.own = earlier.own.with(|own| {
+            own.velocities = later.own.velocities;
+            own.roll_slope = later.own.roll_slope;
+            own.zoom_slope = later.own.zoom_slope;
+        })?;
+    }
+    Ok(path)
 }
 
 fn mirrored(tcb: Tcb) -> Tcb {

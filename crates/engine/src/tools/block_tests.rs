@@ -1,7 +1,7 @@
 use super::*;
 use crate::path::own::check_distance;
 use crate::path::test_support::Random;
-use crate::path::{MayOwn, UpPath};
+use crate::path::{MayOwn, Own, UpPath};
 use crate::path::{Pose, Sampler, Target, Timeline, curve};
 
 fn vector(random: &mut Random) -> DVec3 {
@@ -98,11 +98,56 @@ fn a_block_has_the_curve_that_it_had() {
     }
 }
 
+/// Other modes, views at one target, paces, and a last view twice, with another rest.
+fn vary(path: &mut CameraPath, random: &mut Random) {
+    use crate::path::{EaseKind, OrientationMode, ZoomMode};
+    let modes = [
+        OrientationMode::BarryGoldman,
+        OrientationMode::Slerp,
+        OrientationMode::Tcb,
+    ];
+    path.orientation_mode = modes[(3.0 * random.unit()) as usize];
+    if random.unit() < 0.5 {
+        path.zoom_mode = ZoomMode::Linear;
+    }
+    let target = Target::Absolute(DVec3::new(0.2, -6.0, 0.1));
+    for point in &mut path.points {
+        for view in &mut point.orientations {
+            let kind = random.unit();
+            if kind < 0.3 {
+                view.target = target;
+            }
+            let ease = Ease {
+                kind: EaseKind::Sine,
+                rise: 0.2,
+                fall: 0.4,
+                cruise: 60.0,
+            };
+            let own = |own: &mut Own| {
+                own.frames = (20.0 * random.unit()) as u32;
+                if kind > 0.7 {
+                    own.pace = Pace::Ease(ease);
+                }
+            };
+            view.own = view.own.with(own).unwrap();
+        }
+        if random.unit() < 0.3 {
+            let mut again = point.orientations[point.orientations.len() - 1].clone();
+            again.hold += 3;
+            again.turning = Tcb::new(0.3, 0.2, -0.4);
+            point.orientations.push(again);
+        }
+    }
+}
+
 #[test]
 fn a_film_of_the_reversed_path_runs_backwards() {
     let mut random = Random(4);
     for number in 0..300 {
-        let path = random_path(&mut random);
+        let mut path = random_path(&mut random);
+        if number % 3 == 2 {
+            vary(&mut path, &mut random);
+        }
         let back = reverse(&path).unwrap();
         let (one, two) = (poses(&path), poses(&back));
         assert_eq!(one.len(), two.len(), "{number}");
