@@ -196,7 +196,7 @@ impl Info {
             for &corner in mesh.triangles.iter().flatten() {
                 let place = mesh.points[corner as usize];
                 let checked = space.check_place(place);
-                checked.map_err(|error| error.at(Place::ObjectPoint(corner as usize + 1)))?;
+                checked.map_err(|error| error.at(Place::ObjectPoint(corner as usize)))?;
             }
         }
         Ok(())
