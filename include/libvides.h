@@ -1480,7 +1480,8 @@ int v_path_point_at_length(const V_PATH *path,
 /**
  * A path by a ready-made move, at 25 frames a second. Its numbers stand in the
  * order below, a place as three; those behind count have their defaults. Headings
- * are seen from the target: 0 lies towards +z, 90 towards +x.
+ * are seen from the target: 0 lies towards +z, 90 towards +x. All its sections have one
+ * speed.
  *
  * "orbit"  on a circle round a target
  *     around x y z (0), radius (1), height (0.4), from degrees (0), turns (1),
@@ -1518,6 +1519,22 @@ int v_path_from_move(const char *move,
                      const double *parameters,
                      size_t count,
                      V_PATH **path);
+
+/**
+ * As v_path_from_move(), in a space: where it has V_UP_Z, headings lie towards +x (0)
+ * and +y (90) and heights along z. Lengths behind count have their defaults times its
+ * half size, places its centre.
+ *
+ * space   see v_space_init(); NULL: centre (0, 0, 0), half size 1, V_UP_Y
+ * *path is the caller's, to be freed with v_path_free().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT,
+ * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_path_from_move_in_space(const char *move,
+                              const double *parameters,
+                              size_t count,
+                              const V_SPACE *space,
+                              V_PATH **path);
 
 /**
  * Moves, turns, scales and mirrors the support points from first_point to
@@ -2129,12 +2146,13 @@ int v_scene_vertices(const V_SCENE *scene,
 
 /**
  * A path of few support points that passes recorded poses: each position within
- * tolerance, each view, up and field of view within angle degrees, at its time. Noise
- * of up to half of that is taken out.
+ * tolerance, each view, up and field of view within angle degrees, at its time, and as
+ * smoothly as they do. Noise of up to half of that is taken out.
  *
  * seconds  when each pose was taken, increasing; NULL: one a frame
  * count    at least three
  * fps      frames in a second of the path
+ * The space is the smallest round the positions, with a tenth to spare, and V_UP_Y.
  * *path is the caller's, to be freed with v_path_free().
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT (poses that are no
  * path: all the same, a number that is not finite, a view without direction),
@@ -2147,6 +2165,43 @@ int v_path_fit_poses(const V_POSE *poses,
                      double tolerance,
                      double angle,
                      V_PATH **path);
+
+/**
+ * As v_path_fit_poses(), in a space: what stands upright there does so for rolls and ups.
+ *
+ * space   see v_space_init(). With half_size 0 only its up counts, and it is the
+ *     smallest round the positions, as with NULL
+ * *path is the caller's, to be freed with v_path_free().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE,
+ * V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_path_fit_poses_in_space(const V_POSE *poses,
+                              const double *seconds,
+                              size_t count,
+                              double fps,
+                              double tolerance,
+                              double angle,
+                              const V_SPACE *space,
+                              V_PATH **path);
+
+/**
+ * As v_path_fit_poses_in_space(), but poses that are off by more than the tolerance
+ * from what those around them say are left out; the others are met.
+ *
+ * left_out  how many are; may be NULL
+ * *path is the caller's, to be freed with v_path_free().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE,
+ * V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_path_fit_poses_robust(const V_POSE *poses,
+                            const double *seconds,
+                            size_t count,
+                            double fps,
+                            double tolerance,
+                            double angle,
+                            const V_SPACE *space,
+                            size_t *left_out,
+                            V_PATH **path);
 
 /**
  * Looks for what will look wrong in the film. Of each kind there is one finding for

@@ -5,11 +5,13 @@ use std::path::PathBuf;
 
 use clap::Args;
 use vides::document::{Document, Info};
-use vides::tools::fit::{Tolerance, fit};
+use vides::path::{Space, Up};
+use vides::tools::fit::{Options, Tolerance, fit};
 
+use super::moves::{numbers, up};
 use super::output::Output;
 use super::progress::Bar;
-use super::{Failure, input};
+use super::{Failure, complain, input};
 
 #[derive(Args)]
 pub(super) struct Arguments {
@@ -30,8 +32,31 @@ pub(super) struct Arguments {
     /// or the object of a .vid file
     #[arg(long, value_name = "FILE")]
     object: Option<PathBuf>,
+    /// Which axis stands upright
+    #[arg(long, value_name = "AXIS", value_parser = up(), default_value = "y")]
+    up: Up,
+    /// The space of the path: its centre and half its size; else the smallest
+    /// round the positions, with a tenth to spare
+    #[arg(long, value_name = "X,Y,Z,HALF", value_parser = cube, allow_hyphen_values = true)]
+    space: Option<Space>,
+    /// Leaves out poses that are off by more than the tolerance from what those
+    /// around them say, and tells how many
+    #[arg(long)]
+    robust: bool,
     #[command(flatten)]
     output: Output,
+}
+
+/// A centre and half a size.
+fn cube(text: &str) -> Result<Space, String> {
+    let &[x, y, z, half_size] = numbers(text)?.as_slice() else {
+        return Err("four numbers with commas between are wanted".to_owned());
+    };
+    Ok(Space {
+        centre: [x, y, z].into(),
+        half_size,
+        ..Space::default()
+    })
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
@@ -40,18 +65,26 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let (poses, frames) = input::poses(&arguments.file)?;
     let seconds = |frames: Vec<f64>| frames.iter().map(|frame| frame / arguments.fps).collect();
     let times: Option<Vec<f64>> = frames.map(seconds);
-    let tolerance = Tolerance {
-        position: arguments.tolerance,
-        angle: arguments.angle,
+    let options = Options {
+        tolerance: Tolerance {
+            position: arguments.tolerance,
+            angle: arguments.angle,
+        },
+        space: arguments.space.map(|space| Space {
+            up: arguments.up,
+            ..space
+        }),
+        up: arguments.up,
+        robust: arguments.robust,
     };
     let mut bar = io::stderr()
         .is_terminal()
         .then(|| Bar::new(io::stderr(), Some("poses")));
-    let path = fit(
+    let fitted = fit(
         &poses,
         times.as_deref(),
         arguments.fps,
-        tolerance,
+        &options,
         &mut |done, all| {
             if let Some(bar) = &mut bar {
                 bar.update(done, all);
@@ -65,5 +98,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         object: object.unwrap_or_default(),
         ..Info::default()
     };
-    arguments.output.write(&Document::from_parts(path, info)?)
+    if arguments.robust {
+        let (left_out, all) = (fitted.left_out, poses.len());
+        let are = if left_out == 1 { "is" } else { "are" };
+        complain(&format!("{left_out} of {all} poses {are} left out"));
+    }
+    let document = Document::from_parts(fitted.path, info)?;
+    arguments.output.write(&document)
 }

@@ -2,11 +2,12 @@
 
 use std::path::PathBuf;
 
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use clap::error::ErrorKind;
 use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
 use vides::deform::Bounds;
 use vides::document::{Document, Info};
-use vides::path::Space;
+use vides::path::{Space, Up};
 use vides::tools::moves::{MOVES, Move};
 use vides::tools::{Parameter, Unit};
 
@@ -18,6 +19,7 @@ pub(super) struct Arguments {
     /// The numbers given, by parameter index.
     given: Vec<(usize, Vec<f64>)>,
     fps: f64,
+    up: Option<Up>,
     object: Option<PathBuf>,
     output: PathBuf,
 }
@@ -30,6 +32,12 @@ pub(super) fn numbers(text: &str) -> Result<Vec<f64>, String> {
             _ => Err(format!("\"{number}\" is not a number")),
         })
         .collect()
+}
+
+/// An axis that may stand upright.
+pub(super) fn up() -> impl TypedValueParser<Value = Up> {
+    PossibleValuesParser::new([Up::Y.name(), Up::Z.name()])
+        .map(|name| if name == Up::Z.name() { Up::Z } else { Up::Y })
 }
 
 fn option(parameter: &'static Parameter) -> Arg {
@@ -70,6 +78,13 @@ impl Args for Arguments {
                         .value_name("NUMBER")
                         .value_parser(clap::value_parser!(f64))
                         .help("Frames in a second [default: 25]"),
+                )
+                .arg(
+                    Arg::new("up")
+                        .long("up")
+                        .value_name("AXIS")
+                        .value_parser(up())
+                        .help("Which axis stands upright [default: that of --object, else y]"),
                 )
                 .arg(
                     Arg::new("object")
@@ -132,6 +147,7 @@ impl FromArgMatches for Arguments {
             chosen,
             given,
             fps: matches.get_one("fps").copied().unwrap_or(25.0),
+            up: matches.get_one("up").copied(),
             object: path("object"),
             output: path("output").unwrap_or_else(|| PathBuf::from("-")),
         })
@@ -157,6 +173,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         let places: Vec<_> = info.object.iter().map(|point| point.position).collect();
         bounds = (!places.is_empty()).then(|| Bounds::of(&places));
     }
+    space.up = arguments.up.unwrap_or(space.up);
     // Moves use the frame rate: check it first.
     info.check(space)?;
     let mut numbers = arguments.chosen.defaults(bounds.as_ref(), space)?;

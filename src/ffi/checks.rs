@@ -1,18 +1,20 @@
 //! Fitting recorded poses, and checking paths.
 
 use std::ffi::{CStr, c_char, c_int};
+use std::ptr;
 
 use super::border::border;
 use super::path::{edit_by, insert_new, read};
-use super::pointers::{ArrayOut, Out, count, optional, slice, text};
+use super::pointers::{ArrayOut, Out, count, optional, read_growing, slice, text};
 use super::scene_tracks::mesh;
 use super::scene_types::V_MESH;
-use super::status::{Answer, V_ERR_INTERNAL, add_last_warning, clear_last_warning};
-use super::types::{V_PATH, V_POSE};
+use super::space::{optional_space, up_from_c};
+use super::status::{Answer, Name, V_ERR_INTERNAL, add_last_warning, clear_last_warning};
+use super::types::{V_PATH, V_POSE, V_SPACE};
 use crate::document::Edit;
 use crate::path::Pose;
 use crate::tools::check::{COUNT, Finding, FindingKind};
-use crate::tools::fit::{self, Tolerance};
+use crate::tools::fit::{Fitted, Options, Tolerance, fit};
 
 /// Something that v_path_check() found. It does not grow.
 #[repr(C)]
@@ -70,12 +72,13 @@ fn finding(found: &Finding) -> Answer<V_FINDING> {
 }
 
 /// A path of few support points that passes recorded poses: each position within
-/// tolerance, each view, up and field of view within angle degrees, at its time. Noise
-/// of up to half of that is taken out.
+/// tolerance, each view, up and field of view within angle degrees, at its time, and as
+/// smoothly as they do. Noise of up to half of that is taken out.
 ///
 /// seconds  when each pose was taken, increasing; NULL: one a frame
 /// count    at least three
 /// fps      frames in a second of the path
+/// The space is the smallest round the positions, with a tenth to spare, and V_UP_Y.
 /// *path is the caller's, to be freed with v_path_free().
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT (poses that are no
 /// path: all the same, a number that is not finite, a view without direction),
@@ -90,23 +93,113 @@ pub unsafe extern "C" fn v_path_fit_poses(
     angle: f64,
     path: *mut *mut V_PATH,
 ) -> c_int {
+    let space = ptr::null();
+    // SAFETY: the same.
+    unsafe { v_path_fit_poses_in_space(poses, seconds, count, fps, tolerance, angle, space, path) }
+}
+
+/// As v_path_fit_poses(), in a space: what stands upright there does so for rolls and ups.
+///
+/// space   see v_space_init(). With half_size 0 only its up counts, and it is the
+///     smallest round the positions, as with NULL
+/// *path is the caller's, to be freed with v_path_free().
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE,
+/// V_ERR_LIMIT, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_fit_poses_in_space(
+    poses: *const V_POSE,
+    seconds: *const f64,
+    count: usize,
+    fps: f64,
+    tolerance: f64,
+    angle: f64,
+    space: *const V_SPACE,
+    path: *mut *mut V_PATH,
+) -> c_int {
     border(V_ERR_INTERNAL, || {
         let out = Out::new(path, "path")?;
-        // SAFETY: so many poses, as the header says; the layouts are one.
-        let poses = unsafe { slice(poses.cast::<Pose>(), count, "poses") }?;
-        // SAFETY: so many doubles, as the header says.
-        let seconds = optional(seconds, |seconds| unsafe {
-            slice(seconds, count, "seconds")
-        })?;
-        let tolerance = Tolerance {
-            position: tolerance,
-            angle,
-        };
-        let fitted = fit::fit(poses, seconds, fps, tolerance, &mut |_, _| true)?;
-        let made = insert_new(fitted, fps)?;
+        // SAFETY: a space, as the header says.
+        let options = unsafe { options(tolerance, angle, space) }?;
+        // SAFETY: so many poses and doubles, as the header says.
+        let fitted = unsafe { fitted(poses, seconds, count, fps, &options) }?;
+        let made = insert_new(fitted.path, fps)?;
         // SAFETY: room for a handle, as the header says.
         unsafe { out.answer(made) }
     })
+}
+
+/// As v_path_fit_poses_in_space(), but poses that are off by more than the tolerance
+/// from what those around them say are left out; the others are met.
+///
+/// left_out  how many are; may be NULL
+/// *path is the caller's, to be freed with v_path_free().
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE,
+/// V_ERR_LIMIT, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_fit_poses_robust(
+    poses: *const V_POSE,
+    seconds: *const f64,
+    count: usize,
+    fps: f64,
+    tolerance: f64,
+    angle: f64,
+    space: *const V_SPACE,
+    left_out: *mut usize,
+    path: *mut *mut V_PATH,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let (out, left_out) = (
+            Out::new(path, "path")?,
+            Out::optional(left_out, "left_out")?,
+        );
+        // SAFETY: a space, as the header says.
+        let mut options = unsafe { options(tolerance, angle, space) }?;
+        options.robust = true;
+        // SAFETY: so many poses and doubles, as the header says.
+        let fitted = unsafe { fitted(poses, seconds, count, fps, &options) }?;
+        let made = insert_new(fitted.path, fps)?;
+        // SAFETY: room for a number and a handle, as the header says.
+        unsafe {
+            left_out.write(fitted.left_out);
+            out.answer(made)
+        }
+    })
+}
+
+/// What a fit goes by.
+///
+/// # Safety
+/// `space` is NULL or points to a struct as its `size` says.
+unsafe fn options(position: f64, angle: f64, space: *const V_SPACE) -> Answer<Options> {
+    let mut options = Options::from(Tolerance { position, angle });
+    // SAFETY: as required of the caller.
+    let given = optional(space, |space| unsafe { read_growing(space, "space") })?;
+    match given {
+        Some(given) if given.half_size == 0.0 => {
+            options.up = up_from_c(given.up, Name::Field("space", "up"))?
+        }
+        // SAFETY: as required of the caller.
+        _ => options.space = unsafe { optional_space(space) }?,
+    }
+    Ok(options)
+}
+
+/// # Safety
+/// There are `count` poses and, unless NULL, seconds.
+unsafe fn fitted(
+    poses: *const V_POSE,
+    seconds: *const f64,
+    count: usize,
+    fps: f64,
+    options: &Options,
+) -> Answer<Fitted> {
+    // SAFETY: as required of the caller; the layouts are one.
+    let poses = unsafe { slice(poses.cast::<Pose>(), count, "poses") }?;
+    // SAFETY: as required of the caller.
+    let seconds = optional(seconds, |seconds| unsafe {
+        slice(seconds, count, "seconds")
+    })?;
+    Ok(fit(poses, seconds, fps, options, &mut |_, _| true)?)
 }
 
 /// Looks for what will look wrong in the film. Of each kind there is one finding for

@@ -1,6 +1,7 @@
 //! Tools on paths: moves, points moved and deformed, blocks, blends.
 
 use std::ffi::{c_char, c_int};
+use std::ptr;
 
 use glam::DMat4;
 
@@ -9,14 +10,15 @@ use super::path::{edit, edit_by, insert, insert_new, read};
 use super::pointers::{Out, how_many, index, most, optional, read_array, slice, text};
 use super::points::point;
 use super::scene_tracks::{bounds, deformation};
+use super::space::optional_space;
 use super::status::{Answer, Failure, Name, V_ERR_INTERNAL};
-use super::types::V_PATH;
+use super::types::{V_PATH, V_SPACE};
 use crate::document::{Document, Edit, Info};
 use crate::error::{OutOfRange, can_allocate, vec_with_room};
-use crate::path::{CameraPath, Space};
+use crate::path::CameraPath;
+use crate::tools::blend;
 use crate::tools::block::{self, Fit};
 use crate::tools::moves::Move;
-use crate::tools::{Parameter, blend};
 
 /// ==== How a block is put in, see v_path_insert_path() ====
 ///
@@ -50,7 +52,8 @@ fn range(document: &Document, first: c_int, last: c_int) -> Answer<Vec<usize>> {
 ///
 /// A path by a ready-made move, at 25 frames a second. Its numbers stand in the
 /// order below, a place as three; those behind count have their defaults. Headings
-/// are seen from the target: 0 lies towards +z, 90 towards +x.
+/// are seen from the target: 0 lies towards +z, 90 towards +x. All its sections have one
+/// speed.
 ///
 /// "orbit"  on a circle round a target
 ///     around x y z (0), radius (1), height (0.4), from degrees (0), turns (1),
@@ -90,22 +93,43 @@ pub unsafe extern "C" fn v_path_from_move(
     count: usize,
     path: *mut *mut V_PATH,
 ) -> c_int {
+    // SAFETY: the same.
+    unsafe { v_path_from_move_in_space(r#move, parameters, count, ptr::null(), path) }
+}
+
+/// As v_path_from_move(), in a space: where it has V_UP_Z, headings lie towards +x (0)
+/// and +y (90) and heights along z. Lengths behind count have their defaults times its
+/// half size, places its centre.
+///
+/// space   see v_space_init(); NULL: centre (0, 0, 0), half size 1, V_UP_Y
+/// *path is the caller's, to be freed with v_path_free().
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT,
+/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_from_move_in_space(
+    r#move: *const c_char,
+    parameters: *const f64,
+    count: usize,
+    space: *const V_SPACE,
+    path: *mut *mut V_PATH,
+) -> c_int {
     border(V_ERR_INTERNAL, || {
         let out = Out::new(path, "path")?;
         // SAFETY: a text ended by zero, as the header says.
         let found = Move::named(unsafe { text(r#move, "move") }?)?;
-        let most = Parameter::count(found.parameters);
-        if count > most {
-            return Err(OutOfRange::NumbersGiven { given: count, most }.into());
-        }
-        let given = if count == 0 {
-            &[][..]
-        } else {
+        // SAFETY: a space, as the header says.
+        let space = unsafe { optional_space(space) }?.unwrap_or_default();
+        let mut numbers = found.defaults(None, space)?;
+        if count > 0 {
+            let most = numbers.len();
+            let Some(numbers) = numbers.get_mut(..count) else {
+                return Err(OutOfRange::NumbersGiven { given: count, most }.into());
+            };
             // SAFETY: so many doubles, as the header says.
-            unsafe { slice(parameters, count, "parameters") }?
-        };
+            numbers.copy_from_slice(unsafe { slice(parameters, count, "parameters") }?);
+        }
         let fps = Info::default().fps;
-        let made = insert_new(found.path(given, Space::default(), fps)?, fps)?;
+        let made = insert_new(found.path(&numbers, space, fps)?, fps)?;
         // SAFETY: room for a handle, as the header says.
         unsafe { out.answer(made) }
     })

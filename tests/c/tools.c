@@ -139,6 +139,65 @@ static void recorded_poses_are_fitted(void)
     v_path_free(path);
 }
 
+/* A move and a fit where z stands upright: the coordinates turned, a space that holds
+ * them, and poses that are off left out. */
+static void moves_and_fits_have_a_space(void)
+{
+    V_PATH *path = NULL, *fitted = NULL;
+    V_SPACE space;
+    static V_POSE poses[250], again[250];
+    double centre[3], half;
+    size_t count = 0, left_out = 99, i;
+    int up, k;
+
+    v_space_init(&space);
+    space.centre[0] = 1000;
+    space.half_size = 50;
+    space.up = V_UP_Z;
+    OK(v_path_from_move_in_space("orbit", NULL, 0, &space, &path));
+    OK(v_path_get_space(path, centre, &half, &up));
+    CHECK(centre[0] == 1000 && half == 50 && up == V_UP_Z);
+    OK(v_path_sample(path, poses, 250, &count));
+    CHECK(count == 250);
+    for (i = 0; i < count; i++) {
+        NEAR(hypot(poses[i].vrp[0] - 1000, poses[i].vrp[1]), 50, 1e-4);
+        NEAR(poses[i].vrp[2], 20, 1e-9);
+        CHECK(poses[i].vup[2] > 0.9);
+    }
+    STATUS(V_ERR_ARGUMENT, v_path_from_move_in_space("loop", NULL, 0, &space, &fitted));
+
+    space.half_size = 0;
+    OK(v_path_fit_poses_in_space(poses, NULL, count, 25, 0.1, 0.5, &space, &fitted));
+    OK(v_path_get_space(fitted, centre, &half, &up));
+    NEAR(centre[0], 1000, 0.1);
+    NEAR(half, 55, 0.1);
+    CHECK(up == V_UP_Z);
+    v_path_free(fitted);
+    space.half_size = 400;
+    OK(v_path_fit_poses_in_space(poses, NULL, count, 25, 0.1, 0.5, &space, &fitted));
+    OK(v_path_get_space(fitted, centre, &half, &up));
+    CHECK(centre[0] == 1000 && half == 400);
+    v_path_free(fitted);
+    OK(v_path_fit_poses_in_space(poses, NULL, count, 25, 0.1, 0.5, NULL, &fitted));
+    OK(v_path_get_space(fitted, centre, &half, &up));
+    NEAR(half, 55, 0.1);
+    CHECK(up == V_UP_Y);
+    v_path_free(fitted);
+
+    poses[77].vrp[2] += 5;
+    OK(v_path_fit_poses_robust(poses, NULL, count, 25, 0.1, 0.5, &space, &left_out, &fitted));
+    CHECK(left_out == 1);
+    OK(v_path_sample(fitted, again, 250, &count));
+    CHECK(count == 250);
+    for (i = 0; i < count; i++)
+        for (k = 0; k < 3; k++)
+            NEAR(again[i].vrp[k], poses[i].vrp[k] - 5 * (i == 77 && k == 2), 0.11);
+    v_path_free(fitted);
+    space.size = 1;
+    STATUS(V_ERR_SIZE, v_path_fit_poses_in_space(poses, NULL, 9, 25, 1, 1, &space, &fitted));
+    v_path_free(path);
+}
+
 static void what_looks_wrong_is_found(void)
 {
     V_PATH *path = orbit(1, 4);
@@ -253,6 +312,7 @@ int main(void)
     points_are_moved_and_deformed();
     blocks();
     recorded_poses_are_fitted();
+    moves_and_fits_have_a_space();
     what_looks_wrong_is_found();
     return failures != 0;
 }

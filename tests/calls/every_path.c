@@ -606,8 +606,7 @@ CALL(v_path_get_space)
     return v_path_get_space(path, centre, half_size, result(sizeof(int), 1));
 }
 
-/* A space, or none, which is as good. */
-static const V_SPACE *a_space(void)
+const V_SPACE *a_space(void)
 {
     V_SPACE space;
     int i;

@@ -29,6 +29,15 @@ CALL(v_path_from_move)
     return made(v_path_from_move(name, parameters, 3, path), path);
 }
 
+CALL(v_path_from_move_in_space)
+{
+    const double *parameters = numbers(3, -1, 1);
+    const V_SPACE *space = a_space();
+    V_PATH **path = result(sizeof *path, 0);
+
+    return made(v_path_from_move_in_space(text("orbit"), parameters, 3, space, path), path);
+}
+
 /* Two points in their order. */
 static int a_range(const V_PATH *path, int *last)
 {
@@ -113,12 +122,11 @@ CALL(v_path_blend)
                              given("weights", weights, sizeof weights), 2, blend), blend);
 }
 
-CALL(v_path_fit_poses)
+/* Twelve poses on a way. */
+static const V_POSE *some_poses(void)
 {
     V_POSE poses[12];
     int k;
-    V_PATH **path;
-    const V_POSE *given_poses;
 
     for (k = 0; k < 12; k++) {
         const V_POSE pose = {{0, 0, 0}, {0, 0, 1}, {0, 1, 0}, 24};
@@ -126,10 +134,37 @@ CALL(v_path_fit_poses)
         poses[k].vrp[0] = 0.1 * k;
     }
     poses[3].vrp[1] = number(-0.1, 0.1);
-    given_poses = given("poses", poses, sizeof poses);
-    path = result(sizeof *path, 0);
-    return made(v_path_fit_poses(given_poses, NULL, 12, number(1, 100), number(0.01, 0.1),
+    return given("poses", poses, sizeof poses);
+}
+
+CALL(v_path_fit_poses)
+{
+    const V_POSE *poses = some_poses();
+    V_PATH **path = result(sizeof *path, 0);
+
+    return made(v_path_fit_poses(poses, NULL, 12, number(1, 100), number(0.01, 0.1),
                                  number(0.1, 2), path), path);
+}
+
+CALL(v_path_fit_poses_in_space)
+{
+    const V_POSE *poses = some_poses();
+    const V_SPACE *space = a_space();
+    V_PATH **path = result(sizeof *path, 0);
+
+    return made(v_path_fit_poses_in_space(poses, NULL, 12, number(1, 100), number(0.01, 0.1),
+                                          number(0.1, 2), space, path), path);
+}
+
+CALL(v_path_fit_poses_robust)
+{
+    const V_POSE *poses = some_poses();
+    const V_SPACE *space = a_space();
+    size_t *left_out = result(sizeof *left_out, 1);
+    V_PATH **path = result(sizeof *path, 0);
+
+    return made(v_path_fit_poses_robust(poses, NULL, 12, number(1, 100), number(0.01, 0.1),
+                                        number(0.1, 2), space, left_out, path), path);
 }
 
 CALL(v_path_check)

@@ -85,6 +85,7 @@
     F(v_path_set_ahead, STATUS, V_OK, 0) \
     F(v_path_set_up, STATUS, V_OK, 0) \
     F(v_path_from_move, STATUS, V_OK, 0) \
+    F(v_path_from_move_in_space, STATUS, V_OK, 0) \
     F(v_path_transform, STATUS, -2, 0) \
     F(v_path_deform, STATUS, -2, 0) \
     F(v_path_extract, STATUS, V_OK, 0) \
@@ -93,6 +94,8 @@
     F(v_path_repeat, STATUS, V_OK, 0) \
     F(v_path_blend, STATUS, -2, 0) \
     F(v_path_fit_poses, STATUS, V_OK, 0) \
+    F(v_path_fit_poses_in_space, STATUS, V_OK, 0) \
+    F(v_path_fit_poses_robust, STATUS, V_OK, 0) \
     F(v_path_check, STATUS, V_OK, 0) \
     F(v_path_set_limit, STATUS, V_OK, 0) \
     F(v_path_get_limit, STATUS, V_OK, 0) \

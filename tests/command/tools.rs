@@ -325,6 +325,48 @@ fn a_sampled_film_becomes_a_path_again() {
 }
 
 #[test]
+fn fits_and_moves_have_a_space() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let orbit = written(folder, "z.vid", &["move", "orbit", "--up", "z"]);
+    for pose in poses_of(&orbit) {
+        assert!((pose.vrp[0].hypot(pose.vrp[1]) - 1.0).abs() < 1e-6 && pose.vup[2] > 0.9);
+    }
+    let poses = folder.join("poses.csv");
+    let poses = poses.to_str().unwrap();
+    said(&run(&["sample", &orbit, "--format", "csv", "-o", poses]));
+    let space = |file: &str| Document::load(Path::new(file)).unwrap().path().space;
+    let fitted = written(folder, "fitted.vid", &["fit", poses, "--up", "z"]);
+    assert_eq!(space(&fitted).up.name(), "z");
+    assert!((space(&fitted).half_size - 1.1).abs() < 1e-3);
+    let given = ["fit", poses, "--space", "-1,2,3,40"];
+    let space = space(&written(folder, "given.vid", &given));
+    assert_eq!(
+        (space.centre.to_array(), space.half_size),
+        ([-1.0, 2.0, 3.0], 40.0)
+    );
+    complaint(&run(&["fit", poses, "--space", "1,2,3"]), 2);
+    complaint(&run(&["fit", poses, "--up", "x"]), 2);
+    sentence(&run(&["fit", poses, "--space", "1,2,3,0"]), 1);
+    // One pose far off.
+    let text = std::fs::read_to_string(poses).unwrap();
+    let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+    let mut numbers: Vec<&str> = text.lines().nth(100).unwrap().split(',').collect();
+    numbers[3] = "7";
+    lines[100] = numbers.join(",");
+    std::fs::write(poses, lines.join("\n")).unwrap();
+    let robust = folder.join("robust.vid");
+    let arguments = ["fit", poses, "--robust", "-o", robust.to_str().unwrap()];
+    let output = run(&arguments);
+    assert!(output.status.success());
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(told, "vides: 1 of 250 poses is left out\n");
+    for pose in poses_of(robust.to_str().unwrap()) {
+        assert!((pose.vrp[2] - 0.4).abs() < 0.011);
+    }
+}
+
+#[test]
 fn a_check_tells_by_its_exit_status() {
     let folder = tempfile::tempdir().unwrap();
     let folder = folder.path();

@@ -1,7 +1,7 @@
 //! A path along a line drawn by hand.
 
 use glam::DVec3;
-use vides_engine::tools::fit::{Tolerance, fit};
+use vides_engine::tools::fit::{Options, Tolerance, fit};
 
 use super::editing::Document;
 use crate::error::Result;
@@ -25,9 +25,12 @@ pub(super) fn drawn(document: &Document, places: &[DVec3], tolerance: f64) -> Re
         position: tolerance,
         angle: 1.0,
     };
-    let mut made = fit(&poses, None, document.info().fps, tolerance, &mut |_, _| {
-        true
-    })?;
+    let options = Options {
+        space: Some(path.space),
+        ..tolerance.into()
+    };
+    let fps = document.info().fps;
+    let mut made = fit(&poses, None, fps, &options, &mut |_, _| true)?.path;
     let here = document.selection();
     let mut view = path.points[here.point].orientations[here.orientation].clone();
     view.own = view.own.for_a_copy()?;
@@ -36,7 +39,6 @@ pub(super) fn drawn(document: &Document, places: &[DVec3], tolerance: f64) -> Re
         point.orientations = vec![view.clone()];
     }
     made.base_frames = path.base_frames;
-    made.space = path.space;
     Ok(made)
 }
 

@@ -7,7 +7,7 @@ use glam::{DQuat, DVec3};
 use vides_engine::deform::{Bounds, Deformation, identity_lattice};
 use vides_engine::tools::blend::blend;
 use vides_engine::tools::block::{self, Fit};
-use vides_engine::tools::fit::{Tolerance, fit};
+use vides_engine::tools::fit::{Options, Tolerance, fit};
 use vides_engine::tools::moves::{MOVES, Move};
 use vides_engine::tools::{Parameter, transform};
 
@@ -18,7 +18,7 @@ use super::prepare::no_longer_ahead;
 use crate::cage;
 pub use crate::cage::Cage;
 use crate::error::{OutOfRange, Result};
-use crate::path::{CameraPath, Pose, Space, Target, Up};
+use crate::path::{CameraPath, Pose, Target};
 use table::{ABOUT, AXIS, FIRST, LAST, PUT, SEEN, TOOLS};
 
 /// A tool: its name, description and parameters.
@@ -282,7 +282,8 @@ impl Tool {
     }
 }
 
-/// A path of few points through recorded poses, in the space and with the base speeds of another.
+/// A path of few points through recorded poses, with the base speeds of another, and in its space
+/// if that holds them.
 pub(super) fn fitted(
     poses: &[Pose],
     seconds: Option<&[f64]>,
@@ -290,13 +291,16 @@ pub(super) fn fitted(
     tolerance: Tolerance,
     like: &CameraPath,
 ) -> Result<CameraPath> {
-    let mut made = fit(poses, seconds, fps, tolerance, &mut |_, _| true)?;
-    made.base_frames = like.base_frames;
-    // The fit computes rolls for an upright y.
-    made.space = Space {
-        up: Up::Y,
-        ..like.space
+    let space = like.space;
+    let far = |pose: &Pose| (DVec3::from(pose.vrp) - space.centre).abs().max_element();
+    let holds = poses.iter().all(|pose| far(pose) <= space.half_size);
+    let options = Options {
+        space: holds.then_some(space),
+        up: space.up,
+        ..tolerance.into()
     };
+    let mut made = fit(poses, seconds, fps, &options, &mut |_, _| true)?.path;
+    made.base_frames = like.base_frames;
     Ok(made)
 }
 

@@ -1,30 +1,28 @@
 //! Recorded poses become a path of few points.
 //!
-//! Noise is taken out first (`smooth.rs`); then pieces, each as long as it may be, are fitted one
-//! after the other (Schneider 1990; `docs/tools.md`, fit). If the path misses a pose after all, it
-//! is made again with the noise left in.
+//! First splines that are smooth and near the poses (`fit/motion.rs`); then pieces, each as long as
+//! it may be (`fit/piece.rs`), that begin and end in the states of the splines: so directions,
+//! speeds and turning go on from one to the next, and accelerations nearly. If the path misses a
+//! pose after all, it is made again with the noise left in.
 
+mod motion;
 mod piece;
 
 use glam::{DMat3, DQuat, DVec3};
 
-use super::smooth::{Row, noise, smoothed};
 use crate::error::{Error, Invalid, OutOfRange, Place, Result, TooMany, vec_with_room};
-use crate::limits::{MAX_FPS, MAX_POINTS, MAX_ZOOM, MIN_ZOOM};
+use crate::limits::{MAX_FPS, MAX_POINTS};
 use crate::math::orientation::{quaternion_from_view, roll_from_up, view_from_quaternion};
 use crate::math::quaternion::{angle, continue_sign};
 use crate::path::camera_path::{check_coordinates, check_zoom};
 use crate::path::hermite::Cubic;
 use crate::path::{
-    CameraPath, Orientation, Own, Pace, Pose, Sampler, SupportPoint, Tangents, Target, Timeline,
-    Velocities,
+    CameraPath, Orientation, Own, Pace, Pose, Sampler, Space, SupportPoint, Tangents, Target,
+    Timeline, Up, Velocities,
 };
 
 /// A pose missed by no more than so many times the tolerance counts as met.
 const WITHIN: f64 = 1.001;
-
-/// Rounds of a fit; most settle sooner.
-const ROUNDS: usize = 24;
 
 /// How well the path must meet the poses.
 #[derive(Debug, Clone, Copy)]
@@ -35,6 +33,39 @@ pub struct Tolerance {
     pub angle: f64,
 }
 
+/// What a fit goes by.
+#[derive(Debug, Clone, Copy)]
+pub struct Options {
+    /// How well the poses must be met.
+    pub tolerance: Tolerance,
+    /// The space of the path; none: the smallest round the positions, with a tenth to spare.
+    pub space: Option<Space>,
+    /// What stands upright where no space says.
+    pub up: Up,
+    /// Poses that are off by more than the tolerance from what those around them say are left out.
+    pub robust: bool,
+}
+
+impl From<Tolerance> for Options {
+    fn from(tolerance: Tolerance) -> Self {
+        Self {
+            tolerance,
+            space: None,
+            up: Up::Y,
+            robust: false,
+        }
+    }
+}
+
+/// A path, and how many poses it leaves out.
+#[derive(Debug)]
+pub struct Fitted {
+    /// The path.
+    pub path: CameraPath,
+    /// Poses that a robust fit did not look at.
+    pub left_out: usize,
+}
+
 /// Called now and then with the poses done and all of them; false ends the work.
 pub type Progress<'a> = &'a mut dyn FnMut(usize, usize) -> bool;
 
@@ -42,10 +73,13 @@ struct Data {
     /// In frames from the first.
     times: Vec<f64>,
     raw: Vec<Sample>,
-    smooth: Vec<Sample>,
+    /// Which of them do not count.
+    left_out: Vec<bool>,
     tolerance: f64,
     /// Radians.
     angle: f64,
+    fps: f64,
+    space: Space,
 }
 
 #[derive(Clone, Copy)]
@@ -64,9 +98,10 @@ impl Sample {
 }
 
 struct Piece {
-    first: usize,
-    last: usize,
     frames: u32,
+    start: Sample,
+    end: Sample,
+    /// None on the spot.
     curve: Option<Cubic>,
     pace: Pace,
     /// Of the whole piece, on S³, leaving and reaching.
@@ -78,10 +113,10 @@ struct Piece {
 }
 
 /// What a piece takes over from the one before.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Copy)]
 struct Joint {
-    direction: Option<DVec3>,
-    /// For a frame.
+    sample: Sample,
+    /// For a frame at speed 50.
     zoom_slope: Option<f64>,
 }
 
@@ -89,57 +124,64 @@ struct Joint {
 /// frame. Its points stand at whole frames; poses that move too much between them are refused.
 ///
 /// # Errors
-/// [`crate::Error::Argument`] or [`crate::Error::Range`] for too few or bad poses, a bad tolerance,
-/// and where `progress` ends it; [`crate::Error::Limit`], [`crate::Error::Memory`].
+/// [`crate::Error::Argument`] or [`crate::Error::Range`] for too few or bad poses, a bad tolerance
+/// or space, and where `progress` ends it; [`crate::Error::Limit`], [`crate::Error::Memory`].
 pub fn fit(
     poses: &[Pose],
     seconds: Option<&[f64]>,
     fps: f64,
-    tolerance: Tolerance,
+    options: &Options,
     progress: Progress<'_>,
-) -> Result<CameraPath> {
-    let mut data = Data::new(poses, seconds, fps, tolerance)?;
-    let path = data.fitted(progress)?;
-    if data.worst(&path)?.is_none() {
-        return Ok(path);
+) -> Result<Fitted> {
+    let mut data = Data::new(poses, seconds, fps, options)?;
+    if options.robust {
+        data.leave_out()?;
     }
-    data.smooth.clone_from(&data.raw);
-    let path = data.fitted(progress)?;
-    match data.worst(&path)? {
-        None => Ok(path),
-        Some((at, times)) => Err(Error::from(Invalid::PoseMissed(times)).at(Place::Pose(at))),
+    let mut path = data.fitted(false, progress)?;
+    if data.worst(&path)?.is_some() {
+        path = data.fitted(true, progress)?;
+        if let Some((at, times)) = data.worst(&path)? {
+            return Err(Error::from(Invalid::PoseMissed(times)).at(Place::Pose(at)));
+        }
     }
+    let left_out = data.left_out.iter().filter(|left_out| **left_out).count();
+    Ok(Fitted { path, left_out })
 }
 
 impl Data {
-    fn fitted(&self, progress: Progress<'_>) -> Result<CameraPath> {
-        let (data, last) = (self, self.raw.len() - 1);
+    /// `exact`: with the noise left in.
+    fn fitted(&self, exact: bool, progress: Progress<'_>) -> Result<CameraPath> {
+        let last = self.raw.len() - 1;
+        let mut go_on = |done: usize| {
+            if progress(done, last) {
+                return Ok(());
+            }
+            Err(Error::from(Invalid::Cancelled))
+        };
+        let (stretches, peaks) = self.stretches(exact, &mut || go_on(0))?;
         let mut pieces: Vec<Piece> = Vec::new();
-        let (mut at, mut joint, mut guess) = (0, Joint::default(), 8);
-        while at < last {
-            let Some(piece) = data.longest(at, joint, guess)? else {
-                // The rest is within one frame.
-                break;
-            };
-            guess = piece.last - piece.first;
-            at = piece.last;
-            joint = Joint {
-                direction: piece
-                    .curve
-                    .and_then(|curve| curve.derivative(1.0).try_normalize()),
-                zoom_slope: if piece.holds {
-                    joint.zoom_slope
-                } else {
-                    Some(piece.zoom_slopes[1] / f64::from(piece.frames))
-                },
-            };
-            pieces.try_reserve(1)?;
-            pieces.push(piece);
-            if !progress(at, last) {
-                return Err(Invalid::Cancelled.into());
+        let mut joint = Joint {
+            sample: stretches[0].at(0.0).sample,
+            zoom_slope: None,
+        };
+        for stretch in &stretches {
+            let [begin, end] = [stretch.first, stretch.last].map(|k| self.times[k].round());
+            let mut at = begin;
+            let mut guess = 8.0;
+            while at < end {
+                let piece = self.longest(stretch, peaks, [begin, at, end], joint, guess)?;
+                guess = f64::from(piece.frames);
+                at += guess;
+                joint.sample = piece.end;
+                if !piece.holds {
+                    joint.zoom_slope = Some(piece.zoom_slopes[1] / guess);
+                }
+                pieces.try_reserve(1)?;
+                pieces.push(piece);
+                go_on(self.times.partition_point(|time| *time < at).min(last))?;
             }
         }
-        data.path(&pieces)
+        self.path(&pieces, joint.sample)
     }
 
     /// The pose that a path misses most, and by how many times the tolerance; none if it meets all.
@@ -148,10 +190,13 @@ impl Data {
         let last = sampler.frame_count() as f64;
         let mut worst = (0, WITHIN);
         for (at, (sample, time)) in self.raw.iter().zip(&self.times).enumerate() {
+            if self.left_out[at] {
+                continue;
+            }
             let pose = sampler.pose((1.0 + time).clamp(1.0, last))?;
             let far = DVec3::from_array(pose.vrp).distance(sample.position);
-            let turn = quaternion_from_view(pose.vpn.into(), pose.vup.into());
-            let off = self.off(at, turn, pose.zoom);
+            let turn = self.turn(pose.vpn.into(), pose.vup.into());
+            let off = sample.off(turn, pose.zoom);
             let times = (far / self.tolerance).max(off / self.angle);
             if times > worst.1 {
                 worst = (at, times);
@@ -160,12 +205,8 @@ impl Data {
         Ok((worst.1 > WITHIN).then_some(worst))
     }
 
-    fn new(
-        poses: &[Pose],
-        seconds: Option<&[f64]>,
-        fps: f64,
-        tolerance: Tolerance,
-    ) -> Result<Self> {
+    fn new(poses: &[Pose], seconds: Option<&[f64]>, fps: f64, options: &Options) -> Result<Self> {
+        let tolerance = options.tolerance;
         if !(fps > 0.0 && fps <= MAX_FPS) {
             return Err(OutOfRange::Fps.into());
         }
@@ -188,9 +229,10 @@ impl Data {
                 }
             }
         }
+        let up = options.space.map_or(options.up, |space| space.up);
         let mut raw: Vec<Sample> = vec_with_room(poses.len())?;
         for (k, pose) in poses.iter().enumerate() {
-            let sample = sample(pose).map_err(|error| error.at(Place::Pose(k)))?;
+            let sample = sample(pose, up).map_err(|error| error.at(Place::Pose(k)))?;
             let before = raw.last().map_or(sample.turn, |before| before.turn);
             raw.push(Sample {
                 turn: continue_sign(before, sample.turn).0,
@@ -201,83 +243,42 @@ impl Data {
         if poses.iter().all(|pose| *pose == first) {
             return Err(Invalid::SamePoses.into());
         }
-        let mut data = Self {
+        let space = match options.space {
+            Some(space) => space,
+            None => space_of(&raw, up)?,
+        };
+        space.check()?;
+        let mut left_out = vec_with_room(raw.len())?;
+        left_out.resize(raw.len(), false);
+        Ok(Self {
             times,
-            smooth: Vec::new(),
             raw,
+            left_out,
             tolerance: tolerance.position,
             angle: tolerance.angle.to_radians(),
-        };
-        data.smooth = data.without_noise()?;
-        Ok(data)
+            fps,
+            space,
+        })
     }
 
-    /// The samples with the noise taken out, if there is any to speak of.
-    fn without_noise(&self) -> Result<Vec<Sample>> {
-        let mut rows: Vec<Row> = vec_with_room(self.raw.len())?;
-        rows.extend(self.raw.iter().map(|sample| {
-            let (p, q) = (sample.position, sample.turn);
-            [p.x, p.y, p.z, q.x, q.y, q.z, q.w, sample.zoom]
-        }));
-        let noise = noise(&rows)?;
-        let place = noise[0].max(noise[1]).max(noise[2]);
-        // On S³ an angle counts half.
-        let turn = 2.0 * noise[3..7].iter().fold(0.0, |a: f64, b| a.max(*b));
-        let mut smooth = vec_with_room(self.raw.len())?;
-        if place < 0.01 * self.tolerance && turn < 0.01 * self.angle {
-            smooth.extend_from_slice(&self.raw);
-            return Ok(smooth);
-        }
-        // Noise may miss by all of its own, and motion by a little more.
-        let allowed = |noise: f64, most: f64| (3.3 * noise).clamp(0.6 * most, 0.93 * most);
-        let (place, turn) = (allowed(place, self.tolerance), allowed(turn, self.angle));
-        let misses = |is: &Row, fitted: &Row| {
-            let far = |range: std::ops::Range<usize>| {
-                let squares = range.map(|k| (is[k] - fitted[k]).powi(2));
-                squares.sum::<f64>().sqrt()
-            };
-            let seen = (view_angle(is[7]) - view_angle(fitted[7])).abs();
-            (far(0..3) / place)
-                .max(2.0 * far(3..7) / turn)
-                .max(seen / turn)
-        };
-        for (row, raw) in smoothed(&self.times, &rows, &misses)?.iter().zip(&self.raw) {
-            let turn = DQuat::from_xyzw(row[3], row[4], row[5], row[6]);
-            let found = Sample {
-                position: DVec3::new(row[0], row[1], row[2]),
-                turn: turn.normalize(),
-                zoom: row[7].clamp(MIN_ZOOM, MAX_ZOOM),
-            };
-            // What is no noise, a jump or more than is allowed, stays.
-            let far = found.position.distance(raw.position);
-            let kept = far > self.tolerance || raw.off(found.turn, found.zoom) > self.angle;
-            smooth.push(if kept { *raw } else { found });
-        }
-        Ok(smooth)
+    /// View and up of the world as a quaternion in y-up axes.
+    fn turn(&self, view: DVec3, up: DVec3) -> DQuat {
+        let axes = self.space.up;
+        quaternion_from_view(axes.upright(view), axes.upright(up))
     }
 
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-    fn frames(&self, first: usize, last: usize) -> u32 {
-        (self.times[last].round() - self.times[first].round()) as u32
-    }
-
-    fn path(&self, pieces: &[Piece]) -> Result<CameraPath> {
-        let mut points: Vec<SupportPoint> = vec_with_room(pieces.len() + 2)?;
-        let mut start = Start::default();
+    fn path(&self, pieces: &[Piece], end: Sample) -> Result<CameraPath> {
+        let mut points: Vec<SupportPoint> = vec_with_room(pieces.len() + 1)?;
+        let (mut before, mut hold) = (None, 0);
         for piece in pieces {
             if piece.holds {
-                let hold = start.hold + piece.frames;
-                start = Start { hold, ..start };
+                hold += piece.frames;
                 continue;
             }
-            points.push(self.point(&start, Some(piece))?);
-            start = Start {
-                at: piece.last,
-                hold: 0,
-                before: Some(piece),
-            };
+            points.push(self.point(&piece.start, hold, [before, Some(piece)])?);
+            (before, hold) = (Some(piece), 0);
         }
-        points.push(self.point(&start, None)?);
+        points.push(self.point(&end, hold, [before, None])?);
         if points.len() == 1 {
             return Err(Invalid::WithinTolerance.into());
         }
@@ -286,60 +287,53 @@ impl Data {
         }
         let mut path = CameraPath::try_new()?;
         path.points = points;
+        path.space = self.space;
         path.check()?;
         Ok(path)
     }
 
-    fn point(&self, start: &Start<'_>, next: Option<&Piece>) -> Result<SupportPoint> {
-        let at = &self.smooth[start.at];
-        let before = start.before;
+    /// The point between two pieces: its pose, and how long it rests there.
+    fn point(&self, at: &Sample, hold: u32, pieces: [Option<&Piece>; 2]) -> Result<SupportPoint> {
+        // What one of the two does not say is as the other has it.
+        fn sides<T: Copy>(
+            [before, after]: [Option<&Piece>; 2],
+            of: impl Fn(&Piece, usize) -> T,
+        ) -> Option<[T; 2]> {
+            let reach = before.map(|piece| of(piece, 1));
+            let leave = after.map(|piece| of(piece, 0));
+            Some([reach.or(leave)?, leave.or(reach)?])
+        }
+        let axes = self.space.up;
         let mut point = SupportPoint::try_new(at.position)?;
-        let tangent = |piece: Option<&Piece>, t: f64| {
-            Some(
-                piece?
-                    .curve
-                    .map_or(DVec3::ZERO, |curve| curve.derivative(t)),
-            )
-        };
-        let (reach, leave) = (tangent(before, 1.0), tangent(next, 0.0));
-        point.tangents = Some(Tangents {
-            before: reach.or(leave).unwrap_or_default(),
-            after: leave.or(reach).unwrap_or_default(),
-        });
-        let (view, up) = view_from_quaternion(at.turn);
-        let rate = |piece: Option<&Piece>, side: usize| {
+        point.tangents = sides(pieces, |piece, side| {
+            let derivative = |curve: Cubic| curve.derivative([0.0, 1.0][side]);
+            piece.curve.map_or(DVec3::ZERO, derivative)
+        })
+        .map(|[before, after]| Tangents { before, after });
+        let velocities = sides(pieces, |piece, side| {
             // A rotation counts twice its angle on S³.
-            let piece = piece?;
-            Some(piece.velocities[side] * (2f64.to_degrees() / f64::from(piece.frames)))
-        };
-        let (reach, leave) = (rate(before, 1), rate(next, 0));
-        let slope = |piece: &Piece, side: usize| piece.zoom_slopes[side] / f64::from(piece.frames);
-        let zoom_slope = before
-            .map(|piece| slope(piece, 1))
-            .or_else(|| next.map(|piece| slope(piece, 0)));
-        let zooms = |piece: Option<&Piece>| {
-            piece.is_some_and(|piece| {
-                let ends = [piece.first, piece.last].map(|k| self.smooth[k].zoom);
-                ends[0] != ends[1] || piece.zoom_slopes != [0.0; 2]
-            })
-        };
-        let zooms = zooms(before) || zooms(next);
+            axes.world(piece.velocities[side]) * (2f64.to_degrees() / f64::from(piece.frames))
+        })
+        .map(|[reach, leave]| Velocities { reach, leave });
+        let zooms =
+            |piece: &&Piece| piece.start.zoom != piece.end.zoom || piece.zoom_slopes != [0.0; 2];
+        let zooms = pieces.iter().flatten().any(zooms);
+        let slope = |piece: &Piece, side| piece.zoom_slopes[side] / f64::from(piece.frames);
+        let zoom_slope = sides(pieces, slope).map(|slopes| slopes[0]);
+        let (view, up) = view_from_quaternion(at.turn);
         let own = |own: &mut Own| {
-            own.velocities = Some(Velocities {
-                reach: reach.or(leave).unwrap_or_default(),
-                leave: leave.or(reach).unwrap_or_default(),
-            });
+            own.velocities = velocities;
             own.zoom_slope = zoom_slope.filter(|_| zooms);
-            if let Some(piece) = next {
+            if let Some(piece) = pieces[1] {
                 own.pace = piece.pace.clone();
                 own.frames = piece.frames;
             }
         };
         point.orientations[0] = Orientation {
-            target: Target::Relative(view),
+            target: Target::Relative(self.space.offset(view)),
             roll: roll_from_up(view, up).to_degrees(),
             zoom: at.zoom,
-            hold: start.hold,
+            hold,
             ..Orientation::default()
         };
         point.orientations[0].own = point.orientations[0].own.with(own)?;
@@ -347,12 +341,20 @@ impl Data {
     }
 }
 
-/// The next point: its pose, how long it rests there, and the piece that leads to it.
-#[derive(Clone, Copy, Default)]
-struct Start<'a> {
-    at: usize,
-    hold: u32,
-    before: Option<&'a Piece>,
+/// The smallest space round the positions, with a tenth to spare; where they are one, a cube of
+/// size 2 round it.
+fn space_of(samples: &[Sample], up: Up) -> Result<Space> {
+    let places = || samples.iter().map(|sample| sample.position);
+    let first = samples[0].position;
+    if places().any(|place| place != first) {
+        return Space::around(places(), up);
+    }
+    let centre = first;
+    Ok(Space {
+        centre,
+        up,
+        ..Space::default()
+    })
 }
 
 /// The vertical field of view (radians) of a picture 24 mm high.
@@ -360,14 +362,15 @@ fn view_angle(zoom: f64) -> f64 {
     2.0 * (12.0 / zoom).atan()
 }
 
-/// A pose as a sample: finite, its view and up made to stand at right angles.
-fn sample(pose: &Pose) -> Result<Sample> {
+/// A pose as a sample: finite, its view and up made to stand at right angles and in y-up axes.
+fn sample(pose: &Pose, axes: Up) -> Result<Sample> {
     let [position, view, up] = [pose.vrp, pose.vpn, pose.vup].map(DVec3::from_array);
     for v in [position, view, up] {
         check_coordinates(v)?;
     }
     check_zoom(pose.zoom)?;
-    let (Some(view), Some(up)) = (view.try_normalize(), up.try_normalize()) else {
+    let unit = |v: DVec3| axes.upright(v).try_normalize();
+    let (Some(view), Some(up)) = (unit(view), unit(up)) else {
         return Err(Invalid::LookZero.into());
     };
     let Some(side) = up.cross(view).try_normalize() else {

@@ -1,7 +1,10 @@
+use std::f64::consts::TAU;
+
 use super::*;
-use crate::math::quaternion::exp;
+use crate::math::quaternion::{exp, log};
 use crate::path::test_support::Random;
 use crate::path::{Sampler, Timeline};
+use crate::tools::check::{Against, Limits, check};
 
 fn vector(random: &mut Random) -> DVec3 {
     DVec3::from_array(std::array::from_fn(|_| 2.0 * random.unit() - 1.0))
@@ -68,7 +71,9 @@ const TOLERANCE: Tolerance = Tolerance {
 };
 
 fn fitted(poses: &[Pose]) -> CameraPath {
-    fit(poses, None, 25.0, TOLERANCE, &mut |_, _| true).unwrap()
+    fit(poses, None, 25.0, &TOLERANCE.into(), &mut |_, _| true)
+        .unwrap()
+        .path
 }
 
 #[test]
@@ -143,7 +148,15 @@ fn times_of_their_own_are_kept() {
             chosen.push(*pose);
         }
     }
-    let path = fit(&chosen, Some(&seconds), 25.0, TOLERANCE, &mut |_, _| true).unwrap();
+    let path = fit(
+        &chosen,
+        Some(&seconds),
+        25.0,
+        &TOLERANCE.into(),
+        &mut |_, _| true,
+    )
+    .unwrap()
+    .path;
     assert!(path.points.len() <= 12);
     let (far, off) = errors(&path, &poses);
     assert!(far <= 0.012 && off <= 0.6, "{far} {off}");
@@ -154,7 +167,7 @@ fn poses_that_are_no_path_are_refused() {
     let mut random = Random(6);
     let poses = flight(&mut random, 3, 50);
     let refused = |poses: &[Pose], seconds: Option<&[f64]>, tolerance: Tolerance| {
-        let error = fit(poses, seconds, 25.0, tolerance, &mut |_, _| true).unwrap_err();
+        let error = fit(poses, seconds, 25.0, &tolerance.into(), &mut |_, _| true).unwrap_err();
         error.to_string()
     };
     assert!(refused(&poses[..2], None, TOLERANCE).contains("three"));
@@ -173,7 +186,7 @@ fn poses_that_are_no_path_are_refused() {
         };
         assert!(refused(&poses, None, tolerance).contains("greater than 0"));
     }
-    let cancelled = fit(&poses, None, 25.0, TOLERANCE, &mut |_, _| false);
+    let cancelled = fit(&poses, None, 25.0, &TOLERANCE.into(), &mut |_, _| false);
     assert!(cancelled.unwrap_err().to_string().contains("cancelled"));
 }
 
@@ -222,10 +235,215 @@ fn what_is_no_noise_is_met_too() {
     for pose in poses.iter_mut().step_by(2) {
         pose.vpn[1] += 0.3;
     }
-    let refused = fit(&poses, Some(&seconds), 25.0, TOLERANCE, &mut |_, _| true);
+    let refused = fit(
+        &poses,
+        Some(&seconds),
+        25.0,
+        &TOLERANCE.into(),
+        &mut |_, _| true,
+    );
     let error = refused.unwrap_err().to_string();
     assert!(
         error.starts_with("pose ") && error.contains("times that"),
         "{error}"
     );
+}
+
+/// A sum of six sines, and its second derivative.
+fn waves(size: f64, number: f64, t: f64) -> [f64; 2] {
+    let mut sum = [0.0; 2];
+    for k in 0..6 {
+        let k = f64::from(k);
+        let rate = TAU * 0.03 * 1.9f64.powf(k) * (1.0 + 0.1 * (3.0 * k + number).sin());
+        let value = size * 1.9f64.powf(-1.6 * k) * (rate * t + k * k + number).sin();
+        sum = [sum[0] + value, sum[1] - rate * rate * value];
+    }
+    sum
+}
+
+/// A camera carried by hand for a hundred seconds, at 30 frames a second; and the greatest
+/// acceleration of its place, in closed form.
+fn handheld() -> (Vec<Pose>, f64) {
+    let mut peak = 0.0_f64;
+    let poses = (0..3000).map(|frame| {
+        let t = f64::from(frame) / 30.0;
+        let place = [(2.5, 1.0), (0.6, 2.0), (2.5, 3.0)].map(|(size, n)| waves(size, n, t));
+        peak = peak.max(DVec3::from_array(place.map(|wave| wave[1])).length());
+        let [yaw, pitch, roll] =
+            [(1.2, 4.0), (0.3, 5.0), (0.1, 6.0)].map(|(size, n)| waves(size, n, t)[0]);
+        let turn = DQuat::from_rotation_y(yaw)
+            * DQuat::from_rotation_x(pitch)
+            * DQuat::from_rotation_z(roll);
+        Pose {
+            vrp: place.map(|wave| wave[0]),
+            vpn: (turn * DVec3::Z).to_array(),
+            vup: (turn * DVec3::Y).to_array(),
+            zoom: 30.0,
+        }
+    });
+    (poses.collect(), peak)
+}
+
+fn places(poses: &[Pose]) -> Vec<DVec3> {
+    poses.iter().map(|pose| pose.vrp.into()).collect()
+}
+
+/// The greatest acceleration at whole frames, and that of the turning in degrees.
+fn peaks(poses: &[Pose]) -> [f64; 2] {
+    let bend = |p: &[DVec3]| (p[2] - 2.0 * p[1] + p[0]).length() * 900.0;
+    let q = |pose: &Pose| quaternion_from_view(pose.vpn.into(), pose.vup.into());
+    let turned = |a: &Pose, b: &Pose| {
+        let by = q(b) * q(a).conjugate();
+        2.0 * log(if by.w < 0.0 { -by } else { by })
+    };
+    let spin = |p: &[Pose]| {
+        (turned(&p[1], &p[2]) - turned(&p[0], &p[1]))
+            .length()
+            .to_degrees()
+    };
+    [
+        places(poses).windows(3).map(bend).fold(0.0, f64::max),
+        poses
+            .windows(3)
+            .map(|three| spin(three) * 900.0)
+            .fold(0.0, f64::max),
+    ]
+}
+
+/// The greatest jump of the acceleration at a point, from places close beside it.
+fn jump(path: &CameraPath) -> f64 {
+    let sampler = Sampler::new(path, &Timeline::new(path).unwrap()).unwrap();
+    let place = |frame: f64| DVec3::from(sampler.pose(frame).unwrap().vrp);
+    let (mut at, mut worst) = (1.0, 0.0_f64);
+    for point in &path.points[..path.points.len() - 2] {
+        at += f64::from(point.orientations[0].own.frames);
+        let bend = |h: f64| (place(at) - 2.0 * place(at + h) + place(at + 2.0 * h)) / (h * h);
+        worst = worst.max((bend(0.05) - bend(-0.05)).length() * 900.0);
+    }
+    worst
+}
+
+/// SciPy 1.17: the greatest acceleration of `make_smoothing_spline` of each coordinate, with the
+/// largest `lam` that misses no place by more than 0.01.
+const SMOOTHING_SPLINE: f64 = 1.183;
+
+#[test]
+fn a_recorded_flight_stays_as_smooth_as_it_was() {
+    let (poses, peak) = handheld();
+    for noise in [0.0, 0.005] {
+        let mut random = Random(12);
+        let mut noisy = poses.clone();
+        for pose in &mut noisy {
+            let off = vector(&mut random).clamp_length_max(1.0);
+            pose.vrp = (DVec3::from(pose.vrp) + noise * off).to_array();
+        }
+        let tolerance = TOLERANCE.into();
+        let path = fit(&noisy, None, 30.0, &tolerance, &mut |_, _| true)
+            .unwrap()
+            .path;
+        let (far, off) = errors(&path, &noisy);
+        let again = sampled(&path);
+        let (was, is, jump) = (peaks(&poses), peaks(&again), jump(&path));
+        println!(
+            "noise {noise}: {} points, {far:.4} {off:.4}; {was:.2?} {is:.2?}, jump {jump:.4}",
+            path.points.len()
+        );
+        assert!((was[0] / peak - 1.0).abs() < 0.01, "{peak}");
+        assert!(far <= 0.0101 && off <= 0.505);
+        assert!(is[0] <= 1.05 * was[0] && is[0] <= 1.5 * SMOOTHING_SPLINE);
+        assert!(is[1] <= 1.1 * was[1]);
+        assert!(jump <= 0.1 * was[0] || noise > 0.0);
+        if noise == 0.0 {
+            let against = Against {
+                fps: 30.0,
+                space: Some(path.space.into()),
+                object: None,
+                limits: Limits::default(),
+            };
+            let found = check(&path, &against).unwrap();
+            assert!(found.is_empty(), "{found:?}");
+        }
+    }
+}
+
+#[test]
+fn outliers_are_left_out_where_asked() {
+    let (clean, _) = handheld();
+    let mut random = Random(31);
+    let mut poses = clean.clone();
+    for k in 0..30 {
+        let pose = &mut poses[50 + 97 * k];
+        pose.vrp = (DVec3::from(pose.vrp) + 0.3 * vector(&mut random).normalize()).to_array();
+    }
+    let mut options = Options::from(TOLERANCE);
+    let followed = fit(&poses, None, 30.0, &options, &mut |_, _| true).unwrap();
+    assert!(followed.left_out == 0 && errors(&followed.path, &poses).0 <= 0.0101);
+    options.robust = true;
+    let fitted = fit(&poses, None, 30.0, &options, &mut |_, _| true).unwrap();
+    // Also where a pose was off, the others tell where it should have been.
+    let (far, off) = errors(&fitted.path, &clean);
+    println!("{far} {off} {:?}", peaks(&sampled(&fitted.path)));
+    assert!(
+        fitted.left_out == 30 && far <= 0.0101 && off <= 0.505,
+        "{far} {off}"
+    );
+    assert!(peaks(&sampled(&fitted.path))[0] <= 1.05 * peaks(&clean)[0]);
+    let calm = fit(&clean, None, 30.0, &options, &mut |_, _| true).unwrap();
+    assert_eq!(calm.left_out, 0);
+}
+
+#[test]
+fn a_fit_has_a_space_that_holds_its_poses() {
+    let mut random = Random(3);
+    let poses = flight(&mut random, 5, 400);
+    let [low, high] = places(&poses).into_iter().fold(
+        [DVec3::INFINITY, DVec3::NEG_INFINITY],
+        |[low, high], place| [low.min(place), high.max(place)],
+    );
+    let path = fitted(&poses);
+    let half = 0.5 * (high - low).max_element();
+    assert!((path.space.half_size - 1.1 * half).abs() < 1e-12 && path.space.up == Up::Y);
+    assert!((path.space.centre - 0.5 * (low + high)).length() < 1e-12);
+    // The same with z upright: x becomes y, y z and z x.
+    let turned: Vec<Pose> = poses
+        .iter()
+        .map(|pose| {
+            let [vrp, vpn, vup] = [pose.vrp, pose.vpn, pose.vup].map(|[x, y, z]| [z, x, y]);
+            Pose {
+                vrp,
+                vpn,
+                vup,
+                ..*pose
+            }
+        })
+        .collect();
+    let options = Options {
+        up: Up::Z,
+        ..TOLERANCE.into()
+    };
+    let upright = fit(&turned, None, 25.0, &options, &mut |_, _| true)
+        .unwrap()
+        .path;
+    assert_eq!(
+        (upright.space.up, upright.points.len()),
+        (Up::Z, path.points.len())
+    );
+    for (a, b) in upright.points.iter().zip(&path.points) {
+        let (a, b) = (&a.orientations[0], &b.orientations[0]);
+        assert!((a.roll - b.roll).abs() < 1e-9, "{} {}", a.roll, b.roll);
+    }
+    let (far, off) = errors(&upright, &turned);
+    assert!(far <= 0.0101 && off <= 0.505, "{far} {off}");
+    let space = Space {
+        half_size: 100.0,
+        ..Space::default()
+    };
+    let options = Options {
+        space: Some(space),
+        ..TOLERANCE.into()
+    };
+    let path = fit(&poses, None, 25.0, &options, &mut |_, _| true)
+        .unwrap()
+        .path;
+    assert_eq!(path.space, space);
 }

@@ -1,7 +1,8 @@
 //! Ready-made moves: support points with targets in the middle of the view (thesis chapter 8).
 //!
 //! Circles are cubics of at most 30° with tangents 4·tan(θ/4)·r (Goldapp 1991): their radius errs
-//! by 3.7e-7 of itself. A dolly zoom keeps zoom/distance exactly: both are linear in the share of
+//! by 3.7e-7 of itself. Points are placed where whole frames of an even pace fall, so that all
+//! sections have one speed; their angles differ by what a frame makes. A dolly zoom keeps zoom/distance exactly: both are linear in the share of
 //! the way. Headings are as in `docs/tools.md`.
 
 use std::f64::consts::TAU;
@@ -11,7 +12,7 @@ use glam::DVec3;
 use super::parameter::{Parameter, Unit};
 use crate::deform::Bounds;
 use crate::error::{Invalid, OutOfRange, Result, vec_with_room};
-use crate::limits::{MAX_COORDINATE, MAX_ZOOM, MIN_ZOOM};
+use crate::limits::{MAX_COORDINATE, MAX_FRAMES, MAX_ZOOM, MIN_ZOOM};
 use crate::path::fit_frames::fit_frames;
 use crate::path::{
     BaseFrames, CameraPath, CurveParameters, Orientation, Space, SupportPoint, Tangents, Target,
@@ -26,6 +27,12 @@ const NO_WAY: f64 = 1e-9;
 
 /// The largest angle between two views of a pan.
 const PAN: f64 = TAU / 8.0;
+
+/// No circular segment has more, however few the frames are.
+const WIDEST: f64 = TAU / 4.0;
+
+/// Parts of a section in which its speed counts as changing evenly.
+const CELLS: usize = 32;
 
 /// Segments of a figure of eight.
 const EIGHT: usize = 24;
@@ -288,6 +295,8 @@ struct Given<'a> {
     parameters: &'static [Parameter],
     numbers: &'a [f64],
     space: Space,
+    /// From the first pose to the last, once they are known.
+    frames: Option<usize>,
 }
 
 impl Given<'_> {
@@ -307,6 +316,59 @@ impl Given<'_> {
 
     fn turn(&self) -> f64 {
         TAU * self.number("turns")
+    }
+
+    /// Shares of the way at which the points of so many sections stand: even ones, moved to where
+    /// the nearest whole frame of an even pace falls; fewer if there are fewer frames, but no fewer
+    /// than `least` sections. `speed` is that of the camera over its share.
+    #[allow(
+        clippy::cast_precision_loss,
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss
+    )]
+    fn shares(
+        &self,
+        sections: usize,
+        least: usize,
+        speed: &dyn Fn(f64) -> f64,
+    ) -> Result<Vec<f64>> {
+        let mut shares = vec_with_room(sections + 1)?;
+        let Some(frames) = self.frames else {
+            shares.extend((0..=sections).map(|k| k as f64 / sections as f64));
+            return Ok(shares);
+        };
+        let cells = CELLS * sections;
+        let step = 1.0 / cells as f64;
+        let mut ways: Vec<f64> = vec_with_room(cells + 1)?;
+        let mut way = 0.0;
+        ways.push(way);
+        for cell in 0..cells {
+            // Simpson's rule.
+            let at = |part: f64| speed((cell as f64 + part) * step);
+            way += (at(0.0) + 4.0 * at(0.5) + at(1.0)) * (step / 6.0);
+            ways.push(way);
+        }
+        if frames < least {
+            let (frames, least) = (frames + 1, least + 1);
+            return Err(OutOfRange::TooFewFrames { frames, least }.into());
+        }
+        let frames = frames as f64;
+        let mut last = -1.0;
+        for k in 0..=sections {
+            let frame = (ways[CELLS * k] / way * frames).round();
+            if frame > last {
+                let target = frame / frames * way;
+                let after = ways.partition_point(|way| *way < target).clamp(1, cells);
+                let [before, behind] = [ways[after - 1], ways[after]];
+                let part = (target - before) / (behind - before);
+                shares.push((((after - 1) as f64 + part) * step).clamp(0.0, 1.0));
+                last = frame;
+            }
+        }
+        if let Some(end) = shares.last_mut() {
+            *end = 1.0;
+        }
+        Ok(shares)
     }
 }
 
@@ -381,23 +443,40 @@ impl Move {
         speeds: BaseFrames,
     ) -> Result<CameraPath> {
         let numbers = Parameter::numbers(self.parameters, given, space.half_size)?;
-        let given = Given {
+        let mut given = Given {
             parameters: self.parameters,
             numbers: &numbers,
             space,
+            frames: None,
         };
-        let points = (self.make)(&given)?;
         let mut path = CameraPath::try_new()?;
-        path.points = points;
+        path.points = (self.make)(&given)?;
         path.space = space;
         path.base_frames = speeds;
         path.check()?;
         let seconds = given.number("seconds");
-        if seconds > 0.0 {
-            let frames = (seconds * fps).round() as usize;
+        let frames = if seconds > 0.0 {
+            (seconds * fps).round() as usize
+        } else {
             let timeline = Timeline::new(&path)?;
+            let each = timeline.moving();
+            let all: f64 = each.map(|k| timeline.unrounded_frames(&path, k)).sum();
+            all.round() as usize + 1
+        };
+        if path.points.len() > 2 {
+            given.frames = Some(frames.clamp(1, MAX_FRAMES) - 1);
+            path.points = (self.make)(&given)?;
+            path.check()?;
+        }
+        if seconds > 0.0 {
+            let timeline = Timeline::new(&path)?;
+            let amount = |k: usize| timeline.section(k).amount;
+            let all: f64 = timeline.moving().map(amount).sum();
             let last = path.points.len() - 1;
-            for fixed in fit_frames(&path, &timeline, 0, last, frames)? {
+            let fixed = fit_frames(&path, &timeline, 0, last, frames)?;
+            for (mut fixed, k) in fixed.into_iter().zip(timeline.moving()) {
+                // Whole, but for rounding, by the choice of the points.
+                fixed.frames = (amount(k) / all * (frames - 1) as f64).round() as u32;
                 fixed.apply(&mut path)?;
             }
         }
@@ -421,15 +500,13 @@ fn keep_zoom_linear(path: &mut CameraPath) -> Result<()> {
     Ok(())
 }
 
-fn point(given: &Given<'_>, offset: DVec3, tangent: Option<DVec3>) -> Result<SupportPoint> {
+/// A point with the tangents before and after it.
+fn point(given: &Given<'_>, offset: DVec3, tangents: [DVec3; 2]) -> Result<SupportPoint> {
     let around = given.place("around");
     let mut point = SupportPoint::try_new(around + given.space.up.world(offset))?;
     point.curve = CurveParameters::Preset(0);
-    let tangent = tangent.map(|tangent| given.space.up.world(tangent));
-    point.tangents = tangent.map(|tangent| Tangents {
-        before: tangent,
-        after: tangent,
-    });
+    let [before, after] = tangents.map(|tangent| given.space.up.world(tangent));
+    point.tangents = Some(Tangents { before, after });
     point.orientations[0] = Orientation {
         target: Target::Absolute(around),
         zoom: given.number("zoom"),
@@ -444,7 +521,25 @@ fn straight(given: &Given<'_>, [from, to]: [DVec3; 2]) -> Result<Vec<SupportPoin
     }
     let mut points = vec_with_room(2)?;
     for place in [from, to] {
-        points.push(point(given, place, Some(to - from))?);
+        points.push(point(given, place, [to - from; 2])?);
+    }
+    Ok(points)
+}
+
+/// Points along a curve: the place at each share, and the tangent there for a step of the share.
+fn along(
+    given: &Given<'_>,
+    shares: &[f64],
+    at: &dyn Fn(f64) -> DVec3,
+    tangent: &dyn Fn(f64, f64) -> DVec3,
+) -> Result<Vec<SupportPoint>> {
+    let mut points = vec_with_room(shares.len())?;
+    for (k, &share) in shares.iter().enumerate() {
+        let before = k.checked_sub(1).map(|k| share - shares[k]);
+        let after = shares.get(k + 1).map(|next| next - share);
+        let steps = [before.or(after), after.or(before)];
+        let tangents = steps.map(|step| tangent(share, step.unwrap_or(1.0)));
+        points.push(point(given, at(share), tangents)?);
     }
     Ok(points)
 }
@@ -473,24 +568,20 @@ fn around(
     }
     let from = given.number("from").to_radians();
     // A whole number of arcs may be rounded up by a hair.
-    let segments = (angle.abs() / ARC - 1e-9).ceil().max(1.0);
-    let step = angle / segments;
-    let round = 4.0 * (step / 4.0).tan();
-    let mut points = vec_with_room(segments as usize + 1)?;
-    for k in 0..=segments as usize {
-        let share = k as f64 / segments;
-        let (radius, height) = (r0 + (r1 - r0) * share, h0 + (h1 - h0) * share);
-        let out = heading(from + angle * share);
-        let along = DVec3::new(out.z, 0.0, -out.x);
-        let tangent =
-            round * radius * along + (r1 - r0) / segments * out + (h1 - h0) / segments * DVec3::Y;
-        points.push(point(
-            given,
-            radius * out + height * DVec3::Y,
-            Some(tangent),
-        )?);
-    }
-    Ok(points)
+    let sections = |widest: f64| (angle.abs() / widest - 1e-9).ceil().max(1.0) as usize;
+    let radius = |share: f64| r0 + (r1 - r0) * share;
+    let out = |share: f64| heading(from + angle * share);
+    let rise = h1 - h0;
+    let speed = |share: f64| (angle * radius(share)).hypot(r1 - r0).hypot(rise);
+    let shares = given.shares(sections(ARC), sections(WIDEST), &speed)?;
+    let place = |share: f64| radius(share) * out(share) + (h0 + rise * share) * DVec3::Y;
+    let tangent = |share: f64, step: f64| {
+        let out = out(share);
+        let across = DVec3::new(out.z, 0.0, -out.x);
+        let round = 4.0 * (angle * step / 4.0).tan();
+        round * radius(share) * across + step * ((r1 - r0) * out + rise * DVec3::Y)
+    };
+    along(given, &shares, &place, &tangent)
 }
 
 #[allow(
@@ -503,10 +594,11 @@ fn pan(given: &Given<'_>) -> Result<Vec<SupportPoint>> {
     if from == to {
         return Err(OutOfRange::NoTurn.into());
     }
-    let segments = ((to - from).abs() / PAN - 1e-9).ceil().max(1.0);
-    let mut points = vec_with_room(segments as usize + 1)?;
-    for k in 0..=segments as usize {
-        let angle = from + (to - from) * (k as f64 / segments);
+    let sections = |widest: f64| ((to - from).abs() / widest - 1e-9).ceil().max(1.0) as usize;
+    let shares = given.shares(sections(PAN), sections(WIDEST), &|_| 1.0)?;
+    let mut points = vec_with_room(shares.len())?;
+    for share in shares {
+        let angle = from + (to - from) * share;
         let mut point = SupportPoint::try_new(given.place("at"))?;
         let view = tilt.cos() * heading(angle) + tilt.sin() * DVec3::Y;
         point.orientations[0].target = Target::Relative(given.space.offset(view));
@@ -517,27 +609,25 @@ fn pan(given: &Given<'_>) -> Result<Vec<SupportPoint>> {
 }
 
 /// Gerono's lemniscate (r·sin t, w·sin 2t), from its middle back to it.
-#[allow(clippy::cast_precision_loss)]
 fn eight(given: &Given<'_>) -> Result<Vec<SupportPoint>> {
     let [radius, width, height, from] = given.numbers(["radius", "width", "height", "from"]);
     let (away, across) = (
         heading(from.to_radians()),
         heading(from.to_radians() + TAU / 4.0),
     );
-    let step = TAU / EIGHT as f64;
-    let mut points = vec_with_room(EIGHT + 1)?;
-    for k in 0..=EIGHT {
-        let t = step * k as f64;
+    let place = |share: f64| {
+        let t = TAU * share;
         let place =
             0.5 * width * t.sin() * across + (radius + 0.25 * width * (2.0 * t).sin()) * away;
-        let tangent = 0.5 * width * (t.cos() * across + (2.0 * t).cos() * away);
-        points.push(point(
-            given,
-            place + height * DVec3::Y,
-            Some(step * tangent),
-        )?);
-    }
-    Ok(points)
+        place + height * DVec3::Y
+    };
+    let tangent = |share: f64, step: f64| {
+        let t = TAU * share;
+        TAU * step * 0.5 * width * (t.cos() * across + (2.0 * t).cos() * away)
+    };
+    let speed = |share: f64| tangent(share, 1.0).length();
+    let shares = given.shares(EIGHT, EIGHT, &speed)?;
+    along(given, &shares, &place, &tangent)
 }
 
 #[cfg(test)]

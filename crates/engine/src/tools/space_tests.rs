@@ -178,12 +178,23 @@ fn fits() {
             position: 0.01 * size,
             angle: 0.5,
         };
-        fit::fit(&poses, None, 25.0, tolerance, &mut |_, _| true).unwrap()
+        fit::fit(&poses, None, 25.0, &tolerance.into(), &mut |_, _| true)
+            .unwrap()
+            .path
     };
     let wanted = fitted(1.0);
     for size in [SMALL, 0.25 / SMALL] {
-        for (got, wanted) in fitted(size).points.iter().zip(&wanted.points) {
+        let got = fitted(size);
+        assert_eq!(
+            got.space.half_size,
+            size * wanted.space.half_size,
+            "{size:e}"
+        );
+        for (got, mut wanted) in got.points.into_iter().zip(wanted.points.clone()) {
             assert_eq!(got.position, size * wanted.position, "{size:e}");
+            if let Target::Relative(offset) = &mut wanted.orientations[0].target {
+                *offset *= size;
+            }
             assert_eq!(got.orientations, wanted.orientations, "{size:e}");
         }
     }

@@ -1,10 +1,12 @@
-//! One piece of a fitted path: as long as its errors at the poses themselves allow.
+//! One piece of a fitted path: as long as its errors at the poses themselves allow, and as its
+//! accelerations stay near those of the splines.
 
 use glam::{DQuat, DVec3};
 
-use super::{Data, Joint, Piece, ROUNDS, view_angle};
+use super::motion::{Kind, State, Stretch};
+use super::{Data, Joint, Piece, Sample};
 use crate::error::{Result, vec_with_room};
-use crate::limits::{MAX_DISTANCE_KEYS, MAX_LIST_ZOOM, MAX_ZOOM, MIN_ZOOM};
+use crate::limits::{BASE_SPEED, MAX_LIST_ZOOM, MAX_ZOOM, MIN_ZOOM};
 use crate::math::quaternion::{angle, exp, log};
 use crate::path::arc_length::ArcLength;
 use crate::path::hermite::Cubic;
@@ -12,266 +14,333 @@ use crate::path::quaternion_spline::bezier;
 use crate::path::timing::Timing;
 use crate::path::{Orientation, Pace, own};
 
+/// Moments of a piece at which the splines are looked at, at even distances: so many and one.
+const MOMENTS: usize = 30;
+
+/// Into so many parts their way may be divided for a pace: with a close pair of keys between each
+/// two, which gives way and speed there, no more keys than a pace may have.
+const PARTS: [usize; 6] = [1, 2, 3, 5, 10, 15];
+
+/// Half the distance of such a pair, in shares of the time.
+const PAIR: f64 = 1e-6;
+
+/// Where the pace is slower than so much of its mean, turning and zoom are not led by their rates.
+const SLOW: f64 = 0.05;
+
+/// How far the accelerations of the position and of the turning may be off at an end, and between,
+/// in shares of the greatest.
+const OFF: [[f64; 2]; 2] = [[0.04, 0.25], [0.08, 0.25]];
+
+/// An acceleration is nothing if it moves by less than this share of the tolerance in a second.
+const NOTHING: f64 = 0.1;
+
+/// Moments from an end of a stretch at which its splines do not know the acceleration yet.
+const OPEN: usize = 8;
+
+/// Rounds of a cubic by least squares; most settle sooner.
+const ROUNDS: usize = 24;
+
+/// What the splines say at the moments of a piece.
+struct Course {
+    from: f64,
+    frames: f64,
+    states: Vec<State>,
+    joint: Joint,
+    /// Whether it begins and ends where the stretch does: no acceleration goes on there.
+    open: [bool; 2],
+    peaks: [f64; 2],
+}
+
+impl Course {
+    fn share(moment: usize) -> f64 {
+        moment as f64 / MOMENTS as f64
+    }
+
+    fn ends(&self) -> [&State; 2] {
+        [&self.states[0], &self.states[MOMENTS]]
+    }
+
+    fn turns(&self) -> [DQuat; 2] {
+        [self.joint.sample.turn, self.states[MOMENTS].sample.turn]
+    }
+
+    fn zooms(&self) -> [f64; 2] {
+        [self.joint.sample.zoom, self.states[MOMENTS].sample.zoom]
+    }
+}
+
 impl Data {
-    /// The longest piece from a pose on; none if no whole frame is left.
+    /// The longest piece from a whole frame on, at most to another one.
     pub(super) fn longest(
         &self,
-        first: usize,
+        stretch: &Stretch,
+        peaks: [f64; 2],
+        [begin, from, end]: [f64; 3],
         joint: Joint,
-        guess: usize,
-    ) -> Result<Option<Piece>> {
-        let last = self.raw.len() - 1;
-        let Some(least) = (first + 1..=last).find(|&k| self.frames(first, k) > 0) else {
-            return Ok(None);
+        guess: f64,
+    ) -> Result<Piece> {
+        if stretch.kind == Kind::Rests {
+            return Ok(rest(end - from, joint));
+        }
+        let course = |to: f64| -> Result<Course> {
+            let moment = |k| from + (to - from) * Course::share(k);
+            let mut states = vec_with_room(MOMENTS + 1)?;
+            states.extend((0..=MOMENTS).map(|k| stretch.at(moment(k))));
+            Ok(Course {
+                from,
+                frames: to - from,
+                states,
+                joint,
+                open: [from == begin, to == end],
+                peaks,
+            })
         };
-        let mut good = self.piece(first, least, joint, true)?;
-        let (mut step, mut bad) = (guess.max(2), last + 1);
-        loop {
-            let from = good.as_ref().map_or(least, |piece| piece.last);
-            let next = (first + step).clamp(from, last);
-            if next == from {
-                break;
+        let search = |on_the_spot: bool| -> Result<Option<Piece>> {
+            let (mut good, mut reached, mut bad) = (None, from, end + 1.0);
+            let mut step = guess;
+            loop {
+                let next = (from + step).min(end).min(bad - 1.0);
+                if next <= reached {
+                    return Ok(good);
+                }
+                let course = course(next)?;
+                let found = if on_the_spot {
+                    self.on_the_spot(&course)?
+                } else {
+                    self.moving(&course)?
+                };
+                if found.is_some() {
+                    (good, reached) = (found, next);
+                } else {
+                    bad = next;
+                }
+                // Doubled as long as it goes, then halved.
+                step = if bad > end {
+                    2.0 * step
+                } else {
+                    (0.5 * (reached + bad) - from).floor()
+                };
             }
-            if let Some(piece) = self.piece(first, next, joint, false)? {
-                good = Some(piece);
-                step *= 2;
-            } else {
-                bad = next;
-                break;
+        };
+        for on_the_spot in [false, true] {
+            let tried = on_the_spot || stretch.kind == Kind::Moves;
+            if tried && let Some(piece) = search(on_the_spot)? {
+                return Ok(piece);
             }
         }
-        loop {
-            let from = good.as_ref().map_or(least, |piece| piece.last);
-            let middle = usize::midpoint(from, bad);
-            if middle <= from {
-                return Ok(good);
-            }
-            match self.piece(first, middle, joint, false)? {
-                Some(piece) => good = Some(piece),
-                None => bad = middle,
-            }
-        }
+        self.straight(&course(from + 1.0)?)
     }
 
-    /// A piece from one pose to another, within the tolerance unless there `must` be one.
-    fn piece(&self, first: usize, last: usize, joint: Joint, must: bool) -> Result<Option<Piece>> {
-        let frames = self.frames(first, last);
-        if frames == 0 {
-            return Ok(None);
-        }
-        let from = self.smooth[first].position;
-        let near = |k: usize| (self.raw[k].position - from).length() <= self.tolerance;
-        if let Some(piece) = self.moving(first, last, frames, joint)? {
-            return Ok(Some(piece));
-        }
-        if (first..=last).all(near)
-            && let Some(piece) = self.resting(first, last, frames, joint)?
-        {
-            return Ok(Some(piece));
-        }
-        Ok(must.then_some(Piece {
-            first,
-            last,
-            frames,
-            curve: Some(self.straight(first, last)),
+    /// What there must be where nothing else will do.
+    fn straight(&self, course: &Course) -> Result<Piece> {
+        let end = course.states[MOMENTS].sample;
+        let [a, b] = [course.joint.sample, end].map(|sample| sample.position);
+        let turned = log(end.turn * course.joint.sample.turn.conjugate());
+        Ok(Piece {
+            frames: whole(course.frames),
+            start: course.joint.sample,
+            end,
+            curve: Some(Cubic::hermite(a, b, b - a, b - a)),
             pace: own::distance(&[[0.0, 0.0], [1.0, 1.0]])?,
-            velocities: [log(self.turned(first, last)); 2],
-            zoom_slopes: [self.smooth[last].zoom - self.smooth[first].zoom; 2],
+            velocities: [turned; 2],
+            zoom_slopes: [end.zoom - course.joint.sample.zoom; 2],
             holds: false,
-        }))
+        })
     }
 
-    fn straight(&self, first: usize, last: usize) -> Cubic {
-        let [a, b] = [first, last].map(|k| self.smooth[k].position);
-        Cubic::hermite(a, b, b - a, b - a)
-    }
-
-    fn turned(&self, first: usize, last: usize) -> DQuat {
-        self.smooth[last].turn * self.smooth[first].turn.conjugate()
-    }
-
-    /// Poses at even distances, both ends among them: as many as a pace has keys.
-    fn chosen(&self, first: usize, last: usize) -> Result<Vec<usize>> {
-        let count = (last - first + 1).min(MAX_DISTANCE_KEYS);
-        let mut chosen = vec_with_room(count)?;
-        chosen.extend(
-            (0..count).map(|k| first + (k * (last - first) + (count - 1) / 2) / (count - 1)),
-        );
-        Ok(chosen)
-    }
-
-    fn moving(
-        &self,
-        first: usize,
-        last: usize,
-        frames: u32,
-        joint: Joint,
-    ) -> Result<Option<Piece>> {
-        let chosen = self.chosen(first, last)?;
-        let Some((curve, places)) = self.cubic(&chosen, joint.direction)? else {
+    fn moving(&self, course: &Course) -> Result<Option<Piece>> {
+        let Some((curve, places)) = self.cubic(course)? else {
             return Ok(None);
         };
         let arc = ArcLength::new(&curve)?;
         if !(arc.length() > 1e-6 * self.tolerance) {
             return Ok(None);
         }
-        let mut ways = vec_with_room(places.len())?;
-        ways.extend(places.iter().map(|t| arc.length_at(*t) / arc.length()));
+        // Share of the way, and its derivative by the share of the time.
+        let mut ways: Vec<[f64; 2]> = vec_with_room(places.len())?;
+        for (state, place) in course.states.iter().zip(&places) {
+            let along = curve.derivative(*place).normalize_or_zero();
+            let speed = state.velocity.dot(along) * course.frames;
+            ways.push([arc.length_at(*place), speed].map(|part| part / arc.length()));
+        }
+        let slack = 0.01 * self.tolerance / arc.length();
+        let Some((pace, timing)) = pace(&ways, slack)? else {
+            return Ok(None);
+        };
         let place = |way: f64| curve.point(arc.parameter_at(way * arc.length()));
-        let piece = Piece {
-            first,
-            last,
-            frames,
-            curve: Some(curve),
-            pace: Pace::Speeds,
-            velocities: [DVec3::ZERO; 2],
-            zoom_slopes: [0.0; 2],
-            holds: false,
-        };
-        let slack = 0.1 * self.tolerance / arc.length();
-        self.finished(piece, &chosen, &ways, slack, joint, &place)
+        self.finished(course, Some(curve), pace, &timing, &place)
     }
 
-    /// On the spot: the way is the turning, else the zoom.
-    fn resting(
-        &self,
-        first: usize,
-        last: usize,
-        frames: u32,
-        joint: Joint,
-    ) -> Result<Option<Piece>> {
-        let chosen = self.chosen(first, last)?;
-        let mut ways: Vec<f64> = vec_with_room(chosen.len())?;
-        let mut gone = 0.0;
-        ways.push(gone);
-        for pair in chosen.windows(2) {
-            let (a, b) = (self.smooth[pair[0]], self.smooth[pair[1]]);
-            gone += angle(a.turn, b.turn) + (view_angle(a.zoom) - view_angle(b.zoom)).abs();
-            ways.push(gone);
+    /// On the spot, by an even pace.
+    fn on_the_spot(&self, course: &Course) -> Result<Option<Piece>> {
+        let [a, b] = course.turns();
+        let zooms = course.zooms();
+        // From and to the same view there is no section.
+        if angle(a, b) < 1e-3 * self.angle && (zooms[1] - zooms[0]).abs() < 1e-6 {
+            return Ok(None);
         }
-        let still = self.smooth[first];
-        let holds = (first..=last).all(|k| self.off(k, still.turn, still.zoom) <= self.angle);
-        for way in &mut ways {
-            *way /= gone.max(f64::MIN_POSITIVE);
-        }
-        let piece = Piece {
-            first,
-            last,
-            frames,
-            curve: None,
-            pace: own::distance(&[[0.0, 0.0], [1.0, 1.0]])?,
-            velocities: [DVec3::ZERO; 2],
-            zoom_slopes: [0.0; 2],
-            holds,
-        };
-        if holds {
-            return Ok(Some(piece));
-        }
-        let position = still.position;
-        self.finished(piece, &chosen, &ways, 0.02, joint, &|_| position)
+        let pace = own::distance(&[[0.0, 0.0], [1.0, 1.0]])?;
+        let timing = timing(&pace)?;
+        let position = course.joint.sample.position;
+        self.finished(course, None, pace, &timing, &|_| position)
     }
 
-    pub(super) fn off(&self, at: usize, turn: DQuat, zoom: f64) -> f64 {
-        self.raw[at].off(turn, zoom)
-    }
-
-    /// Pace, turning and zoom of a piece; and whether it meets all its poses.
+    /// Turning and zoom of a piece; none if it does not meet its poses, or not smoothly.
     fn finished(
         &self,
-        mut piece: Piece,
-        chosen: &[usize],
-        ways: &[f64],
-        slack: f64,
-        joint: Joint,
+        course: &Course,
+        curve: Option<Cubic>,
+        pace: Pace,
+        timing: &Timing,
         place: &dyn Fn(f64) -> DVec3,
     ) -> Result<Option<Piece>> {
-        let (first, last) = (piece.first, piece.last);
-        let (begin, frames) = (self.times[first].round(), f64::from(piece.frames));
-        let share = |k: usize| ((self.times[k] - begin) / frames).clamp(0.0, 1.0);
-        let mut pace = None;
-        for intervals in [1, 2, 4, 8, 16, chosen.len() - 1] {
-            if intervals > chosen.len() - 1 {
-                continue;
-            }
-            let mut keys: Vec<[f64; 2]> = vec_with_room(intervals + 1)?;
-            for k in 0..=intervals {
-                let at = k * (chosen.len() - 1) / intervals;
-                let (mut time, mut way) = (share(chosen[at]), ways[at]);
-                if k == 0 {
-                    (time, way) = (0.0, 0.0);
-                } else if k == intervals {
-                    (time, way) = (1.0, 1.0);
-                } else if let Some(before) = keys.last() {
-                    // Rest within a piece: nearly none.
-                    way = way.clamp(before[1] + 1e-9, 1.0 - 1e-9 * (intervals - k) as f64);
-                }
-                keys.push([time, way]);
-            }
-            let Ok(found) = own::distance(&keys) else {
-                continue;
-            };
-            let timing = timing(&found)?;
-            let off = |(at, way): (&usize, &f64)| (timing.fraction(share(*at)) - way).abs();
-            let fits = chosen.iter().zip(ways).map(off).all(|off| off <= slack);
-            pace = Some((found, timing));
-            if fits {
+        let frames = course.frames;
+        // For a frame at speed 50: what the ends say, where the pace is not too slow for it.
+        let rates = [0, 1].map(|side| {
+            let speed = timing.speed([0.0, 1.0][side]) / BASE_SPEED;
+            (speed >= SLOW && !course.open[side]).then_some(frames / speed)
+        });
+        let mut ways = vec_with_room(MOMENTS + 1)?;
+        ways.extend((0..=MOMENTS).map(|k| timing.fraction(Course::share(k))));
+        let spins = [0, 1].map(|side| Some(course.ends()[side].spin * rates[side]?));
+        let Some(control) = turning(course, &ways, spins) else {
+            return Ok(None);
+        };
+        let begins = course.joint.zoom_slope.map(|slope| slope * frames);
+        let zooming = [0, 1].map(|side| Some(course.ends()[side].zooming * rates[side]?));
+        let zoom_slopes = zoom(course, &ways, [begins.or(zooming[0]), zooming[1]]);
+        let first = self.times.partition_point(|time| *time < course.from);
+        for (k, time) in self.times.iter().enumerate().skip(first) {
+            if *time > course.from + frames {
                 break;
             }
-        }
-        let Some((pace, timing)) = pace else {
-            return Ok(None);
-        };
-        piece.pace = pace;
-
-        let mut ways = vec_with_room(chosen.len())?;
-        ways.extend(chosen.iter().map(|k| timing.fraction(share(*k))));
-        let Some(control) = self.turning(chosen, &ways) else {
-            return Ok(None);
-        };
-        piece.velocities = [
-            3.0 * log(control[1] * control[0].conjugate()),
-            3.0 * log(control[3] * control[2].conjugate()),
-        ];
-        let zoom = self.zoom(chosen, &ways, joint.zoom_slope.map(|slope| slope * frames));
-        piece.zoom_slopes = zoom;
-        let [from, to] = [first, last].map(|k| self.smooth[k].zoom);
-        for k in first..=last {
-            let way = timing.fraction(share(k));
-            let far = (place(way) - self.raw[k].position).length();
-            if !(far <= self.tolerance) {
-                return Ok(None);
+            if self.left_out[k] {
+                continue;
             }
-            let zoom = hermite(way, [from, to], zoom);
-            if !(self.off(k, bezier(&control, way), zoom) <= self.angle) {
+            let raw = &self.raw[k];
+            let way = timing.fraction(((time - course.from) / frames).clamp(0.0, 1.0));
+            let far = (place(way) - raw.position).length();
+            let zoom = hermite(way, course.zooms(), zoom_slopes);
+            if !(far <= self.tolerance && raw.off(bezier(&control, way), zoom) <= self.angle) {
                 return Ok(None);
             }
         }
-        Ok(Some(piece))
+        let piece = Piece {
+            frames: whole(frames),
+            start: course.joint.sample,
+            end: Sample {
+                position: place(1.0),
+                ..course.states[MOMENTS].sample
+            },
+            curve,
+            pace,
+            velocities: [
+                3.0 * log(control[1] * control[0].conjugate()),
+                3.0 * log(control[3] * control[2].conjugate()),
+            ],
+            zoom_slopes,
+            holds: false,
+        };
+        let smooth =
+            self.goes_on(course, &piece, timing) && self.is_smooth(course, &ways, &control, place);
+        Ok(smooth.then_some(piece))
     }
 
-    /// A cubic through the positions of some poses by least squares, and their parameters on it.
-    fn cubic(
+    /// What accelerations count as nothing, of the position and on S³.
+    fn nothing(&self) -> [f64; 2] {
+        let share = NOTHING / (self.fps * self.fps);
+        [share * self.tolerance, share * self.angle]
+    }
+
+    /// Whether speed and turning at the ends are those of the splines: a jump of them must be less
+    /// than their acceleration makes of them in a few frames.
+    fn goes_on(&self, course: &Course, piece: &Piece, timing: &Timing) -> bool {
+        let nothing = self.nothing();
+        [0, 1].into_iter().all(|side| {
+            if course.open[side] {
+                return true;
+            }
+            let rate = timing.speed([0.0, 1.0][side]) / BASE_SPEED / course.frames;
+            let state = course.ends()[side];
+            let spin = piece.velocities[side] * rate - state.spin;
+            spin.length() <= (OFF[1][0] * course.peaks[1]).max(nothing[1])
+        })
+    }
+
+    /// Whether the accelerations are near those of the splines: what is missed at three moments
+    /// tells by how much they are off between.
+    fn is_smooth(
         &self,
-        chosen: &[usize],
-        direction: Option<DVec3>,
-    ) -> Result<Option<(Cubic, Vec<f64>)>> {
-        let mut points = vec_with_room(chosen.len())?;
-        points.extend(chosen.iter().map(|k| self.smooth[*k].position));
-        let (from, to) = (points[0], points[points.len() - 1]);
-        let mut places: Vec<f64> = vec_with_room(chosen.len())?;
-        let mut length = 0.0;
-        places.push(0.0);
-        for pair in points.windows(2) {
-            length += (pair[1] - pair[0]).length();
-            places.push(length);
+        course: &Course,
+        ways: &[f64],
+        control: &[DQuat; 4],
+        place: &dyn Fn(f64) -> DVec3,
+    ) -> bool {
+        if course.frames <= 1.0 {
+            return true;
         }
-        if !(length > 1e-9 * self.tolerance) {
+        let step = course.frames / MOMENTS as f64;
+        let nothing = self.nothing();
+        let [moved, turned] = [0, 1]
+            .map(|k| OFF[k].map(|share| (share * course.peaks[k]).max(nothing[k]) * step * step));
+        let off = |k: usize| {
+            let (state, way) = (&course.states[k], ways[k]);
+            let turned = log(bezier(control, way) * state.sample.turn.conjugate());
+            [place(way) - state.sample.position, turned]
+        };
+        let within = |bends: [DVec3; 2], at: usize| {
+            bends[0].length() <= moved[at] && bends[1].length() <= turned[at]
+        };
+        let mut last = [off(0), off(1)];
+        // At the ends nothing is missed, nor any speed.
+        let end = |ends: &[[DVec3; 2]; 2]| [0, 1].map(|k| 2.0 * (ends[1][k] - ends[0][k]));
+        if !course.open[0] && !within(end(&last), 0) {
+            return false;
+        }
+        for k in 2..=MOMENTS {
+            let next = off(k);
+            let bends = [0, 1].map(|k| last[0][k] - 2.0 * last[1][k] + next[k]);
+            let at_an_end =
+                (course.open[0] && k < OPEN) || (course.open[1] && k > MOMENTS + 2 - OPEN);
+            if !at_an_end && !within(bends, 1) {
+                return false;
+            }
+            last = [last[1], next];
+        }
+        course.open[1] || within(end(&[last[1], last[0]]), 0)
+    }
+
+    /// The cubic nearest to the positions that leaves and ends in the directions of the splines,
+    /// and the parameters at which it comes nearest.
+    fn cubic(&self, course: &Course) -> Result<Option<(Cubic, Vec<f64>)>> {
+        let mut points = vec_with_room(MOMENTS + 1)?;
+        points.extend(course.states.iter().map(|state| state.sample.position));
+        points[0] = course.joint.sample.position;
+        let length: f64 = points
+            .windows(2)
+            .map(|pair| pair[0].distance(pair[1]))
+            .sum();
+        if !(length > 1e-6 * self.tolerance) {
             return Ok(None);
         }
-        places.iter_mut().for_each(|place| *place /= length);
+        // At rest, the direction in which it begins to move.
+        let direction = |state: &State, near: DVec3| {
+            let velocity = state.velocity * course.frames;
+            let moves = velocity.length() > 1e-3 * length;
+            if moves { velocity } else { near }.normalize_or_zero()
+        };
+        let directions = [
+            direction(&course.states[0], points[1] - points[0]),
+            direction(
+                &course.states[MOMENTS],
+                points[MOMENTS] - points[MOMENTS - 1],
+            ),
+        ];
+        let mut places = vec_with_room(MOMENTS + 1)?;
+        places.extend((0..=MOMENTS).map(Course::share));
         let mut best: Option<(f64, Cubic, Vec<f64>)> = None;
         for _ in 0..ROUNDS {
-            let curve = least_squares(&points, &places, (from, to), direction, length);
+            let curve = least_squares(&points, &places, directions, length);
             let squares = points.iter().zip(&places);
             let error: f64 = squares
                 .map(|(p, t)| (curve.point(*t) - *p).length_squared())
@@ -282,90 +351,165 @@ impl Data {
                 kept.extend_from_slice(&places);
                 best = Some((error, curve, kept));
             }
-            let enough = 0.02 * self.tolerance;
-            if settled || error < enough * enough {
+            if settled {
                 break;
             }
-            // Newton towards the nearest point, in order.
-            for k in 1..points.len() - 1 {
-                let t = places[k];
-                let off = curve.point(t) - points[k];
-                let (d, dd) = (curve.derivative(t), curve.second_derivative(t));
-                let slope = d.length_squared() + off.dot(dd);
-                if slope > 0.0 {
-                    places[k] = t - off.dot(d) / slope;
-                }
-                places[k] = places[k].clamp(places[k - 1], 1.0);
-            }
+            project(&curve, &points, &mut places);
         }
         Ok(best.map(|(_, curve, places)| (curve, places)))
     }
+}
 
-    /// Control quaternions from the first to the last of some poses by Gauss–Newton (a small turn
-    /// of one acts with its Bernstein polynomial), as far as a key may own such velocities.
-    fn turning(&self, chosen: &[usize], ways: &[f64]) -> Option<[DQuat; 4]> {
-        let (a, b) = (
-            self.smooth[chosen[0]].turn,
-            self.smooth[chosen[chosen.len() - 1]].turn,
-        );
-        if a.dot(b) < 1e-6 {
-            return None;
+/// Newton towards the nearest points of a curve, in order.
+fn project(curve: &Cubic, points: &[DVec3], places: &mut [f64]) {
+    for k in 1..points.len() - 1 {
+        let t = places[k];
+        let off = curve.point(t) - points[k];
+        let (d, dd) = (curve.derivative(t), curve.second_derivative(t));
+        let slope = d.length_squared() + off.dot(dd);
+        if slope > 0.0 {
+            places[k] = t - off.dot(d) / slope;
         }
-        let whole = log(b * a.conjugate());
-        let (mut leave, mut reach) = (whole / 3.0, whole / 3.0);
-        let control = |leave: DVec3, reach: DVec3| [a, exp(leave) * a, exp(-reach) * b, b];
-        for _ in 0..6 {
-            let (mut m, mut right) = ([0.0_f64; 3], [DVec3::ZERO; 2]);
-            let now = control(leave, reach);
-            for (k, &t) in chosen.iter().zip(ways) {
-                let q = self.smooth[*k].turn;
-                let off = log(q * bezier(&now, t).conjugate());
-                let (x, y) = (3.0 * t * (1.0 - t) * (1.0 - t), -3.0 * t * t * (1.0 - t));
-                m = [m[0] + x * x, m[1] + x * y, m[2] + y * y];
-                right = [right[0] + x * off, right[1] + y * off];
-            }
-            let determinant = m[0] * m[2] - m[1] * m[1];
-            if determinant <= 1e-9 * m[0] * m[2] {
-                break;
-            }
-            leave += (right[0] * m[2] - right[1] * m[1]) / determinant;
-            reach += (right[1] * m[0] - right[0] * m[1]) / determinant;
-        }
-        let most = 0.45 * (std::f64::consts::PI - angle(a, b));
-        (leave.length() <= most && reach.length() <= most).then(|| control(leave, reach))
+        places[k] = places[k].clamp(places[k - 1], 1.0);
     }
+}
 
-    /// Slopes of the zoom at both ends by least squares, clipped to its range.
-    fn zoom(&self, chosen: &[usize], ways: &[f64], given: Option<f64>) -> [f64; 2] {
-        let zoom = |k: usize| self.smooth[chosen[k]].zoom;
-        let (from, to) = (zoom(0), zoom(chosen.len() - 1));
-        let (mut m, mut right) = ([0.0; 3], [0.0; 2]);
-        for (k, &t) in ways.iter().enumerate() {
-            let off = zoom(k) - hermite(t, [from, to], [0.0; 2]);
-            let (x, y) = (t * (1.0 - t) * (1.0 - t), -t * t * (1.0 - t));
+fn rest(frames: f64, joint: Joint) -> Piece {
+    Piece {
+        frames: whole(frames),
+        start: joint.sample,
+        end: joint.sample,
+        curve: None,
+        pace: Pace::Speeds,
+        velocities: [DVec3::ZERO; 2],
+        zoom_slopes: [0.0; 2],
+        holds: true,
+    }
+}
+
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+fn whole(frames: f64) -> u32 {
+    frames as u32
+}
+
+/// A pace with ways and speeds as given: of as few keys as leave it within the slack.
+fn pace(ways: &[[f64; 2]], slack: f64) -> Result<Option<(Pace, Timing)>> {
+    let mut best = None;
+    for parts in PARTS {
+        let mut keys: Vec<[f64; 2]> = vec_with_room(2 * parts + 2)?;
+        for part in 0..=parts {
+            let at = part * MOMENTS / parts;
+            let (time, [way, speed]) = (Course::share(at), ways[at]);
+            // Rest within a piece: nearly none.
+            let rise = PAIR * speed.max(1e-6);
+            match part {
+                0 => keys.extend([[0.0, 0.0], [PAIR, rise]]),
+                part if part == parts => keys.extend([[1.0 - PAIR, 1.0 - rise], [1.0, 1.0]]),
+                _ => keys.extend([[time - PAIR, way - rise], [time + PAIR, way + rise]]),
+            }
+        }
+        let Ok(pace) = own::distance(&keys) else {
+            continue;
+        };
+        let timing = timing(&pace)?;
+        let off =
+            |(k, [way, _]): (usize, &[f64; 2])| (timing.fraction(Course::share(k)) - way).abs();
+        let fits = ways.iter().enumerate().map(off).all(|off| off <= slack);
+        best = Some((pace, timing));
+        if fits {
+            break;
+        }
+    }
+    Ok(best)
+}
+
+/// Control quaternions of a piece. Where a velocity is not given it is found by Gauss–Newton (a
+/// small turn of one acts with its Bernstein polynomial). None if a key may not own such ones.
+fn turning(course: &Course, ways: &[f64], spins: [Option<DVec3>; 2]) -> Option<[DQuat; 4]> {
+    let [a, b] = course.turns();
+    if a.dot(b) < 1e-6 {
+        return None;
+    }
+    let whole = log(b * a.conjugate());
+    let [mut leave, mut reach] = spins.map(|spin| spin.unwrap_or(whole) / 3.0);
+    let control = |leave: DVec3, reach: DVec3| [a, exp(leave) * a, exp(-reach) * b, b];
+    for _ in 0..if spins.iter().all(Option::is_some) {
+        0
+    } else {
+        6
+    } {
+        let (mut m, mut right) = ([0.0_f64; 3], [DVec3::ZERO; 2]);
+        let now = control(leave, reach);
+        for (state, &t) in course.states.iter().zip(ways) {
+            let off = log(state.sample.turn * bezier(&now, t).conjugate());
+            let x = if spins[0].is_some() {
+                0.0
+            } else {
+                3.0 * t * (1.0 - t) * (1.0 - t)
+            };
+            let y = if spins[1].is_some() {
+                0.0
+            } else {
+                -3.0 * t * t * (1.0 - t)
+            };
             m = [m[0] + x * x, m[1] + x * y, m[2] + y * y];
             right = [right[0] + x * off, right[1] + y * off];
         }
-        // A piece of few frames tells its slopes badly: none may leave for the longest lenses.
-        let longest = MAX_LIST_ZOOM.max(2.0 * from.max(to)).min(MAX_ZOOM);
-        let clip = |slope: f64, end: f64, sign: f64| {
-            let bounds = [3.0 * sign * (MIN_ZOOM - end), 3.0 * sign * (longest - end)];
-            slope.clamp(bounds[0].min(bounds[1]), bounds[0].max(bounds[1]))
-        };
-        let determinant = m[0] * m[2] - m[1] * m[1];
-        let first = given.unwrap_or(if determinant > 1e-9 * m[0] * m[2] {
-            (right[0] * m[2] - right[1] * m[1]) / determinant
-        } else {
-            to - from
-        });
-        let first = clip(first, from, 1.0);
-        let second = if m[2] > 1e-12 {
-            (right[1] - m[1] * first) / m[2]
-        } else {
-            to - from
-        };
-        [first, clip(second, to, -1.0)]
+        let [x, y] = solved(m, right);
+        (leave, reach) = (leave + x, reach + y);
     }
+    let most = 0.45 * (std::f64::consts::PI - angle(a, b));
+    (leave.length() <= most && reach.length() <= most).then(|| control(leave, reach))
+}
+
+/// Two unknowns by their normal equations; one that has no part in them is 0.
+fn solved(m: [f64; 3], right: [DVec3; 2]) -> [DVec3; 2] {
+    let determinant = m[0] * m[2] - m[1] * m[1];
+    if m[0] == 0.0 || m[2] == 0.0 {
+        let alone = |m: f64, right: DVec3| if m > 1e-12 { right / m } else { DVec3::ZERO };
+        return [alone(m[0], right[0]), alone(m[2], right[1])];
+    }
+    if determinant <= 1e-9 * m[0] * m[2] {
+        return [DVec3::ZERO; 2];
+    }
+    [
+        (right[0] * m[2] - right[1] * m[1]) / determinant,
+        (right[1] * m[0] - right[0] * m[1]) / determinant,
+    ]
+}
+
+/// Slopes of the zoom at both ends, by least squares where they are not given, clipped to its range.
+fn zoom(course: &Course, ways: &[f64], given: [Option<f64>; 2]) -> [f64; 2] {
+    let [from, to] = course.zooms();
+    if course.states.iter().all(|state| state.sample.zoom == from) {
+        return [0.0; 2];
+    }
+    // A piece of few frames tells its slopes badly: none may leave for the longest lenses.
+    let longest = MAX_LIST_ZOOM.max(2.0 * from.max(to)).min(MAX_ZOOM);
+    let clip = |slope: f64, end: f64, sign: f64| {
+        let bounds = [3.0 * sign * (MIN_ZOOM - end), 3.0 * sign * (longest - end)];
+        slope.clamp(bounds[0].min(bounds[1]), bounds[0].max(bounds[1]))
+    };
+    let clipped = |[leave, reach]: [f64; 2]| [clip(leave, from, 1.0), clip(reach, to, -1.0)];
+    let known = clipped(given.map(|given| given.unwrap_or(0.0)));
+    let (mut m, mut right) = ([0.0; 3], [DVec3::ZERO; 2]);
+    for (state, &t) in course.states.iter().zip(ways) {
+        let off = DVec3::X * (state.sample.zoom - hermite(t, [from, to], known));
+        let x = if given[0].is_some() {
+            0.0
+        } else {
+            t * (1.0 - t) * (1.0 - t)
+        };
+        let y = if given[1].is_some() {
+            0.0
+        } else {
+            -t * t * (1.0 - t)
+        };
+        m = [m[0] + x * x, m[1] + x * y, m[2] + y * y];
+        right = [right[0] + x * off, right[1] + y * off];
+    }
+    let found = solved(m, right);
+    clipped([known[0] + found[0].x, known[1] + found[1].x])
 }
 
 fn timing(pace: &Pace) -> Result<Timing> {
@@ -379,34 +523,29 @@ fn hermite(t: f64, [from, to]: [f64; 2], [leave, reach]: [f64; 2]) -> f64 {
     from * (1.0 - a) + to * a + leave * b * (1.0 - t) - reach * b * t
 }
 
-/// The cubic between two ends nearest to points at given parameters, leaving in `direction`.
+/// The cubic between the first and the last of some points nearest to those between, at given
+/// parameters, with tangents of given directions.
 fn least_squares(
     points: &[DVec3],
     places: &[f64],
-    (from, to): (DVec3, DVec3),
-    direction: Option<DVec3>,
+    [leave, reach]: [DVec3; 2],
     length: f64,
 ) -> Cubic {
-    let (mut m, mut right) = ([0.0; 3], [DVec3::ZERO; 2]);
+    let (from, to) = (points[0], points[points.len() - 1]);
+    let (mut m, mut right) = ([0.0; 3], [0.0; 2]);
     for (point, &t) in points.iter().zip(places) {
         let a = t * t * (3.0 - 2.0 * t);
         let (x, y) = (t * (1.0 - t) * (1.0 - t), -t * t * (1.0 - t));
         let off = *point - from * (1.0 - a) - to * a;
-        m = [m[0] + x * x, m[1] + x * y, m[2] + y * y];
-        right = [right[0] + x * off, right[1] + y * off];
+        m = [m[0] + x * x, m[1] + x * y * leave.dot(reach), m[2] + y * y];
+        right = [right[0] + x * off.dot(leave), right[1] + y * off.dot(reach)];
     }
     let determinant = m[0] * m[2] - m[1] * m[1];
-    let chord = to - from;
-    if points.len() < 4 || determinant <= 1e-9 * m[0] * m[2] {
-        let leave = direction.map_or(chord, |direction| direction * length);
-        return Cubic::hermite(from, to, leave, chord);
+    let least = 0.02 * length;
+    let (mut along, mut out) = (length, length);
+    if determinant > 1e-9 * m[0] * m[2] {
+        along = (right[0] * m[2] - right[1] * m[1]) / determinant;
+        out = (right[1] * m[0] - right[0] * m[1]) / determinant;
     }
-    let leave = match direction {
-        None => (right[0] * m[2] - right[1] * m[1]) / determinant,
-        Some(d) => {
-            let along = (right[0].dot(d) * m[2] - right[1].dot(d) * m[1]) / determinant;
-            d * along.max(0.02 * length)
-        }
-    };
-    Cubic::hermite(from, to, leave, (right[1] - leave * m[1]) / m[2])
+    Cubic::hermite(from, to, leave * along.max(least), reach * out.max(least))
 }
