@@ -156,7 +156,8 @@ const BROKEN: &[(&str, &str)] = &[
     ("unclosed_array", "line 4: unclosed array, expected `]`"),
     (
         "unknown_object_key",
-        "line 3: unknown key \"lines\"; known here: polylines, file, bytes, checksum",
+        "line 3: unknown key \"edges\"; known here: polylines, points, colours, lines, triangles, file, bytes, \
+         checksum",
     ),
     (
         "unknown_orientation_key",

@@ -11,6 +11,7 @@ pub mod clearance;
 pub mod enclosure;
 pub mod fit;
 mod keep;
+mod kinds;
 pub mod moves;
 pub mod parameter;
 pub mod profile;
