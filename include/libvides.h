@@ -629,10 +629,20 @@ extern "C" {
  * sentence in English, UTF-8, "" after a success. Never NULL. Of a sentence
  * longer than 1023 bytes the middle is left out. The text belongs to the
  * library and is valid until the same thread's next call of any function but
- * this one, v_strerror() and v_version().
+ * this one, v_last_warning(), v_strerror() and v_version().
  * Any thread; from callbacks too.
  */
 const char *v_last_error(void);
+
+/**
+ * What the calling thread's last call that can warn has to say besides its success:
+ * sentences in English, UTF-8, "" if there is nothing. Functions that can warn say so.
+ * Never NULL. Of a sentence too long for 1023 bytes in all the middle is left out. The
+ * text belongs to the library and is valid until the same thread's next call of a
+ * function that can warn.
+ * Any thread; from callbacks too.
+ */
+const char *v_last_warning(void);
 
 /**
  * What a status means, in English. Never NULL; the text is constant.
@@ -1138,7 +1148,9 @@ int v_path_set_first_frame(V_PATH *path, int number);
 int v_path_get_first_frame(const V_PATH *path, int *number);
 
 /**
- * Sets the object that is shown with a path, copied; NULL: none.
+ * Sets the object that is shown with a path, copied; NULL: none. Its lines and the
+ * edges of its triangles are drawn (of more than 1,000,000 points of lines those at
+ * which it ends or bends), its triangles are there for v_path_check().
  * Any thread; from callbacks too. V_ERR_NULL (path), V_ERR_SIZE, V_ERR_HANDLE,
  * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
@@ -2068,21 +2080,27 @@ int v_path_fit_poses(const V_POSE *poses,
  * "view-jump"     degrees at once (1)
  * "turning"       degrees a second (60)
  * "turning-acceleration"  degrees a second squared (300)
- * "half-turn"     that might go either way
+ * "half-turn"     degrees from a half turn, that might go either way (0.1)
  * "pole"          degrees from straight up or down, below the limit (3)
  * "target"        the target is nearer than the limit (0.05)
  * "clearance"     the object is nearer than the limit (0.02)
  * "through"       the way leads through a triangle of the object
  * "nothing-to-see"  nothing of the object in the picture, seconds (1)
  * "zoom"          mm a second (30)
- * "redundant"     several keys stand where one would do
+ * "redundant"     the poses would be the same without a key: they change by less than
+ *                 so many times 0.001 half sizes, 0.1 degrees and 0.1 mm (1)
  * "corner"        degrees by which the way turns at a point (60)
+ * "jerk"          in half sizes a second cubed, the third difference of the places at
+ *                 whole frames (off unless a limit is set)
  *
  * object  what the camera must not come near to, in the coordinates of the path;
- *     NULL: the path's own object, if it has one
+ *     NULL: the path's own object with its faces, if it has one
  * findings  room for capacity of them; *count is how many there are. With a
  *     capacity too small nothing else is written and the answer is V_ERR_SIZE;
  *     findings NULL with capacity 0 only asks for *count
+ * v_last_warning() then has notes, "" if there are none: that the camera is inside
+ * the object all the time, and what was not looked at (objects that move, what
+ * a parent adds to the camera).
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
  * V_ERR_ARGUMENT (an object without geometry), V_ERR_RANGE, V_ERR_LIMIT,
  * V_ERR_MEMORY.
@@ -2095,13 +2113,14 @@ int v_path_check(const V_PATH *path,
 
 /**
  * Sets the limit of a kind of finding, see v_path_check(); it is kept in the file.
+ * INFINITY: that kind is not looked for.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such
  * kind), V_ERR_RANGE.
  */
 int v_path_set_limit(V_PATH *path, const char *kind, double limit);
 
 /**
- * The limit of a kind of finding, see v_path_check().
+ * The limit of a kind of finding, see v_path_check(); INFINITY: not looked for.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT.
  */
 int v_path_get_limit(const V_PATH *path, const char *kind, double *limit);
