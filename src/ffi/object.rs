@@ -63,7 +63,7 @@ pub(super) unsafe fn wireframe(mesh: *const V_MESH, name: &'static str) -> Answe
     let mesh = optional(mesh, |mesh| unsafe {
         super::scene_tracks::mesh(mesh, name)
     })?;
-    Ok(mesh.map_or_else(|| Ok(Object::default()), |mesh| Object::of_mesh(mesh))?)
+    Ok(mesh.map_or_else(|| Ok(Object::default()), Object::of_mesh)?)
 }
 
 /// The host's base speeds: move, orient, zoom, winkel (roll). Invalid ones are replaced, with a

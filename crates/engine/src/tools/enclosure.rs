@@ -10,8 +10,8 @@ use crate::error::{Result, vec_with_room};
 /// Directions that no model is built along. Two of three must agree, since a ray may meet an edge.
 const WAYS: [DVec3; 3] = [
     DVec3::new(0.812_345_1, 0.312_356_7, 0.492_387_1),
-    DVec3::new(-0.271_828_2, 0.914_142_1, 0.300_941_3),
-    DVec3::new(0.173_205_1, -0.523_598_8, 0.834_159_3),
+    DVec3::new(-0.273_914_6, 0.914_617_3, 0.300_941_3),
+    DVec3::new(0.173_205_1, -0.537_691_3, 0.834_159_3),
 ];
 
 /// Not of a closed part.
