@@ -70,7 +70,8 @@ fn points_go_from_window_to_window_as_the_text_of_a_file() {
     assert_eq!(other.state().several(), Some(&[5, 6, 7][..]));
     assert_eq!(other.state().document.selection(), Selection::at(5, 0));
     let output = &Language::English.texts().output;
-    assert_eq!(said(&other), Some(fill(output.points_pasted, &[&3])));
+    let pasted = fill(output.points_pasted, &[&3]);
+    assert!(said(&other).is_some_and(|said| said.starts_with(&pasted)));
     press(&mut other, Modifiers::CTRL, Key::Z);
     assert_eq!(places(&other), before);
     // Their own window is none other.
@@ -92,7 +93,8 @@ fn points_that_are_apart_are_copied_without_those_between_and_cut_in_one_step() 
     assert_eq!(views(&cut.path().points), before[2].orientations);
     assert_eq!(points(&window).len(), before.len() - 3);
     let output = &Language::English.texts().output;
-    assert_eq!(said(&window), Some(fill(output.points_copied, &[&3])));
+    let copied = fill(output.points_copied, &[&3]);
+    assert!(said(&window).is_some_and(|said| said.starts_with(&copied)));
     press(&mut window, Modifiers::CTRL, Key::Z);
     assert_eq!(points(&window), before);
     // Two remain: what cannot be removed is not copied either.

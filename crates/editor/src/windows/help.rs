@@ -163,7 +163,7 @@ pub(crate) fn meaning(language: Language, action: &Action) -> Cow<'static, str> 
         Action::PlayOrPause => space.play_meaning.into(),
         Action::Copy => button(menu.copy_orientation, texts.help.copy),
         Action::Cut => menu.cut.into(),
-        Action::Paste => button(menu.paste_orientation, texts.help.paste),
+        Action::Paste => button(menu.paste, texts.help.paste),
         Action::HandOver => menu.hand_over.into(),
         Action::Colours => menu.colours.into(),
         Action::Display => menu.display.into(),

@@ -243,6 +243,14 @@ impl Data {
         if poses.iter().all(|pose| *pose == first) {
             return Err(Invalid::SamePoses.into());
         }
+        let (start, angle) = (raw[0], tolerance.angle.to_radians());
+        let near = |sample: &Sample| {
+            sample.position.distance(start.position) <= tolerance.position
+                && start.off(sample.turn, sample.zoom) <= angle
+        };
+        if raw.iter().all(near) {
+            return Err(Invalid::WithinTolerance.into());
+        }
         let space = match options.space {
             Some(space) => space,
             None => space_of(&raw, up)?,
@@ -255,7 +263,7 @@ impl Data {
             raw,
             left_out,
             tolerance: tolerance.position,
-            angle: tolerance.angle.to_radians(),
+            angle,
             fps,
             space,
         })

@@ -25,8 +25,11 @@ const ARC: f64 = TAU / 12.0;
 /// A way of so many half sizes counts as none (docs/path.md, sections).
 const NO_WAY: f64 = 1e-9;
 
-/// The largest angle between two views of a pan.
+/// The largest angle between two views of a tilted pan, which would cut its way short.
 const PAN: f64 = TAU / 8.0;
+
+/// Of a level one, which turns about one axis: short of the half turn that goes either way.
+const LEVEL_PAN: f64 = TAU * (179.0 / 360.0);
 
 /// No circular segment has more, however few the frames are.
 const WIDEST: f64 = TAU / 4.0;
@@ -595,7 +598,16 @@ fn pan(given: &Given<'_>) -> Result<Vec<SupportPoint>> {
         return Err(OutOfRange::NoTurn.into());
     }
     let sections = |widest: f64| ((to - from).abs() / widest - 1e-9).ceil().max(1.0) as usize;
-    let shares = given.shares(sections(PAN), sections(WIDEST), &|_| 1.0)?;
+    let mut shares = given.shares(sections(PAN), sections(WIDEST), &|_| 1.0)?;
+    if tilt == 0.0 {
+        // Where it could turn on to the next one all the same, a view says nothing.
+        let most = LEVEL_PAN / (to - from).abs();
+        for k in (1..shares.len() - 1).rev() {
+            if shares[k + 1] - shares[k - 1] <= most {
+                shares.remove(k);
+            }
+        }
+    }
     let mut points = vec_with_room(shares.len())?;
     for share in shares {
         let angle = from + (to - from) * share;
