@@ -12,11 +12,11 @@ use crate::tests::*;
 /// What a window has put into the clipboard in its last pass.
 fn clipboard(window: &Window) -> Option<String> {
     let commands = window.output().platform_output.commands.iter();
-    let texts = commands.filter_map(|command| match command {
+    let mut texts = commands.filter_map(|command| match command {
         egui::OutputCommand::CopyText(text) => Some(text.clone()),
         _ => None,
     });
-    texts.last()
+    texts.next_back()
 }
 
 /// Copies or cuts by the event that the keyboard's keys make.

@@ -198,6 +198,9 @@ german! {
         PoseTimes => "die Zeiten der Posen müssen wachsen, eine für jede";
         SamePoses => "alle Posen sind gleich";
         WithinTolerance => "die Posen unterscheiden sich um nicht mehr als die Toleranz: eine kleinere macht einen Pfad daraus";
+        Outliers { off, all } =>
+            "{} von {} Posen weichen von dem ab, was die um sie herum sagen: zu viele, um sie \
+             auszulassen; eine größere Toleranz, oder eine Anpassung, die allen folgt", off, all;
         PoseMissed(times) =>
             "kein Pfad, dessen Punkte bei ganzen Bildern liegen, trifft sie innerhalb der \
              Toleranz (verfehlt um das {}-Fache): mehr Bilder pro Sekunde helfen, oder eine \

@@ -305,6 +305,11 @@ pub enum Invalid {
         "the poses do not differ by more than the tolerance: a smaller one makes a path of them"
     )]
     WithinTolerance,
+    #[error(
+        "{off} of {all} poses are off from what those around them say: too many to leave them out; \
+         a larger tolerance, or a fit that follows all poses"
+    )]
+    Outliers { off: usize, all: usize },
     /// By how many times the tolerance it is missed.
     #[error(
         "no path whose points stand at whole frames passes it within the tolerance (it is \

@@ -373,7 +373,14 @@ fn outliers_are_left_out_where_asked() {
     let mut poses = clean.clone();
     for k in 0..30 {
         let pose = &mut poses[50 + 97 * k];
-        pose.vrp = (DVec3::from(pose.vrp) + 0.3 * vector(&mut random).normalize()).to_array();
+        match k % 3 {
+            0 => pose.zoom = 400.0,
+            1 => pose.vpn = (-DVec3::from(pose.vpn)).to_array(),
+            _ => {
+                let off = 0.3 * vector(&mut random).normalize();
+                pose.vrp = (DVec3::from(pose.vrp) + off).to_array();
+            }
+        }
     }
     let mut options = Options::from(TOLERANCE);
     let followed = fit(&poses, None, 30.0, &options, &mut |_, _| true).unwrap();

@@ -117,17 +117,30 @@ impl<const N: usize> Spline<N> {
     }
 
     /// Near the rows but for a few that are far off (P. J. Huber, *Robust estimation of a location
-    /// parameter*, 1964): beyond `bounds` a row pulls no more than at them.
-    pub(super) fn robust(times: &[f64], rows: &[[f64; N]], bounds: &[f64]) -> Result<Self> {
+    /// parameter*, 1964): beyond `bound` a row pulls no more than at it, and those left out not at
+    /// all.
+    pub(super) fn robust(
+        times: &[f64],
+        rows: &[[f64; N]],
+        bound: f64,
+        left_out: &[bool],
+    ) -> Result<Self> {
         let mut spline = Self::straight(times, rows)?;
         let step = spline.step();
         let mut light = vec_with_room(rows.len())?;
-        light.resize(rows.len(), step * step * step);
+        let all = step * step * step;
+        light.extend(
+            left_out
+                .iter()
+                .map(|out| if *out { LIGHT * all } else { all }),
+        );
         for _ in 0..ROUNDS {
             spline.solve(rows, &light)?;
-            let off = rows.iter().zip(&spline.values).zip(bounds);
-            for (((row, value), bound), light) in off.zip(&mut light) {
-                *light = step * step * step * (apart(row, value) / bound).max(1.0);
+            let off = rows.iter().zip(&spline.values).zip(left_out);
+            for (((row, value), left_out), light) in off.zip(&mut light) {
+                if !left_out {
+                    *light = all * (apart(row, value) / bound).max(1.0);
+                }
             }
         }
         Ok(spline)

@@ -5,8 +5,8 @@ use std::ops::RangeInclusive;
 
 use glam::{DQuat, DVec3, DVec4};
 
-use super::{Data, Sample};
-use crate::error::{Result, vec_with_room};
+use super::{Data, Sample, view_angle};
+use crate::error::{Invalid, Result, vec_with_room};
 use crate::limits::{MAX_ZOOM, MIN_ZOOM};
 use crate::tools::smooth::{Spline, noise};
 
@@ -22,6 +22,15 @@ const STILL: f64 = 1e-4;
 
 /// if it does for so many frames.
 const REST: f64 = 12.0;
+
+/// One of the last so many poses is right.
+const BEFORE: usize = 6;
+
+/// Rounds in which poses are left out and taken in again.
+const AGAIN: usize = 8;
+
+/// No more than one pose of so many is left out.
+const MOST: usize = 4;
 
 /// What the camera does in a stretch.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -142,7 +151,10 @@ impl Data {
         while at < last {
             let still =
                 |k: &usize| self.left_out[*k] || apart(&self.raw[at], &self.raw[*k]) <= STILL;
-            let end = (at + 1..=last).take_while(still).last().unwrap_or(at);
+            // Whether it rests in what is left out, the pose behind says.
+            let there = |k: &usize| !self.left_out[*k];
+            let end = (at + 1..=last).take_while(still).filter(there).last();
+            let end = end.unwrap_or(at);
             if self.times[end].round() - self.times[at].round() >= REST {
                 runs.try_reserve(2)?;
                 if begin < at {
@@ -223,33 +235,61 @@ impl Data {
     /// Leaves out poses that are off by more than the tolerance from what the others say.
     pub(super) fn leave_out(&mut self) -> Result<()> {
         let count = self.raw.len();
-        let mut bounds: Vec<f64> = vec_with_room(count)?;
         let mut places: Vec<[f64; 3]> = vec_with_room(count)?;
         let mut turns: Vec<[f64; 4]> = vec_with_room(count)?;
-        let mut zooms: Vec<[f64; 1]> = vec_with_room(count)?;
-        for sample in &self.raw {
+        let mut angles: Vec<[f64; 1]> = vec_with_room(count)?;
+        for k in 0..count {
+            // The sign of a quaternion that is off says nothing of those behind it.
+            let before = &self.raw[k.saturating_sub(BEFORE)..k];
+            let nearest = |turn: DQuat| {
+                let far = before.iter().map(|sample| (sample.turn - turn).length());
+                far.fold(f64::INFINITY, f64::min)
+            };
+            let turn = self.raw[k].turn;
+            if nearest(-turn) < nearest(turn) {
+                self.raw[k].turn = -turn;
+            }
+            let sample = &self.raw[k];
             places.push(sample.position.to_array());
             turns.push(sample.turn.to_array());
-            zooms.push(zoom_row(sample));
+            angles.push([view_angle(sample.zoom)]);
         }
-        bounds.resize(count, 0.5 * self.tolerance);
-        let place = Spline::robust(&self.times, &places, &bounds)?;
-        bounds.fill(0.25 * self.angle);
-        let turn = Spline::robust(&self.times, &turns, &bounds)?;
-        for (bound, sample) in bounds.iter_mut().zip(&self.raw) {
-            *bound = zoom_within(sample.zoom, 0.5 * self.angle);
-        }
-        let zoom = Spline::robust(&self.times, &zooms, &bounds)?;
-        for (k, sample) in self.raw.iter_mut().enumerate() {
-            let found = Sample {
+        let mut found: Vec<Sample> = vec_with_room(count)?;
+        let mut off: Vec<bool> = vec_with_room(count)?;
+        // What is off draws those beside it along: so again without what seemed to be.
+        for _ in 0..AGAIN {
+            let out = &self.left_out;
+            let place = Spline::robust(&self.times, &places, 0.5 * self.tolerance, out)?;
+            // On S³ an angle counts half.
+            let turn = Spline::robust(&self.times, &turns, 0.25 * self.angle, out)?;
+            let angle = Spline::robust(&self.times, &angles, 0.5 * self.angle, out)?;
+            found.clear();
+            found.extend((0..count).map(|k| Sample {
                 position: DVec3::from_array(*place.value(k)),
                 turn: DQuat::from_array(*turn.value(k)).normalize(),
-                zoom: zoom.value(k)[0].clamp(MIN_ZOOM, MAX_ZOOM),
-            };
-            let far = found.position.distance(sample.position);
-            if far > self.tolerance || sample.off(found.turn, found.zoom) > self.angle {
+                zoom: (12.0 / (0.5 * angle.value(k)[0]).tan()).clamp(MIN_ZOOM, MAX_ZOOM),
+            }));
+            off.clear();
+            off.extend(self.raw.iter().zip(&found).map(|(sample, found)| {
+                found.position.distance(sample.position) > self.tolerance
+                    || sample.off(found.turn, found.zoom) > self.angle
+            }));
+            if off == self.left_out {
+                break;
+            }
+            self.left_out.copy_from_slice(&off);
+        }
+        let all = self.left_out.iter().filter(|out| **out).count();
+        if all * MOST > count {
+            return Err(Invalid::Outliers {
+                off: all,
+                all: count,
+            }
+            .into());
+        }
+        for ((sample, found), out) in self.raw.iter_mut().zip(found).zip(&self.left_out) {
+            if *out {
                 *sample = found;
-                self.left_out[k] = true;
             }
         }
         Ok(())
