@@ -124,12 +124,13 @@ impl Editor {
     /// `ErrorKind::Range` if there is no such frame; as [`Editor::frame`].
     pub fn set_frame(&mut self, frame: f64) -> Result<()> {
         let at = self.document.frame_of_path(frame);
+        let first_of_path = self.document.frame_of_path(1.0);
         let of_scene = |error| match error {
             // As the caller counts them, who gave one of the scene.
             EngineError::Range(OutOfRange::NoFrame { first, last, .. }) => OutOfRange::NoFrame {
                 frame,
-                first: first + frame - at,
-                last: last + frame - at,
+                first: first + 1.0 - first_of_path,
+                last: last + 1.0 - first_of_path,
             }
             .into(),
             other => other,

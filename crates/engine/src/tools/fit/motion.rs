@@ -12,7 +12,7 @@ use crate::tools::smooth::{Spline, noise};
 
 /// The shares of the tolerance that the splines may take, without noise and with much; the rest is
 /// for the pieces.
-const SHARES: [f64; 2] = [0.3, 0.6];
+const SHARES: [f64; 2] = [0.3, 0.85];
 
 /// So many standard deviations of the noise the splines may miss.
 const DEVIATIONS: f64 = 3.5;
