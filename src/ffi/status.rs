@@ -415,7 +415,7 @@ pub(super) fn with_last_error(show: impl FnOnce(&[u8])) {
 /// What went wrong in the calling thread's last call of the library: one
 /// sentence in English, UTF-8, "" after a success. Never NULL. Of a sentence
 /// longer than 1023 bytes the middle is left out. It calls parameters as this
-/// header does (path, options->title, paths[2]) and counts as it does: points,
+/// header does (path, options->title) and counts as it does: points,
 /// orientations and so on from 0, which it says; frames from 1. The text belongs to the
 /// library and is valid until the same thread's next call of any function but
 /// this one, v_last_warning(), v_strerror() and v_version().
