@@ -285,8 +285,11 @@ unsafe fn configure(document: &mut Document, options: &V_EDITOR_OPTIONS) -> Answ
     // A new path is moved to the same place in the given space; others have coordinates of their
     // own.
     let fit = options.path.is_null() && document.fingerprint().is_none();
+    // A host that fills its options with zeroes has not chosen.
+    let unset = options.space_up == 0 && options.space_half_size == 0.0;
+    let up = if unset { V_UP_Y } else { options.space_up };
     let mut space = Space {
-        up: up_from_c(options.space_up, "options->space_up")?,
+        up: up_from_c(up, "options->space_up")?,
         ..Space::default()
     };
     if options.space_half_size != 0.0 {

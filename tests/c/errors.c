@@ -190,8 +190,8 @@ static void what_there_is_is_told(void)
 
     SAYS(V_ERR_RANGE, "there is no kind of curve \"bezier\"; known: tcb, cubic, linear",
          v_path_set_curve(path, "bezier"));
-    SAYS(V_ERR_ARGUMENT, "there is no up \"z\"; known: axis, point, path, minimal, frenet",
-         v_path_set_up(path, 0, 0, "z", NULL, NULL));
+    SAYS(V_ERR_ARGUMENT, "there is no up \"w\"; known: axis, point, path, minimal, frenet, y, z",
+         v_path_set_up(path, 0, 0, "w", NULL, NULL));
     SAYS(V_ERR_RANGE, "up is 9; known: V_UP_Y (1), V_UP_Z (2)",
          v_path_set_space(path, values, 1, 9));
     SAYS(V_ERR_RANGE, "the deformation \"bend\" does not take 5 numbers; it takes 2, 6",

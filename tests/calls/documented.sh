@@ -15,7 +15,7 @@ awk '
             line = substr(line, RSTART + RLENGTH)
         }
     }
-    /^(int|void|const char) .*\(/ && match($0, /v_[a-z_]+\(/) {
+    /^(int|void|double|const char) .*\(/ && match($0, /v_[a-z_]+\(/) {
         printf "    {\"%s\", 0%s},\n", substr($0, RSTART, RLENGTH - 1), statuses
     }
 ' "$1"
