@@ -24,6 +24,9 @@ FLIGHT = [(-0.6, 0.2, 0.8), (-0.85, 0.3, 0.1), (-0.7, 0.35, -0.65),
 SUMMIT = (0.0, 0.5, 0.0)
 CORNER = 3
 """The point at which the camera stands and pans."""
+AWAY = 60, 560
+"""In the window, below the rows of the list: over a row, its help would come up and
+cover a part of the space before that is measured."""
 
 
 class Player:
@@ -76,7 +79,7 @@ class Player:
 
     def away(self):
         """The pointer where it covers and lights nothing."""
-        self.server.xdotool("mousemove", "--window", self.window, 60, 120)
+        self.server.xdotool("mousemove", "--window", self.window, *AWAY)
 
     def click(self, box):
         """Clicks what was found."""
@@ -248,7 +251,7 @@ def beside(command, name, folder, picture, about, orbits):
             # The playhead is put in the middle.
             server.click(window, width - PANEL - 330, height - SPEEDS - 28)
             wait(lambda: server.picture(host).differs(before), "the host to follow")
-            server.xdotool("mousemove", "--window", window, 60, 120)
+            server.xdotool("mousemove", "--window", window, *AWAY)
             server.drawn(host, 1)
             server.drawn(window)
             server.picture().save(os.path.join(folder, picture))
