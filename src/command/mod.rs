@@ -14,6 +14,7 @@ mod moves;
 mod output;
 mod plot;
 mod progress;
+mod properties;
 mod sample;
 mod scene;
 mod table;
@@ -66,6 +67,10 @@ enum Command {
         #[arg(long)]
         json: bool,
     },
+    /// Writes properties of a path by their names
+    Get(properties::Get),
+    /// Sets properties of a path by their names
+    Set(properties::Set),
     /// Makes a path of few points of recorded poses
     Fit(fit::Arguments),
     /// Tells what will look wrong in a film
@@ -120,6 +125,8 @@ pub(crate) fn run() -> ExitCode {
         Command::Edit { file, object } => edit::run(file.as_deref(), object.as_deref()),
         Command::Sample(arguments) => sample::run(&arguments),
         Command::Info { file, json } => info::run(&file, json),
+        Command::Get(arguments) => properties::get(&arguments),
+        Command::Set(arguments) => properties::set(&arguments),
         Command::Fit(arguments) => fit::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
         Command::Plot(arguments) => plot::run(&arguments),

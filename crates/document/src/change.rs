@@ -11,8 +11,9 @@ use super::vid::Comments;
 use crate::error::{Result, vec_with_room};
 use crate::path::{
     BaseFrames, CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, Own, Plan,
-    Space, SupportPoint, Tangents, Target, Tcb, UpVector, ZoomMode,
+    Space, SupportPoint, Tangents, Tcb, UpVector, ZoomMode,
 };
+use vides_engine::property::SameBits;
 
 /// The state that records change.
 #[derive(Debug)]
@@ -190,40 +191,40 @@ impl Change {
     pub(super) fn is_idle(&self, state: &State) -> bool {
         let path = &state.path;
         match self {
-            Self::Position { at, position } => same_vector(path.points[*at].position, *position),
+            Self::Position { at, position } => path.points[*at].position.same_bits(position),
             Self::Name { at, name } => path.points[*at].name == *name,
             Self::Curve { at, curve } => match (path.points[*at].curve, *curve) {
                 (CurveParameters::Preset(a), CurveParameters::Preset(b)) => a == b,
-                (CurveParameters::Own(a), CurveParameters::Own(b)) => same_tcb(a, b),
+                (CurveParameters::Own(a), CurveParameters::Own(b)) => a.same_bits(&b),
                 _ => false,
             },
             Self::Orientation {
                 point,
                 at,
                 orientation,
-            } => same_orientation(&path.points[*point].orientations[*at], orientation),
-            Self::Preset { preset, tcb } => same_tcb(path.presets[*preset], *tcb),
+            } => path.points[*point].orientations[*at].same_bits(orientation),
+            Self::Preset { preset, tcb } => path.presets[*preset].same_bits(tcb),
             // Frames are > 0, so there is no −0.
             Self::BaseFrames(frames) => path.base_frames == *frames,
             Self::Closed(closed) => path.closed == *closed,
             Self::CurveKind(curve) => path.curve == *curve,
-            Self::Tangents { at, tangents } => same_tangents(path.points[*at].tangents, *tangents),
+            Self::Tangents { at, tangents } => path.points[*at].tangents.same_bits(tangents),
             Self::Point { at, point } => {
                 let there = &path.points[*at];
                 let mut views = there.orientations.iter().zip(&point.orientations);
-                same_vector(there.position, point.position)
+                there.position.same_bits(&point.position)
                     && there.name == point.name
                     && there.curve == point.curve
-                    && same_tangents(there.tangents, point.tangents)
+                    && there.tangents.same_bits(&point.tangents)
                     && there.orientations.len() == point.orientations.len()
-                    && views.all(|(a, b)| same_orientation(a, b))
+                    && views.all(|(a, b)| a.same_bits(b))
             }
             Self::Several(changes) => changes.iter().all(|change| change.is_idle(state)),
             Self::Modes(orientation, zoom) => {
                 path.orientation_mode == *orientation && path.zoom_mode == *zoom
             }
             Self::Space(space) => {
-                same_vector(path.space.centre, space.centre) && path.space == *space
+                path.space.centre.same_bits(&space.centre) && path.space == *space
             }
             Self::MovePoint { from, to } => from == to,
             _ => false,
@@ -414,36 +415,4 @@ fn weigh(points: &[SupportPoint]) -> usize {
     size_of_val(points)
         + count_orientations(points) * size_of::<Orientation>()
         + owned * size_of::<Own>()
-}
-
-/// Bitwise equality, as that of all below: 0 and −0 differ.
-fn same_vector(a: DVec3, b: DVec3) -> bool {
-    a.to_array().map(f64::to_bits) == b.to_array().map(f64::to_bits)
-}
-
-fn same_tangents(a: Option<Tangents>, b: Option<Tangents>) -> bool {
-    let bits = |own: Tangents| [own.before, own.after].map(|v| v.to_array().map(f64::to_bits));
-    a.map(bits) == b.map(bits)
-}
-
-fn same_tcb(a: Tcb, b: Tcb) -> bool {
-    let bits = |tcb: Tcb| [tcb.tension, tcb.continuity, tcb.bias].map(f64::to_bits);
-    bits(a) == bits(b)
-}
-
-fn same_orientation(a: &Orientation, b: &Orientation) -> bool {
-    let same_target = match (a.target, b.target) {
-        (Target::Absolute(a), Target::Absolute(b)) | (Target::Relative(a), Target::Relative(b)) => {
-            same_vector(a, b)
-        }
-        _ => false,
-    };
-    // Zoom and speeds are ≥ 1, so `==` is bitwise there.
-    same_target
-        && a.roll.to_bits() == b.roll.to_bits()
-        && same_tcb(a.turning, b.turning)
-        && a.zoom == b.zoom
-        && a.speeds == b.speeds
-        && a.hold == b.hold
-        && a.own.is_same(&b.own)
 }

@@ -39,6 +39,14 @@ pub enum Error {
         /// What is wrong.
         cause: Malformed,
     },
+    /// A property cannot be set so.
+    #[error("{name}: {cause}")]
+    Property {
+        /// Its name, as it was given.
+        name: Text,
+        /// What is wrong.
+        cause: Malformed,
+    },
     /// A file is longer than the MiB that are read.
     #[error("the file is larger than the {0} MiB that are read")]
     FileTooLarge(u64),
@@ -81,6 +89,7 @@ impl Error {
             Self::Refused(refused) => refused.kind(),
             Self::Io { .. } => ErrorKind::Io,
             Self::Format { .. } => ErrorKind::Format,
+            Self::Property { .. } => ErrorKind::Argument,
             Self::FileTooLarge(_) | Self::PieceTooLarge(_) => ErrorKind::Limit,
             Self::Mesh(error) => match error {
                 vides_mesh::Error::Memory => ErrorKind::Memory,
@@ -165,6 +174,8 @@ pub enum Refused {
     NoPathEdited,
     #[error("node \"{0}\" follows no path")]
     NoPathOf(Text),
+    #[error("there is no property \"{0}\"; a name is a key of the file, or begins with point.N.")]
+    NoProperty(Text),
     #[error("there is no scene, only a path")]
     NoScene,
     #[error("this path has no file yet")]

@@ -30,6 +30,7 @@ mod notes;
 mod place;
 mod poses;
 mod prepare;
+mod property;
 mod remedy;
 pub mod save;
 mod scene;

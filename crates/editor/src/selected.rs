@@ -7,8 +7,9 @@ use glam::DMat4;
 
 use crate::document::{Document, Edit, Selection};
 use crate::error::Result;
-use crate::path::{Orientation, SupportPoint};
+use crate::path::{Orientation, Own, SupportPoint};
 use crate::state::Editor;
+use vides_engine::property::SameBits;
 
 /// Which points to select.
 #[derive(Clone, Debug, PartialEq)]
@@ -255,45 +256,26 @@ fn for_all(document: &Document, points: &[usize], edit: Edit) -> Result<Vec<Edit
 
 /// Changes in an orientation what differs between two others.
 fn take_over(into: &mut Orientation, old: &Orientation, new: &Orientation) -> Result<()> {
-    if new.target != old.target {
-        into.target = new.target;
+    for row in Orientation::PROPERTIES {
+        // What it has of its own is decided field by field.
+        if !row.keys.is_empty() && !(row.same)(old, new) {
+            (row.take)(into, new);
+        }
     }
-    if new.roll != old.roll {
-        into.roll = new.roll;
-    }
-    if new.zoom != old.zoom {
-        into.zoom = new.zoom;
-    }
-    if new.turning != old.turning {
-        into.turning = new.turning;
-    }
-    if new.speeds != old.speeds {
-        into.speeds = new.speeds;
-    }
-    if new.hold != old.hold {
-        into.hold = new.hold;
+    if old.own.same_bits(&new.own) && new.target == old.target {
+        return Ok(());
     }
     // Aiming at something ends looking along the path.
     let aims = new.target != old.target && new.own.ahead.is_none();
-    let ahead = aims || new.own.ahead != old.own.ahead;
-    let pace = new.own.pace != old.own.pace;
-    let frames = new.own.frames != old.own.frames;
-    let up = new.own.up != old.own.up;
-    if ahead || pace || frames || up {
-        into.own = into.own.with(|own| {
-            if ahead {
-                own.ahead = new.own.ahead;
+    into.own = into.own.with(|own| {
+        for row in Own::PROPERTIES {
+            if row.travels && !(row.same)(&old.own, &new.own) {
+                (row.take)(own, &new.own);
             }
-            if pace {
-                own.pace = new.own.pace.clone();
-            }
-            if frames {
-                own.frames = new.own.frames;
-            }
-            if up {
-                own.up = new.own.up.clone();
-            }
-        })?;
-    }
+        }
+        if aims {
+            own.ahead = None;
+        }
+    })?;
     Ok(())
 }

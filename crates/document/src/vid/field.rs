@@ -4,8 +4,11 @@ use glam::DVec3;
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue, Error as ParseError};
 
-use crate::error::{EngineError, Error, Key, Malformed, Result, Value};
-use crate::path::Space;
+use vides_engine::property::{self, Kind, Property};
+
+use crate::error::{EngineError, Error, Key, Malformed, Quantity, Result, Value};
+use crate::path::camera_path::check_shape;
+use crate::path::{Space, Tcb};
 
 /// A piece of a file, with the whole text for line numbers.
 #[derive(Clone, Copy)]
@@ -172,6 +175,39 @@ impl<'a> Field<'a> {
         } else {
             Err(self.error(Malformed::Between { low, high }))
         }
+    }
+
+    /// Reads a property that is not nested; its row's check is not run.
+    pub fn plain<T>(&self, row: &Property<T>, into: &mut T) -> Result<()> {
+        let value = match (row.kind, row.range) {
+            (Kind::Number, _) => property::Value::Number(self.number()?),
+            (Kind::Whole, range) => {
+                let most = range.map_or(u32::MAX, |(_, most)| most as u32);
+                property::Value::Whole(self.integer_in(0, most.into())? as u32)
+            }
+            (Kind::Switch, _) => property::Value::Switch(self.boolean()?),
+            (Kind::Speeds, _) => property::Value::Speeds(self.numbers()?),
+            (Kind::Shape, _) => property::Value::Shape(self.tcb()?),
+            (Kind::Nested, _) => return Ok(()),
+        };
+        (row.set)(into, value);
+        Ok(())
+    }
+
+    /// Tension, continuity and bias; each is 0 unless given.
+    pub fn tcb(&self) -> Result<Tcb> {
+        let mut tcb = Tcb::default();
+        for field in self.fields()? {
+            let (value, what) = match field.key {
+                "tension" => (&mut tcb.tension, Quantity::Tension),
+                "continuity" => (&mut tcb.continuity, Quantity::Continuity),
+                "bias" => (&mut tcb.bias, Quantity::Bias),
+                _ => return Err(field.unknown(&["tension", "continuity", "bias"])),
+            };
+            *value = field.number()?;
+            field.checked(check_shape(*value, what))?;
+        }
+        Ok(tcb)
     }
 
     /// `true` or `false`.

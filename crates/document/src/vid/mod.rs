@@ -47,9 +47,12 @@ use crate::error::{EngineError, Error, Malformed, Result, can_allocate, vec_with
 use crate::limits::MAX_FILE_BYTES;
 
 pub(super) use comments::{Comments, insert_points, remove_points};
-pub(super) use read::{from_toml, scene_from_toml, shown_from_toml};
+pub(super) use read::{
+    PATH_KEYS, POINT_KEYS, change_path, change_point, change_view, from_toml, scene_from_toml,
+    shown_from_toml, view_keys,
+};
 pub(super) use scene_write::{alone, scene_to_toml};
-pub(super) use write::{to_toml, view_to_toml};
+pub(super) use write::{quoted, to_toml, view_to_toml};
 
 /// The format version that is written, and the newest that is read.
 const VERSION: i64 = 1;

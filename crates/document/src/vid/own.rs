@@ -6,31 +6,17 @@ use std::sync::Arc;
 use glam::{DQuat, DVec3};
 
 use super::field::Field;
+use super::write::plain;
 use crate::error::{Malformed, Result, TooMany, vec_with_room};
 use crate::limits;
 use crate::path::Space;
 use crate::path::camera_path::check_curve_speed;
-use crate::path::own::{check_ahead, check_frames, check_rates, distance};
+use crate::path::own::distance;
 use crate::path::{
     Ease, EaseKind, MayOwn, Own, Pace, PacePart, Tangents, TurningPart, Up, UpPath, UpPathPoint,
     UpVector, Velocities, Whole,
 };
-
-pub(super) const KEYS: [&str; 13] = [
-    "ahead",
-    "up",
-    "up_point",
-    "up_path",
-    "frames",
-    "locked",
-    "ease",
-    "distance",
-    "pace_part",
-    "velocity_degrees",
-    "turning_part",
-    "roll_slope_degrees",
-    "zoom_slope_mm",
-];
+use vides_engine::property::find;
 
 #[derive(Default)]
 pub(super) struct SoFar {
@@ -40,62 +26,62 @@ pub(super) struct SoFar {
     pub up_paths: [Option<Arc<UpPath>>; limits::MAX_UP_PATHS],
 }
 
-#[derive(Default)]
-pub(super) struct Reader(Option<Own>);
+/// Reads fields into what an orientation owns.
+pub(super) struct Reader {
+    before: MayOwn,
+    own: Option<Own>,
+    /// Whether an up, and a pace, has been met.
+    given: [bool; 2],
+}
 
 impl Reader {
-    /// Reads a field; false if its key is none of [`KEYS`].
+    pub(super) fn new(before: MayOwn) -> Self {
+        Self {
+            before,
+            own: None,
+            given: [false; 2],
+        }
+    }
+
+    /// Reads a field; false if it has no row.
     pub(super) fn read(
         &mut self,
         field: Field<'_>,
         space: Space,
         so_far: &mut SoFar,
     ) -> Result<bool> {
-        if !KEYS.contains(&field.key) {
+        let Some(row) = find(Own::PROPERTIES, field.key) else {
             return Ok(false);
-        }
-        let own = self.0.get_or_insert_with(|| Own::clone(&MayOwn::default()));
-        match field.key {
-            "frames" => {
-                let most = limits::MAX_FRAMES as i64;
-                own.frames = field.integer_in(0, most)? as u32;
-                field.checked(check_frames(own.frames))?;
-            }
-            "locked" => own.locked = field.boolean()?,
-            "ahead" => {
-                let distance = field.number()?;
-                field.checked(check_ahead(distance, space))?;
-                own.ahead = Some(distance);
-            }
-            "up" | "up_point" | "up_path" => {
-                if own.up != UpVector::Axis {
-                    return Err(field.error(Malformed::UpTwice));
-                }
+        };
+        let own = self.own.get_or_insert_with(|| Own::clone(&self.before));
+        let [up_given, pace_given] = &mut self.given;
+        match row.key() {
+            "up" if *up_given => return Err(field.error(Malformed::UpTwice)),
+            "ease" if *pace_given => return Err(field.error(Malformed::PaceTwice)),
+            "up" => {
                 own.up = up(field, so_far)?;
-                field.checked(own.up.check(space))?;
+                *up_given = own.up != UpVector::Axis;
             }
-            "velocity_degrees" => own.velocities = Some(velocities(field)?),
-            "turning_part" => own.turning = Some(turning_part(field)?),
-            "roll_slope_degrees" => own.roll_slope = Some(slope(field)?),
-            "zoom_slope_mm" => own.zoom_slope = Some(slope(field)?),
-            _ => {
-                if own.pace != Pace::Speeds {
-                    return Err(field.error(Malformed::PaceTwice));
-                }
+            "ease" => {
+                *pace_given = true;
                 own.pace = match field.key {
                     "ease" => Pace::Ease(ease(field)?),
                     "distance" => given_distance(field)?,
                     _ => Pace::Part(pace_part(field)?),
                 };
             }
+            "velocity_degrees" => own.velocities = Some(velocities(field)?),
+            "turning_part" => own.turning = Some(turning_part(field)?),
+            _ => field.plain(row, own)?,
         }
+        field.checked((row.check)(own, space))?;
         Ok(true)
     }
 
     pub(super) fn owned(self) -> Result<MayOwn> {
-        match self.0 {
-            None => Ok(MayOwn::default()),
-            Some(read) => Ok(MayOwn::default().with(|own| *own = read)?),
+        match self.own {
+            None => Ok(self.before),
+            Some(read) => Ok(MayOwn::NOTHING.with(|own| *own = read)?),
         }
     }
 }
@@ -166,15 +152,7 @@ fn two_vectors(table: Field<'_>, keys: [&'static str; 2]) -> Result<[DVec3; 2]> 
 
 fn velocities(table: Field<'_>) -> Result<Velocities> {
     let [reach, leave] = two_vectors(table, ["reach", "leave"])?;
-    table.checked(check_rates(&reach.to_array()))?;
-    table.checked(check_rates(&leave.to_array()))?;
     Ok(Velocities { reach, leave })
-}
-
-fn slope(field: Field<'_>) -> Result<f64> {
-    let slope = field.number()?;
-    field.checked(check_rates(&[slope]))?;
-    Ok(slope)
 }
 
 fn turning_part(table: Field<'_>) -> Result<TurningPart> {
@@ -347,23 +325,42 @@ pub(super) fn write<'a>(
         return Ok(());
     }
     let own: &Own = owned;
-    if let Some(distance) = own.ahead {
-        writeln!(out, "ahead = {distance:?}")?;
+    for row in Own::PROPERTIES {
+        match row.key() {
+            "up" => write_up(out, &own.up, written)?,
+            "ease" => write_pace(out, &own.pace)?,
+            "velocity_degrees" => {
+                if let Some(Velocities { reach, leave }) = own.velocities {
+                    let [reach, leave] = [reach, leave].map(|v| v.to_array());
+                    writeln!(
+                        out,
+                        "velocity_degrees = {{ reach = {reach:?}, leave = {leave:?} }}"
+                    )?;
+                }
+            }
+            "turning_part" => {
+                if let Some(TurningPart { control, from, to }) = own.turning {
+                    let control = control.map(|q| [q.w, q.x, q.y, q.z]);
+                    writeln!(
+                        out,
+                        "turning_part = {{ from = {from:?}, to = {to:?}, control = {control:?} }}"
+                    )?;
+                }
+            }
+            _ => plain(out, row, own, &MayOwn::NOTHING)?,
+        }
     }
-    write_up(out, &own.up, written)?;
-    if own.frames > 0 {
-        writeln!(out, "frames = {}", own.frames)?;
-    }
-    if own.locked {
-        writeln!(out, "locked = true")?;
-    }
-    match &own.pace {
-        Pace::Speeds => {}
+    Ok(())
+}
+
+fn write_pace(out: &mut impl Write, pace: &Pace) -> fmt::Result {
+    match pace {
+        Pace::Speeds => Ok(()),
         Pace::Ease(ease) => {
             write_ease(out, ease)?;
-            writeln!(out)?;
+            writeln!(out)
         }
-        Pace::Distance(keys) => writeln!(out, "distance = {keys:?}")?,
+        Pace::Distance(keys) => writeln!(out, "distance = {keys:?}"),
         Pace::Part(part) => {
             write!(
                 out,
@@ -387,30 +384,9 @@ pub(super) fn write<'a>(
                 Whole::Ease(ease) => write_ease(out, ease)?,
                 Whole::Distance(keys) => write!(out, "distance = {keys:?}")?,
             }
-            writeln!(out, " }}")?;
+            writeln!(out, " }}")
         }
     }
-    if let Some(Velocities { reach, leave }) = own.velocities {
-        let [reach, leave] = [reach, leave].map(|v| v.to_array());
-        writeln!(
-            out,
-            "velocity_degrees = {{ reach = {reach:?}, leave = {leave:?} }}"
-        )?;
-    }
-    if let Some(TurningPart { control, from, to }) = own.turning {
-        let control = control.map(|q| [q.w, q.x, q.y, q.z]);
-        writeln!(
-            out,
-            "turning_part = {{ from = {from:?}, to = {to:?}, control = {control:?} }}"
-        )?;
-    }
-    if let Some(slope) = own.roll_slope {
-        writeln!(out, "roll_slope_degrees = {slope:?}")?;
-    }
-    if let Some(slope) = own.zoom_slope {
-        writeln!(out, "zoom_slope_mm = {slope:?}")?;
-    }
-    Ok(())
 }
 
 fn write_ease(out: &mut impl Write, ease: &Ease) -> fmt::Result {

@@ -8,17 +8,16 @@ use super::own::{self, SoFar};
 use super::pieces;
 use super::scene_read::{Drafts, MESH_KEYS, take_mesh};
 use super::{OFF_NAME, VERSION, mesh_source};
-use crate::error::{Invalid, Malformed, Quantity, Refused, Result, TooMany, vec_with_room};
+use crate::error::{Invalid, Malformed, Refused, Result, TooMany, vec_with_room};
 use crate::info::{self, Info, Object, ObjectPoint};
 use crate::limits;
 use crate::math::orientation::wrap_degrees;
-use crate::path::camera_path::{
-    check_base_speed, check_curve_speed, check_hold, check_name, check_shape, check_zoom,
-};
+use crate::path::camera_path::{check_base_speed, check_name};
 use crate::path::{
-    BaseFrames, CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, Space,
+    BaseFrames, CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, Own, Space,
     SupportPoint, Target, Tcb, Up, ZoomMode, space,
 };
+use vides_engine::property::find;
 use vides_engine::scene::{Mesh, Scene};
 use vides_engine::tools::check::{FindingKind, Limits, OFF};
 
@@ -173,20 +172,6 @@ impl Reader {
                 return Err(field.error(Malformed::Engine(Invalid::GivenTwice.into())));
             }
             match field.key {
-                "title" => info.title = one_line(field)?,
-                "comment" => {
-                    let comment = field.text()?;
-                    field.checked(info::check_comment(comment))?;
-                    info.comment = comment.to_owned();
-                }
-                "fps" => {
-                    info.fps = field.number()?;
-                    field.checked(info::check_fps(info.fps))?;
-                }
-                "first_frame" => {
-                    let first = field.integer_in(i32::MIN.into(), i32::MAX.into())?;
-                    info.first_frame = first as i32;
-                }
                 "check" => info.limits = limits_of_checks(field)?,
                 "object" => info.object = object(field, path.space)?,
                 "point" => points(field, &mut path.points, &mut self.so_far, path.space)?,
@@ -194,7 +179,7 @@ impl Reader {
                 "node" => self.scene.nodes(field, &mut self.so_far, path.space)?,
                 // Version and space are already read.
                 _ => {
-                    read_setting(field, path)?;
+                    let _ = read_info(field, info)? || read_setting(field, path)?;
                 }
             }
         }
@@ -226,6 +211,28 @@ pub(super) fn one_line(field: Field<'_>) -> Result<String> {
     Ok(line.to_owned())
 }
 
+/// Reads what is said of a whole file; false if the key is of something else.
+fn read_info(field: Field<'_>, info: &mut Info) -> Result<bool> {
+    match field.key {
+        "title" => info.title = one_line(field)?,
+        "comment" => {
+            let comment = field.text()?;
+            field.checked(info::check_comment(comment))?;
+            info.comment = comment.to_owned();
+        }
+        "fps" => {
+            info.fps = field.number()?;
+            field.checked(info::check_fps(info.fps))?;
+        }
+        "first_frame" => {
+            let first = field.integer_in(i32::MIN.into(), i32::MAX.into())?;
+            info.first_frame = first as i32;
+        }
+        _ => return Ok(false),
+    }
+    Ok(true)
+}
+
 /// Reads what holds for a whole path; false if the key is of something else.
 pub(super) fn read_setting(field: Field<'_>, path: &mut CameraPath) -> Result<bool> {
     match field.key {
@@ -243,15 +250,14 @@ pub(super) fn read_setting(field: Field<'_>, path: &mut CameraPath) -> Result<bo
             let modes = [ZoomMode::Smooth, ZoomMode::Linear];
             path.zoom_mode = field.one_of(&["smooth", "linear"], modes)?;
         }
-        "base_speeds" => path.base_frames = base_speeds(field)?,
+        "base_speeds" => base_speeds(field, &mut path.base_frames)?,
         "presets" => presets(field, &mut path.presets)?,
         _ => return Ok(false),
     }
     Ok(true)
 }
 
-fn base_speeds(table: Field<'_>) -> Result<BaseFrames> {
-    let mut speeds = BaseFrames::default();
+fn base_speeds(table: Field<'_>, speeds: &mut BaseFrames) -> Result<()> {
     for field in table.fields()? {
         let speed = match field.key {
             "move_frames" => &mut speeds.movement,
@@ -270,7 +276,7 @@ fn base_speeds(table: Field<'_>) -> Result<BaseFrames> {
         *speed = field.number()?;
         field.checked(check_base_speed(*speed))?;
     }
-    Ok(speeds)
+    Ok(())
 }
 
 fn presets(table: Field<'_>, presets: &mut [Tcb; limits::PRESETS]) -> Result<()> {
@@ -280,24 +286,9 @@ fn presets(table: Field<'_>, presets: &mut [Tcb; limits::PRESETS]) -> Result<()>
             [digit @ b'0'..=b'9'] => &mut presets[usize::from(digit - b'0')],
             _ => return Err(field.error(Malformed::PresetNumber)),
         };
-        *preset = tcb(field)?;
+        *preset = field.tcb()?;
     }
     Ok(())
-}
-
-fn tcb(table: Field<'_>) -> Result<Tcb> {
-    let mut tcb = Tcb::default();
-    for field in table.fields()? {
-        let (value, what) = match field.key {
-            "tension" => (&mut tcb.tension, Quantity::Tension),
-            "continuity" => (&mut tcb.continuity, Quantity::Continuity),
-            "bias" => (&mut tcb.bias, Quantity::Bias),
-            _ => return Err(field.unknown(&["tension", "continuity", "bias"])),
-        };
-        *value = field.number()?;
-        field.checked(check_shape(*value, what))?;
-    }
-    Ok(tcb)
 }
 
 /// A space; only that of a whole file has a unit.
@@ -413,41 +404,38 @@ fn point(table: Field<'_>, space: Space, so_far: &mut SoFar) -> Result<SupportPo
     };
     let mut curve_given = false;
     for field in table.fields()? {
+        let shapes = matches!(field.key, "preset" | "own");
+        if shapes && std::mem::replace(&mut curve_given, true) {
+            return Err(field.error(Malformed::PresetAndOwn));
+        }
         match field.key {
             "position" => {}
-            "name" => point.name = Some(one_line(field)?),
-            "preset" | "own" => {
-                if curve_given {
-                    return Err(field.error(Malformed::PresetAndOwn));
-                }
-                curve_given = true;
-                point.curve = if field.key == "own" {
-                    CurveParameters::Own(tcb(field)?)
-                } else {
-                    let last = limits::PRESETS as i64 - 1;
-                    CurveParameters::Preset(field.integer_in(0, last)? as u8)
-                };
-            }
-            "tangents" => point.tangents = Some(own::tangents(field, space)?),
             "orientation" => {
-                point.orientations = orientations(field, point.position, space, so_far)?
+                point.orientations = orientations(field, point.position, space, so_far)?;
             }
-            _ => {
-                return Err(field.unknown(&[
-                    "name",
-                    "position",
-                    "preset",
-                    "own",
-                    "tangents",
-                    "orientation",
-                ]));
-            }
+            _ if read_point(field, &mut point, space)? => {}
+            _ => return Err(field.unknown(&[&POINT_KEYS[..], &["orientation"]].concat())),
         }
     }
     if point.orientations.is_empty() {
         point.orientations = orientations_of_new_point(space)?;
     }
     Ok(point)
+}
+
+/// Reads a field of a point but for its position and its orientations; false if it is none.
+fn read_point(field: Field<'_>, point: &mut SupportPoint, space: Space) -> Result<bool> {
+    match field.key {
+        "name" => point.name = Some(one_line(field)?),
+        "own" => point.curve = CurveParameters::Own(field.tcb()?),
+        "preset" => {
+            let last = limits::PRESETS as i64 - 1;
+            point.curve = CurveParameters::Preset(field.integer_in(0, last)? as u8);
+        }
+        "tangents" => point.tangents = Some(own::tangents(field, space)?),
+        _ => return Ok(false),
+    }
+    Ok(true)
 }
 
 fn orientations_of_new_point(space: Space) -> Result<Vec<Orientation>> {
@@ -480,55 +468,107 @@ fn orientation(
     so_far: &mut SoFar,
 ) -> Result<Orientation> {
     let mut orientation = Orientation::new_in(space);
-    let mut target_given = false;
-    let mut owned = own::Reader::default();
-    for field in table.fields()? {
-        match field.key {
-            "target" | "offset" => {
-                if target_given {
-                    return Err(field.error(Malformed::TargetAndOffset));
-                }
-                target_given = true;
-                let vector = DVec3::from_array(field.numbers()?);
-                orientation.target = if field.key == "target" {
-                    Target::Absolute(vector)
-                } else {
-                    Target::Relative(vector)
-                };
-                field.checked(orientation.target.check(position, space))?;
-            }
-            "roll_degrees" => orientation.roll = wrap_degrees(field.number()?),
-            "zoom_mm" => {
-                orientation.zoom = field.number()?;
-                field.checked(check_zoom(orientation.zoom))?;
-            }
-            "turning" => orientation.turning = tcb(field)?,
-            "speed_curve" => {
-                orientation.speeds = field.numbers()?;
-                for speed in orientation.speeds {
-                    field.checked(check_curve_speed(speed))?;
-                }
-            }
-            "hold_frames" => {
-                let hold = u32::try_from(field.integer()?).unwrap_or(u32::MAX);
-                field.checked(check_hold(hold))?;
-                orientation.hold = hold;
-            }
-            _ if owned.read(field, space, so_far)? => {}
-            _ => {
-                const PLAIN: [&str; 7] = [
-                    "target",
-                    "offset",
-                    "roll_degrees",
-                    "zoom_mm",
-                    "turning",
-                    "speed_curve",
-                    "hold_frames",
-                ];
-                return Err(field.unknown(&[&PLAIN[..], &own::KEYS].concat()));
-            }
-        }
-    }
-    orientation.own = owned.owned()?;
+    read_view(table.fields()?, &mut orientation, position, space, so_far)?;
     Ok(orientation)
 }
+
+/// Reads fields of an orientation; the others stay.
+fn read_view<'a>(
+    fields: impl Iterator<Item = Field<'a>>,
+    into: &mut Orientation,
+    position: DVec3,
+    space: Space,
+    so_far: &mut SoFar,
+) -> Result<()> {
+    let mut target_given = false;
+    let mut owned = own::Reader::new(into.own.clone());
+    for field in fields {
+        if owned.read(field, space, so_far)? {
+            continue;
+        }
+        let Some(row) = find(Orientation::PROPERTIES, field.key) else {
+            return Err(field.unknown(&view_keys().collect::<Vec<_>>()));
+        };
+        match row.key() {
+            "target" => {
+                if std::mem::replace(&mut target_given, true) {
+                    return Err(field.error(Malformed::TargetAndOffset));
+                }
+                let vector = DVec3::from_array(field.numbers()?);
+                into.target = match field.key {
+                    "target" => Target::Absolute(vector),
+                    _ => Target::Relative(vector),
+                };
+                field.checked(into.target.check(position, space))?;
+            }
+            _ => field.plain(row, into)?,
+        }
+        field.checked((row.check)(into, space))?;
+    }
+    into.roll = wrap_degrees(into.roll);
+    into.own = owned.owned()?;
+    Ok(())
+}
+
+/// The keys of an orientation.
+pub(crate) fn view_keys() -> impl Iterator<Item = &'static str> {
+    let views = Orientation::PROPERTIES.iter().flat_map(|row| row.keys);
+    let owned = Own::PROPERTIES.iter().flat_map(|row| row.keys);
+    views.chain(owned).copied()
+}
+
+/// The keys of a point, but for its orientations.
+pub(crate) const POINT_KEYS: [&str; 5] = ["name", "position", "preset", "own", "tangents"];
+
+/// Reads `key = value` of an orientation at `position`, as it stands in a file.
+pub(crate) fn change_view(
+    text: &str,
+    into: &mut Orientation,
+    position: DVec3,
+    space: Space,
+) -> Result<()> {
+    let source = Source { text, start: 0 };
+    let (root, _) = pieces::parse(source)?;
+    let fields = fields(source, &root);
+    read_view(fields, into, position, space, &mut SoFar::default())
+}
+
+/// Reads `key = value` of a point. Its orientations stay.
+pub(crate) fn change_point(text: &str, into: &mut SupportPoint, space: Space) -> Result<()> {
+    let source = Source { text, start: 0 };
+    let (root, _) = pieces::parse(source)?;
+    for field in fields(source, &root) {
+        match field.key {
+            "position" => into.position = field.place_in(space)?,
+            _ if read_point(field, into, space)? => {}
+            _ => return Err(field.unknown(&POINT_KEYS)),
+        }
+    }
+    Ok(())
+}
+
+/// Reads `key = value` of what holds for a whole path.
+pub(crate) fn change_path(text: &str, path: &mut CameraPath, info: &mut Info) -> Result<()> {
+    let source = Source { text, start: 0 };
+    let (root, _) = pieces::parse(source)?;
+    for field in fields(source, &root) {
+        if !read_info(field, info)? && !read_setting(field, path)? {
+            return Err(field.unknown(&PATH_KEYS));
+        }
+    }
+    Ok(())
+}
+
+/// The keys of a whole path that are neither tables of places nor lists.
+pub(crate) const PATH_KEYS: [&str; 10] = [
+    "title",
+    "comment",
+    "fps",
+    "first_frame",
+    "closed",
+    "curve",
+    "orientation_mode",
+    "zoom_mode",
+    "base_speeds",
+    "presets",
+];

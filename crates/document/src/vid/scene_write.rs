@@ -8,8 +8,7 @@ use glam::DVec3;
 use super::comments::Comments;
 use super::own::UpPaths;
 use super::write::{
-    Quoted, Shape as TcbShape, Text, base_speeds, head, place, point, shape_and_modes, space,
-    to_toml,
+    Quoted, Text, base_speeds, head, place, point, shape_and_modes, space, to_toml,
 };
 use super::{mesh_source, too_large};
 use crate::error::{EngineError, Result};
@@ -18,6 +17,7 @@ use crate::limits::MAX_FILE_BYTES;
 use crate::path::Space;
 use crate::path::camera_path::DEFAULT_PRESETS;
 use vides_engine::deform::{Bounds, Deformation};
+use vides_engine::property::Value;
 use vides_engine::scene::{
     Camera, Extrapolation, FollowPath, Kind, Light, Mesh, Node, Object, Pin, Scene, Shape, Track,
     Values,
@@ -232,7 +232,7 @@ fn path(out: &mut Text, follow: &FollowPath, pins: &[Pin], space: Space) -> fmt:
     for (number, preset) in path.presets.iter().enumerate() {
         let of = |tcb: &crate::path::Tcb| [tcb.tension, tcb.continuity, tcb.bias];
         if !same(&of(preset), &of(&DEFAULT_PRESETS[number])) {
-            writeln!(out, "{number} = {}", TcbShape(*preset))?;
+            writeln!(out, "{number} = {}", Value::Shape(*preset))?;
         }
     }
     if path.space != space {

@@ -9,12 +9,12 @@ use super::own::UpPaths;
 use super::{OFF_NAME, VERSION, mesh_source, own, scene_write};
 use crate::error::{EngineError, Result};
 use crate::info::{Info, Object};
-use crate::limits::BASE_SPEED;
+use vides_engine::property::{Property, Value};
 use vides_engine::tools::check::OFF;
 
 use crate::path::{
     CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, Space, SupportPoint,
-    Target, Tcb, ZoomMode,
+    Target, ZoomMode,
 };
 
 /// The text of a document. Points and orientations omit defaults; mesh files are named relative to
@@ -39,6 +39,11 @@ pub(crate) fn view_to_toml(view: &Orientation) -> Result<String> {
     Ok(out.0.trim_start().to_owned())
 }
 
+/// A text in quotes.
+pub(crate) fn quoted(text: &str) -> String {
+    Quoted(text).to_string()
+}
+
 /// A string that reports running out of memory.
 pub(super) struct Text(pub(super) String);
 
@@ -57,7 +62,7 @@ fn document(out: &mut Text, path: &CameraPath, info: &Info, folder: Option<&Path
     base_speeds(out, path)?;
     writeln!(out, "\n[presets]")?;
     for (number, preset) in path.presets.iter().enumerate() {
-        writeln!(out, "{number} = {}", Shape(*preset))?;
+        writeln!(out, "{number} = {}", Value::Shape(*preset))?;
     }
 
     space(out, path.space, info, folder)?;
@@ -177,7 +182,7 @@ pub(super) fn point<'a>(
     writeln!(out, "position = {:?}", point.position.to_array())?;
     match point.curve {
         CurveParameters::Preset(preset) => writeln!(out, "preset = {preset}")?,
-        CurveParameters::Own(tcb) => writeln!(out, "own = {}", Shape(tcb))?,
+        CurveParameters::Own(tcb) => writeln!(out, "own = {}", Value::Shape(tcb))?,
     }
     if let Some(tangents) = &point.tangents {
         own::write_tangents(out, tangents)?;
@@ -195,43 +200,30 @@ fn orientation<'a>(
     up_paths: &mut UpPaths<'a>,
 ) -> fmt::Result {
     writeln!(out, "\n[[{header}.orientation]]")?;
-    match orientation.target {
-        Target::Absolute(target) => writeln!(out, "target = {:?}", target.to_array())?,
-        Target::Relative(offset) => writeln!(out, "offset = {:?}", offset.to_array())?,
-    }
-    writeln!(out, "roll_degrees = {:?}", orientation.roll)?;
-    writeln!(out, "zoom_mm = {:?}", orientation.zoom)?;
-    let Tcb {
-        tension,
-        continuity,
-        bias,
-    } = orientation.turning;
-    // Bitwise, since −0 must come back as −0.
-    if [tension, continuity, bias]
-        .iter()
-        .any(|value| value.to_bits() != 0)
-    {
-        writeln!(out, "turning = {}", Shape(orientation.turning))?;
-    }
-    if orientation.hold != 0 {
-        writeln!(out, "hold_frames = {}", orientation.hold)?;
-    }
-    if orientation.speeds.iter().any(|&speed| speed != BASE_SPEED) {
-        writeln!(out, "speed_curve = {:?}", orientation.speeds)?;
+    let new = Orientation::default();
+    for row in Orientation::PROPERTIES {
+        match (row.keys.first(), orientation.target) {
+            (Some(&"target"), Target::Absolute(to)) => {
+                writeln!(out, "target = {:?}", to.to_array())?
+            }
+            (Some(&"target"), Target::Relative(to)) => {
+                writeln!(out, "offset = {:?}", to.to_array())?
+            }
+            _ => plain(out, row, orientation, &new)?,
+        }
     }
     own::write(out, &orientation.own, up_paths)
 }
 
-pub(super) struct Shape(pub(super) Tcb);
-
-impl fmt::Display for Shape {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            out,
-            "{{ tension = {:?}, continuity = {:?}, bias = {:?} }}",
-            self.0.tension, self.0.continuity, self.0.bias
-        )
+/// A property that is not nested, if it is not as in a new one or always stands there.
+pub(super) fn plain<T>(out: &mut impl Write, row: &Property<T>, of: &T, new: &T) -> fmt::Result {
+    let Some(value) = (row.value)(of) else {
+        return Ok(());
+    };
+    if !row.always && (row.same)(of, new) {
+        return Ok(());
     }
+    writeln!(out, "{} = {value}", row.key())
 }
 
 /// A TOML string; multi-line if the text has several lines.
@@ -271,6 +263,7 @@ mod tests {
     use crate::info::Object;
     use crate::info::ObjectPoint;
     use crate::limits;
+    use crate::path::Tcb;
     use crate::path::Up;
     use crate::path::{
         MayOwn, Own, Pace, PacePart, Tangents, TurningPart, UpVector, Velocities, Whole,

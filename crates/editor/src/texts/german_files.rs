@@ -15,6 +15,7 @@ german! {
         Refused(refused) => "{}", German(refused);
         Io { place, source } => "{place}: {}", of_system(Language::German, source);
         Format { line, key, cause } => "Zeile {line}: {key}{}", German(cause);
+        Property { name, cause } => "{name}: {}", German(cause);
         FileTooLarge(most) => "die Datei ist größer als die {most} MiB, die gelesen werden";
         PieceTooLarge(line) =>
             "Zeile {line}: was hier beginnt, könnte beim Lesen mehr als {} MiB Speicher brauchen",
@@ -50,6 +51,8 @@ german! {
         NoCamera => "diese Szene hat keine Kamera auf einem Pfad";
         NoPathEdited => "keine Bahn wird bearbeitet: bitte einen Knoten wählen, der einer folgt";
         NoPathOf(node) => "der Knoten „{node}“ folgt keiner Bahn";
+        NoProperty(name) =>
+            "die Eigenschaft „{name}“ gibt es nicht; ein Name ist ein Schlüssel der Datei oder beginnt mit point.N.";
         NoScene => "es gibt keine Szene, nur eine Bahn";
         NoFile => "dieser Pfad hat noch keine Datei";
         FileChanged => "ein anderes Programm hat die Datei geändert, seit sie hier gelesen oder geschrieben wurde";

@@ -9,6 +9,7 @@ use super::up_vector::check_ups;
 use crate::error::{Error, Invalid, OutOfRange, Place, Quantity, Result, TooMany, vec_with_room};
 use crate::limits;
 use crate::math::orientation;
+use crate::property::{Check, Row, SameBits, Stored, Unit, properties};
 
 /// Tension, continuity and bias, each in [−1, 1] (Kochanek and Bartels 1984;
 /// thesis 3.6.2, where tension is called a).
@@ -62,6 +63,19 @@ pub enum Target {
     Relative(DVec3),
 }
 
+impl SameBits for Target {
+    fn same_bits(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Absolute(a), Self::Absolute(b)) | (Self::Relative(a), Self::Relative(b)) => {
+                a.same_bits(b)
+            }
+            _ => false,
+        }
+    }
+}
+
+impl Stored for Target {}
+
 impl Target {
     /// The vector from a camera at `position`, its support point, to the target.
     #[must_use]
@@ -88,39 +102,55 @@ impl Target {
     }
 }
 
-/// One camera orientation at a support point.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Orientation {
-    /// What the camera looks at.
-    pub target: Target,
-    /// Degrees in (−180, 180]: turns VUP about VPN.
-    pub roll: f64,
-    /// 1…2000: the focal length in mm of a 36×24 mm camera.
-    pub zoom: f64,
-    /// Tension, continuity and bias of the turning.
-    pub turning: Tcb,
-    /// The speed curve of the section that begins here, each 1…100.
-    pub speeds: [f64; limits::SPEEDS],
-    /// Frames that the camera rests here before it goes on.
-    pub hold: u32,
-    /// What it has beyond that, if anything.
-    pub own: MayOwn,
-}
-
 /// What a new orientation looks along, in the space [−1, 1]³ with y up.
 const FIRST_OFFSET: DVec3 = DVec3::new(0.0, 0.0, -0.4);
 
+properties! {
+    /// One camera orientation at a support point.
+    pub struct Orientation {
+        /// What the camera looks at.
+        pub target: Target = Target::Relative(FIRST_OFFSET) => Row::new(&["target", "offset"]),
+        /// Degrees in (−180, 180]: turns VUP about VPN.
+        pub roll: f64 = 0.0 => Row {
+            unit: Unit::Degrees,
+            check: Check::Finite(Quantity::Roll),
+            always: true,
+            ..Row::new(&["roll_degrees"])
+        },
+        /// The focal length of a camera with a picture of 36×24 mm.
+        pub zoom: f64 = 24.0 => Row {
+            unit: Unit::Millimetres,
+            check: Check::Between(Quantity::Zoom, limits::MIN_ZOOM, limits::MAX_ZOOM),
+            always: true,
+            ..Row::new(&["zoom_mm"])
+        },
+        /// Tension, continuity and bias of the turning.
+        pub turning: Tcb = Tcb::new(0.0, 0.0, 0.0) => Row {
+            check: Check::By(|tcb, _| tcb.check()),
+            ..Row::new(&["turning"])
+        },
+        /// Frames that the camera rests here before it goes on.
+        pub hold: u32 = 0 => Row {
+            unit: Unit::Frames,
+            check: Check::UpTo(limits::MAX_HOLD, || OutOfRange::Hold),
+            ..Row::new(&["hold_frames"])
+        },
+        /// The speed curve of the section that begins here, each 1…100.
+        pub speeds: [f64; limits::SPEEDS] = [limits::BASE_SPEED; limits::SPEEDS] => Row {
+            check: Check::By(|speeds, _| speeds.iter().try_for_each(|&speed| check_curve_speed(speed))),
+            ..Row::new(&["speed_curve"])
+        },
+        /// What it has beyond that, if anything.
+        pub own: MayOwn = MayOwn::NOTHING => Row {
+            check: Check::By(|own, space| own.check(space)),
+            ..Row::new(&[])
+        },
+    }
+}
+
 impl Default for Orientation {
     fn default() -> Self {
-        Self {
-            target: Target::Relative(FIRST_OFFSET),
-            roll: 0.0,
-            zoom: 24.0,
-            turning: Tcb::default(),
-            speeds: [limits::BASE_SPEED; limits::SPEEDS],
-            hold: 0,
-            own: MayOwn::default(),
-        }
+        Self::NEW
     }
 }
 
@@ -140,14 +170,9 @@ impl Orientation {
     /// [`crate::Error::Range`] or [`crate::Error::Argument`] with the reason.
     pub fn check(&self, position: DVec3, space: Space) -> Result<()> {
         self.target.check(position, space)?;
-        if !self.roll.is_finite() {
-            return Err(Invalid::NotFinite(Quantity::Roll).into());
-        }
-        check_zoom(self.zoom)?;
-        self.turning.check()?;
-        self.speeds.into_iter().try_for_each(check_curve_speed)?;
-        check_hold(self.hold)?;
-        self.own.check(space)
+        Self::PROPERTIES
+            .iter()
+            .try_for_each(|row| (row.check)(self, space))
     }
 
     /// View direction of a camera at `position`: a unit vector.
@@ -528,17 +553,6 @@ pub fn check_zoom(zoom: f64) -> Result<()> {
 pub fn check_curve_speed(speed: f64) -> Result<()> {
     if !(limits::MIN_SPEED..=limits::MAX_SPEED).contains(&speed) {
         return Err(OutOfRange::Between(Quantity::CurveSpeed, 1.0, limits::MAX_SPEED).into());
-    }
-    Ok(())
-}
-
-/// Frames that a key rests: at most [`limits::MAX_HOLD`].
-///
-/// # Errors
-/// [`crate::Error::Range`].
-pub fn check_hold(hold: u32) -> Result<()> {
-    if hold > limits::MAX_HOLD {
-        return Err(OutOfRange::Hold.into());
     }
     Ok(())
 }

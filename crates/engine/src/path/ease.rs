@@ -6,6 +6,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::camera_path::check_curve_speed;
 use crate::error::{OutOfRange, Result};
+use crate::property::SameBits;
 
 /// How the speed rises and falls.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -27,6 +28,12 @@ pub struct Ease {
     pub fall: f64,
     /// The cruising speed, 1…100.
     pub cruise: f64,
+}
+
+impl SameBits for Ease {
+    fn same_bits(&self, other: &Self) -> bool {
+        self.numbers()[..].same_bits(&other.numbers()[..])
+    }
 }
 
 impl Ease {

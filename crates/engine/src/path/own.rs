@@ -14,6 +14,7 @@ use super::space::Space;
 use super::up_vector::UpVector;
 use crate::error::{Invalid, OutOfRange, Quantity, Result, can_allocate, try_arc};
 use crate::limits;
+use crate::property::{Check, Copied, Row, SameBits, Stored, Unit, properties};
 
 /// The derivatives with which the curve passes a point, per segment parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -32,6 +33,12 @@ impl Tangents {
     pub fn check(self, space: Space) -> Result<()> {
         space.check_offset(self.before)?;
         space.check_offset(self.after)
+    }
+}
+
+impl SameBits for Tangents {
+    fn same_bits(&self, other: &Self) -> bool {
+        self.before.same_bits(&other.before) && self.after.same_bits(&other.after)
     }
 }
 
@@ -101,6 +108,49 @@ pub enum Pace {
     Part(PacePart),
 }
 
+impl Pace {
+    /// Everything in range.
+    ///
+    /// # Errors
+    /// [`crate::Error::Range`] or [`crate::Error::Argument`].
+    pub fn check(&self) -> Result<()> {
+        match self {
+            Self::Speeds => Ok(()),
+            Self::Part(part) => part.check(),
+            Self::Ease(ease) => ease.check(),
+            Self::Distance(keys) => check_distance(keys),
+        }
+    }
+}
+
+impl SameBits for Pace {
+    fn same_bits(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Speeds, Self::Speeds) => true,
+            (Self::Ease(a), Self::Ease(b)) => a.same_bits(b),
+            (Self::Distance(a), Self::Distance(b)) => a.same_bits(b),
+            (Self::Part(a), Self::Part(b)) => {
+                a.of.same_bits(&b.of) && [a.from, a.to][..].same_bits(&[b.from, b.to][..])
+            }
+            _ => false,
+        }
+    }
+}
+
+impl Stored for Pace {}
+
+impl SameBits for Whole {
+    fn same_bits(&self, other: &Self) -> bool {
+        match (self, other) {
+            // Speeds are ≥ 1, so `==` is bitwise there.
+            (Self::Speeds { .. }, Self::Speeds { .. }) => self == other,
+            (Self::Ease(a), Self::Ease(b)) => a.same_bits(b),
+            (Self::Distance(a), Self::Distance(b)) => a.same_bits(b),
+            _ => false,
+        }
+    }
+}
+
 /// Keys of a given distance: 2…[`limits::MAX_DISTANCE_KEYS`], rising from (0, 0) to (1, 1).
 ///
 /// # Errors
@@ -151,6 +201,25 @@ pub struct Velocities {
     pub leave: DVec3,
 }
 
+impl Velocities {
+    /// Finite, none beyond [`limits::MAX_RATE`].
+    ///
+    /// # Errors
+    /// [`crate::Error::Range`] or [`crate::Error::Argument`].
+    pub fn check(self) -> Result<()> {
+        check_rates(&self.reach.to_array())?;
+        check_rates(&self.leave.to_array())
+    }
+}
+
+impl SameBits for Velocities {
+    fn same_bits(&self, other: &Self) -> bool {
+        self.reach.same_bits(&other.reach) && self.leave.same_bits(&other.leave)
+    }
+}
+
+impl Stored for Option<Velocities> {}
+
 /// How a section turned before it was divided. It counts as long as it leads from key to key.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TurningPart {
@@ -176,6 +245,15 @@ impl TurningPart {
     }
 }
 
+impl SameBits for TurningPart {
+    fn same_bits(&self, other: &Self) -> bool {
+        self.control[..].same_bits(&other.control[..])
+            && [self.from, self.to][..].same_bits(&[other.from, other.to][..])
+    }
+}
+
+impl Stored for Option<TurningPart> {}
+
 fn check_part(from: f64, to: f64) -> Result<()> {
     if 0.0 <= from && from < to && to <= 1.0 {
         return Ok(());
@@ -183,79 +261,78 @@ fn check_part(from: f64, to: f64) -> Result<()> {
     Err(OutOfRange::Part.into())
 }
 
-/// What an orientation may have of its own.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Own {
-    /// How the section that begins here goes through its time.
-    pub pace: Pace,
-    /// Frames of the section that begins here, whatever its length; 0: by length.
-    pub frames: u32,
-    /// Whether that section keeps its frames where a whole is brought to a number of frames.
-    pub locked: bool,
-    /// Looks along the way, not at its target: along the tangent (0), or so far ahead on the curve.
-    pub ahead: Option<f64>,
-    /// Which way is up before the roll.
-    pub up: UpVector,
-    /// Angular velocities, in place of those by tension, continuity and bias.
-    pub velocities: Option<Velocities>,
-    /// How the section that begins here turns, if it is a part of a divided one; in the mode tcb.
-    pub turning: Option<TurningPart>,
-    /// Slope of the roll in tracked sections: degrees for each frame at speed 50.
-    pub roll_slope: Option<f64>,
-    /// Slope of the zoom: mm for each frame at speed 50.
-    pub zoom_slope: Option<f64>,
+properties! {
+    /// What an orientation may have of its own.
+    pub struct Own {
+        /// Looks along the way, not at its target: along the tangent (0), or so far ahead on the curve.
+        pub ahead: Option<f64> = None => Row {
+            unit: Unit::Length,
+            check: Check::By(|ahead, space| ahead.map_or(Ok(()), |far| check_ahead(far, space))),
+            ..Row::new(&["ahead"])
+        },
+        /// Which way is up before the roll.
+        pub up: UpVector = UpVector::Axis => Row {
+            check: Check::By(|up, space| up.check(space)),
+            ..Row::new(&["up", "up_point", "up_path"])
+        },
+        /// Frames of the section that begins here, whatever its length; 0: by length.
+        pub frames: u32 = 0 => Row {
+            unit: Unit::Frames,
+            check: Check::UpTo(limits::MAX_FRAMES as u32, || OutOfRange::SectionFrames),
+            copied: Copied::IfAsked,
+            ..Row::new(&["frames"])
+        },
+        /// Whether that section keeps its frames where a whole is brought to a number of frames.
+        pub locked: bool = false => Row { copied: Copied::IfAsked, ..Row::new(&["locked"]) },
+        /// How the section that begins here goes through its time.
+        pub pace: Pace = Pace::Speeds => Row {
+            check: Check::By(|pace, _| pace.check()),
+            copied: Copied::After(|pace| {
+                if matches!(pace, Pace::Part(_)) {
+                    *pace = Pace::Speeds;
+                }
+            }),
+            ..Row::new(&["ease", "distance", "pace_part"])
+        },
+        /// Angular velocities, in place of those by tension, continuity and bias.
+        pub velocities: Option<Velocities> = None => Row {
+            check: Check::By(|velocities, _| velocities.map_or(Ok(()), Velocities::check)),
+            copied: Copied::Nowhere,
+            ..Row::new(&["velocity_degrees"])
+        },
+        /// How the section that begins here turns, if it is a part of a divided one; in the mode tcb.
+        pub turning: Option<TurningPart> = None => Row {
+            check: Check::By(|part, _| part.map_or(Ok(()), |part| part.check())),
+            copied: Copied::Nowhere,
+            ..Row::new(&["turning_part"])
+        },
+        /// Slope of the roll in tracked sections: degrees for each frame at speed 50.
+        pub roll_slope: Option<f64> = None => Row {
+            unit: Unit::Degrees,
+            copied: Copied::Nowhere,
+            check: Check::By(|slope, _| check_rates(slope.as_slice())),
+            ..Row::new(&["roll_slope_degrees"])
+        },
+        /// Slope of the zoom: mm for each frame at speed 50.
+        pub zoom_slope: Option<f64> = None => Row {
+            unit: Unit::Millimetres,
+            check: Check::By(|slope, _| check_rates(slope.as_slice())),
+            copied: Copied::Nowhere,
+            ..Row::new(&["zoom_slope_mm"])
+        },
+    }
 }
 
 impl Own {
-    const NONE: Self = Self {
-        pace: Pace::Speeds,
-        frames: 0,
-        locked: false,
-        ahead: None,
-        up: UpVector::Axis,
-        velocities: None,
-        turning: None,
-        roll_slope: None,
-        zoom_slope: None,
-    };
-
     /// Everything finite and in range.
     ///
     /// # Errors
     /// [`crate::Error::Range`] or [`crate::Error::Argument`].
     pub fn check(&self, space: Space) -> Result<()> {
-        match &self.pace {
-            Pace::Speeds => {}
-            Pace::Part(part) => part.check()?,
-            Pace::Ease(ease) => ease.check()?,
-            Pace::Distance(keys) => check_distance(keys)?,
-        }
-        check_frames(self.frames)?;
-        self.ahead
-            .map_or(Ok(()), |distance| check_ahead(distance, space))?;
-        self.up.check(space)?;
-        if let Some(Velocities { reach, leave }) = self.velocities {
-            check_rates(&[reach.to_array(), leave.to_array()].concat())?;
-        }
-        if let Some(part) = self.turning {
-            part.check()?;
-        }
-        for slope in [self.roll_slope, self.zoom_slope].into_iter().flatten() {
-            check_rates(&[slope])?;
-        }
-        Ok(())
+        Self::PROPERTIES
+            .iter()
+            .try_for_each(|row| (row.check)(self, space))
     }
-}
-
-/// A fixed number of frames, or 0.
-///
-/// # Errors
-/// [`crate::Error::Range`].
-pub fn check_frames(frames: u32) -> Result<()> {
-    if frames as usize > limits::MAX_FRAMES {
-        return Err(OutOfRange::SectionFrames.into());
-    }
-    Ok(())
 }
 
 /// A distance along the way, ≥ 0.
@@ -292,7 +369,7 @@ pub fn check_rates(rates: &[f64]) -> Result<()> {
 #[derive(Debug, Clone, Default)]
 pub struct MayOwn(Option<Arc<Own>>);
 
-static NOTHING: Own = Own::NONE;
+static NOTHING: Own = Own::NEW;
 
 impl Deref for MayOwn {
     type Target = Own;
@@ -307,7 +384,18 @@ impl PartialEq for MayOwn {
     }
 }
 
+impl SameBits for MayOwn {
+    fn same_bits(&self, other: &Self) -> bool {
+        self.is_shared_with(other) || (**self).same_bits(other)
+    }
+}
+
+impl Stored for MayOwn {}
+
 impl MayOwn {
+    /// Nothing.
+    pub const NOTHING: Self = Self(None);
+
     /// A changed copy.
     ///
     /// # Errors
@@ -335,14 +423,6 @@ impl MayOwn {
         }
     }
 
-    /// Equal bit by bit: 0 and −0 differ.
-    #[must_use]
-    pub fn is_same(&self, other: &Self) -> bool {
-        // Their text has each number in full, with the sign of a zero.
-        self.is_shared_with(other)
-            || (**self == **other && format!("{:?}", **self) == format!("{:?}", **other))
-    }
-
     /// What a copy at another place takes along: not what holds for this place alone.
     ///
     /// # Errors
@@ -352,14 +432,8 @@ impl MayOwn {
             return Ok(Self(None));
         }
         self.with(|own| {
-            own.frames = 0;
-            own.locked = false;
-            own.velocities = None;
-            own.turning = None;
-            own.roll_slope = None;
-            own.zoom_slope = None;
-            if let Pace::Part(_) = own.pace {
-                own.pace = Pace::Speeds;
+            for row in Own::PROPERTIES {
+                (row.for_a_copy)(own);
             }
         })
     }

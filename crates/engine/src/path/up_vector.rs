@@ -12,6 +12,7 @@ use super::hermite::Cubic;
 use super::space::{Space, Up};
 use crate::error::{Invalid, OutOfRange, Result, TooMany, try_arc, vec_with_room};
 use crate::limits;
+use crate::property::{SameBits, Stored};
 
 /// Which way is up before the roll.
 #[derive(Debug, Clone, Default)]
@@ -41,6 +42,20 @@ impl PartialEq for UpVector {
         }
     }
 }
+
+impl SameBits for UpVector {
+    fn same_bits(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Point(a), Self::Point(b)) => a.same_bits(b),
+            (Self::Path(a), Self::Path(b)) => {
+                Arc::ptr_eq(a, b) || a.points[..].same_bits(&b.points[..])
+            }
+            _ => self == other,
+        }
+    }
+}
+
+impl Stored for UpVector {}
 
 impl UpVector {
     /// The names, in files and in C.
@@ -130,6 +145,13 @@ pub struct UpPathPoint {
     pub before: DVec3,
     /// With which the curve leaves it.
     pub after: DVec3,
+}
+
+impl SameBits for UpPathPoint {
+    fn same_bits(&self, other: &Self) -> bool {
+        let vectors = |point: &Self| [point.position, point.before, point.after];
+        vectors(self)[..].same_bits(&vectors(other)[..])
+    }
 }
 
 /// A second path of which only the curve counts. A closed one ends where it begins.
