@@ -69,9 +69,9 @@
  * V_ERR_FORMAT    the contents of a file are not what they should be
  * V_ERR_DISPLAY   no window can be opened, or its X server went away
  * V_ERR_BUSY      not possible at this moment, as from within this callback
- * V_ERR_CLOSED    the window is gone: its user has closed it, its X server went
- *                 away, or the thread that opened it has ended; v_last_error()
- *                 says which
+ * V_ERR_CLOSED    the window is gone: its user has closed it, it was destroyed from
+ *                 outside, its X server went away, or the thread that opened it has
+ *                 ended; v_last_error() says which
  * V_ERR_INTERNAL  a fault of the library; the path concerned may be unusable
  *                 from now on, everything else goes on
  * V_ERR_REFUSED   a user said no
@@ -772,8 +772,8 @@ int v_timeout(void);
 
 /**
  * Does everything that there is to do for the windows at the moment, and
- * never waits. Callbacks run within it. How many windows are open; if an X
- * server went away, its windows are not among them, and v_last_error() tells.
+ * never waits. Callbacks run within it. How many windows are open; one that was
+ * destroyed, or whose X server went away, is not among them, and v_last_error() tells.
  * From within a callback it serves all windows but those whose callbacks run.
  * The thread that opens the windows; from callbacks too.
  */
@@ -783,8 +783,8 @@ int v_dispatch(void);
  * Serves the windows until the last one is closed, and sleeps in between; for
  * a host that does nothing else meanwhile. Returns at once without windows.
  * The thread that opens the windows. V_ERR_BUSY from within a callback;
- * V_ERR_DISPLAY if an X server went away with a window, when the others are
- * closed, too; V_ERR_LIMIT without descriptors.
+ * V_ERR_DISPLAY if a window was destroyed or its X server went away, when the others
+ * are closed, too; V_ERR_LIMIT without descriptors.
  */
 int v_main_loop(void);
 
@@ -871,11 +871,13 @@ int v_path_point_count(const V_PATH *path, int *count);
  * Inserts a support point before the one that is number at now; at = their
  * number appends. It takes all other properties from its predecessor, at 0
  * from its successor; an absolute target equal to the new position becomes
- * relative. Coordinates are finite and at most 1e9.
+ * relative. Coordinates are finite, at most 1e9 half sizes from the centre of the space.
  * Any thread; from callbacks too. V_ERR_NULL,
  * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
-int v_path_insert_point(V_PATH *path, int at, const double xyz[3]);
+int v_path_insert_point(V_PATH *path,
+                        int at,
+                        const double xyz[3]);
 
 /**
  * Divides the segment behind support point number segment by 1 to 10 new
@@ -896,7 +898,7 @@ int v_path_remove_point(V_PATH *path, int at);
 /**
  * Moves a support point. Absolute targets stay where they are, relative ones
  * go along; a position equal to an absolute target of the point is refused.
- * Coordinates are finite and at most 1e9.
+ * Coordinates are finite, at most 1e9 half sizes from the centre of the space.
  * Any thread; from callbacks too. V_ERR_NULL,
  * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE.
  */
@@ -1225,12 +1227,13 @@ int v_path_get_space(const V_PATH *path,
 void v_space_init(V_SPACE *space);
 
 /**
- * As v_space_init(), for a struct that is size bytes long: at least as long as in
- * version 1.0. What is behind the fields that the library knows is not touched, and
- * size is set to what was filled in.
+ * As v_space_init(), for a struct that is size bytes long. One shorter than in version
+ * 1.0 stays as it is, and v_last_error() says so. What is behind the fields that the
+ * library knows is not touched, and size is set to what was filled in.
  * Any thread; from callbacks too.
  */
-void v_space_init_sized(V_SPACE *space, size_t size);
+void v_space_init_sized(V_SPACE *space,
+                        size_t size);
 
 /**
  * As v_path_new(), with the path lying in a space as v_path_new()'s lies in its own: as
@@ -1290,7 +1293,7 @@ int v_path_get_curve(const V_PATH *path, const char **kind);
  * Gives a support point tangents of its own: the derivatives with which the
  * curve reaches it (before) and leaves it (after), a segment counting 1. Both
  * NULL: none of its own, those by the kind of the curve again. Each coordinate
- * is finite and at most 1e9.
+ * is finite and at most 1e9 half sizes of the space.
  * Any thread; from callbacks too. V_ERR_NULL,
  * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE.
  */
@@ -2282,12 +2285,13 @@ int v_path_get_limit(const V_PATH *path, const char *kind, double *limit);
 void v_editor_options_init(V_EDITOR_OPTIONS *options);
 
 /**
- * As v_editor_options_init(), for a struct that is size bytes long: at least as
- * long as in version 1.0. What is behind the fields that the library knows is not
- * touched, and size is set to what was filled in.
+ * As v_editor_options_init(), for a struct that is size bytes long. One shorter than
+ * in version 1.0 stays as it is, and v_last_error() says so. What is behind the fields
+ * that the library knows is not touched, and size is set to what was filled in.
  * Any thread; from callbacks too.
  */
-void v_editor_options_init_sized(V_EDITOR_OPTIONS *options, size_t size);
+void v_editor_options_init_sized(V_EDITOR_OPTIONS *options,
+                                 size_t size);
 
 /**
  * Opens an editor window and returns at once; how it is served then, see

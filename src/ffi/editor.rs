@@ -47,7 +47,8 @@ pub(super) const CLOSED: Failure = Failure::Border(V_ERR_CLOSED, "the window has
 fn gone(why: Gone) -> Failure {
     let sentence = match why {
         Gone::ByUser => "the user has closed the window",
-        Gone::Screen => "the window is gone: its X server went away",
+        Gone::Screen => "the window is gone: its X server went away or refused to go on",
+        Gone::FromOutside => "the window is gone: it was destroyed, or put out of its parent",
         Gone::Fault => "the window is gone: a fault inside the library closed it",
         Gone::Thread => "the window is gone: the thread that opened it has ended",
     };
@@ -99,9 +100,9 @@ pub unsafe extern "C" fn v_editor_options_init(options: *mut V_EDITOR_OPTIONS) {
     });
 }
 
-/// As v_editor_options_init(), for a struct that is size bytes long: at least as
-/// long as in version 1.0. What is behind the fields that the library knows is not
-/// touched, and size is set to what was filled in.
+/// As v_editor_options_init(), for a struct that is size bytes long. One shorter than
+/// in version 1.0 stays as it is, and v_last_error() says so. What is behind the fields
+/// that the library knows is not touched, and size is set to what was filled in.
 /// Any thread; from callbacks too.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_options_init_sized(options: *mut V_EDITOR_OPTIONS, size: usize) {

@@ -9,7 +9,7 @@ use super::status::{
     Answer, Failure, V_ERR_BUSY, V_ERR_DISPLAY, V_ERR_INTERNAL, V_OK, set_last_error,
 };
 use crate::error::panic_said;
-use crate::instance::{self, Lost, Refusal};
+use crate::instance::{self, Gone, Lost, Refusal};
 
 /// Serves the windows when an Xt host's loop finds the descriptor readable. Sets the last error
 /// only on failure, since the host has called nothing.
@@ -71,8 +71,8 @@ pub extern "C" fn v_timeout() -> c_int {
 }
 
 /// Does everything that there is to do for the windows at the moment, and
-/// never waits. Callbacks run within it. How many windows are open; if an X
-/// server went away, its windows are not among them, and v_last_error() tells.
+/// never waits. Callbacks run within it. How many windows are open; one that was
+/// destroyed, or whose X server went away, is not among them, and v_last_error() tells.
 /// From within a callback it serves all windows but those whose callbacks run.
 /// The thread that opens the windows; from callbacks too.
 #[unsafe(no_mangle)]
@@ -89,8 +89,8 @@ pub extern "C" fn v_dispatch() -> c_int {
 /// Serves the windows until the last one is closed, and sleeps in between; for
 /// a host that does nothing else meanwhile. Returns at once without windows.
 /// The thread that opens the windows. V_ERR_BUSY from within a callback;
-/// V_ERR_DISPLAY if an X server went away with a window, when the others are
-/// closed, too; V_ERR_LIMIT without descriptors.
+/// V_ERR_DISPLAY if a window was destroyed or its X server went away, when the others
+/// are closed, too; V_ERR_LIMIT without descriptors.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_main_loop() -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -105,7 +105,7 @@ pub extern "C" fn v_main_loop() -> c_int {
         tell(served.lost.as_ref());
         Ok(match served.lost {
             None => V_OK,
-            Some(lost) if lost.fault => V_ERR_INTERNAL,
+            Some(lost) if lost.gone == Gone::Fault => V_ERR_INTERNAL,
             Some(_) => V_ERR_DISPLAY,
         })
     })

@@ -405,16 +405,21 @@ unsafe fn size_of_host<T: Growing>(pointer: *const T, name: &'static str) -> Ans
     if (T::FIRST..=size_of::<T>()).contains(&size) && size.is_multiple_of(align_of::<T>()) {
         return Ok(size);
     }
-    Err(Failure::Size {
+    Err(wrong_size::<T>(Name::Field(name, "size"), size))
+}
+
+fn wrong_size<T: Growing>(name: Name, size: usize) -> Failure {
+    Failure::Size {
         name,
         size,
         of: T::NAME,
         wanted: size_of::<T>(),
-    })
+    }
 }
 
-/// Fills in a host's struct of `size` bytes, as far as both sides know it. Callers without a size,
-/// from version 1.0, pass 1.0's size.
+/// Fills in a host's struct of `size` bytes, as far as both sides know it. One that is shorter
+/// than that of version 1.0 has no room for it. Callers without a size, from version 1.0, pass
+/// 1.0's size.
 ///
 /// # Safety
 /// `pointer` is NULL or points to `size` bytes for a struct of that version.
@@ -425,7 +430,10 @@ pub(super) unsafe fn init<T: Growing>(
     name: &'static str,
 ) -> Answer<()> {
     check(pointer, name)?;
-    let size = size.clamp(T::FIRST, size_of::<T>());
+    if size < T::FIRST {
+        return Err(wrong_size::<T>("size".into(), size));
+    }
+    let size = size.min(size_of::<T>());
     // SAFETY: as required of the caller.
     unsafe { GrowingOut { pointer, size }.write(value) };
     Ok(())

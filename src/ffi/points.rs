@@ -40,7 +40,7 @@ pub unsafe extern "C" fn v_path_point_count(path: *const V_PATH, count: *mut c_i
 /// Inserts a support point before the one that is number at now; at = their
 /// number appends. It takes all other properties from its predecessor, at 0
 /// from its successor; an absolute target equal to the new position becomes
-/// relative. Coordinates are finite and at most 1e9.
+/// relative. Coordinates are finite, at most 1e9 half sizes from the centre of the space.
 /// Any thread; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[xyz; 3]]
@@ -92,7 +92,7 @@ pub unsafe extern "C" fn v_path_remove_point(path: *mut V_PATH, at: c_int) -> c_
 
 /// Moves a support point. Absolute targets stay where they are, relative ones
 /// go along; a position equal to an absolute target of the point is refused.
-/// Coordinates are finite and at most 1e9.
+/// Coordinates are finite, at most 1e9 half sizes from the centre of the space.
 /// Any thread; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[xyz; 3]]

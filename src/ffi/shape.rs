@@ -58,7 +58,7 @@ pub unsafe extern "C" fn v_path_get_curve(path: *const V_PATH, kind: *mut *const
 /// Gives a support point tangents of its own: the derivatives with which the
 /// curve reaches it (before) and leaves it (after), a segment counting 1. Both
 /// NULL: none of its own, those by the kind of the curve again. Each coordinate
-/// is finite and at most 1e9.
+/// is finite and at most 1e9 half sizes of the space.
 /// Any thread; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[before; 3], [after; 3]]

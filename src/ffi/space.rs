@@ -150,9 +150,9 @@ pub unsafe extern "C" fn v_space_init(space: *mut V_SPACE) {
     });
 }
 
-/// As v_space_init(), for a struct that is size bytes long: at least as long as in
-/// version 1.0. What is behind the fields that the library knows is not touched, and
-/// size is set to what was filled in.
+/// As v_space_init(), for a struct that is size bytes long. One shorter than in version
+/// 1.0 stays as it is, and v_last_error() says so. What is behind the fields that the
+/// library knows is not touched, and size is set to what was filled in.
 /// Any thread; from callbacks too.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_space_init_sized(space: *mut V_SPACE, size: usize) {

@@ -42,9 +42,9 @@ pub const V_VERSION_PATCH: c_int = 0;
 /// V_ERR_FORMAT    the contents of a file are not what they should be
 /// V_ERR_DISPLAY   no window can be opened, or its X server went away
 /// V_ERR_BUSY      not possible at this moment, as from within this callback
-/// V_ERR_CLOSED    the window is gone: its user has closed it, its X server went
-///                 away, or the thread that opened it has ended; v_last_error()
-///                 says which
+/// V_ERR_CLOSED    the window is gone: its user has closed it, it was destroyed from
+///                 outside, its X server went away, or the thread that opened it has
+///                 ended; v_last_error() says which
 /// V_ERR_INTERNAL  a fault of the library; the path concerned may be unusable
 ///                 from now on, everything else goes on
 /// V_ERR_REFUSED   a user said no
@@ -98,9 +98,9 @@ pub(super) enum Failure {
     Unaligned(Name),
     #[error("{0} is not UTF-8")]
     NotUtf8(&'static str),
-    #[error("{name}->size is {size}, but sizeof ({of}) is {wanted}")]
+    #[error("{name} is {size}, but sizeof ({of}) is {wanted}")]
     Size {
-        name: &'static str,
+        name: Name,
         size: usize,
         of: &'static str,
         wanted: usize,

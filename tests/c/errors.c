@@ -198,6 +198,9 @@ static void what_there_is_is_told(void)
          v_path_deform(path, 0, 1, "bend", values, 5, NULL, 0));
     CHECK(v_path_set_limit(path, "turns", 1) == V_ERR_ARGUMENT
           && BEGINS("there is no check \"turns\"; known: space, cusp, "));
+    SAYS(V_ERR_ARGUMENT,
+         "the limit of turning must be a number, or infinite where nothing is to be looked for",
+         v_path_set_limit(path, "turning", NAN));
     SAYS(V_ERR_SIZE, "poses has room for 1, and 121 are needed",
          v_path_sample(path, &pose, 1, &count));
     SAYS(V_ERR_ARGUMENT, "zoom_frames is 0, and must be finite and greater than 0",

@@ -126,6 +126,34 @@ static void texts_in_memory(const char *folder)
     v_path_free(path);
 }
 
+/* A struct too short for version 1.0: nothing is written, neither into it nor behind. */
+static void no_room_no_struct(void)
+{
+    size_t rooms[(sizeof(V_EDITOR_OPTIONS) + sizeof(V_SPACE)) / sizeof(size_t)]; /* aligned */
+    unsigned char *room = (unsigned char *)rooms, before[sizeof rooms];
+    char sentence[99];
+    size_t size;
+
+    memset(before, 0xa5, sizeof before);
+    memcpy(room, before, sizeof rooms);
+    for (size = 0; size < sizeof(V_EDITOR_OPTIONS); size++) {
+        v_editor_options_init_sized((V_EDITOR_OPTIONS *)room, size);
+        CHECK(memcmp(room, before, sizeof rooms) == 0);
+        sprintf(sentence, "size is %d, but sizeof (V_EDITOR_OPTIONS) is %d", (int)size,
+                (int)sizeof(V_EDITOR_OPTIONS));
+        CHECK(strcmp(v_last_error(), sentence) == 0);
+    }
+    for (size = 0; size < sizeof(V_SPACE); size++) {
+        v_space_init_sized((V_SPACE *)room, size);
+        CHECK(memcmp(room, before, sizeof rooms) == 0);
+        CHECK(strstr(v_last_error(), "but sizeof (V_SPACE) is ") != NULL);
+    }
+    /* That of a later version: as far as this one knows it. */
+    v_space_init_sized((V_SPACE *)room, sizeof rooms);
+    CHECK(((V_SPACE *)room)->size == sizeof(V_SPACE) && strcmp(v_last_error(), "") == 0);
+    CHECK(memcmp(room + sizeof(V_SPACE), before, sizeof rooms - sizeof(V_SPACE)) == 0);
+}
+
 static void whole_structs_only(void)
 {
     /* On the heap without a byte to spare, so that reading on would be seen. */
@@ -166,6 +194,7 @@ int main(int argc, char **argv)
     titles_and_comments();
     poses_in_pieces();
     texts_in_memory(argv[1]);
+    no_room_no_struct();
     whole_structs_only();
     return failures != 0;
 }

@@ -153,7 +153,7 @@ SIZES = {"capacity": 50000, "count": 2, "keys": 2, "points": 4, "size": len(VID)
          "frames": 500, ("v_path_fit_poses", "count"): 12,
          ("v_path_fit_poses_in_space", "count"): 12, ("v_path_fit_poses_robust", "count"): 12,
          ("v_space_init_sized", "size"): 48,
-         ("v_editor_options_init_sized", "size"): 100}
+         ("v_editor_options_init_sized", "size"): 1000}
 DOUBLES = {"fps": 25.0, "frame": 2.5, "back": 10.0, "rise": 0.2, "fall": 0.2, "cruise": 50.0, "s": 0.1,
            "tolerance": 0.01, "half_size": 1.0, "move_frames": 20.0}
 TEXTS = {"channel": "position", "interpolation": "hermite", "kind": "twist", "move": "orbit", "up": "point",

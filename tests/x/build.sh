@@ -82,3 +82,4 @@ extra=
 "$cc" -std=gnu99 -O1 -Wall -Wextra -Werror -o "$out/flood" "$here/flood.c" \
     "$here/../calls/hands.c" -lX11
 "$cc" -std=gnu99 -O1 -Wall -Wextra -Werror -o "$out/manager" "$here/manager.c" -lX11
+"$cc" -std=gnu99 -O1 -Wall -Wextra -Werror -o "$out/drags" "$here/drags.c" -lX11

@@ -1,11 +1,12 @@
 """Closing, keyboard, clipboard, files, dragging: what the user does with one window."""
 
 import os
+import pathlib
 import re
 import shutil
 
 from cases_hosts import POSES, hand_over
-from harness import check, run, wait
+from harness import Program, check, run, wait
 from panel import FIELD, middle, panel_boxes
 from run import test
 
@@ -355,6 +356,40 @@ def points_by_the_clipboard(place):
     server.press(further, "ctrl+z")
     wait(lambda: other.path() == first, "one step")
     other.leave()
+    host.leave()
+
+
+@test()
+def files_dragged_from_another_program(place):
+    """A path is opened, then a mesh is shown, and is in the file that is saved."""
+    server = place.server()
+    server.window_manager()
+    server, host, window = opened(place, server)
+    server.place(window, 300, 200)
+    flight, mesh = (pathlib.Path(place.path(name)) for name in ("a flight.vid", "k\u00fcste.obj"))
+    corners = [(0.1, 0.2, 0.3), (-0.4, 0.5, 0.6), (0.7, -0.8, 0.9)]
+    points = "".join(f"[[point]]\nposition = {list(corner)}\n" for corner in corners)
+    flight.write_text(f"version = 1\n{points}", encoding="utf-8")
+    mesh.write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", encoding="utf-8")
+
+    def drag(file):
+        command = [os.path.join(place.hosts, "drags"), file.as_uri()]
+        source = Program(place.folder, command, server.env)
+        place.programs.append(source)
+        source.expect("ready")
+        steps = [word for k in range(9) for word in ("mousemove", 30 + 70 * k, 30 + 50 * k)]
+        server.xdotool(*steps[:3], "mousedown", 1, *steps[3:], "mouseup", 1)
+        source.expect("dropped 1")
+        source.kill()
+
+    drag(flight)
+    wait(lambda: host.path() == corners, "the path that was dropped")
+    drag(mesh)
+    saved = flight.read_bytes()
+    server.press(window, "ctrl+s")
+    wait(lambda: flight.read_bytes() != saved, "the file with the mesh")
+    text = flight.read_text(encoding="utf-8")
+    check(f'file = "{mesh.name}"\n' in text and text.count("[[point]]") == 3, text)
     host.leave()
 
 

@@ -194,7 +194,8 @@ int main(void)
     XSync(display, False);
     for (end = now() + SECONDS; serve(0.02) > 0;)
         check(now() < end, "it outlives its parent");
-    check(v_editor_get_path(editor, &path) == V_ERR_CLOSED, "the handle");
+    check(v_editor_get_path(editor, &path) == V_ERR_CLOSED
+              && strstr(v_last_error(), "destroyed") != NULL, "the handle");
     check(v_editor_close(editor) == V_OK && asked == 0, "on_close is asked");
 
     host = top_level();

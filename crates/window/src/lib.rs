@@ -123,6 +123,8 @@ pub enum Gone {
     ByUser,
     /// Its X server went away or refused to go on.
     Screen,
+    /// It was destroyed, or put out of its parent.
+    FromOutside,
     /// A fault of the library's own.
     Fault,
     /// The thread that opened it ended.

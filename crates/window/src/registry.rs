@@ -65,8 +65,8 @@ struct Slot {
 pub struct Lost {
     /// One sentence.
     pub why: String,
-    /// It is the library's own fault, not the screen's.
-    pub fault: bool,
+    /// What its owner is told.
+    pub gone: Gone,
 }
 
 impl Table {
@@ -326,9 +326,14 @@ pub(super) fn work<R>(id: Id, f: impl FnOnce(&mut Window, &Rc<dyn Host>) -> R) -
 impl Lost {
     /// The screen is gone or refused to go on.
     pub(super) fn screen(error: &Error) -> Self {
+        use crate::x11::Error::{Destroyed, Reparented};
+        let gone = match error {
+            Error::Screen(Destroyed | Reparented) => Gone::FromOutside,
+            _ => Gone::Screen,
+        };
         Self {
             why: error.to_string(),
-            fault: false,
+            gone,
         }
     }
 
@@ -337,7 +342,7 @@ impl Lost {
         let said = panic_said(panic);
         Self {
             why: format!("a fault inside the library closed the window: {said}"),
-            fault: true,
+            gone: Gone::Fault,
         }
     }
 }
@@ -361,8 +366,7 @@ pub(super) fn lose(id: Id, window: Option<Box<Window>>, why: Lost) {
         if new {
             slot.host.lost(&why.why);
         }
-        let gone = if why.fault { Gone::Fault } else { Gone::Screen };
-        slot.host.closed(id, gone);
+        slot.host.closed(id, why.gone);
         if shows_pane {
             pane_closed(id, &slot.host);
         }

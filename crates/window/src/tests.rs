@@ -508,8 +508,8 @@ fn a_lost_screen_takes_its_window_alone() {
     assert_eq!(served.open, 1);
     let lost = served.lost.expect("told");
     assert_eq!(
-        (lost.why.as_str(), lost.fault),
-        ("the window was closed from outside", false)
+        (lost.why.as_str(), lost.gone),
+        ("the window was closed from outside", Gone::FromOutside)
     );
     assert_eq!((first.closed.get(), first.asked.get()), (1, 0));
     assert_eq!(*first.lost.borrow(), ["the window was closed from outside"]);
@@ -547,7 +547,7 @@ fn a_panic_spoils_one_window() {
     assert_eq!((served.open, first.closed.get()), (1, 1));
     let lost = served.lost.expect("told");
     assert!(
-        lost.fault && lost.why.contains("on purpose"),
+        lost.gone == Gone::Fault && lost.why.contains("on purpose"),
         "{}",
         lost.why
     );
@@ -562,7 +562,7 @@ fn what_a_panic_took_outside_the_loop_is_told_by_it() {
     let (asking, one, calls) = open();
     assert!(change(id, |_| panic!("on purpose")).is_none());
     let lost = dispatch().lost.expect("told");
-    assert!(lost.fault && lost.why.contains("on purpose"));
+    assert!(lost.gone == Gone::Fault && lost.why.contains("on purpose"));
     assert!(dispatch().lost.is_none(), "told again");
     // From within a callback, also if that serves the others.
     let (id, ..) = open();
@@ -573,7 +573,7 @@ fn what_a_panic_took_outside_the_loop_is_told_by_it() {
     }));
     one.send(CLOSE);
     let lost = settle(&[&one]).lost.expect("told");
-    assert!(lost.fault && lost.why.contains("within a call"));
+    assert!(lost.gone == Gone::Fault && lost.why.contains("within a call"));
     // A window that opens later is another matter.
     let (id, ..) = open();
     assert!(change(id, |_| panic!("on purpose")).is_none());

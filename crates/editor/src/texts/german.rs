@@ -208,6 +208,8 @@ german! {
             number((times * 10.0).round() / 10.0);
         NoCheck(name) => "die Prüfung „{name}“ gibt es nicht; bekannt sind: {}",
             List(FindingKind::all().map(FindingKind::name));
+        LimitNan(name) => "die Grenze von {name} muss eine Zahl sein, oder unendlich, wo nichts gesucht \
+                           werden soll";
         NoGeometry => "das Objekt hat keine Geometrie";
     }
     OutOfRange {

@@ -321,6 +321,8 @@ pub enum Invalid {
         .0, List(FindingKind::all().map(FindingKind::name))
     )]
     NoCheck(Text),
+    #[error("the limit of {0} must be a number, or infinite where nothing is to be looked for")]
+    LimitNan(&'static str),
     #[error("the object has no geometry")]
     NoGeometry,
 }

@@ -208,6 +208,9 @@ impl Limits {
     /// # Errors
     /// [`crate::Error::Argument`] or [`crate::Error::Range`]; nothing is changed then.
     pub fn set(&mut self, kind: FindingKind, limit: f64) -> Result<()> {
+        if limit.is_nan() {
+            return Err(Invalid::LimitNan(kind.name()).into());
+        }
         if limit != OFF {
             kind.limit().check(limit, 1.0)?;
         }

@@ -168,6 +168,10 @@ mod tests {
     /// still beside it the section is as slow as can be.
     #[test]
     fn ends_join_their_neighbours_and_nothing_dips_below_the_slow_one() {
+        for shape in [Shape::EaseIn, Shape::EaseOut, Shape::Both] {
+            let between_rests = shape.speeds([End::Still; 2], 50.0, false);
+            assert_eq!((between_rests[0], between_rests[SPEEDS - 1]), (1.0, 1.0));
+        }
         for speed in [3.0, 25.0, 50.0, 100.0] {
             for other in [End::Free, End::Still, End::Goes(1.0), End::Goes(100.0)] {
                 let into = Shape::EaseIn.speeds([other, End::Goes(speed)], 50.0, false);
