@@ -175,6 +175,38 @@
 #define V_BEFORE_OFFSET 48
 
 
+/* ---- Axes of a camera, see v_pose_matrix() ----------------------------------- */
+
+/**
+ * All are right-handed.
+ *
+ * V_AXES_OPENGL  x right, y up, z backward
+ * V_AXES_OPENCV  x right, y down, z forward
+ * V_AXES_ROS     x forward, y left, z up (REP 103)
+ * V_AXES_VIDES   x left, y up, z forward: those of nodes (V_NODE_STATE) and of
+ *                v_view_from_quat()
+ */
+#define V_AXES_OPENGL 0
+#define V_AXES_OPENCV 1
+#define V_AXES_ROS 2
+#define V_AXES_VIDES 3
+
+
+/* ---- Clip coordinates, see v_pose_projection() ------------------------------- */
+
+/**
+ * V_CLIP_OPENGL    y up, depth from -1 (near) to 1 (far)
+ * V_CLIP_D3D       y up, depth from 0 to 1: Direct3D, Metal, WebGPU
+ * V_CLIP_VULKAN    y down, depth from 0 to 1
+ * V_CLIP_REVERSED  added to one of them: near and far change places, so that depth
+ *                  in float stays exact far away (with depth from 0)
+ */
+#define V_CLIP_OPENGL 0
+#define V_CLIP_D3D 1
+#define V_CLIP_VULKAN 2
+#define V_CLIP_REVERSED 16
+
+
 /* ---- The types of the interface of 1994 -------------------------------------- */
 
 /**
@@ -351,6 +383,29 @@ struct v_pose {
 };
 
 typedef struct v_pose V_POSE;
+
+/**
+ * How a camera moves at a frame, see v_path_motion(). The library fills it in.
+ *
+ * Set size to sizeof (V_MOTION) before any call, see V_ORIENTATION.
+ */
+struct v_motion {
+    /** sizeof (V_MOTION) */
+    size_t size;
+    /** length of the way since the first frame */
+    double distance;
+    /** length of the way in a second */
+    double speed;
+    /** degrees in a second by which the camera turns, rolling included */
+    double turning;
+    /**
+     * of the way: 1 by the radius of its circle; 0 where the camera rests or turns on
+     * the spot
+     */
+    double curvature;
+};
+
+typedef struct v_motion V_MOTION;
 
 /**
  * A node at rest. Its local matrix is T(position) T(pivot) R S T(-pivot), its
@@ -1705,6 +1760,20 @@ int v_path_sample_range(const V_PATH *path,
 int v_path_pose(const V_PATH *path, double frame, V_POSE *pose);
 
 /**
+ * The poses at count frames in any order, each as v_path_pose() gives it: for motion
+ * blur, sound, and pictures at the times at which they are shown.
+ *
+ * frames  each from 1 to the count of v_path_frame_count()
+ * poses   room for count of them
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
+ * V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_path_poses_at(const V_PATH *path,
+                    const double *frames,
+                    size_t count,
+                    V_POSE *poses);
+
+/**
  * All poses of a path as a list in the form of 1994, see V_KAMERAPAR: zooms are whole
  * numbers there, 100 for any beyond. first is
  * the host's and becomes the first element; its number must be set before, to
@@ -1741,6 +1810,46 @@ int v_path_write_ascii_to_memory(const V_PATH *path,
                                  char *text,
                                  size_t capacity,
                                  size_t *length);
+
+
+/* ---- Time and motion --------------------------------------------------------- */
+
+/**
+ * The frame that is shown at a time: 1 + seconds * fps (v_path_set_fps()), between two
+ * frames too. The first pose is shown at 0 seconds, the last one at
+ * (v_path_frame_count() - 1) / fps; other times are none of the path's. What
+ * v_path_seconds_at_frame() gives for a whole frame gives that frame again.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
+ * V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_path_frame_at_seconds(const V_PATH *path,
+                            double seconds,
+                            double *frame);
+
+/**
+ * The time at which a frame is shown, between two frames too: (frame - 1) / fps, see
+ * v_path_frame_at_seconds().
+ *
+ * frame  from 1 to the count of v_path_frame_count()
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
+ * V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_path_seconds_at_frame(const V_PATH *path,
+                            double frame,
+                            double *seconds);
+
+/**
+ * How the camera moves at a frame, between two frames too: lengths in the units of the
+ * positions, seconds by v_path_set_fps(). At a key it is how the camera goes on from
+ * there, at the last frame how it came. motion->size must be set before.
+ *
+ * frame  from 1 to the count of v_path_frame_count()
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_RANGE,
+ * V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_path_motion(const V_PATH *path,
+                  double frame,
+                  V_MOTION *motion);
 
 /**
  * A node of this kind at the origin: visible, scale 1, rotation 1 0 0 0, in
@@ -2602,6 +2711,37 @@ double v_fov_from_zoom(double zoom,
  */
 double v_zoom_from_fov(double fov,
                        double height);
+
+/**
+ * The matrix of a camera in a pose, for programs whose cameras have other axes than
+ * OpenGL's: 16 numbers by columns, for column vectors.
+ *
+ * convention  the camera's axes, V_AXES_...
+ * to_world    0: from world coordinates into the camera's (the view matrix); with
+ *     V_AXES_OPENGL that of v_pose_gl_matrix(), bit for bit. Else from the camera's
+ *     into the world's: its columns are the axes and vrp
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE.
+ */
+int v_pose_matrix(const V_POSE *pose, int convention, int to_world, double m[16]);
+
+/**
+ * The projection of a camera in a pose, behind the view matrix of v_pose_gl_matrix(),
+ * which looks along -z, whatever the convention: 16 numbers by columns, for column
+ * vectors (the same numbers by rows, for row vectors, as Direct3D takes them). Of the
+ * pose only the zoom counts: vertically 2 atan (12 / zoom) are seen.
+ *
+ * aspect      the picture's width by its height
+ * near_plane  distance of the front plane, > 0
+ * far_plane   that of the back plane, > near_plane; INFINITY: there is none
+ * convention  V_CLIP_..., | V_CLIP_REVERSED
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_RANGE.
+ */
+int v_pose_projection(const V_POSE *pose,
+                      double aspect,
+                      double near_plane,
+                      double far_plane,
+                      int convention,
+                      double m[16]);
 
 #ifdef __cplusplus
 }

@@ -109,9 +109,13 @@
     F(v_path_sample, STATUS, V_OK, 0) \
     F(v_path_sample_range, STATUS, V_OK, 0) \
     F(v_path_pose, STATUS, V_OK, 0) \
+    F(v_path_poses_at, STATUS, V_OK, 0) \
     F(v_path_to_list, STATUS, V_OK, 0) \
     F(v_path_write_ascii, STATUS, V_OK, 0) \
     F(v_path_write_ascii_to_memory, STATUS, V_OK, 0) \
+    F(v_path_frame_at_seconds, STATUS, V_OK, 0) \
+    F(v_path_seconds_at_frame, STATUS, V_OK, 0) \
+    F(v_path_motion, STATUS, V_OK, 0) \
     F(v_node_init, NOTHING, V_OK, 0) \
     F(v_scene_new, STATUS, V_OK, 0) \
     F(v_scene_load, STATUS, V_OK, 0) \
@@ -175,7 +179,9 @@
     F(v_view_from_pose, STATUS, V_OK, 0) \
     F(v_pose_gl_matrix, STATUS, V_OK, 0) \
     F(v_fov_from_zoom, NOTHING, V_OK, 0) \
-    F(v_zoom_from_fov, NOTHING, V_OK, 0)
+    F(v_zoom_from_fov, NOTHING, V_OK, 0) \
+    F(v_pose_matrix, STATUS, V_OK, 0) \
+    F(v_pose_projection, STATUS, V_OK, 0)
 
 #define DECLARED(name, answers, normally, display) CALL(name);
 EACH_FUNCTION(DECLARED)
