@@ -1,4 +1,4 @@
-/* Time, motion and matrices of a camera: see every.h. */
+/* Time, motion and matrices of a camera; what a path gives back as it was set: see every.h. */
 #include <string.h>
 
 #include "functions.h"
@@ -59,4 +59,71 @@ CALL(v_pose_projection)
     double aspect = number(0.5, 2), front = number(0.1, 1), back = number(2, 3);
     int convention = whole(V_CLIP_OPENGL, V_CLIP_VULKAN);
     return v_pose_projection(pose, aspect, front, back, convention, result(16 * sizeof(double), 0));
+}
+
+/* ---- What was set ---------------------------------------------------------------------- */
+
+CALL(v_path_move_point)
+{
+    V_PATH *path = a_path();
+    int from = a_point(path);
+    return v_path_move_point(path, from, a_point(path));
+}
+
+CALL(v_path_set_point_name)
+{
+    static const char *const names[] = {"", "gate", "\xc3\xbc", "a\nb", "\377"};
+    V_PATH *path = a_path();
+    int at = a_point(path), odd = chance(wild);
+
+    frame->unfit |= odd;
+    return v_path_set_point_name(path, at, text(names[below(odd ? 5 : 3)]));
+}
+
+CALL(v_path_get_point_name)
+{
+    const V_PATH *path = a_path();
+    int at = a_point(path);
+    char *name = result(300, 0);
+    return v_path_get_point_name(path, at, name, 300, result(sizeof(size_t), 0));
+}
+
+CALL(v_path_get_ahead)
+{
+    const V_PATH *path = a_path();
+    int point = a_point(path), at = an_orientation(path, point);
+    return v_path_get_ahead(path, point, at, result(sizeof(double), 0));
+}
+
+CALL(v_path_get_up)
+{
+    const V_PATH *path = a_path();
+    int point = a_point(path), at = an_orientation(path, point), status;
+    const char **up = result(sizeof *up, 1);
+    double *place = result(3 * sizeof *place, 1);
+    V_PATH **made = result(sizeof *made, 1);
+
+    status = v_path_get_up(path, point, at, up, place, made);
+    if (status == V_OK && made != NULL && *made != NULL)
+        frame->made_path = *made;
+    return status;
+}
+
+CALL(v_path_get_distance)
+{
+    const V_PATH *path = a_path();
+    int point = a_point(path), at = an_orientation(path, point);
+    double *pairs = result(64 * sizeof *pairs, 0);
+    return v_path_get_distance(path, point, at, pairs, 32, result(sizeof(size_t), 0));
+}
+
+CALL(v_path_get_object)
+{
+    const V_PATH *path = a_path();
+    V_MESH mesh;
+
+    memset(&mesh, 0x5A, sizeof mesh);
+    mesh.size = chance(wild) ? below(400) : sizeof mesh;
+    frame->unfit |= mesh.size != sizeof mesh;
+    return v_path_get_object(path, (V_MESH *)given("V_MESH", &mesh, sizeof mesh));
 }

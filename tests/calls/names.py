@@ -171,7 +171,8 @@ ARRAYS = {"keys": [1, 0, 0, 0, 0, 1, 0, 0], "key_times": [0, 1], "tcb": [0] * 6,
           "frames": [1, 11], ("v_path_from_move", "parameters"): [0.1] * 3}
 
 # Numbers of things, and those that choose one of a few.
-NUMBERS = ("at", "point", "node", "segment", "section", "orientation", "first_point", "last_point", "preset")
+NUMBERS = ("at", "point", "node", "segment", "section", "orientation", "first_point", "last_point", "preset",
+           "from", "to")
 CHOICES = ("up", "kind", "fit", "after", "orientation_mode", "zoom_mode", "convention")
 
 
