@@ -61,15 +61,13 @@ static void drag(int x, int y)
 
 static void display(void)
 {
-    double matrix[16];
-    /* The zoom is a focal length in mm of a camera with a picture 24 mm high. */
-    double slope = 0.01 * 12.0 / shown.zoom;
+    double matrix[16], projection[16];
     double aspect = (double)glutGet(GLUT_WINDOW_WIDTH) / glutGet(GLUT_WINDOW_HEIGHT);
     int i;
 
     glClear(GL_COLOR_BUFFER_BIT);
-    glMatrixMode(GL_PROJECTION), glLoadIdentity();
-    glFrustum(-slope * aspect, slope * aspect, -slope, slope, 0.01, 10.0);
+    if (v_pose_projection(&shown, aspect, 0.01, 10.0, V_CLIP_OPENGL, projection) == V_OK)
+        glMatrixMode(GL_PROJECTION), glLoadMatrixd(projection);
     glMatrixMode(GL_MODELVIEW);
     if (v_pose_gl_matrix(&shown, matrix) == V_OK)
         glLoadMatrixd(matrix);

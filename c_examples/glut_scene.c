@@ -238,21 +238,18 @@ static void draw_cone(const V_NODE_STATE *state)
 static void draw_scene(int width, int height)
 {
     static V_NODE_STATE states[NODES];
-    double view[16], xyz[3 * 13], slope, aspect;
+    double view[16], projection[16], xyz[3 * 13];
     size_t points;
     int i;
 
     check(v_scene_evaluate(scene, frame, states, NODES, NULL));
     check(v_pose_gl_matrix(&states[camera].pose, view));
-    /* The zoom is the focal length of a camera with a picture 24 mm high. */
-    slope = 12.0 / states[camera].pose.zoom;
-    aspect = (double)width / height;
+    check(v_pose_projection(&states[camera].pose, (double)width / height, 0.01, 10.0, V_CLIP_OPENGL,
+                            projection));
     glViewport(0, 0, width, height);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glMatrixMode(GL_PROJECTION);
-    glLoadIdentity();
-    glFrustum(-0.01 * slope * aspect, 0.01 * slope * aspect, -0.01 * slope, 0.01 * slope,
-              0.01, 10.0);
+    glLoadMatrixd(projection);
     glMatrixMode(GL_MODELVIEW);
     glLoadMatrixd(view);
     glColor3d(0.3, 0.3, 0.35);

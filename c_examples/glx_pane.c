@@ -30,7 +30,7 @@ static V_POSE camera;
 
 static void draw(void)
 {
-    double matrix[16], up, right;
+    double matrix[16], projection[16];
     int i;
 
     if (child == None)
@@ -40,11 +40,8 @@ static void draw(void)
     glClearColor(0.1f, 0.1f, 0.15f, 1.0f), glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     if (v_pose_gl_matrix(&camera, matrix) == V_OK) { /* else nobody has told it yet */
         glEnable(GL_DEPTH_TEST);
-        /* The zoom is the focal length, in mm, of a camera with a picture 24 mm high. */
-        up = 0.01 * 12.0 / camera.zoom;
-        right = up * width / height;
-        glMatrixMode(GL_PROJECTION), glLoadIdentity();
-        glFrustum(-right, right, -up, up, 0.01, 10.0);
+        v_pose_projection(&camera, (double)width / height, 0.01, 10.0, V_CLIP_OPENGL, projection);
+        glMatrixMode(GL_PROJECTION), glLoadMatrixd(projection);
         glMatrixMode(GL_MODELVIEW);
         glLoadMatrixd(matrix);
         glBegin(GL_TRIANGLES);

@@ -92,6 +92,9 @@
 #define V_ERR_INTERNAL 13
 #define V_ERR_REFUSED 14
 
+
+/* ---- Reasons of callbacks ---------------------------------------------------- */
+
 /**
  * Why on_view and on_frame are called: another point or orientation became current; something
  * is being dragged or was changed; another frame was chosen; it plays; nothing
@@ -103,7 +106,12 @@
 #define V_VIEW_PLAYED 3
 #define V_VIEW_RESTED 4
 
-/** Which axis is up. */
+
+/* ---- What stands upright ----------------------------------------------------- */
+
+/**
+ * Which axis is up.
+ */
 #define V_UP_Y 1
 #define V_UP_Z 2
 
@@ -147,7 +155,12 @@
 #define V_FIT_TURN 2
 #define V_FIT_SCALE 3
 
-/** The kinds of node. */
+
+/* ---- Kinds of nodes, and how motions go on ----------------------------------- */
+
+/**
+ * The kinds of node.
+ */
 #define V_NODE_GROUP 0
 #define V_NODE_OBJECT 1
 #define V_NODE_LIGHT 2
@@ -173,6 +186,38 @@
 #define V_BEFORE_REPEAT 16
 #define V_BEFORE_PINGPONG 32
 #define V_BEFORE_OFFSET 48
+
+
+/* ---- Axes of a camera, see v_pose_matrix() ----------------------------------- */
+
+/**
+ * All are right-handed.
+ *
+ * V_AXES_OPENGL  x right, y up, z backward
+ * V_AXES_OPENCV  x right, y down, z forward
+ * V_AXES_ROS     x forward, y left, z up (REP 103)
+ * V_AXES_VIDES   x left, y up, z forward: those of nodes (V_NODE_STATE) and of
+ *                v_view_from_quat()
+ */
+#define V_AXES_OPENGL 0
+#define V_AXES_OPENCV 1
+#define V_AXES_ROS 2
+#define V_AXES_VIDES 3
+
+
+/* ---- Clip coordinates, see v_pose_projection() ------------------------------- */
+
+/**
+ * V_CLIP_OPENGL    y up, depth from -1 (near) to 1 (far)
+ * V_CLIP_D3D       y up, depth from 0 to 1: Direct3D, Metal, WebGPU
+ * V_CLIP_VULKAN    y down, depth from 0 to 1
+ * V_CLIP_REVERSED  added to one of them: near and far change places, so that depth
+ *                  in float stays exact far away (with depth from 0)
+ */
+#define V_CLIP_OPENGL 0
+#define V_CLIP_D3D 1
+#define V_CLIP_VULKAN 2
+#define V_CLIP_REVERSED 16
 
 
 /* ---- The types of the interface of 1994 -------------------------------------- */
@@ -351,6 +396,29 @@ struct v_pose {
 };
 
 typedef struct v_pose V_POSE;
+
+/**
+ * How a camera moves at a frame, see v_path_motion(). The library fills it in.
+ *
+ * Set size to sizeof (V_MOTION) before any call, see V_ORIENTATION.
+ */
+struct v_motion {
+    /** sizeof (V_MOTION) */
+    size_t size;
+    /** length of the way since the first frame */
+    double distance;
+    /** length of the way in a second */
+    double speed;
+    /** degrees in a second by which the camera turns, rolling included */
+    double turning;
+    /**
+     * of the way: 1 by the radius of its circle; 0 where the camera rests or turns on
+     * the spot
+     */
+    double curvature;
+};
+
+typedef struct v_motion V_MOTION;
 
 /**
  * A node at rest. Its local matrix is T(position) T(pivot) R S T(-pivot), its
@@ -858,6 +926,19 @@ int v_path_load_from_memory(const char *text,
  */
 int v_path_save(const V_PATH *path, const char *file);
 
+/**
+ * The text of a .vid file of a path in memory, ended by zero, as v_path_save() writes it
+ * and v_path_load_from_memory() reads it; *length is its bytes without the zero. With a
+ * capacity not larger than *length nothing else is written, and the answer is V_ERR_SIZE.
+ * text NULL with capacity 0 only asks for *length.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_LIMIT,
+ * V_ERR_MEMORY.
+ */
+int v_path_save_to_memory(const V_PATH *path,
+                          char *text,
+                          size_t capacity,
+                          size_t *length);
+
 
 /* ---- Support points ---------------------------------------------------------- */
 
@@ -909,6 +990,32 @@ int v_path_set_position(V_PATH *path, int at, const double xyz[3]);
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_get_position(const V_PATH *path, int at, double xyz[3]);
+
+/**
+ * Gives a support point another number; those between the two places move up or down by
+ * one. All that it has goes along.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
+ */
+int v_path_move_point(V_PATH *path,
+                      int from,
+                      int to);
+
+/**
+ * Names a support point: UTF-8, one line of at most 256 bytes; "" is none.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+ * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_path_set_point_name(V_PATH *path, int at, const char *name);
+
+/**
+ * The name of a support point, "" if it has none, as v_path_get_title() gives the title.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_SIZE.
+ */
+int v_path_get_point_name(const V_PATH *path,
+                          int at,
+                          char *name,
+                          size_t capacity,
+                          size_t *length);
 
 
 /* ---- Tension, continuity and bias of the curve ------------------------------- */
@@ -1036,6 +1143,16 @@ int v_path_set_absolute(V_PATH *path, int point, int at, int absolute);
 int v_path_set_ahead(V_PATH *path, int point, int at, double distance);
 
 /**
+ * How far along the way an orientation looks ahead, see v_path_set_ahead(); -1 where it
+ * looks at its target.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ */
+int v_path_get_ahead(const V_PATH *path,
+                     int point,
+                     int at,
+                     double *distance);
+
+/**
  * Which way is up for an orientation, before its roll; with any view. A section
  * between two orientations with the same view and the same up follows both
  * all the way.
@@ -1061,6 +1178,21 @@ int v_path_set_up(V_PATH *path,
                   const char *up,
                   const double *up_point,
                   const V_PATH *up_path);
+
+/**
+ * Which way is up for an orientation, as v_path_set_up() takes it: the name, whose text
+ * is the library's and stays; up_point, of "point" (else zeros); and *up_path, of "path"
+ * (else NULL), an open path with that curve, the caller's, to be freed with
+ * v_path_free(). Each result may be NULL.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
+ * V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_path_get_up(const V_PATH *path,
+                  int point,
+                  int at,
+                  const char **up,
+                  double up_point[3],
+                  V_PATH **up_path);
 
 
 /* ---- What holds for the whole path ------------------------------------------- */
@@ -1186,6 +1318,15 @@ int v_path_get_first_frame(const V_PATH *path, int *number);
  * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_set_object(V_PATH *path, const V_MESH *object);
+
+/**
+ * The object that is shown with a path, with its triangles if it has any; no points if
+ * there is none. What the mesh points to is the library's, and valid until the same
+ * thread's next call of this function, or its end. mesh->size must be set before.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_MEMORY.
+ */
+int v_path_get_object(const V_PATH *path,
+                      V_MESH *mesh);
 
 
 /* ---- Where a path lies ------------------------------------------------------- */
@@ -1403,6 +1544,20 @@ int v_path_set_distance(V_PATH *path,
                         int at,
                         const double *time_way,
                         size_t keys);
+
+/**
+ * The given distance of the section that begins with an orientation: as many pairs as
+ * *keys says, see v_path_set_distance(); 0 where none is given. capacity is the number of
+ * pairs that there is room for; with too little nothing is written but *keys, and the
+ * answer is V_ERR_SIZE. time_way NULL with capacity 0 only asks for *keys.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_SIZE.
+ */
+int v_path_get_distance(const V_PATH *path,
+                        int point,
+                        int at,
+                        double *time_way,
+                        size_t capacity,
+                        size_t *keys);
 
 
 /* ---- Fixed frames ------------------------------------------------------------ */
@@ -1708,6 +1863,20 @@ int v_path_sample_range(const V_PATH *path,
 int v_path_pose(const V_PATH *path, double frame, V_POSE *pose);
 
 /**
+ * The poses at count frames in any order, each as v_path_pose() gives it: for motion
+ * blur, sound, and pictures at the times at which they are shown.
+ *
+ * frames  each from 1 to the count of v_path_frame_count()
+ * poses   room for count of them
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
+ * V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_path_poses_at(const V_PATH *path,
+                    const double *frames,
+                    size_t count,
+                    V_POSE *poses);
+
+/**
  * All poses of a path as a list in the form of 1994, see V_KAMERAPAR: zooms are whole
  * numbers there, 100 for any beyond. first is
  * the host's and becomes the first element; its number must be set before, to
@@ -1745,6 +1914,49 @@ int v_path_write_ascii_to_memory(const V_PATH *path,
                                  size_t capacity,
                                  size_t *length);
 
+
+/* ---- Time and motion --------------------------------------------------------- */
+
+/**
+ * The frame that is shown at a time: 1 + seconds * fps (v_path_set_fps()), between two
+ * frames too. The first pose is shown at 0 seconds, the last one at
+ * (v_path_frame_count() - 1) / fps; other times are none of the path's. What
+ * v_path_seconds_at_frame() gives for a whole frame gives that frame again.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
+ * V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_path_frame_at_seconds(const V_PATH *path,
+                            double seconds,
+                            double *frame);
+
+/**
+ * The time at which a frame is shown, between two frames too: (frame - 1) / fps, see
+ * v_path_frame_at_seconds().
+ *
+ * frame  from 1 to the count of v_path_frame_count()
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
+ * V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_path_seconds_at_frame(const V_PATH *path,
+                            double frame,
+                            double *seconds);
+
+/**
+ * How the camera moves at a frame, between two frames too: lengths in the units of the
+ * positions, seconds by v_path_set_fps(). At a key it is how the camera goes on from
+ * there, at the last frame how it came. motion->size must be set before.
+ *
+ * frame  from 1 to the count of v_path_frame_count()
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_RANGE,
+ * V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_path_motion(const V_PATH *path,
+                  double frame,
+                  V_MOTION *motion);
+
+
+/* ---- Scenes: made, loaded, saved, freed -------------------------------------- */
+
 /**
  * A node of this kind at the origin: visible, scale 1, rotation 1 0 0 0, in
  * none, aiming at none, zoom 24, white, intensity 1, a cone of 20 and 30
@@ -1774,6 +1986,30 @@ int v_scene_new(V_SCENE **scene);
  */
 int v_scene_load(const char *file,
                  V_SCENE **scene);
+
+/**
+ * Reads a scene from the text of a .vid file in memory, as v_scene_load() does; size bytes
+ * of UTF-8, a zero behind them is not needed. Meshes in files of their own are looked for
+ * where the program runs, if the text does not name them from the root. *scene is the
+ * caller's, to be freed with v_scene_free().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_FORMAT (with line and reason in
+ * v_last_error()), V_ERR_MEMORY, V_ERR_LIMIT. Memory that runs out while the text is
+ * parsed ends the program.
+ */
+int v_scene_load_from_memory(const char *text,
+                             size_t size,
+                             V_SCENE **scene);
+
+/**
+ * The text of a .vid file of a scene in memory, as v_path_save_to_memory() gives that of a
+ * path; names of meshes' files stay as they are.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_BUSY,
+ * V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_scene_save_to_memory(const V_SCENE *scene,
+                           char *text,
+                           size_t capacity,
+                           size_t *length);
 
 /**
  * Writes a scene into a .vid file, as v_path_save() writes a path: afterwards
@@ -2159,6 +2395,9 @@ int v_scene_vertices(const V_SCENE *scene,
                      size_t capacity,
                      size_t *points);
 
+
+/* ---- Paths from recorded poses, checks --------------------------------------- */
+
 /**
  * A path of few support points that passes recorded poses: each position within
  * tolerance, each view, up and field of view within angle degrees, at its time, and as
@@ -2274,6 +2513,9 @@ int v_path_set_limit(V_PATH *path, const char *kind, double limit);
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT.
  */
 int v_path_get_limit(const V_PATH *path, const char *kind, double *limit);
+
+
+/* ---- Opening and closing windows --------------------------------------------- */
 
 /**
  * The options' defaults: size, space_up V_UP_Y, and everything else NULL or 0. NULL
@@ -2606,6 +2848,37 @@ double v_fov_from_zoom(double zoom,
  */
 double v_zoom_from_fov(double fov,
                        double height);
+
+/**
+ * The matrix of a camera in a pose, for programs whose cameras have other axes than
+ * OpenGL's: 16 numbers by columns, for column vectors.
+ *
+ * convention  the camera's axes, V_AXES_...
+ * to_world    0: from world coordinates into the camera's (the view matrix); with
+ *     V_AXES_OPENGL that of v_pose_gl_matrix(), bit for bit. Else from the camera's
+ *     into the world's: its columns are the axes and vrp
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE.
+ */
+int v_pose_matrix(const V_POSE *pose, int convention, int to_world, double m[16]);
+
+/**
+ * The projection of a camera in a pose, behind the view matrix of v_pose_gl_matrix(),
+ * which looks along -z, whatever the convention: 16 numbers by columns, for column
+ * vectors (the same numbers by rows, for row vectors, as Direct3D takes them). Of the
+ * pose only the zoom counts: vertically 2 atan (12 / zoom) are seen.
+ *
+ * aspect      the picture's width by its height
+ * near_plane  distance of the front plane, > 0
+ * far_plane   that of the back plane, > near_plane; INFINITY: there is none
+ * convention  V_CLIP_..., | V_CLIP_REVERSED
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_RANGE.
+ */
+int v_pose_projection(const V_POSE *pose,
+                      double aspect,
+                      double near_plane,
+                      double far_plane,
+                      int convention,
+                      double m[16]);
 
 #ifdef __cplusplus
 }

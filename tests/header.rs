@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 /// The files with exports, in the order in which the header shows them.
-const SOURCES: [&str; 26] = [
+const SOURCES: [&str; 28] = [
     "status",
     "types",
     "legacy",
@@ -21,6 +21,7 @@ const SOURCES: [&str; 26] = [
     "curve",
     "tools",
     "poses",
+    "times",
     "scene_types",
     "scene",
     "scene_space",
@@ -33,6 +34,7 @@ const SOURCES: [&str; 26] = [
     "quaternions",
     "splines",
     "view",
+    "camera",
 ];
 
 /// The last touches: what C89 does not take, and what cbindgen has no setting

@@ -71,6 +71,8 @@ fn finding(found: &Finding) -> Answer<V_FINDING> {
     })
 }
 
+/// ==== Paths from recorded poses, checks ====
+///
 /// A path of few support points that passes recorded poses: each position within
 /// tolerance, each view, up and field of view within angle degrees, at its time, and as
 /// smoothly as they do. Noise of up to half of that is taken out.

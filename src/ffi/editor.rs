@@ -80,6 +80,8 @@ pub(super) fn opened(editor: *const V_EDITOR) -> Answer<Counted<Opened>> {
     Ok(found)
 }
 
+/// ==== Opening and closing windows ====
+///
 /// The options' defaults: size, space_up V_UP_Y, and everything else NULL or 0. NULL
 /// does nothing but set v_last_error(). In C a macro of this name hands the struct's size
 /// on to v_editor_options_init_sized(); the function itself, for other languages

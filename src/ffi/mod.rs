@@ -19,6 +19,7 @@
 #![allow(clippy::missing_safety_doc)]
 
 mod border;
+mod camera;
 mod checks;
 mod counted;
 mod curve;
@@ -52,6 +53,7 @@ mod shape;
 mod space;
 mod splines;
 mod status;
+mod times;
 mod tools;
 mod types;
 mod view;

@@ -1,6 +1,8 @@
 //! What a host passes when it opens a window: the object to show and the base speeds.
 
+use std::cell::RefCell;
 use std::ffi::c_int;
+use std::ptr::null;
 
 use glam::DVec3;
 
@@ -10,9 +12,10 @@ use super::status::Answer;
 use super::types::V_OBJEKT_LIST;
 use crate::document::{Object, ObjectPoint};
 use crate::editor::{Warning, Warnings};
-use crate::error::{TooMany, vec_with_room};
+use crate::error::{EngineError, TooMany, vec_with_room};
 use crate::limits;
 use crate::path::BaseFrames;
+use crate::scene::Mesh;
 
 /// Replaces an invalid speed; from the thesis's example.
 const USUAL_SPEED: f64 = 100.0;
@@ -65,6 +68,72 @@ pub(super) unsafe fn wireframe(mesh: *const V_MESH, name: &'static str) -> Answe
     })?;
     Ok(mesh.map_or_else(|| Ok(Object::default()), Object::of_mesh)?)
 }
+
+thread_local! {
+    /// What the last [`thread_mesh`] points to: an object's own mesh, or one made of its lines.
+    static SHOWN: RefCell<(Object, Mesh)> = RefCell::default();
+}
+
+/// An object for C, kept until this thread asks for the next one.
+pub(super) fn thread_mesh(object: Object) -> Answer<V_MESH> {
+    let made = if object.mesh().is_some() {
+        Mesh::default()
+    } else {
+        as_drawn(&object)?
+    };
+    let kept = SHOWN.try_with(|shown| {
+        let mut shown = shown.borrow_mut();
+        *shown = (object, made);
+        to_c(shown.0.mesh().unwrap_or(&shown.1))
+    });
+    // Only while the thread ends.
+    Ok(kept.map_err(|_| EngineError::Memory)?)
+}
+
+/// The lines of an object without a mesh.
+fn as_drawn(object: &Object) -> Answer<Mesh> {
+    let (mut points, mut lines) = (vec_with_room(object.len())?, vec_with_room(object.len())?);
+    points.extend(object.iter().map(|point| point.position));
+    if object.iter().any(|point| point.draw) {
+        for ((at, point), before) in (0u32..).zip(object.iter()).zip((0..1).chain(0..)) {
+            let next = object.get(at as usize + 1);
+            match point.draw {
+                true => lines.push([before, at]),
+                // Among lines a point alone is one of no length.
+                false if next.is_none_or(|next| !next.draw) => lines.push([at, at]),
+                false => {}
+            }
+        }
+    }
+    Ok(Mesh {
+        points,
+        lines,
+        ..Mesh::default()
+    })
+}
+
+fn to_c(mesh: &Mesh) -> V_MESH {
+    /// NULL where there is nothing.
+    fn first<T, F>(all: &[T]) -> *const F {
+        match all {
+            [] => null(),
+            all => all.as_ptr().cast(),
+        }
+    }
+    V_MESH {
+        size: size_of::<V_MESH>(),
+        xyz: first(&mesh.points),
+        points: mesh.points.len(),
+        rgb: first(&mesh.colours),
+        lines: first(&mesh.lines),
+        line_ends: 2 * mesh.lines.len(),
+        triangles: first(&mesh.triangles),
+        corners: 3 * mesh.triangles.len(),
+    }
+}
+
+// Three numbers a point.
+const _: () = assert!(size_of::<DVec3>() == 24 && align_of::<DVec3>() == align_of::<f64>());
 
 /// The host's base speeds: move, orient, zoom, winkel (roll). Invalid ones are replaced, with a
 /// warning.

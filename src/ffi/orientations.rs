@@ -1,18 +1,19 @@
 //! The orientations of support points.
 
-use std::ffi::{c_char, c_int};
+use std::ffi::{CStr, c_char, c_int};
+use std::ptr::null_mut;
 
 use glam::DVec3;
 
 use super::border::border;
-use super::path::{edit, edit_by, read};
+use super::path::{edit, edit_by, insert, read};
 use super::pointers::{
     Growing, GrowingOut, Out, count, index, init, optional, read_growing, read_vector, text,
 };
 use super::points::point;
 use super::status::{Answer, V_ERR_INTERNAL};
 use super::types::{V_ORIENTATION, V_PATH};
-use crate::document::{Document, Edit, no_longer_ahead};
+use crate::document::{Document, Edit, Info, no_longer_ahead};
 use crate::error::{Invalid, OutOfRange, Refused};
 use crate::path::{MayOwn, Orientation, Own, Target, Tcb, Up, UpPath, UpVector};
 
@@ -306,6 +307,26 @@ pub unsafe extern "C" fn v_path_set_ahead(
     })
 }
 
+/// How far along the way an orientation looks ahead, see v_path_set_ahead(); -1 where it
+/// looks at its target.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_get_ahead(
+    path: *const V_PATH,
+    point: c_int,
+    at: c_int,
+    distance: *mut f64,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(distance, "distance")?;
+        let ahead = read(path, |document| {
+            Ok(orientation(document, point, at)?.own.ahead)
+        })?;
+        // SAFETY: room for a double, as the header says.
+        unsafe { out.answer(ahead.unwrap_or(-1.0)) }
+    })
+}
+
 /// Which way is up for an orientation, before its roll; with any view. A section
 /// between two orientations with the same view and the same up follows both
 /// all the way.
@@ -351,4 +372,62 @@ pub unsafe extern "C" fn v_path_set_up(
         };
         change_own(path, point, at, |own| own.up = up)
     })
+}
+
+const UPS: [&CStr; 7] = [
+    c"axis", c"point", c"path", c"minimal", c"frenet", c"y", c"z",
+];
+
+/// Which way is up for an orientation, as v_path_set_up() takes it: the name, whose text
+/// is the library's and stays; up_point, of "point" (else zeros); and *up_path, of "path"
+/// (else NULL), an open path with that curve, the caller's, to be freed with
+/// v_path_free(). Each result may be NULL.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
+/// V_ERR_LIMIT, V_ERR_MEMORY.
+/// cbindgen:ptrs-as-arrays=[[up_point; 3]]
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_get_up(
+    path: *const V_PATH,
+    point: c_int,
+    at: c_int,
+    up: *mut *const c_char,
+    up_point: *mut f64,
+    up_path: *mut *mut V_PATH,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let (name, place) = (
+            Out::optional(up, "up")?,
+            Out::optional_array(up_point, "up_point")?,
+        );
+        let made = Out::optional(up_path, "up_path")?;
+        let (found, space) = read(path, |document| {
+            let own = &orientation(document, point, at)?.own;
+            Ok((own.up.clone(), document.path().space))
+        })?;
+        let (position, handle) = match &found {
+            UpVector::Point(position) => (*position, null_mut()),
+            UpVector::Path(curve) if !up_path.is_null() => {
+                let document = Document::from_parts(curve.as_path(space)?, Info::default())?;
+                (DVec3::ZERO, insert(document)?)
+            }
+            _ => (DVec3::ZERO, null_mut()),
+        };
+        let known = |text: &&&CStr| text.to_bytes() == found.name().as_bytes();
+        let text = UPS.iter().find(known).unwrap_or(&UPS[0]);
+        // SAFETY: room for two pointers and three doubles, as the header says.
+        unsafe {
+            name.write(text.as_ptr());
+            place.write(position.to_array());
+            made.answer(handle)
+        }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn the_names_of_ups_are_those_of_the_engine() {
+        let names = super::UPS.map(|name| name.to_str().unwrap());
+        assert_eq!(names, crate::path::UpVector::NAMES);
+    }
 }

@@ -6,7 +6,7 @@ use super::border::border;
 use super::curve::between;
 use super::orientations::{change_own, orientation};
 use super::path::{edit, read};
-use super::pointers::{Out, index, slice};
+use super::pointers::{ArrayOut, Out, index, slice};
 use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
 use super::types::V_PATH;
 use crate::document::Edit;
@@ -190,6 +190,39 @@ pub unsafe extern "C" fn v_path_set_distance(
             own::distance(numbers.as_chunks().0)?
         };
         change_own(path, point, at, |own| own.pace = pace)
+    })
+}
+
+/// The given distance of the section that begins with an orientation: as many pairs as
+/// *keys says, see v_path_set_distance(); 0 where none is given. capacity is the number of
+/// pairs that there is room for; with too little nothing is written but *keys, and the
+/// answer is V_ERR_SIZE. time_way NULL with capacity 0 only asks for *keys.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_SIZE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_get_distance(
+    path: *const V_PATH,
+    point: c_int,
+    at: c_int,
+    time_way: *mut f64,
+    capacity: usize,
+    keys: *mut usize,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let pairs = time_way.cast::<[f64; 2]>();
+        let out = ArrayOut::new(pairs, capacity, keys, ["time_way", "keys"])?;
+        read(path, |document| {
+            let given: &[[f64; 2]] = match &orientation(document, point, at)?.own.pace {
+                Pace::Distance(keys) => keys,
+                _ => &[],
+            };
+            // SAFETY: room for so many pairs and a size_t, as the header says.
+            unsafe {
+                if out.wants(given.len())? {
+                    out.room(given.len())?.copy_from_slice(given);
+                }
+                out.answer(given.len())
+            }
+        })
     })
 }
 

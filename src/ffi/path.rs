@@ -5,7 +5,7 @@ use std::sync::RwLock;
 
 use super::border::border;
 use super::handles::{Handles, KIND_PATH};
-use super::pointers::{Out, file_name, slice};
+use super::pointers::{Out, TextOut, file_name, slice};
 use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
 use super::types::V_PATH;
 use crate::document::{Document, Edit, Info};
@@ -186,5 +186,26 @@ pub unsafe extern "C" fn v_path_save(path: *const V_PATH, file: *const c_char) -
         let file = unsafe { file_name(file, "file") }?;
         read(path, |document| Ok(document.save(file)?))?;
         Ok(V_OK)
+    })
+}
+
+/// The text of a .vid file of a path in memory, ended by zero, as v_path_save() writes it
+/// and v_path_load_from_memory() reads it; *length is its bytes without the zero. With a
+/// capacity not larger than *length nothing else is written, and the answer is V_ERR_SIZE.
+/// text NULL with capacity 0 only asks for *length.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_LIMIT,
+/// V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_save_to_memory(
+    path: *const V_PATH,
+    text: *mut c_char,
+    capacity: usize,
+    length: *mut usize,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = TextOut::new(text, capacity, length, "text")?;
+        let written = read(path, |document| Ok(document.to_toml()?))?;
+        // SAFETY: room as the header says.
+        unsafe { out.write(written.as_bytes()) }
     })
 }

@@ -1,14 +1,15 @@
 //! Support points, their shape parameters and the presets.
 
-use std::ffi::c_int;
+use std::ffi::{c_char, c_int};
 
 use super::border::border;
 use super::path::{edit, read};
-use super::pointers::{Out, count, how_many, index, read_vector};
+use super::pointers::{Out, TextOut, copied, count, how_many, index, read_vector, text};
 use super::status::{Answer, V_ERR_INTERNAL, V_OK};
 use super::types::V_PATH;
 use crate::document::{Document, Edit};
 use crate::error::OutOfRange;
+use crate::path::camera_path::check_name;
 use crate::path::{CurveParameters, SupportPoint, Tcb};
 
 /// A support point named by C's index.
@@ -124,6 +125,57 @@ pub unsafe extern "C" fn v_path_get_position(
         let position = read(path, |document| Ok(point(document, at, "at")?.1.position))?;
         // SAFETY: room for three doubles, as the header says.
         unsafe { xyz.answer(position.to_array()) }
+    })
+}
+
+/// Gives a support point another number; those between the two places move up or down by
+/// one. All that it has goes along.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_move_point(path: *mut V_PATH, from: c_int, to: c_int) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let (from, to) = (index(from, "from")?, index(to, "to")?);
+        edit(path, Edit::MovePoint { from, to })
+    })
+}
+
+/// Names a support point: UTF-8, one line of at most 256 bytes; "" is none.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_set_point_name(
+    path: *mut V_PATH,
+    at: c_int,
+    name: *const c_char,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        // SAFETY: a text ended by zero, as the header says.
+        let name = unsafe { text(name, "name") }?;
+        // Before it is copied: nobody knows how long it is.
+        check_name(name)?;
+        let name = (!name.is_empty()).then(|| copied(name)).transpose()?;
+        let at = index(at, "at")?;
+        edit(path, Edit::SetName { at, name })
+    })
+}
+
+/// The name of a support point, "" if it has none, as v_path_get_title() gives the title.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_SIZE.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_get_point_name(
+    path: *const V_PATH,
+    at: c_int,
+    name: *mut c_char,
+    capacity: usize,
+    length: *mut usize,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = TextOut::new(name, capacity, length, "name")?;
+        read(path, |document| {
+            let name = point(document, at, "at")?.1.name.as_deref();
+            // SAFETY: room as the header says.
+            unsafe { out.write(name.unwrap_or_default().as_bytes()) }
+        })
     })
 }
 

@@ -6,11 +6,11 @@ use std::io::{self, Write};
 use super::border::border;
 use super::list;
 use super::path::read;
-use super::pointers::{ArrayOut, Out, TextOut, check, file_name, index, slice_mut};
-use super::status::{Failure, V_ERR_INTERNAL, V_OK};
+use super::pointers::{ArrayOut, Out, TextOut, check, file_name, index, slice, slice_mut};
+use super::status::{Answer, Failure, Name, V_ERR_INTERNAL, V_OK};
 use super::types::{V_KAMERAPAR, V_PATH, V_POSE};
 use crate::document::ascii;
-use crate::error::EngineError;
+use crate::error::{EngineError, vec_with_room};
 use crate::path::Pose;
 
 /// ==== Sections and poses ====
@@ -171,6 +171,51 @@ pub unsafe extern "C" fn v_path_pose(path: *const V_PATH, frame: f64, pose: *mut
         // SAFETY: room for a pose, as the header says.
         unsafe { out.answer(pose) }
     })
+}
+
+/// The poses at count frames in any order, each as v_path_pose() gives it: for motion
+/// blur, sound, and pictures at the times at which they are shown.
+///
+/// frames  each from 1 to the count of v_path_frame_count()
+/// poses   room for count of them
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
+/// V_ERR_LIMIT, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_poses_at(
+    path: *const V_PATH,
+    frames: *const f64,
+    count: usize,
+    poses: *mut V_POSE,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        check(poses, "poses")?;
+        // SAFETY: so many doubles, as the header says.
+        let frames = unsafe { slice(frames, count, "frames") }?;
+        let mut made: Vec<Pose> = vec_with_room(count)?;
+        read(path, |document| {
+            let sampler = document.sampler()?;
+            for (k, &frame) in frames.iter().enumerate() {
+                let at = frame_of(frame, sampler.frame_count(), Name::Element("frames", k))?;
+                made.push(sampler.pose(at)?);
+            }
+            Ok(())
+        })?;
+        // SAFETY: room for `count` poses, as the header says; any bits make one.
+        unsafe { slice_mut(poses.cast::<Pose>(), count, "poses") }?.copy_from_slice(&made);
+        Ok(V_OK)
+    })
+}
+
+/// A frame of a path that has so many.
+pub(super) fn frame_of(given: f64, frames: usize, name: Name) -> Answer<f64> {
+    let failure = Failure::NoFrame {
+        name,
+        given,
+        frames,
+    };
+    (given >= 1.0 && given <= frames as f64)
+        .then_some(given)
+        .ok_or(failure)
 }
 
 /// All poses of a path as a list in the form of 1994, see V_KAMERAPAR: zooms are whole

@@ -8,7 +8,8 @@ use glam::{DQuat, DVec3};
 use super::border::border;
 use super::path;
 use super::pointers::{
-    self, Growing, GrowingOut, Out, copied, file_name, index, init, optional, read_growing, text,
+    self, Growing, GrowingOut, Out, TextOut, copied, file_name, index, init, optional,
+    read_growing, slice, text,
 };
 use super::scene_handles::{self, change, edit, insert, look, read};
 use super::scene_types::*;
@@ -167,6 +168,8 @@ fn node_for_c(node: &Node, number: impl Fn(usize) -> Option<usize>) -> Answer<V_
     })
 }
 
+/// ==== Scenes: made, loaded, saved, freed ====
+///
 /// A node of this kind at the origin: visible, scale 1, rotation 1 0 0 0, in
 /// none, aiming at none, zoom 24, white, intensity 1, a cone of 20 and 30
 /// degrees, planes at 0.01 and 1000. Sets size. A kind that is none stays as it
@@ -211,14 +214,60 @@ pub unsafe extern "C" fn v_scene_load(file: *const c_char, scene: *mut *mut V_SC
     border(V_ERR_INTERNAL, || {
         let out = Out::new(scene, "scene")?;
         // SAFETY: a text ended by zero, as the header says.
-        let document = SceneDocument::load(unsafe { file_name(file, "file") }?)?;
-        clear_last_error();
-        if let Some(warning) = document.warnings().first() {
-            set_last_error(format_args!("{warning}"));
-        }
-        let made = insert(document)?;
+        let made = insert_loaded(SceneDocument::load(unsafe { file_name(file, "file") }?)?)?;
         // SAFETY: room for a handle, as the header says.
         unsafe { out.answer(made) }
+    })
+}
+
+/// Reads a scene from the text of a .vid file in memory, as v_scene_load() does; size bytes
+/// of UTF-8, a zero behind them is not needed. Meshes in files of their own are looked for
+/// where the program runs, if the text does not name them from the root. *scene is the
+/// caller's, to be freed with v_scene_free().
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_FORMAT (with line and reason in
+/// v_last_error()), V_ERR_MEMORY, V_ERR_LIMIT. Memory that runs out while the text is
+/// parsed ends the program.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_load_from_memory(
+    text: *const c_char,
+    size: usize,
+    scene: *mut *mut V_SCENE,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(scene, "scene")?;
+        // SAFETY: as many bytes, as the header says.
+        let mut text = unsafe { slice(text.cast::<u8>(), size, "text") }?;
+        let made = insert_loaded(SceneDocument::load_from(&mut text, "memory")?)?;
+        // SAFETY: room for a handle, as the header says.
+        unsafe { out.answer(made) }
+    })
+}
+
+/// A handle for a scene that was read; tells what was wrong with its meshes.
+fn insert_loaded(document: SceneDocument) -> Answer<*mut V_SCENE> {
+    clear_last_error();
+    if let Some(warning) = document.warnings().first() {
+        set_last_error(format_args!("{warning}"));
+    }
+    insert(document)
+}
+
+/// The text of a .vid file of a scene in memory, as v_path_save_to_memory() gives that of a
+/// path; names of meshes' files stay as they are.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_BUSY,
+/// V_ERR_LIMIT, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_save_to_memory(
+    scene: *const V_SCENE,
+    text: *mut c_char,
+    capacity: usize,
+    length: *mut usize,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = TextOut::new(text, capacity, length, "text")?;
+        let written = read(scene, |document| Ok(document.to_toml()?))?;
+        // SAFETY: room as the header says.
+        unsafe { out.write(written.as_bytes()) }
     })
 }
 

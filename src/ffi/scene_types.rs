@@ -22,6 +22,8 @@ pub struct v_scene {
 /// v_scene_free(), answer V_ERR_BUSY.
 pub type V_SCENE = v_scene;
 
+/// ==== Kinds of nodes, and how motions go on ====
+///
 /// The kinds of node.
 pub const V_NODE_GROUP: c_int = 0;
 pub const V_NODE_OBJECT: c_int = 1;

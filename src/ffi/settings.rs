@@ -3,9 +3,9 @@
 use std::ffi::{c_char, c_int};
 
 use super::border::border;
-use super::object::wireframe;
+use super::object::{thread_mesh, wireframe};
 use super::path::{edit, edit_info, read};
-use super::pointers::{Out, TextOut, copied, text};
+use super::pointers::{GrowingOut, Out, TextOut, copied, text};
 use super::scene_types::V_MESH;
 use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
 use super::types::V_PATH;
@@ -314,5 +314,21 @@ pub unsafe extern "C" fn v_path_set_object(path: *mut V_PATH, object: *const V_M
         // SAFETY: a mesh, as the header says.
         let object = unsafe { wireframe(object, "object") }?;
         edit_info(path, |info| info.object = object)
+    })
+}
+
+/// The object that is shown with a path, with its triangles if it has any; no points if
+/// there is none. What the mesh points to is the library's, and valid until the same
+/// thread's next call of this function, or its end. mesh->size must be set before.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_get_object(path: *const V_PATH, mesh: *mut V_MESH) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        // SAFETY: a struct as its size says, as the header demands.
+        let out = unsafe { GrowingOut::new(mesh, "mesh") }?;
+        let object = read(path, |document| Ok(document.info().object.clone()))?;
+        let mesh = thread_mesh(object)?;
+        // SAFETY: as above.
+        unsafe { out.answer(mesh) }
     })
 }

@@ -139,6 +139,12 @@ pub(super) enum Failure {
         first: usize,
         frames: usize,
     },
+    #[error("{name} is {given}, and frames go from 1 to {frames}")]
+    NoFrame {
+        name: Name,
+        given: f64,
+        frames: usize,
+    },
     #[error("{name} is {given}, and must be a finite number")]
     NotFinite { name: &'static str, given: f64 },
     #[error("{0} must be finite and not zero")]
@@ -214,6 +220,7 @@ impl Failure {
             | Self::NoWindow { .. }
             | Self::NoSection { .. }
             | Self::NoPoses { .. }
+            | Self::NoFrame { .. }
             | Self::NotBetween { .. } => V_ERR_RANGE,
         }
     }

@@ -181,6 +181,8 @@ pub struct v_editor {
 /// it frees it with v_editor_close(), also after the user has closed it.
 pub type V_EDITOR = v_editor;
 
+/// ==== Reasons of callbacks ====
+///
 /// Why on_view and on_frame are called: another point or orientation became current; something
 /// is being dragged or was changed; another frame was chosen; it plays; nothing
 /// moves any more (the last of a row of the others: time for the good picture).
@@ -190,6 +192,8 @@ pub const V_VIEW_SCRUBBED: c_int = 2;
 pub const V_VIEW_PLAYED: c_int = 3;
 pub const V_VIEW_RESTED: c_int = 4;
 
+/// ==== What stands upright ====
+///
 /// Which axis is up.
 pub const V_UP_Y: c_int = 1;
 pub const V_UP_Z: c_int = 2;

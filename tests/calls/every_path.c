@@ -431,6 +431,11 @@ CALL(v_path_write_ascii_to_memory)
     return text_of(v_path_write_ascii_to_memory, a_path(), 100 * POSES);
 }
 
+CALL(v_path_save_to_memory)
+{
+    return text_of(v_path_save_to_memory, a_path(), 100 * POSES);
+}
+
 CALL(v_path_set_title)
 {
     V_PATH *path = a_path();

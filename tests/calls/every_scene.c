@@ -164,6 +164,25 @@ CALL(v_scene_load)
     return gave(made, v_scene_load(file, made));
 }
 
+CALL(v_scene_load_from_memory)
+{
+    static const char fit[] = "version = 1\n[[point]]\nposition = [0.0, 0.0, 0.0]\n"
+                              "[[point.orientation]]\noffset = [0.0, 0.0, -1.0]\n"
+                              "[[point]]\nposition = [1.0, 0.0, 0.0]\n"
+                              "[[point.orientation]]\noffset = [0.0, 0.0, -1.0]\n";
+    const char *lines = given("text", fit, sizeof fit - 1);
+    V_SCENE **made = result(sizeof *made, 0);
+    drop_made();
+    return gave(made, v_scene_load_from_memory(lines, sizeof fit - 1, made));
+}
+
+CALL(v_scene_save_to_memory)
+{
+    const V_SCENE *from = a_scene();
+    char *lines = result(50000, 0);
+    return v_scene_save_to_memory(from, lines, 50000, result(sizeof(size_t), 0));
+}
+
 CALL(v_scene_save)
 {
     const V_SCENE *from = a_scene();

@@ -28,12 +28,16 @@
     F(v_path_load, STATUS, V_OK, 0) \
     F(v_path_load_from_memory, STATUS, V_OK, 0) \
     F(v_path_save, STATUS, V_OK, 0) \
+    F(v_path_save_to_memory, STATUS, V_OK, 0) \
     F(v_path_point_count, STATUS, V_OK, 0) \
     F(v_path_insert_point, STATUS, V_OK, 0) \
     F(v_path_divide_segment, STATUS, V_OK, 0) \
     F(v_path_remove_point, STATUS, V_OK, 0) \
     F(v_path_set_position, STATUS, V_OK, 0) \
     F(v_path_get_position, STATUS, V_OK, 0) \
+    F(v_path_move_point, STATUS, V_OK, 0) \
+    F(v_path_set_point_name, STATUS, V_OK, 0) \
+    F(v_path_get_point_name, STATUS, V_OK, 0) \
     F(v_path_set_tcb, STATUS, V_OK, 0) \
     F(v_path_use_preset, STATUS, V_OK, 0) \
     F(v_path_get_tcb, STATUS, V_OK, 0) \
@@ -68,6 +72,7 @@
     F(v_path_change_up, STATUS, V_OK, 0) \
     F(v_orientation_from_pose, STATUS, V_OK, 0) \
     F(v_path_set_object, STATUS, V_OK, 0) \
+    F(v_path_get_object, STATUS, V_OK, 0) \
     F(v_path_set_curve, STATUS, V_OK, 0) \
     F(v_path_get_curve, STATUS, V_OK, 0) \
     F(v_path_set_tangents, STATUS, V_OK, 0) \
@@ -77,13 +82,16 @@
     F(v_path_set_ease, STATUS, V_OK, 0) \
     F(v_path_get_ease, STATUS, V_OK, 0) \
     F(v_path_set_distance, STATUS, V_OK, 0) \
+    F(v_path_get_distance, STATUS, V_OK, 0) \
     F(v_path_set_frames, STATUS, V_OK, 0) \
     F(v_path_get_frames, STATUS, V_OK, 0) \
     F(v_path_set_frames_locked, STATUS, V_OK, 0) \
     F(v_path_get_frames_locked, STATUS, V_OK, 0) \
     F(v_path_fit_frames, STATUS, -2, 0) \
     F(v_path_set_ahead, STATUS, V_OK, 0) \
+    F(v_path_get_ahead, STATUS, V_OK, 0) \
     F(v_path_set_up, STATUS, V_OK, 0) \
+    F(v_path_get_up, STATUS, V_OK, 0) \
     F(v_path_from_move, STATUS, V_OK, 0) \
     F(v_path_from_move_in_space, STATUS, V_OK, 0) \
     F(v_path_transform, STATUS, -2, 0) \
@@ -109,12 +117,18 @@
     F(v_path_sample, STATUS, V_OK, 0) \
     F(v_path_sample_range, STATUS, V_OK, 0) \
     F(v_path_pose, STATUS, V_OK, 0) \
+    F(v_path_poses_at, STATUS, V_OK, 0) \
     F(v_path_to_list, STATUS, V_OK, 0) \
     F(v_path_write_ascii, STATUS, V_OK, 0) \
     F(v_path_write_ascii_to_memory, STATUS, V_OK, 0) \
+    F(v_path_frame_at_seconds, STATUS, V_OK, 0) \
+    F(v_path_seconds_at_frame, STATUS, V_OK, 0) \
+    F(v_path_motion, STATUS, V_OK, 0) \
     F(v_node_init, NOTHING, V_OK, 0) \
     F(v_scene_new, STATUS, V_OK, 0) \
     F(v_scene_load, STATUS, V_OK, 0) \
+    F(v_scene_load_from_memory, STATUS, V_OK, 0) \
+    F(v_scene_save_to_memory, STATUS, V_OK, 0) \
     F(v_scene_save, STATUS, V_OK, 0) \
     F(v_scene_clone, STATUS, V_OK, 0) \
     F(v_scene_free, NOTHING, V_OK, 0) \
@@ -175,7 +189,9 @@
     F(v_view_from_pose, STATUS, V_OK, 0) \
     F(v_pose_gl_matrix, STATUS, V_OK, 0) \
     F(v_fov_from_zoom, NOTHING, V_OK, 0) \
-    F(v_zoom_from_fov, NOTHING, V_OK, 0)
+    F(v_zoom_from_fov, NOTHING, V_OK, 0) \
+    F(v_pose_matrix, STATUS, V_OK, 0) \
+    F(v_pose_projection, STATUS, V_OK, 0)
 
 #define DECLARED(name, answers, normally, display) CALL(name);
 EACH_FUNCTION(DECLARED)

@@ -103,6 +103,8 @@ def with_size(kind):
         return a_mesh()
     if kind == "V_NODE":
         return a_node()
+    if kind == "V_MOTION":
+        return block(struct.pack("Q4d", 40, 0, 0, 0, 0))
     if kind == "V_VIEW":
         numbers = [0, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 2, -1, 1, -1, 1, 1, -1, 0]
         return block(struct.pack("Q19dii", 168, *numbers, 0, 0))
@@ -111,7 +113,7 @@ def with_size(kind):
     return room
 
 
-SIZED = ("V_ORIENTATION", "V_MESH", "V_NODE", "V_VIEW", "V_SPACE", "V_EDITOR_OPTIONS")
+SIZED = ("V_ORIENTATION", "V_MESH", "V_NODE", "V_VIEW", "V_SPACE", "V_MOTION", "V_EDITOR_OPTIONS")
 window = []
 
 
@@ -155,7 +157,7 @@ SIZES = {"capacity": 50000, "count": 2, "keys": 2, "points": 4, "size": len(VID)
          ("v_space_init_sized", "size"): 48,
          ("v_editor_options_init_sized", "size"): 1000}
 DOUBLES = {"fps": 25.0, "frame": 2.5, "back": 10.0, "rise": 0.2, "fall": 0.2, "cruise": 50.0, "s": 0.1,
-           "tolerance": 0.01, "half_size": 1.0, "move_frames": 20.0}
+           "tolerance": 0.01, "half_size": 1.0, "far_plane": 10.0, "move_frames": 20.0}
 TEXTS = {"channel": "position", "interpolation": "hermite", "kind": "twist", "move": "orbit", "up": "point",
          "marker": "meet", "text": VID, "name": "wheel", ("v_scene_find_node", "name"): "sheet",
          ("v_path_set_curve", "kind"): "cubic", ("v_path_set_limit", "kind"): "turning",
@@ -169,8 +171,9 @@ ARRAYS = {"keys": [1, 0, 0, 0, 0, 1, 0, 0], "key_times": [0, 1], "tcb": [0] * 6,
           "frames": [1, 11], ("v_path_from_move", "parameters"): [0.1] * 3}
 
 # Numbers of things, and those that choose one of a few.
-NUMBERS = ("at", "point", "node", "segment", "section", "orientation", "first_point", "last_point", "preset")
-CHOICES = ("up", "kind", "fit", "after", "orientation_mode", "zoom_mode")
+NUMBERS = ("at", "point", "node", "segment", "section", "orientation", "first_point", "last_point", "preset",
+           "from", "to")
+CHOICES = ("up", "kind", "fit", "after", "orientation_mode", "zoom_mode", "convention")
 
 
 def parameters(text):

@@ -5,6 +5,7 @@ use egui_kittest::kittest::Queryable as _;
 use proptest::prelude::*;
 
 use super::*;
+use crate::math::camera::{CameraAxes, Clip};
 use crate::math::orientation::{unit, up_from_roll};
 
 const ASPECT: f64 = 1.5;
@@ -76,6 +77,31 @@ proptest! {
         }
         for end in found.into_iter().flatten() {
             prop_assert!(end.abs().max_element() <= 1.0 + 1e-9);
+        }
+    }
+
+    /// What a program draws by the matrices for OpenGL lies on the picture's pixels.
+    #[test]
+    fn it_is_what_opengl_draws(
+        camera in camera(), place in prop::array::uniform3(-1.0..1.0f64),
+    ) {
+        let place = DVec3::from_array(place);
+        let size = vec2(300.0, 200.0);
+        let picture = Rect::from_min_size(Pos2::new(7.0, 9.0), size);
+        let eye = CameraAxes::OpenGl.from_world(camera.position, camera.view, camera.up).unwrap();
+        let clip = Clip { from_minus_one: true, reversed: false, y_down: false };
+        let projection = clip.projection(camera.zoom, ASPECT, FRONT, 20.0).unwrap();
+        let drawn = projection * (eye * place.extend(1.0));
+        let drawn = drawn / drawn.w;
+        if let Some([seen, _]) = seen(&matrix(&camera, 20.0), FRONT / 20.0, place, place) {
+            // As glViewport has it, from the lower left.
+            let x = 7.0 + (drawn.x + 1.0) / 2.0 * f64::from(size.x);
+            let y = 9.0 + 200.0 - (drawn.y + 1.0) / 2.0 * f64::from(size.y);
+            let seen = on_picture(seen, picture);
+            prop_assert!((f64::from(seen.x) - x).hypot(f64::from(seen.y) - y) < 1e-3);
+            prop_assert!(drawn.z.abs() <= 1.0 + 1e-9);
+        } else {
+            prop_assert!(drawn.abs().max_element() > 1.0 - 1e-9);
         }
     }
 }

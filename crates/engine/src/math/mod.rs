@@ -7,6 +7,7 @@
 //! use vides_engine::math::vector::Vector;
 //! ```
 
+pub mod camera;
 pub(crate) mod chebyshev;
 pub mod euler;
 pub mod monotone_cubic;

@@ -61,6 +61,7 @@ pub use own::{MayOwn, Own, Pace, PacePart, Tangents, TurningPart, Velocities, Wh
 pub use plan::Plan;
 pub use pose::Pose;
 pub use sampling::Sampler;
+pub use section_sampler::Motion;
 pub use space::{Space, Up};
 pub use timeline::{Change, Section, Timeline};
 pub use timing::Timing;

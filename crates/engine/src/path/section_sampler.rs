@@ -14,6 +14,25 @@ use super::timing::Timing;
 use super::turning::Turning;
 use crate::error::Result;
 use crate::math::monotone_cubic::{slope, value};
+use crate::math::orientation::quaternion_from_view;
+use crate::math::quaternion::{continue_sign, log};
+
+/// Step in φ of the differences that give the turning, of the fourth order.
+const STEP: f64 = 1.0 / 4096.0;
+
+/// How a camera moves at a frame ([`super::Sampler::motion`]).
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Motion {
+    /// Length of the way since the first frame.
+    pub distance: f64,
+    /// Length of the way per frame.
+    pub speed: f64,
+    /// Angle in radians per frame by which the camera turns as a whole.
+    pub turning: f64,
+    /// Of the way, one by the radius of its circle; 0 where the camera rests or turns on the spot,
+    /// and where the curve has no direction.
+    pub curvature: f64,
+}
 
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ArcLengthCurve {
@@ -127,15 +146,59 @@ impl SectionSampler {
         }
     }
 
+    /// The curve of its way, measured.
+    fn arc(&self) -> Result<Option<(Cubic, ArcLength)>> {
+        let measured = |way: &ArcLengthCurve| Ok((way.curve, ArcLength::new(&way.curve)?));
+        self.way.as_ref().map(measured).transpose()
+    }
+
+    fn place(&self, arc: Option<&(Cubic, ArcLength)>, phi: f64) -> DVec3 {
+        arc.map_or(self.position, |(curve, arc)| {
+            curve.point(arc.parameter_at(phi * arc.length()))
+        })
+    }
+
+    /// How the camera moves at `u` = frame / frames; the distance from the section's start.
+    pub(super) fn motion(&self, u: f64) -> Result<Motion> {
+        let phi = self.phi(u);
+        let slope = self.speed.as_ref().map_or(1.0, |speed| speed[0].slope(u));
+        let pace = slope / self.frames as f64;
+        let arc = self.arc()?;
+        let place = |phi: f64| self.place(arc.as_ref(), phi);
+        let (distance, speed, curvature) = match &arc {
+            None => (0.0, 0.0, 0.0),
+            Some((curve, arc)) => {
+                let t = arc.parameter_at(phi * arc.length());
+                let (first, second) = (curve.derivative(t), curve.second_derivative(t));
+                let curvature = first.cross(second).length() / first.length().powi(3);
+                let curvature = if curvature.is_finite() {
+                    curvature
+                } else {
+                    0.0
+                };
+                (phi * arc.length(), pace * arc.length(), curvature)
+            }
+        };
+        let step = if phi > 0.5 { -STEP } else { STEP };
+        let q = |k: f64| {
+            let (view, up) = self.turning.view_at(phi + k * step, &place, self.space);
+            quaternion_from_view(view, up)
+        };
+        let here = q(0.0);
+        let turned = |k: f64| log(continue_sign(here, q(k)).0 * here.conjugate());
+        let turn = 48.0 * turned(1.0) - 36.0 * turned(2.0) + 16.0 * turned(3.0) - 3.0 * turned(4.0);
+        Ok(Motion {
+            distance,
+            speed,
+            // Angles on S³ are half of those in space.
+            turning: 2.0 * (turn / (12.0 * step)).length() * pace,
+            curvature,
+        })
+    }
+
     pub(super) fn pose(&self, phi: f64) -> Result<Pose> {
-        let arc = match &self.way {
-            Some(way) => Some(ArcLength::new(&way.curve)?),
-            None => None,
-        };
-        let place = |phi: f64| match (&self.way, &arc) {
-            (Some(way), Some(arc)) => way.curve.point(arc.parameter_at(phi * arc.length())),
-            _ => self.position,
-        };
+        let arc = self.arc()?;
+        let place = |phi: f64| self.place(arc.as_ref(), phi);
         let (view, up) = self.turning.view_at(phi, &place, self.space);
         let (view, up) = (self.space.up.world(view), self.space.up.world(up));
         Ok(Pose {

@@ -225,6 +225,16 @@ impl Timing {
         }
     }
 
+    /// Derivative of [`Self::fraction`] at the share `u`; where it jumps, one of the two values.
+    #[must_use]
+    pub fn slope(&self, u: f64) -> f64 {
+        if self.within > 0.0 {
+            self.speed(u) / self.mean()
+        } else {
+            1.0
+        }
+    }
+
     /// Speed at the share `u` of the time; 50 is the base speed.
     #[must_use]
     pub fn speed(&self, u: f64) -> f64 {

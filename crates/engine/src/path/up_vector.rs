@@ -4,11 +4,12 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::camera_path::CameraPath;
+use super::camera_path::{CameraPath, SupportPoint};
 use super::chain::Chain;
 use super::curve;
 use super::dispatch;
 use super::hermite::Cubic;
+use super::own::Tangents;
 use super::space::{Space, Up};
 use crate::error::{Invalid, OutOfRange, Result, TooMany, try_arc, vec_with_room};
 use crate::limits;
@@ -202,6 +203,28 @@ impl UpPath {
             });
         }
         Self::new(points)
+    }
+
+    /// A path of which [`Self::of`] makes this curve.
+    ///
+    /// # Errors
+    /// [`crate::Error::Memory`].
+    pub fn as_path(&self, space: Space) -> Result<CameraPath> {
+        let mut points = vec_with_room(self.points.len())?;
+        for point in &self.points {
+            points.push(SupportPoint {
+                tangents: Some(Tangents {
+                    before: point.before,
+                    after: point.after,
+                }),
+                ..SupportPoint::try_new(point.position)?
+            });
+        }
+        Ok(CameraPath {
+            points,
+            space,
+            ..CameraPath::try_new()?
+        })
     }
 
     /// Its points.

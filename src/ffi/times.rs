@@ -1,0 +1,137 @@
+//! Frames and seconds, and how the camera moves at a frame.
+
+use std::ffi::c_int;
+
+use super::border::border;
+use super::path::read;
+use super::pointers::{Growing, GrowingOut, Out};
+use super::poses::frame_of;
+use super::status::{Answer, Failure, V_ERR_INTERNAL};
+use super::types::V_PATH;
+use crate::document::Document;
+
+/// How a camera moves at a frame, see v_path_motion(). The library fills it in.
+///
+/// Set size to sizeof (V_MOTION) before any call, see V_ORIENTATION.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct v_motion {
+    /// sizeof (V_MOTION)
+    pub size: usize,
+    /// length of the way since the first frame
+    pub distance: f64,
+    /// length of the way in a second
+    pub speed: f64,
+    /// degrees in a second by which the camera turns, rolling included
+    pub turning: f64,
+    /// of the way: 1 by the radius of its circle; 0 where the camera rests or turns on
+    /// the spot
+    pub curvature: f64,
+}
+
+pub type V_MOTION = v_motion;
+
+// SAFETY: `repr(C)` with `size` first; numbers only.
+unsafe impl Growing for V_MOTION {
+    const NAME: &'static str = "V_MOTION";
+    const FIRST: usize = size_of::<V_MOTION>();
+}
+
+/// The frames of a path, and how many of them are shown in a second.
+fn course(document: &Document) -> Answer<(usize, f64)> {
+    let frames = document.timeline(|timeline| timeline.frame_count())??;
+    Ok((frames, document.info().fps))
+}
+
+/// ==== Time and motion ====
+///
+/// The frame that is shown at a time: 1 + seconds * fps (v_path_set_fps()), between two
+/// frames too. The first pose is shown at 0 seconds, the last one at
+/// (v_path_frame_count() - 1) / fps; other times are none of the path's. What
+/// v_path_seconds_at_frame() gives for a whole frame gives that frame again.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
+/// V_ERR_LIMIT, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_frame_at_seconds(
+    path: *const V_PATH,
+    seconds: f64,
+    frame: *mut f64,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(frame, "frame")?;
+        let (frames, fps) = read(path, course)?;
+        let behind_first = (frames - 1) as f64;
+        let end = behind_first / fps;
+        if !(0.0..=end).contains(&seconds) {
+            return Err(Failure::NotBetween {
+                name: "seconds",
+                given: seconds,
+                end,
+            });
+        }
+        let passed = (seconds * fps).min(behind_first);
+        // A rounding apart from a whole frame it would not be that of v_path_sample().
+        let whole = passed.round();
+        let passed = if whole / fps == seconds {
+            whole
+        } else {
+            passed
+        };
+        // SAFETY: room for a double, as the header says.
+        unsafe { out.answer(1.0 + passed) }
+    })
+}
+
+/// The time at which a frame is shown, between two frames too: (frame - 1) / fps, see
+/// v_path_frame_at_seconds().
+///
+/// frame  from 1 to the count of v_path_frame_count()
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
+/// V_ERR_LIMIT, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_seconds_at_frame(
+    path: *const V_PATH,
+    frame: f64,
+    seconds: *mut f64,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(seconds, "seconds")?;
+        let (frames, fps) = read(path, course)?;
+        let frame = frame_of(frame, frames, "frame".into())?;
+        // SAFETY: room for a double, as the header says.
+        unsafe { out.answer((frame - 1.0) / fps) }
+    })
+}
+
+/// How the camera moves at a frame, between two frames too: lengths in the units of the
+/// positions, seconds by v_path_set_fps(). At a key it is how the camera goes on from
+/// there, at the last frame how it came. motion->size must be set before.
+///
+/// frame  from 1 to the count of v_path_frame_count()
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_RANGE,
+/// V_ERR_LIMIT, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_motion(
+    path: *const V_PATH,
+    frame: f64,
+    motion: *mut V_MOTION,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        // SAFETY: a struct as its size says, as the header demands.
+        let out = unsafe { GrowingOut::new(motion, "motion") }?;
+        let (found, fps) = read(path, |document| {
+            let sampler = document.sampler()?;
+            let frame = frame_of(frame, sampler.frame_count(), "frame".into())?;
+            Ok((sampler.motion(frame)?, document.info().fps))
+        })?;
+        let motion = V_MOTION {
+            size: size_of::<V_MOTION>(),
+            distance: found.distance,
+            speed: found.speed * fps,
+            turning: (found.turning * fps).to_degrees(),
+            curvature: found.curvature,
+        };
+        // SAFETY: as above.
+        unsafe { out.answer(motion) }
+    })
+}

@@ -1,0 +1,129 @@
+/* Time, motion and matrices of a camera; what a path gives back as it was set: see every.h. */
+#include <string.h>
+
+#include "functions.h"
+#include "things.h"
+
+static double a_frame(const V_PATH *path)
+{
+    size_t frames;
+
+    if (v_path_frame_count(path, &frames) != V_OK)
+        frames = 1;
+    return number(1, (double)frames);
+}
+
+CALL(v_path_poses_at)
+{
+    const V_PATH *path = a_path();
+    const double *frames = numbers(3, 1, 1);
+    return v_path_poses_at(path, frames, 3, result(3 * sizeof(V_POSE), 0));
+}
+
+CALL(v_path_frame_at_seconds)
+{
+    const V_PATH *path = a_path();
+    double seconds = number(0, 0);
+    return v_path_frame_at_seconds(path, seconds, result(sizeof(double), 0));
+}
+
+CALL(v_path_seconds_at_frame)
+{
+    const V_PATH *path = a_path();
+    double at = a_frame(path);
+    return v_path_seconds_at_frame(path, at, result(sizeof(double), 0));
+}
+
+CALL(v_path_motion)
+{
+    const V_PATH *path = a_path();
+    double at = a_frame(path);
+    V_MOTION motion;
+
+    memset(&motion, 0x5A, sizeof motion);
+    motion.size = chance(wild) ? below(400) : sizeof motion;
+    frame->unfit |= motion.size != sizeof motion;
+    return v_path_motion(path, at, (V_MOTION *)given("V_MOTION", &motion, sizeof motion));
+}
+
+CALL(v_pose_matrix)
+{
+    const V_POSE *pose = a_pose();
+    int convention = whole(V_AXES_OPENGL, V_AXES_VIDES), to_world = whole(0, 1);
+    return v_pose_matrix(pose, convention, to_world, result(16 * sizeof(double), 0));
+}
+
+CALL(v_pose_projection)
+{
+    const V_POSE *pose = a_pose();
+    double aspect = number(0.5, 2), front = number(0.1, 1), back = number(2, 3);
+    int convention = whole(V_CLIP_OPENGL, V_CLIP_VULKAN);
+    return v_pose_projection(pose, aspect, front, back, convention, result(16 * sizeof(double), 0));
+}
+
+/* ---- What was set ---------------------------------------------------------------------- */
+
+CALL(v_path_move_point)
+{
+    V_PATH *path = a_path();
+    int from = a_point(path);
+    return v_path_move_point(path, from, a_point(path));
+}
+
+CALL(v_path_set_point_name)
+{
+    static const char *const names[] = {"", "gate", "\xc3\xbc", "a\nb", "\377"};
+    V_PATH *path = a_path();
+    int at = a_point(path), odd = chance(wild);
+
+    frame->unfit |= odd;
+    return v_path_set_point_name(path, at, text(names[below(odd ? 5 : 3)]));
+}
+
+CALL(v_path_get_point_name)
+{
+    const V_PATH *path = a_path();
+    int at = a_point(path);
+    char *name = result(300, 0);
+    return v_path_get_point_name(path, at, name, 300, result(sizeof(size_t), 0));
+}
+
+CALL(v_path_get_ahead)
+{
+    const V_PATH *path = a_path();
+    int point = a_point(path), at = an_orientation(path, point);
+    return v_path_get_ahead(path, point, at, result(sizeof(double), 0));
+}
+
+CALL(v_path_get_up)
+{
+    const V_PATH *path = a_path();
+    int point = a_point(path), at = an_orientation(path, point), status;
+    const char **up = result(sizeof *up, 1);
+    double *place = result(3 * sizeof *place, 1);
+    V_PATH **made = result(sizeof *made, 1);
+
+    status = v_path_get_up(path, point, at, up, place, made);
+    if (status == V_OK && made != NULL && *made != NULL)
+        frame->made_path = *made;
+    return status;
+}
+
+CALL(v_path_get_distance)
+{
+    const V_PATH *path = a_path();
+    int point = a_point(path), at = an_orientation(path, point);
+    double *pairs = result(64 * sizeof *pairs, 0);
+    return v_path_get_distance(path, point, at, pairs, 32, result(sizeof(size_t), 0));
+}
+
+CALL(v_path_get_object)
+{
+    const V_PATH *path = a_path();
+    V_MESH mesh;
+
+    memset(&mesh, 0x5A, sizeof mesh);
+    mesh.size = chance(wild) ? below(400) : sizeof mesh;
+    frame->unfit |= mesh.size != sizeof mesh;
+    return v_path_get_object(path, (V_MESH *)given("V_MESH", &mesh, sizeof mesh));
+}
