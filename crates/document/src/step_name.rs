@@ -75,6 +75,10 @@ pub enum StepName {
     Deform,
     /// Inserted a path.
     InsertPath,
+    /// Pasted points from the clipboard.
+    PastePoints,
+    /// Mended what a check has found.
+    Mend,
     /// Reversed the path.
     Reverse,
     /// Repeated the path.

@@ -431,9 +431,7 @@ impl Editor {
             }
             Action::Check => windows::open::<CheckWindow>(self, context),
             Action::GoTo(finding) => self.go_to(&finding),
-            Action::Mend(edits) => {
-                self.edit_all(edits);
-            }
+            Action::Mend(edits) => self.mend(edits),
             Action::PreviewTool => {
                 self.preview_tool();
                 context.request_repaint();
@@ -462,7 +460,7 @@ impl Editor {
             }
             Action::Fly(camera) => self.fly(camera),
             Action::Plot(quantity) => self.plot(quantity),
-            Action::SwitchSpeedGraph => self.setup.speed_graph = !self.setup.speed_graph,
+            Action::SwitchSpeedGraph => self.switch_speed_graph(),
             Action::PlayOrPause => self.play_or_pause(context),
             Action::Keys => windows::open::<HelpWindow>(self, context),
             Action::EditNode(node) => self.edit_node(node),

@@ -8,7 +8,7 @@ use std::path::PathBuf;
 use egui::{Context, ViewportCommand};
 
 use crate::actions::Action;
-use crate::document::{Document, Edit};
+use crate::document::{Document, Edit, StepName};
 use crate::files::{Purpose, Then, readable, short};
 use crate::limits::MIN_POINTS;
 use crate::path::Orientation;
@@ -106,11 +106,14 @@ impl Editor {
             fit: Fit::None,
             with_targets: false,
         };
-        self.document.end_step();
+        self.document.begin_step();
+        self.document.name_step(StepName::PastePoints);
         if let Err(error) = self.document.apply(edit) {
+            self.document.cancel_step();
             let why = of_edit(self.language(), &error);
             return self.complain(fill(texts.not_pasted, &[&why]));
         }
+        self.document.end_step();
         self.playing.leave();
         let first = self.document.selection().point;
         let count = self.document.path().points.len() - before;

@@ -10,9 +10,9 @@ use crate::panels::output;
 use crate::setup::Theme;
 use crate::space::camera_view;
 use crate::state::Editor;
-use crate::{keys, menu, panels, points_list, scene_view, space, theme, windows};
+use crate::{keys, menu, panels, playing, points_list, scene_view, space, theme, windows};
 
-const BAR: f32 = 32.0;
+pub(super) const BAR: f32 = 32.0;
 
 const PANELS: f32 = panels::WIDTH + 2.0 * MARGIN;
 
@@ -57,7 +57,18 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     let palette = editor.setup.theme().palette();
     let whole = ui.max_rect();
     let (bar, below) = whole.split_top_bottom_at_y(whole.top() + BAR);
-    let (middle, right) = below.split_left_right_at_x(below.right() - PANELS);
+    let (mut middle, mut right) = below.split_left_right_at_x(below.right() - PANELS);
+    // In a narrow window the frames have the whole width.
+    let narrow = windows::is_cramped(&context);
+    let inside = UiBuilder::new().max_rect(if narrow { below } else { middle });
+    let top = ui.scope_builder(inside, |ui| {
+        playing::show(editor, ui);
+        ui.available_rect_before_wrap().bottom()
+    });
+    middle.max.y = top.inner;
+    if narrow {
+        right.max.y = top.inner;
+    }
     // First what moves under the pointer: panels and output field then show it in this pass.
     part(ui, "space", middle, editor.background(), |ui| {
         space::show(editor, ui)
@@ -94,7 +105,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     ui.painter()
         .hline(whole.x_range(), bar.bottom() - 0.5, line);
     ui.painter()
-        .vline(right.left() + 0.5, below.y_range(), line);
+        .vline(right.left() + 0.5, right.y_range(), line);
     windows::show(editor, &context);
     windows::free_of_tooltips(&context);
     for (number, action) in actions.into_iter().chain(picked).enumerate() {

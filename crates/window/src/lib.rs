@@ -181,8 +181,8 @@ impl Options {
 /// Inner size of a new window in points.
 const SIZE: [f32; 2] = [1200.0, 800.0];
 
-/// The smallest inner size at which everything is visible.
-const SMALLEST: [f32; 2] = [800.0, 600.0];
+/// The smallest inner size in which one can work: it fits small screens of high density, too.
+const SMALLEST: [f32; 2] = [640.0, 440.0];
 
 /// Opens a window, and returns before anything is drawn.
 ///

@@ -18,7 +18,7 @@ use crate::setup::Theme;
 use crate::state::Editor;
 use crate::texts::{Language, Texts, fill};
 use crate::theme;
-use crate::windows::is_cramped;
+use crate::windows::{below_bar, is_cramped};
 
 /// Room for a mark before an entry's text.
 const MARK: f32 = 28.0;
@@ -430,7 +430,7 @@ fn show_entries(editor: &Editor, ui: &mut Ui, menu: &Menu, bar: &mut Bar) -> Opt
 fn row_height(ui: &Ui, entries: &[Entry]) -> f32 {
     let lines = entries.iter().filter(|entry| entry.apart).count() as f32;
     let frame = ui.spacing().menu_margin.sum().y + 2.0;
-    let room = ui.ctx().content_rect().height() - frame - LINE * lines;
+    let room = below_bar(ui.ctx()).height() - frame - LINE * lines;
     (room / entries.len() as f32).floor().max(theme::ROW / 2.0)
 }
 

@@ -94,11 +94,15 @@ fn show_message(ui: &Ui, response: Response, text: &str, color: Color32) {
 
 fn show_setting(editor: &Editor, ui: &Ui, response: Response) {
     let mut columns = columns(editor);
-    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, in_words(&columns)));
+    let words = in_words(&columns);
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, &words));
     let rect = response.rect.shrink2(vec2(12.0, 0.0));
     let width = |text: &str, font: FontId| text_width(ui, text, font);
-    let words = in_words(&columns);
-    loop {
+    // The least important first: panels and tooltip have all of it.
+    for left_out in [None, Some(ZOOM), Some(ROLL), Some(POINT), Some(VIEW)] {
+        if let Some(at) = left_out.filter(|&at| at < columns.len()) {
+            columns.remove(at);
+        }
         // Labels beside the numbers if there is room, else above.
         for (above, between) in [
             (false, 20.0),
@@ -110,20 +114,21 @@ fn show_setting(editor: &Editor, ui: &Ui, response: Response) {
             let (all, places) = arranged(&columns, above, between, &width);
             if all <= rect.width() || columns.len() == 1 {
                 paint(ui, rect, rect.right() - all, &places);
-                if above {
+                if above || left_out.is_some() {
                     response.on_hover_text(words);
                 }
                 return;
             }
         }
-        // The view first, then from the left: panels and tooltip have all of it.
-        columns.remove(if columns.len() == ALL { VIEW } else { 0 });
     }
 }
 
-/// All columns, and which is the view.
-const ALL: usize = 5;
-const VIEW: usize = 2;
+/// Where the columns stand when they are left out, those after them first; the view when the point
+/// has gone.
+const ZOOM: usize = 4;
+const ROLL: usize = 3;
+const POINT: usize = 0;
+const VIEW: usize = 1;
 
 type Place<'a> = (f32, Align2, &'a str, Kind);
 

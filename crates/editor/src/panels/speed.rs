@@ -1,7 +1,8 @@
 //! The speed curve of the current section, small (thesis A.4.3), with its frames and seconds.
 
 use egui::{
-    Align2, CornerRadius, Pos2, Rect, Response, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
+    Align2, CornerRadius, Pos2, Rect, RectAlign, Response, Sense, Shape, Stroke, Tooltip, Ui,
+    WidgetInfo, pos2, vec2,
 };
 
 use super::{PanelButton, button_row, heading};
@@ -44,7 +45,11 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, height: f32, actions: &mut Vec<
             .text(place, align, words, theme::small(), color);
     }
     response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, texts.picture));
-    if response.on_hover_text(texts.picture_hint).clicked() {
+    // Beside it: below lies its button.
+    let mut hint = Tooltip::for_enabled(&response);
+    hint.popup = hint.popup.align(RectAlign::LEFT_START);
+    hint.show(|ui| ui.label(texts.picture_hint));
+    if response.clicked() {
         actions.push(Action::SpeedCurve);
     }
     let change = PanelButton::new(texts.change, texts.change_hint, Action::SpeedCurve);

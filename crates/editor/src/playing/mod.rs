@@ -2,6 +2,7 @@
 //!
 //! While it plays the window asks for the next frame when that is due; at rest it asks for nothing.
 
+mod buttons;
 mod curve;
 mod fields;
 mod graph;
@@ -11,10 +12,11 @@ mod plot;
 use std::time::Duration;
 
 use egui::{
-    Context, CornerRadius, CursorIcon, EventFilter, FontId, Key, Modifiers, Painter, Pos2, Rect,
-    Role, Sense, Shape, Stroke, Ui, UiBuilder, WidgetInfo, pos2, vec2,
+    Context, CursorIcon, EventFilter, FontId, Key, Modifiers, Painter, Pos2, Rect, Sense, Shape,
+    Stroke, Ui, UiBuilder, WidgetInfo, pos2, vec2,
 };
 
+use self::buttons::{camera_button, play_button, speed_button};
 pub(super) use self::fields::Pace;
 use crate::actions::Action;
 use crate::document::{Document, Selection};
@@ -30,7 +32,7 @@ use crate::tools::profile::Quantity;
 
 const HEIGHT: f32 = 56.0;
 
-/// A lower window has no room for the graph of the speeds.
+/// A lower window has little room for the graph of the speeds.
 const MIN_HEIGHT_FOR_GRAPH: f32 = 660.0;
 
 const BUTTON: f32 = 32.0;
@@ -63,6 +65,9 @@ pub(super) struct Playing {
     /// When `marks` were brought up to date, in egui's time.
     marked: f64,
     speeds: graph::Memory,
+    /// The window is low, and the graph is to be shown there, too.
+    low: bool,
+    low_graph: bool,
     /// What is plotted instead of the speeds.
     quantity: Option<Quantity>,
     plot: plot::Plot,
@@ -262,6 +267,25 @@ impl Editor {
         self.playing.quantity = quantity;
     }
 
+    /// A low window shows the graph if it is asked for there.
+    fn shows_speed_graph(&self) -> bool {
+        let playing = &self.playing;
+        if playing.low {
+            playing.low_graph
+        } else {
+            self.setup.speed_graph
+        }
+    }
+
+    pub(super) fn switch_speed_graph(&mut self) {
+        let shows = !self.shows_speed_graph();
+        if self.playing.low {
+            self.playing.low_graph = shows;
+        } else {
+            self.setup.speed_graph = shows;
+        }
+    }
+
     pub(super) fn switch_loops(&mut self, context: &Context) {
         self.go_on_from_here(context);
         self.playing.loops = !self.playing.loops;
@@ -314,7 +338,7 @@ impl Editor {
             context.request_repaint_after(Duration::from_secs_f64(rest.min(MARKS_STEP)));
         } else {
             self.playing.marked = now;
-            let quantity = self.playing.quantity.filter(|_| self.setup.speed_graph);
+            let quantity = self.playing.quantity.filter(|_| self.shows_speed_graph());
             // Too many frames to plot are reported elsewhere.
             let mut plot = std::mem::take(&mut self.playing.plot);
             let held = context.input(|input| input.pointer.any_down());
@@ -377,6 +401,7 @@ fn as_frame(frame: usize) -> f64 {
 }
 
 pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
+    editor.playing.low = ui.ctx().content_rect().height() < MIN_HEIGHT_FOR_GRAPH;
     editor.advance(ui.ctx());
     editor.keep_between();
     let context = ui.ctx().clone();
@@ -397,8 +422,7 @@ fn bar(editor: &Editor, graph: &mut graph::Memory, ui: &mut Ui, actions: &mut Ve
             top: 0,
             bottom: 0,
         });
-    let roomy = ui.ctx().content_rect().height() >= MIN_HEIGHT_FOR_GRAPH;
-    let speeds = if editor.setup.speed_graph && roomy {
+    let speeds = if editor.shows_speed_graph() {
         graph::HEIGHT + theme::GAP
     } else {
         0.0
@@ -416,13 +440,11 @@ fn bar(editor: &Editor, graph: &mut graph::Memory, ui: &mut Ui, actions: &mut Ve
                     ui.spacing_mut().item_spacing.x = 12.0;
                     play_button(editor, ui, actions);
                     fields::show(editor, ui, actions);
-                    let buttons = if roomy { 2.0 } else { 1.0 } * (BUTTON + theme::GAP) + 8.0;
+                    let buttons = 2.0 * (BUTTON + theme::GAP) + 8.0;
                     let width = ui.available_width() - buttons;
                     let rail = timeline(editor, ui, width.max(60.0), actions);
                     ui.spacing_mut().item_spacing.x = theme::GAP;
-                    if roomy {
-                        speed_button(editor, ui, actions);
-                    }
+                    speed_button(editor, ui, actions);
                     camera_button(editor, ui, actions);
                     rail
                 })
@@ -433,79 +455,6 @@ fn bar(editor: &Editor, graph: &mut graph::Memory, ui: &mut Ui, actions: &mut Ve
                 graph::show(editor, graph, ui, rect, rail, actions);
             }
         });
-}
-
-fn button(ui: &mut Ui, name: &str, tip: &str, on: bool) -> (egui::Response, Painter) {
-    let size = vec2(BUTTON, theme::ROW + 4.0);
-    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
-    response.widget_info(|| WidgetInfo::selected(Role::Button, ui.is_enabled(), on, name));
-    let visuals = ui.style().interact_selectable(&response, on);
-    ui.painter().rect(
-        rect,
-        CornerRadius::same(4),
-        visuals.weak_bg_fill,
-        visuals.bg_stroke,
-        egui::StrokeKind::Inside,
-    );
-    let painter = ui.painter_at(rect);
-    (response.on_hover_text(tip), painter)
-}
-
-fn play_button(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
-    let texts = &editor.texts().space;
-    let plays = editor.playing.is_playing();
-    let name = if plays { texts.pause } else { texts.play };
-    let (response, painter) = button(ui, name, texts.play_tip, false);
-    let color = ui.style().interact(&response).fg_stroke.color;
-    let centre = response.rect.center();
-    if plays {
-        for x in [-3.5, 3.5] {
-            let bar = Rect::from_center_size(centre + vec2(x, 0.0), vec2(3.0, 11.0));
-            painter.rect_filled(bar, 0.5, color);
-        }
-    } else {
-        let corners = [vec2(-4.0, -6.0), vec2(6.0, 0.0), vec2(-4.0, 6.0)];
-        let corners = corners.map(|way| centre + way).to_vec();
-        painter.add(Shape::convex_polygon(corners, color, Stroke::NONE));
-    }
-    if response.clicked() {
-        actions.push(Action::PlayOrPause);
-    }
-}
-
-fn camera_button(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
-    let texts = &editor.texts().space;
-    let on = editor.setup.camera_view;
-    let (response, painter) = button(ui, texts.camera_view, texts.camera_view_tip, on);
-    let visuals = ui.style().interact_selectable(&response, on);
-    let stroke = Stroke::new(1.5, visuals.fg_stroke.color);
-    let centre = response.rect.center();
-    let body = Rect::from_center_size(centre - vec2(2.5, 0.0), vec2(11.0, 9.0));
-    painter.rect_stroke(body, 1.5, stroke, egui::StrokeKind::Middle);
-    let lens = [vec2(3.0, 0.0), vec2(8.0, -4.0), vec2(8.0, 4.0)];
-    let lens = lens.map(|way| centre + way).to_vec();
-    painter.add(Shape::closed_line(lens, stroke));
-    if response.clicked() {
-        actions.push(Action::SwitchCameraView);
-    }
-}
-
-fn speed_button(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
-    let texts = &editor.texts().space;
-    let on = editor.setup.speed_graph;
-    let (response, painter) = button(ui, texts.speed_graph, texts.speed_graph_switch, on);
-    let visuals = ui.style().interact_selectable(&response, on);
-    let stroke = Stroke::new(1.5, visuals.fg_stroke.color);
-    let centre = response.rect.center();
-    let hill = (0..=12).map(|step| {
-        let share = step as f32 / 12.0;
-        let height = (share * std::f32::consts::PI).sin().powi(2);
-        centre + vec2(share.mul_add(18.0, -9.0), height.mul_add(-10.0, 5.0))
-    });
-    painter.line(hill.collect(), stroke);
-    if response.clicked() {
-        actions.push(Action::SwitchSpeedGraph);
-    }
 }
 
 /// The scale of frames with its handle; returns its rail.

@@ -128,6 +128,13 @@ pub(super) fn show(
     shown.inner?
 }
 
+/// Where the floating pane is, if there is one.
+pub(super) fn floating(editor: &Editor, context: &Context) -> Option<Rect> {
+    let floats = editor.setup.camera_view && editor.setup.camera_place == CameraPlace::Corner;
+    let known: Option<Placed> = context.data(|data| data.get_temp(id()));
+    known.filter(|_| floats).map(|known| known.rect)
+}
+
 pub(crate) fn id() -> egui::Id {
     egui::Id::unique("camera view")
 }

@@ -24,6 +24,7 @@ fn each_point_of_the_path_has_a_camera() {
         pixels_per_point: 1.0,
         colours: &colours,
         shown,
+        pane: None,
     };
     // Nine orientations at six points: one camera each, of eleven lines.
     let count = |look: &Look<'_>| {

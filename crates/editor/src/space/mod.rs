@@ -53,7 +53,7 @@ use crate::setup::{Element, View};
 use crate::state::Editor;
 use crate::texts::Texts;
 use crate::texts::refusals::reason_of;
-use crate::{host, playing, points_list, scene_view};
+use crate::{host, points_list, scene_view};
 
 /// The movement window's own state.
 #[derive(Debug, Default)]
@@ -86,7 +86,6 @@ impl MovementWindow {
 }
 
 pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
-    playing::show(editor, ui);
     points_list::show(editor, ui);
     // Taken out, so that it can change while the rest of the editor is only read.
     let mut space = std::mem::take(&mut editor.space);
@@ -276,6 +275,7 @@ impl MovementWindow {
             pixels_per_point: f64::from(painter.pixels_per_point()),
             colours: editor.setup.colours(),
             shown: &editor.setup.shown,
+            pane: camera_view::floating(editor, painter.ctx()),
         };
         painter.rect_filled(viewport, 0.0, look.colours.of(Element::Background));
         let add_shared = |lines: &Arc<Lines>| {
@@ -403,7 +403,8 @@ impl MovementWindow {
             }
         };
         if let Some(hint) = hint {
-            overlay::hint(painter, &look, &hint, editor.setup.theme().palette().weak);
+            let color = editor.setup.theme().palette().weak;
+            overlay::hint(painter, &look, &hint, color);
         }
         current.and(trouble)
     }

@@ -296,7 +296,7 @@ pub(super) fn numbers(
     let current = document.selection().point;
     let points = &document.path().points;
     let mut taken = Taken::new(look.viewport);
-    let mut names = Vec::new();
+    let mut labels = Vec::new();
     let mut put = |at: usize, always: bool| {
         let Some(point) = points.get(at) else { return };
         let image = look.projection.image(point.position);
@@ -311,15 +311,18 @@ pub(super) fn numbers(
         } else {
             (11.0, color)
         };
-        let (way, align) = free_corner(document, look, at, image);
-        let mut text = (at + 1).to_string();
-        match &point.name {
-            Some(name) if hover == Some(at) => text = format!("{text}  {name}"),
-            Some(name) => names.push((pos, way, align, format!("{text}  {name}"), size, color)),
-            None => {}
-        }
-        if point.name.is_none() || hover == Some(at) {
-            label(painter, pos + way, align, text, size, color, look);
+        let corners = corners_by_room(document, look, at, image);
+        let name = point.name.as_deref().unwrap_or_default();
+        let label = Label {
+            pos,
+            corners,
+            size,
+            color,
+        };
+        let whole = format!("{}  {name}", at + 1);
+        let seen = hover == Some(at) && label.show(painter, look, &whole, |rect| free(look, rect));
+        if !seen {
+            labels.push((label, at + 1, name));
         }
     };
     put(current, true);
@@ -331,22 +334,25 @@ pub(super) fn numbers(
             .filter(|&at| at != current && Some(at) != hover)
             .for_each(|at| put(at, false));
     }
-    for (pos, way, align, text, size, color) in names {
-        let font = FontId::proportional(size);
-        let galley = painter.layout_no_wrap(text.clone(), font, color);
-        let rect = align.anchor_size(pos + way, galley.size());
-        let whole = look.viewport.contains_rect(rect) && taken.take_beside(pos, rect);
-        let text = match (whole, text.split_once(' ')) {
-            (false, Some((number, _))) => number.to_owned(),
-            _ => text,
-        };
-        label(painter, pos + way, align, text, size, color, look);
+    // A name, or else the number alone, wholly to be seen or not at all.
+    for (label, number, name) in labels {
+        let whole = format!("{number}  {name}");
+        let fits = |rect| free(look, rect) && taken.take_beside(label.pos, rect);
+        if name.is_empty() || !label.show(painter, look, &whole, fits) {
+            let number = number.to_string();
+            label.show(painter, look, &number, |rect| free(look, rect));
+        }
     }
 }
 
-/// The cells of the viewport that hold a number, with a margin of one cell.
+/// Whether a text is seen whole there: the camera's pane lies above the space.
+fn free(look: &Look<'_>, text: Rect) -> bool {
+    look.viewport.contains_rect(text) && look.pane.is_none_or(|pane| !pane.intersects(text))
+}
+
+/// The cells of the viewport that hold a number, and its place; with a margin of one cell.
 struct Taken {
-    cells: Vec<bool>,
+    cells: Vec<Option<Pos2>>,
     wide: usize,
     corner: Pos2,
 }
@@ -356,7 +362,7 @@ impl Taken {
         let (wide, high) = (viewport.width() / CELL[0], viewport.height() / CELL[1]);
         let (wide, high) = (wide as usize + 3, high as usize + 3);
         Self {
-            cells: vec![false; wide * high],
+            cells: vec![None; wide * high],
             wide,
             corner: viewport.min,
         }
@@ -371,48 +377,50 @@ impl Taken {
         ]
     }
 
-    /// Takes the cell of a number, unless a neighbour is taken and it is not needed `always`.
+    /// Takes the cell of a number, unless another is less than a cell away and it is not needed
+    /// `always`.
     fn take(&mut self, pos: Pos2, always: bool) -> bool {
         let [x, y] = self.cell(pos);
         let rows =
             (y - 1..=y + 1).filter_map(|y| self.cells.get(y * self.wide + x - 1..)?.get(..3));
-        if !always && rows.flatten().any(|&taken| taken) {
+        let near = |other: &Pos2| {
+            let way = (*other - pos).abs();
+            way.x < CELL[0] && way.y < CELL[1]
+        };
+        if !always && rows.flatten().flatten().any(near) {
             return false;
         }
         if let Some(taken) = self.cells.get_mut(y * self.wide + x) {
-            *taken = true;
+            *taken = Some(pos);
         }
         true
     }
 
-    /// Takes the cells of a name, unless one is taken by another than its own number, at `pos`.
+    /// Takes the cells of a name, unless one of them or beside them is taken by another than its own
+    /// number, at `pos`.
     fn take_beside(&mut self, pos: Pos2, name: Rect) -> bool {
         let own = self.cell(pos);
+        let cells = |taken: &Self, room: Rect| {
+            let ([left, top], [right, bottom]) = (taken.cell(room.min), taken.cell(room.max));
+            let cells = (top..=bottom).flat_map(move |y| (left..=right).map(move |x| [x, y]));
+            let wide = taken.wide;
+            let others = cells.filter(move |&cell| cell != own);
+            others.map(move |[x, y]| y * wide + x)
+        };
         let room = name.expand2(vec2(CELL[0], CELL[1]) / 2.0);
-        let ([left, top], [right, bottom]) = (self.cell(room.min), self.cell(room.max));
-        let cells = (top..=bottom).flat_map(|y| (left..=right).map(move |x| [x, y]));
-        let cells = cells.filter(|&cell| cell != own);
-        let at = |[x, y]: [usize; 2]| y * self.wide + x;
-        if cells
-            .clone()
-            .any(|cell| self.cells.get(at(cell)).is_none_or(|&taken| taken))
-        {
+        if cells(self, room).any(|cell| self.cells.get(cell).is_none_or(Option::is_some)) {
             return false;
         }
-        let cells: Vec<usize> = cells.map(at).collect();
-        cells.into_iter().for_each(|cell| self.cells[cell] = true);
+        cells(self, name).for_each(|cell| self.cells[cell] = Some(pos));
         true
     }
 }
 
-/// The corner beside a point that is farthest from its curve and its camera's view and up: the
-/// offset, and which corner of the text comes to lie there.
-fn free_corner(
-    document: &Document,
-    look: &Look<'_>,
-    at: usize,
-    image: DVec2,
-) -> (egui::Vec2, Align2) {
+/// An offset from a point, and which corner of the text comes to lie there.
+type Corner = (egui::Vec2, Align2);
+
+/// The corners beside a point, first that farthest from its curve and its camera's view and up.
+fn corners_by_room(document: &Document, look: &Look<'_>, at: usize, image: DVec2) -> [Corner; 4] {
     let points = &document.path().points;
     let neighbour = |at: Option<usize>| {
         let point = at.and_then(|at| points.get(at))?;
@@ -441,7 +449,7 @@ fn free_corner(
         camera.map(|camera| seen(camera.up)),
     ];
     let taken = taken.map(|way| way.map_or(DVec2::ZERO, DVec2::normalize_or_zero));
-    let corners = [
+    let mut corners = [
         (DVec2::new(1.0, -1.0), Align2::LEFT_BOTTOM),
         (DVec2::new(-1.0, -1.0), Align2::RIGHT_BOTTOM),
         (DVec2::new(1.0, 1.0), Align2::LEFT_TOP),
@@ -451,34 +459,46 @@ fn free_corner(
         let near = taken.iter().map(|way| way.dot(corner.normalize()));
         near.fold(-1.0, f64::max)
     };
-    let (mut best, mut least) = (corners[0], crowd(corners[0].0));
-    for corner in &corners[1..] {
-        let found = crowd(corner.0);
+    let mut best = 0;
+    for at in 1..corners.len() {
         // Earlier corners are preferred: there one looks for a number.
-        if found < least - 0.1 {
-            (best, least) = (*corner, found);
+        if crowd(corners[at].0) < crowd(corners[best].0) - 0.1 {
+            best = at;
         }
     }
-    let (way, align) = best;
+    corners[..=best].rotate_right(1);
+    corners[1..].sort_by(|a, b| crowd(a.0).total_cmp(&crowd(b.0)));
     #[allow(clippy::cast_possible_truncation)]
-    let way = vec2(way.x as f32 * 6.0, way.y as f32 * 4.0);
-    (way, align)
+    corners.map(|(way, align)| (vec2(way.x as f32 * 6.0, way.y as f32 * 4.0), align))
 }
 
-/// A text with a halo.
-fn label(
-    painter: &Painter,
+/// Where and how a text with a halo stands beside a point.
+struct Label<const N: usize> {
     pos: Pos2,
-    align: Align2,
-    text: String,
+    corners: [Corner; N],
     size: f32,
     color: Color32,
-    look: &Look<'_>,
-) {
-    let galley = painter.layout_no_wrap(text, FontId::proportional(size), color);
-    let rect = align.anchor_size(pos, galley.size());
-    halo(painter, look, rect);
-    painter.galley(rect.min, galley, color);
+}
+
+impl<const N: usize> Label<N> {
+    /// Shows a text at the first corner at which it `fits`. False: at none.
+    fn show(
+        &self,
+        painter: &Painter,
+        look: &Look<'_>,
+        text: &str,
+        mut fits: impl FnMut(Rect) -> bool,
+    ) -> bool {
+        let font = FontId::proportional(self.size);
+        let galley = painter.layout_no_wrap(text.to_owned(), font, self.color);
+        let at = |(way, align): &Corner| align.anchor_size(self.pos + *way, galley.size());
+        let Some(rect) = self.corners.iter().map(at).find(|&rect| fits(rect)) else {
+            return false;
+        };
+        halo(painter, look, rect);
+        painter.galley(rect.min, galley, self.color);
+        true
+    }
 }
 
 /// The name of a camera, beside it.
@@ -489,18 +509,28 @@ pub(super) fn name(
     text: &str,
     color: Color32,
 ) {
-    let pos = look.projection.pos(camera.position) + vec2(8.0, -6.0);
-    if look.viewport.contains(pos) {
-        let text = text.to_owned();
-        label(painter, pos, Align2::LEFT_BOTTOM, text, 11.0, color, look);
-    }
+    let pos = look.projection.pos(camera.position);
+    let corners = [
+        (vec2(8.0, -6.0), Align2::LEFT_BOTTOM),
+        (vec2(-8.0, -6.0), Align2::RIGHT_BOTTOM),
+    ];
+    let label = Label {
+        pos,
+        corners,
+        size: 11.0,
+        color,
+    };
+    label.show(painter, look, text, |rect| free(look, rect));
 }
 
 /// A hint in the upper left corner, where it covers the least.
 pub(super) fn hint(painter: &Painter, look: &Look<'_>, text: &str, color: Color32) {
     let pos = look.viewport.left_top() + vec2(12.0, 10.0);
-    // Up to where the camera's pane is at first.
-    let room = (look.viewport.width() * 0.68).max(160.0);
+    // Up to where the camera's pane is.
+    let right = look.pane.map_or(look.viewport.right(), |pane| pane.left());
+    let room = (right - 8.0 - pos.x)
+        .min(look.viewport.width() * 0.68)
+        .max(100.0);
     let galley = painter.layout(text.to_owned(), theme::small(), color, room);
     halo(painter, look, Rect::from_min_size(pos, galley.size()));
     painter.galley(pos, galley, color);
@@ -580,7 +610,8 @@ mod tests {
             let document = Document::from_parts(path, Info::default()).unwrap();
             let camera = Camera::at(&document, 0, 0).unwrap();
             let up = look.projection.image_of_way(camera.up).normalize();
-            let (way, _) = free_corner(&document, &look, 0, look.projection.image(DVec3::ZERO));
+            let [(way, _), ..] =
+                corners_by_room(&document, &look, 0, look.projection.image(DVec3::ZERO));
             let number = DVec2::new(way.x.into(), way.y.into()).normalize();
             assert!(number.dot(up) < 0.9, "roll {roll}");
             assert!(number.x > 0.0 || up.x > 0.5, "roll {roll}: on the curve");

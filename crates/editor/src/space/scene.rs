@@ -48,6 +48,8 @@ pub(super) struct Look<'a> {
     pub(super) pixels_per_point: f64,
     pub(super) colours: &'a Colours,
     pub(super) shown: &'a Shown,
+    /// The camera's pane, which lies above.
+    pub(super) pane: Option<Rect>,
 }
 
 /// The values of a [`Look`], to be compared with the next.

@@ -31,6 +31,7 @@ impl Eye {
             pixels_per_point: 1.0,
             colours: &self.colours,
             shown: &self.shown,
+            pane: None,
         }
     }
 }

@@ -23,6 +23,20 @@ fn every_letter_of_every_text_can_be_drawn() {
     }
 }
 
+/// The window shows arrows; what the thesis calls them stands where they are switched off.
+#[test]
+fn texts_need_no_thesis() {
+    let all = Texts::ALL.iter().copied().flatten();
+    for (name, english, german) in all.filter(|(name, ..)| !name.starts_with("Display")) {
+        for text in [english, german] {
+            assert!(
+                !text.contains("VPN") && !text.contains("VUP"),
+                "{name}: {text}"
+            );
+        }
+    }
+}
+
 #[test]
 fn digits_are_of_equal_width() {
     let window = window(Language::German);

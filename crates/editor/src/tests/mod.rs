@@ -2,6 +2,7 @@
 //! the labels that a person reads, in both languages.
 
 mod keyboard;
+mod layout;
 mod looks;
 mod manual;
 mod pictures;
@@ -176,7 +177,7 @@ pub(crate) fn value(window: &Window, name: &str) -> String {
 /// Both languages.
 pub(crate) const BOTH: [Language; 2] = [Language::German, Language::English];
 
-/// A roomy window, and the smallest.
+/// A roomy window, and a small one.
 pub(crate) const LARGE: [f32; 2] = [1200.0, 800.0];
 pub(crate) const SMALL: [f32; 2] = [800.0, 600.0];
 

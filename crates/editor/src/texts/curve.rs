@@ -50,7 +50,7 @@ texts! {
         offset_hint: "Relative: the place that the camera looks at, as seen from the point",
             "Relativ: der Ort, auf den die Kamera blickt, vom Punkt aus";
         roll: "Roll", "Winkel";
-        roll_hint: "Turns VUP about VPN", "Dreht VUP um VPN";
+        roll_hint: "Turns the camera about its view", "Dreht die Kamera um ihre Blickrichtung";
 
         show: "Show", "Zeigen";
         show_hint: "Apply what was entered", "Die Eingaben übernehmen";

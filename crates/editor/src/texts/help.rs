@@ -8,15 +8,15 @@ texts! {
 
         mouse: "Movement window", "Bewegungsfenster";
         left_button: "Drag, left button", "Ziehen, linke Taste";
-        left_meaning: "Move a point or the tip of VPN in the plane x = const",
-            "Punkt oder VPN-Spitze in der Ebene x = const bewegen";
+        left_meaning: "Move a point or the tip of the view's arrow in the plane x = const",
+            "Punkt oder Spitze des Blickpfeils in der Ebene x = const bewegen";
         middle_button: "Drag, middle button", "Ziehen, mittlere Taste";
         middle_meaning: "Move it in the plane y = const", "In der Ebene y = const bewegen";
         right_button: "Drag, right button", "Ziehen, rechte Taste";
         right_meaning: "Move it in the plane z = const", "In der Ebene z = const bewegen";
         held_letters: "X, Y, Z held, left button", "X, Y, Z gehalten, linke Taste";
         held_meaning: "The same with one button", "Dasselbe mit einer Taste";
-        vup_tip: "Drag the tip of VUP", "VUP-Spitze ziehen";
+        vup_tip: "Drag the tip of the arrow up", "Spitze des Pfeils nach oben ziehen";
         vup_meaning: "Roll the camera", "Kamera um die Blickrichtung drehen";
         empty: "Drag elsewhere", "Daneben ziehen";
         empty_meaning: "Rotate and tilt the space", "Raum drehen und kippen";

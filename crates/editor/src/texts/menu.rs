@@ -29,7 +29,7 @@ texts! {
         copy_orientation: "Copy orientation", "Orientierung kopieren";
         copy_points: "Copy points", "Punkte kopieren";
         cut: "Cut points", "Punkte ausschneiden";
-        paste: "Paste points", "Punkte einfügen";
+        paste: "Paste", "Einfügen";
         paste_orientation: "Paste orientation", "Orientierung einfügen";
         space: "Space …", "Raum …";
         aim_all: "Aim all cameras at this target", "Alle Kameras auf dieses Ziel richten";

@@ -29,8 +29,8 @@ texts! {
             "Die gewählten Punkte in die Zwischenablage legen, als Text einer .vid-Datei";
         cut: "Put the selected points into the clipboard, and remove them",
             "Die gewählten Punkte in die Zwischenablage legen und hier löschen";
-        paste: "Put the points in the clipboard behind this one, as they lie",
-            "Die Punkte der Zwischenablage hinter diesem einfügen, wie sie liegen";
+        paste: "Put copied points behind this one, as they lie, or a copied orientation in place of this one",
+            "Kopierte Punkte hinter diesem einfügen, wie sie liegen, oder eine kopierte Orientierung an die Stelle dieser";
         paste_orientation: "Put the copied orientation in place of this one",
             "Die kopierte Orientierung an die Stelle dieser setzen";
         select_all: "What is dragged, typed or deleted then changes all points at once",

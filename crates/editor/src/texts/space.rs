@@ -14,8 +14,8 @@ texts! {
         tilt: "Tilt", "Kippen";
         tilt_tip: "Tilts the movement space (drag in the empty space)",
             "Kippt den Bewegungsraum (im leeren Raum ziehen)";
-        circle_edge_on: "The circle of VUP is seen edge-on: rotate or tilt the space first",
-            "Der Kreis von VUP ist nur von der Kante zu sehen: erst den Raum drehen oder kippen";
+        circle_edge_on: "The circle of the arrow up is seen edge-on: rotate or tilt the space first",
+            "Der Kreis des Pfeils nach oben ist nur von der Kante zu sehen: erst den Raum drehen oder kippen";
         position_at: "Position  x {0}  y {1}  z {2}", "Position  x {0}  y {1}  z {2}";
         target_at: "Target  x {0}  y {1}  z {2}", "Ziel  x {0}  y {1}  z {2}";
         offset_at: "Direction  x {0}  y {1}  z {2}", "Richtung  x {0}  y {1}  z {2}";
@@ -182,7 +182,7 @@ texts! {
         move_meaning: "Move the current point; Shift: ten times as far",
             "Aktuellen Punkt bewegen; Umschalt: zehnmal so weit";
         target_keys: "Alt with these", "Alt mit diesen";
-        target_meaning: "Move the tip of VPN", "VPN-Spitze bewegen";
+        target_meaning: "Move the tip of the view's arrow", "Spitze des Blickpfeils bewegen";
         roll_keys: "Comma, full stop", "Komma, Punkt";
         roll_meaning: "Roll the camera by 1°; Shift: by 10°",
             "Kamera um 1° drehen; Umschalt: um 10°";
@@ -205,8 +205,8 @@ texts! {
         facing_meaning: "The plane that is seen best takes its place",
             "Die am besten sichtbare Ebene gilt an ihrer Stelle";
         snap_mouse: "Ctrl while dragging", "Strg beim Ziehen";
-        snap_meaning: "Go by steps of 0.05, a fifth of the grid; VUP by 15°",
-            "In Schritten von 0,05, einem Fünftel des Gitters; VUP um 15°";
+        snap_meaning: "Go by steps of 0.05, a fifth of the grid; the arrow up by 15°",
+            "In Schritten von 0,05, einem Fünftel des Gitters; den Pfeil nach oben um 15°";
         fine_mouse: "Shift while dragging", "Umschalt beim Ziehen";
         fine_meaning: "Ten times finer", "Zehnmal feiner";
         escape_keys: "Esc while dragging", "Esc beim Ziehen";

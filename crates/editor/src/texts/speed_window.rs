@@ -77,11 +77,11 @@ texts! {
         constant_hint: "The same speed all the way; the section takes as long as before",
             "Überall dieselbe Geschwindigkeit; der Abschnitt dauert so lange wie bisher";
         ease_in: "Slow start", "Langsam los";
-        ease_in_hint: "Slow at the start, at the end as fast as the next section begins; where the camera comes from another section it first slows down. Without a next one, or with fixed frames, it takes as long as before",
-            "Am Anfang langsam, am Ende so schnell, wie der nächste Abschnitt beginnt; kommt die Kamera aus einem anderen, bremst sie zuerst ab. Ohne einen nächsten oder mit festen Bildern dauert er so lange wie bisher";
+        ease_in_hint: "Slow, at the end as fast as the next section begins. Only where the path begins or the camera has held is it slow from the start: after another section it is at first as fast as that one ends. Without a next one, or with fixed frames, it takes as long as before",
+            "Langsam, am Ende so schnell, wie der nächste Abschnitt beginnt. Nur wo die Bahn beginnt oder die Kamera gehalten hat, ist sie von Anfang an langsam: Nach einem anderen Abschnitt ist sie zuerst so schnell, wie dieser endet. Ohne einen nächsten oder mit festen Bildern dauert er so lange wie bisher";
         ease_out: "Slow end", "Langsam aus";
-        ease_out_hint: "At the start as fast as the section before ends, slow at the end; where the camera goes on it then speeds up again. Without one before, or with fixed frames, it takes as long as before",
-            "Am Anfang so schnell, wie der vorige Abschnitt endet, am Ende langsam; geht es danach weiter, fährt sie zuletzt wieder an. Ohne einen vorigen oder mit festen Bildern dauert er so lange wie bisher";
+        ease_out_hint: "At the start as fast as the section before ends, then slow. Only where the path ends or the camera holds is it slow to the end: before another section it is at last as fast as that one begins. Without one before, or with fixed frames, it takes as long as before",
+            "Am Anfang so schnell, wie der vorige Abschnitt endet, dann langsam. Nur wo die Bahn endet oder die Kamera hält, bleibt sie bis zuletzt langsam: Vor einem weiteren Abschnitt ist sie am Ende so schnell, wie dieser beginnt. Ohne einen vorigen oder mit festen Bildern dauert er so lange wie bisher";
         both: "Both", "Beides";
         both_hint: "Slow at both ends; joins the sections beside it as the other two do, and takes as long as before",
             "An beiden Enden langsam; schließt an die Nachbarn an wie die beiden anderen und dauert so lange wie bisher";

@@ -43,6 +43,8 @@ texts! {
         transform: "moving points", "Verschieben von Punkten";
         deform: "deformation", "Verformung";
         insert_path: "inserted path", "Eingefügte Bahn";
+        paste_points: "pasted points", "Eingefügte Punkte";
+        mend: "fixing a finding", "Beheben eines Funds";
         reverse: "reversed path", "Umgekehrte Bahn";
         repeat: "repeated path", "Wiederholte Bahn";
     }
@@ -87,6 +89,8 @@ impl Language {
             StepName::Transform => texts.transform,
             StepName::Deform => texts.deform,
             StepName::InsertPath => texts.insert_path,
+            StepName::PastePoints => texts.paste_points,
+            StepName::Mend => texts.mend,
             StepName::Reverse => texts.reverse,
             StepName::Repeat => texts.repeat,
         };

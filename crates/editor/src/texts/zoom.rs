@@ -12,7 +12,7 @@ texts! {
         sensor: "Sensor height", "Sensorhöhe";
         sensor_hint: "The height of another camera's picture: which lens sees the same on it",
             "Die Bildhöhe einer anderen Kamera: welches Objektiv auf ihr dasselbe sieht";
-        lens: "Lens on it", "Objektiv dafür";
+        lens: "Focal length there", "Brennweite darauf";
         lens_hint: "Focal length in mm that has this field of view on that sensor",
             "Brennweite in mm, die auf diesem Sensor diesen Blickwinkel hat";
         angle_hint: "Vertical field of view", "Senkrechter Blickwinkel";

@@ -8,7 +8,7 @@ use egui::{Button, Context, Label, RichText, ScrollArea, Ui, vec2};
 
 use super::{SubWindow, Windows, sub_window};
 use crate::actions::Action;
-use crate::document::{Edit, Note};
+use crate::document::{Edit, Note, StepName};
 use crate::error::Result;
 use crate::number::{Entry, Number};
 use crate::state::Editor;
@@ -253,6 +253,19 @@ impl Editor {
                 self.playing.frame().or(Some(finding.first_frame)),
                 selection,
             );
+        }
+    }
+}
+
+impl Editor {
+    /// Applies what mends a finding, as one step.
+    pub(crate) fn mend(&mut self, edits: Vec<Edit>) {
+        self.document.begin_step();
+        self.document.name_step(StepName::Mend);
+        if self.edit_together(edits) {
+            self.document.end_step();
+        } else {
+            self.document.cancel_step();
         }
     }
 }

@@ -120,6 +120,8 @@ fn what_helps_is_one_step() {
         first.click();
         window.run();
         assert_ne!(*window.state().document.path(), before);
+        let step = window.state().document.step_names()[0];
+        assert_eq!(step, Some(crate::document::StepName::Mend));
         press(&mut window, Modifiers::CTRL, Key::Z);
         assert_eq!(*window.state().document.path(), before);
     }

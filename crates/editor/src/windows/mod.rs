@@ -23,6 +23,7 @@ pub(super) use tool::ToolWindow;
 
 use crate::actions::Action;
 use crate::files::{FileWindow, Question, RecoveryWindow};
+use crate::frame::BAR;
 use crate::keys;
 use crate::setup::{ColourWindow, DisplayWindow};
 use crate::state::Editor;
@@ -70,8 +71,22 @@ pub(super) fn is_cramped(context: &egui::Context) -> bool {
 }
 
 /// A lower window cannot show every sub-window whole: they scroll. Height of a title and the frame.
-const MIN_HEIGHT_FOR_ALL: f32 = 560.0;
+const MIN_HEIGHT_FOR_ALL: f32 = 528.0;
 const FRAME: f32 = 72.0;
+
+/// Height of a row in such a window.
+const LOW_ROW: f32 = 20.0;
+
+/// Whether sub-windows cannot be shown whole as they are.
+fn is_low(context: &egui::Context) -> bool {
+    below_bar(context).height() < MIN_HEIGHT_FOR_ALL
+}
+
+/// All below the menus and the output field, which stay to be seen.
+pub(super) fn below_bar(context: &egui::Context) -> egui::Rect {
+    let whole = context.content_rect();
+    whole.with_min_y(whole.top() + BAR)
+}
 
 /// How far the cross of a sub-window lies within its upper right corner.
 const CROSS: f32 = 36.0;
@@ -254,16 +269,19 @@ pub(crate) fn sub_window_as(
     let asked = context.memory(|memory| memory.top_modal_layer().is_some());
     let escape = !asked && topmost(context) == Some(layer(id)) && keys::take_escape(context);
     let window = egui::Window::new(title).id(egui::Id::unique(id));
-    let screen = context.content_rect().height();
+    let below = below_bar(context);
     arrange(window)
+        .constrain_to(below)
         .open(&mut open)
         .collapsible(false)
         .auto_sized()
         .show(context, |ui| {
-            if screen >= MIN_HEIGHT_FOR_ALL {
+            if !is_low(context) {
                 return add(ui);
             }
-            let room = (screen - FRAME).max(120.0);
+            ui.spacing_mut().item_spacing.y = 2.0;
+            ui.spacing_mut().interact_size.y = LOW_ROW;
+            let room = (below.height() - FRAME).max(120.0);
             let all = egui::ScrollArea::vertical().id_salt("whole");
             all.max_height(room).show(ui, add).inner
         });

@@ -13,7 +13,7 @@ mod shapes;
 mod ten;
 
 use self::graph::{Axes, Held, Quantity};
-use super::{SubWindow, Windows, is_cramped, sub_window};
+use super::{SubWindow, Windows, is_cramped, is_low, sub_window};
 use crate::actions::Action;
 use crate::document::{Edit, Info, Selection};
 use crate::limits::{MAX_FPS, MAX_FRAMES, MAX_HOLD, SPEEDS};
@@ -65,7 +65,14 @@ impl Size {
     };
 
     fn of(ui: &Ui) -> Self {
-        if is_cramped(ui.ctx()) {
+        if is_low(ui.ctx()) {
+            // The numbers below it matter more than its height.
+            let height = 88.0;
+            Self {
+                height,
+                ..Self::CRAMPED
+            }
+        } else if is_cramped(ui.ctx()) {
             Self::CRAMPED
         } else {
             Self::ROOMY

@@ -1,0 +1,262 @@
+//! What is painted in small windows, as it is painted: no text is cut by its clip rectangle or
+//! lies below what is painted later, and what one works with is large enough.
+
+use egui::{Rect, Shape};
+
+use super::*;
+use crate::actions::Action;
+use crate::screenshots::screenshot;
+use crate::space::camera_view;
+
+/// Points and scale: 1400 × 900 pixels at twice the size, the smallest window, 800 × 600.
+const SIZES: [([f32; 2], f32); 3] = [
+    ([700.0, 450.0], 2.0),
+    (SMALLEST, 2.0),
+    ([800.0, 600.0], 1.0),
+];
+
+/// As `vides-window` tells the window manager.
+const SMALLEST: [f32; 2] = [640.0, 440.0];
+
+/// Height of the bar with menus and output field; width of the panels, which scroll.
+const BAR: f32 = 32.0;
+const PANELS: f32 = 262.0;
+
+/// All windows of these sizes in both languages, with the path of the first steps, and their name.
+fn windows() -> impl Iterator<Item = (Window, String)> {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/pyramid.vid");
+    let cases = SIZES
+        .into_iter()
+        .flat_map(|size| BOTH.map(|language| (size, language)));
+    cases.map(move |((size, scale), language)| {
+        let options = Options {
+            document: Document::load(file.as_ref()).expect("the example"),
+            ..options(language)
+        };
+        let window = window_of(options, size, scale, Theme::Dark);
+        (window, format!("{language:?}-{}", size[0]))
+    })
+}
+
+/// A text that is painted, where, and what is painted over it.
+struct Painted {
+    text: String,
+    rect: Rect,
+    clip: Rect,
+    over: Vec<Rect>,
+}
+
+/// All painted texts that can be seen in part.
+fn painted(window: &Window) -> Vec<Painted> {
+    fn add(shape: &Shape, clip: Rect, found: &mut Vec<Painted>) {
+        match shape {
+            Shape::Text(text) => {
+                // Lines are higher than letters.
+                let rect = Rect::from_min_size(text.pos, text.galley.size());
+                let rect = rect.shrink2(vec2(0.5, 0.2 * rect.height()));
+                if clip.intersects(rect) && !text.galley.text().is_empty() {
+                    let text = text.galley.text().to_owned();
+                    let over = Vec::new();
+                    found.push(Painted {
+                        text,
+                        rect,
+                        clip,
+                        over,
+                    });
+                }
+            }
+            Shape::Rect(block) if block.fill.is_opaque() => {
+                let block = block.rect.intersect(clip);
+                let below = found
+                    .iter_mut()
+                    .filter(|text| block.intersects(text.rect.intersect(text.clip)));
+                below.for_each(|text| text.over.push(block));
+            }
+            Shape::Vec(shapes) => shapes.iter().for_each(|shape| add(shape, clip, found)),
+            _ => {}
+        }
+    }
+    let mut found = Vec::new();
+    for clipped in &window.output().shapes {
+        add(&clipped.shape, clipped.clip_rect, &mut found);
+    }
+    found
+}
+
+/// Texts that are cut, or covered in part. What the panels scroll may be cut above and below.
+fn faults(window: &Window) -> Vec<String> {
+    let panels = window.ctx.content_rect().right() - PANELS;
+    let seen = painted(window);
+    assert!(seen.len() > 20, "{}", seen.len());
+    let faulty = |text: &Painted| {
+        let scrolls = text.rect.left() > panels;
+        let room = match scrolls {
+            true => Rect::from_x_y_ranges(text.clip.x_range(), text.rect.y_range()),
+            false => text.clip,
+        };
+        !room.contains_rect(text.rect) || !text.over.is_empty()
+    };
+    let faulty = seen.into_iter().filter(faulty);
+    faulty
+        .map(|text| {
+            format!(
+                "{} {:?} in {:?} under {:?}",
+                text.text, text.rect, text.clip, text.over
+            )
+        })
+        .collect()
+}
+
+/// Where a window or menu of this order lies.
+fn areas(window: &Window, order: egui::Order) -> Vec<Rect> {
+    window.ctx.memory(|memory| {
+        let all = memory.areas().visible_layer_ids().into_iter();
+        let all = all.filter(|layer| layer.order == order && layer.id != camera_view::id());
+        all.filter_map(|layer| memory.area_rect(layer.id)).collect()
+    })
+}
+
+#[test]
+fn no_painted_text_is_cut_or_covered() {
+    for (mut window, name) in windows() {
+        // What the mouse does there is told in the space.
+        window.hover_at(egui::pos2(80.0, 280.0));
+        for point in 0..6 {
+            window.state_mut().select(point, 0);
+            window.run();
+            let found = faults(&window);
+            assert!(found.is_empty(), "{name}, point {point}: {found:#?}");
+        }
+        screenshot(&mut window, &format!("layout-{name}.png"));
+    }
+}
+
+/// Where there is room for them: the example's names are short.
+#[test]
+fn points_have_their_names_beside_the_camera_view() {
+    let (window, name) = windows().next().expect("a window");
+    let seen = painted(&window);
+    for point in [
+        "start",
+        "left side",
+        "left corner",
+        "right corner",
+        "right side",
+        "end",
+    ] {
+        let named = |text: &Painted| text.text.ends_with(&format!("  {point}"));
+        assert!(seen.iter().any(named), "{name}: {point}");
+    }
+}
+
+/// What matters most stays, each number with its word.
+#[test]
+fn the_output_field_leaves_out_the_least_important() {
+    for (window, name) in windows() {
+        let texts = &window.state().texts().output;
+        let seen = painted(&window);
+        let has = |label: &str| {
+            seen.iter()
+                .any(|text| text.rect.top() < BAR && text.text == label)
+        };
+        let order = [
+            texts.position,
+            texts.view,
+            texts.point,
+            texts.roll,
+            texts.zoom,
+        ];
+        let shown = order.map(has);
+        let wide = window.ctx.content_rect().width();
+        let least = if wide < 700.0 { 1 } else { 2 };
+        assert!(
+            shown[..least].iter().all(|&shown| shown),
+            "{name}: {shown:?}"
+        );
+        // Between them nothing is left out, but the view, which is the widest.
+        let last = shown.iter().rposition(|&shown| shown);
+        let missing = shown[..last.unwrap_or(0)]
+            .iter()
+            .filter(|&&shown| !shown)
+            .count();
+        assert!(missing <= usize::from(!shown[1]), "{name}: {shown:?}");
+    }
+}
+
+#[test]
+fn the_bar_of_frames_is_long_enough() {
+    for (mut window, name) in windows() {
+        let texts = &window.state().texts().space;
+        let (bar, graph) = (texts.timeline, texts.speed_graph);
+        let rail = window.get_by_role_and_label(Role::Slider, bar).rect();
+        assert!(rail.width() >= 200.0, "{name}: {rail:?}");
+        // The strip of the speeds is to be had everywhere.
+        let strip = |window: &Window| {
+            let mut all = window.query_all_by_role_and_label(Role::Canvas, graph);
+            all.next().is_some()
+        };
+        assert!(!strip(&window), "{name}");
+        let button = window.get_by_role_and_label(Role::Button, graph);
+        button.click();
+        window.run();
+        assert!(strip(&window), "{name}");
+        let found = faults(&window);
+        assert!(found.is_empty(), "{name}: {found:#?}");
+        screenshot(&mut window, &format!("layout-{name}-strip.png"));
+    }
+}
+
+/// Windows and menus leave the bar free, and their rows reach the border.
+#[test]
+fn windows_and_menus_leave_the_bar_free() {
+    for (mut window, name) in windows() {
+        let whole = window.ctx.content_rect();
+        let below = Rect::from_min_max(egui::pos2(0.0, BAR), whole.max).expand(1.0);
+        let context = window.ctx.clone();
+        for (action, what) in [
+            (Action::Curve, "curve"),
+            (Action::SpeedCurve, "speed"),
+            (Action::Keys, "keys"),
+        ] {
+            window.state_mut().act(action, &context);
+            window.run();
+            for rect in areas(&window, egui::Order::Middle) {
+                assert!(below.contains_rect(rect), "{name}, {what}: {rect:?}");
+            }
+            screenshot(&mut window, &format!("layout-{name}-{what}.png"));
+            press(&mut window, Modifiers::NONE, Key::Escape);
+        }
+        for (letter, _) in crate::menu::letters(window.state().texts()) {
+            press(&mut window, Modifiers::ALT, letter);
+            // A menu begins where its title ends.
+            for rect in areas(&window, egui::Order::Foreground) {
+                assert!(
+                    below.expand(4.0).contains_rect(rect),
+                    "{name}, {letter:?}: {rect:?}"
+                );
+            }
+            screenshot(&mut window, &format!("layout-{name}-{}.png", letter.name()));
+            press(&mut window, Modifiers::NONE, Key::Escape);
+        }
+    }
+}
+
+/// That of the small picture of the speeds leaves free the button below it.
+#[test]
+fn the_tooltip_of_the_small_speed_curve_covers_no_button() {
+    for size in [LARGE, [1200.0, 700.0]] {
+        let mut window = window_of(options(Language::German), size, 1.0, Theme::Dark);
+        let texts = &Language::German.texts().speed;
+        let picture = window.get_by_label(texts.picture).rect();
+        let button = window.get_by_label(texts.change).rect();
+        window.hover_at(picture.center());
+        for _ in 0..80 {
+            window.step();
+        }
+        let tips = areas(&window, egui::Order::Tooltip);
+        assert!(
+            !tips.is_empty() && tips.iter().all(|tip| !tip.intersects(button)),
+            "{tips:?}"
+        );
+    }
+}
