@@ -97,7 +97,7 @@ mod tests {
         assert_eq!(error.to_string(), people);
         assert_eq!(
             FromZero(&error).to_string(),
-            format!("point 2 (counted from 0): orientation 1: {hold}")
+            "point 2 (counted from 0): orientation 1: hold must lie between 0 and 1000000 frames"
         );
         assert_eq!(error.to_string(), people);
         let missing = OutOfRange::NoPoint { point: 4, last: 3 };
