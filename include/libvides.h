@@ -1968,7 +1968,9 @@ void v_node_init(V_NODE *node, int kind);
 
 /**
  * A new scene: one camera, "camera", on the path of v_path_new(), from frame 1
- * on. *scene is the caller's, to be freed with v_scene_free().
+ * on. *scene is the caller's, to be freed with v_scene_free(). For one in a space of
+ * the host's world: v_scene_set_space(), then v_scene_set_path() of node 0 with a path
+ * of v_path_new_in_space().
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_MEMORY, V_ERR_LIMIT.
  */
 int v_scene_new(V_SCENE **scene);
@@ -2178,7 +2180,8 @@ int v_scene_get_space(const V_SCENE *scene,
  * any more.
  *
  * channel: "position", "rotation" (w x y z), "scale", "visible" (0 or 1); of
- * cameras "zoom", "roll"; of lights "colour", "intensity", "cone"; of objects
+ * cameras "roll" (degrees) and, unless they follow a path, which has its own, "zoom"
+ * (mm, as in V_POSE); of lights "colour", "intensity", "cone"; of objects
  * "colour", "weights" (one for each shape) and "deformation.N.NAME" (N from 0;
  * NAME as v_deform() lists them); of cameras and lights "aim_weight" (0 to 1);
  * and "value:NAME" or "value:NAME:W", W numbers (1 to 16) for the host.

@@ -8,7 +8,7 @@ use super::path::{edit_by, insert_new, read};
 use super::pointers::{ArrayOut, Out, count, optional, read_growing, slice, text};
 use super::scene_tracks::mesh;
 use super::scene_types::V_MESH;
-use super::space::{optional_space, up_from_c};
+use super::space::{checked, up_from_c};
 use super::status::{Answer, Name, V_ERR_INTERNAL, add_last_warning, clear_last_warning};
 use super::types::{V_PATH, V_POSE, V_SPACE};
 use crate::document::Edit;
@@ -180,8 +180,7 @@ unsafe fn options(position: f64, angle: f64, space: *const V_SPACE) -> Answer<Op
         Some(given) if given.half_size == 0.0 => {
             options.up = up_from_c(given.up, Name::Field("space", "up"))?
         }
-        // SAFETY: as required of the caller.
-        _ => options.space = unsafe { optional_space(space) }?,
+        _ => options.space = given.as_ref().map(checked).transpose()?,
     }
     Ok(options)
 }

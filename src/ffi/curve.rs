@@ -36,6 +36,7 @@ pub(super) fn between(value: f64, end: f64, name: &'static str) -> Answer<f64> {
         Err(Failure::NotBetween {
             name,
             given: value,
+            from: 0.0,
             end,
         })
     } else {

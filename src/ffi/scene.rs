@@ -188,7 +188,9 @@ pub unsafe extern "C" fn v_node_init(node: *mut V_NODE, kind: c_int) {
 }
 
 /// A new scene: one camera, "camera", on the path of v_path_new(), from frame 1
-/// on. *scene is the caller's, to be freed with v_scene_free().
+/// on. *scene is the caller's, to be freed with v_scene_free(). For one in a space of
+/// the host's world: v_scene_set_space(), then v_scene_set_path() of node 0 with a path
+/// of v_path_new_in_space().
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_new(scene: *mut *mut V_SCENE) -> c_int {

@@ -3,12 +3,10 @@
 use std::ffi::c_int;
 
 use super::border::border;
-use super::pointers::read_vector;
 use super::scene_handles::{edit, read};
 use super::scene_types::V_SCENE;
-use super::space::{SpaceOut, up_from_c};
+use super::space::{SpaceOut, space};
 use super::status::{V_ERR_INTERNAL, V_OK};
-use crate::path::Space;
 
 /// Sets the space of a scene, as v_path_set_space() that of a path: up is what stands
 /// upright for nodes that aim at others. The numbers of its nodes stay what they are; a
@@ -25,13 +23,7 @@ pub unsafe extern "C" fn v_scene_set_space(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: three doubles, as the header says.
-        let centre = unsafe { read_vector(centre, "centre") }?;
-        let up = up_from_c(up, "up")?;
-        let space = Space {
-            centre,
-            half_size,
-            up,
-        };
+        let space = unsafe { space(centre, half_size, up) }?;
         edit(scene, |document| {
             document.info.check(space)?;
             document.scene.set_space(space)?;

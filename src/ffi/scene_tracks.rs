@@ -66,7 +66,8 @@ fn width(scene: *const V_SCENE, node: usize, channel: &Channel, euler: bool) -> 
 /// any more.
 ///
 /// channel: "position", "rotation" (w x y z), "scale", "visible" (0 or 1); of
-/// cameras "zoom", "roll"; of lights "colour", "intensity", "cone"; of objects
+/// cameras "roll" (degrees) and, unless they follow a path, which has its own, "zoom"
+/// (mm, as in V_POSE); of lights "colour", "intensity", "cone"; of objects
 /// "colour", "weights" (one for each shape) and "deformation.N.NAME" (N from 0;
 /// NAME as v_deform() lists them); of cameras and lights "aim_weight" (0 to 1);
 /// and "value:NAME" or "value:NAME:W", W numbers (1 to 16) for the host.

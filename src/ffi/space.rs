@@ -46,16 +46,31 @@ unsafe impl Growing for V_SPACE {
 /// # Safety
 /// `space` is NULL or points to a struct as its `size` says.
 pub(super) unsafe fn optional_space(space: *const V_SPACE) -> Answer<Option<Space>> {
-    optional(space, |space| {
+    // SAFETY: as required of the caller.
+    let given = optional(space, |space| unsafe { read_growing(space, "space") })?;
+    given.as_ref().map(checked).transpose()
+}
+
+pub(super) fn checked(given: &V_SPACE) -> Answer<Space> {
+    let space = Space {
+        centre: given.centre.into(),
+        half_size: given.half_size,
+        up: up_from_c(given.up, Name::Field("space", "up"))?,
+    };
+    space.check()?;
+    Ok(space)
+}
+
+/// A space from its numbers, not checked.
+///
+/// # Safety
+/// `centre` is NULL or points to three readable doubles.
+pub(super) unsafe fn space(centre: *const f64, half_size: f64, up: c_int) -> Answer<Space> {
+    Ok(Space {
         // SAFETY: as required of the caller.
-        let given = unsafe { read_growing(space, "space") }?;
-        let space = Space {
-            centre: given.centre.into(),
-            half_size: given.half_size,
-            up: up_from_c(given.up, Name::Field("space", "up"))?,
-        };
-        space.check()?;
-        Ok(space)
+        centre: unsafe { read_vector(centre, "centre") }?,
+        half_size,
+        up: up_from_c(up, "up")?,
     })
 }
 
@@ -108,13 +123,7 @@ pub unsafe extern "C" fn v_path_set_space(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: three doubles, as the header says.
-        let centre = unsafe { read_vector(centre, "centre") }?;
-        let up = up_from_c(up, "up")?;
-        let space = Space {
-            centre,
-            half_size,
-            up,
-        };
+        let space = unsafe { space(centre, half_size, up) }?;
         edit(path, Edit::SetSpace { space, fit: false })
     })
 }

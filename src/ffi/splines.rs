@@ -10,7 +10,7 @@ use super::pointers::most;
 use super::pointers::{Out, check, how_many, optional, read_array, read_optional, slice};
 use super::quaternions::{from_c, to_c};
 use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
-use crate::error::{OutOfRange, Quantity, vec_with_room};
+use crate::error::vec_with_room;
 use crate::limits;
 use crate::path::Tcb;
 use crate::path::quaternion_spline;
@@ -160,12 +160,12 @@ fn check_speed(value: f64, name: &'static str) -> Answer<()> {
         return Err(Failure::NotFinite { name, given: value });
     }
     if !(limits::MIN_SPEED..=limits::MAX_SPEED).contains(&value) {
-        return Err(OutOfRange::Between(
-            Quantity::CurveSpeed,
-            limits::MIN_SPEED,
-            limits::MAX_SPEED,
-        )
-        .into());
+        return Err(Failure::NotBetween {
+            name,
+            given: value,
+            from: limits::MIN_SPEED,
+            end: limits::MAX_SPEED,
+        });
     }
     Ok(())
 }

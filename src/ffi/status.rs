@@ -149,10 +149,11 @@ pub(super) enum Failure {
     NotFinite { name: &'static str, given: f64 },
     #[error("{0} must be finite and not zero")]
     Zero(&'static str),
-    #[error("{name} is {given}, and must lie between 0 and {end}")]
+    #[error("{name} is {given}, and must lie between {from} and {end}")]
     NotBetween {
         name: &'static str,
         given: f64,
+        from: f64,
         end: f64,
     },
     #[error("{name} is {given}, and must be finite and greater than 0")]

@@ -184,10 +184,16 @@ static void what_there_is_is_told(void)
     V_NODE node;
     V_EDITOR_OPTIONS options;
     V_EDITOR *editor = NULL;
-    const double frames[2] = {1, 5}, values[6] = {0};
+    const double frames[2] = {1, 5}, values[12] = {0};
+    const unsigned int corners[6] = {0, 1, 2, 3, 4, 0};
+    const V_POSE parallel = {{0, 0, 0}, {0, 1, 0}, {0, 1, 0}, 24};
     size_t count = 0;
+    V_MESH mesh = {sizeof mesh, NULL, 4, NULL, NULL, 0, NULL, 6};
+    V_ORIENTATION o;
     V_POSE pose;
 
+    v_orientation_init(&o);
+    o.zoom = 0;
     SAYS(V_ERR_RANGE, "there is no kind of curve \"bezier\"; known: tcb, cubic, linear",
          v_path_set_curve(path, "bezier"));
     SAYS(V_ERR_ARGUMENT, "there is no up \"w\"; known: axis, point, path, minimal, frenet, y, z",
@@ -201,6 +207,16 @@ static void what_there_is_is_told(void)
     SAYS(V_ERR_ARGUMENT,
          "the limit of turning must be a number, or infinite where nothing is to be looked for",
          v_path_set_limit(path, "turning", NAN));
+    SAYS(V_ERR_RANGE, "half_size must lie between 1e-30 and 1e30",
+         v_path_set_space(path, values, -1, V_UP_Y));
+    SAYS(V_ERR_RANGE, "count must lie between 1 and 100000", v_path_repeat(path, 0));
+    SAYS(V_ERR_RANGE, "fps must be greater than 0 and at most 100000", v_path_set_fps(path, 0));
+    SAYS(V_ERR_RANGE, "zoom must lie between 1 and 2000", v_path_set_orientation(path, 0, 0, &o));
+    o.zoom = 24;
+    o.speed[3] = 101;
+    SAYS(V_ERR_RANGE, "speed must lie between 1 and 100", v_path_set_orientation(path, 0, 0, &o));
+    SAYS(V_ERR_ARGUMENT, "vup must not be parallel to vpn",
+         v_orientation_from_pose(&parallel, V_UP_Y, &o));
     SAYS(V_ERR_SIZE, "poses has room for 1, and 121 are needed",
          v_path_sample(path, &pose, 1, &count));
     SAYS(V_ERR_ARGUMENT, "zoom_frames is 0, and must be finite and greater than 0",
@@ -209,6 +225,10 @@ static void what_there_is_is_told(void)
     OK(v_scene_new(&scene));
     v_node_init(&node, V_NODE_OBJECT);
     OK(v_scene_add_node(scene, "box", &node, NULL));
+    mesh.xyz = values;
+    mesh.triangles = corners;
+    SAYS(V_ERR_RANGE, "triangles[4]: there is no point 4 among 4, counted from 0",
+         v_scene_set_geometry(scene, 1, &mesh));
     SAYS(V_ERR_ARGUMENT,
          "there is no channel \"place\"; known: position, rotation, scale, visible, zoom, roll, "
          "colour, intensity, cone, weights, aim_weight, deformation.N.NAME, value:NAME",

@@ -202,3 +202,21 @@ fn speeds_near_a_part_of_a_pace_are_dragged_too() {
     tap(&mut harness, Key::Z, Modifiers::CTRL);
     assert_eq!(pace(&harness), part);
 }
+
+/// Where a camera runs by keys there is nothing to plot.
+#[test]
+fn without_a_path_no_plot_is_chosen() {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/car.vid");
+    let (document, _) = crate::document::Document::load_scene(file.as_ref()).unwrap();
+    let options = crate::Options {
+        document,
+        ..crate::tests::options(crate::Language::English)
+    };
+    let (size, theme) = (crate::tests::LARGE, crate::setup::Theme::Dark);
+    let mut window = crate::tests::window_of(options, size, 1.0, theme);
+    let texts = &window.state().texts().space;
+    let name = format!("{}: {}", texts.plot, texts.plot_speed);
+    window.get_by_label(&name).click();
+    window.run();
+    assert!(window.state().playing.quantity.is_none());
+}

@@ -72,6 +72,7 @@ german! {
         Rate => "eine Geschwindigkeit oder Steigung";
         Roll => "der Winkel";
         Tension => "tension";
+        Times => "wie oft";
         Value => "ein Wert";
         Zoom => "der Zoom";
     }
@@ -298,8 +299,8 @@ german! {
         ChannelValue => "ein Wert liegt außerhalb des Bereichs seines Kanals";
         Tangent =>
             "eine Tangente muss endlich sein und darf {} nicht überschreiten", limits::MAX_TANGENT;
-        NoMeshPoint { point, count } =>
-            "unter {count} Punkten, gezählt von 0, ist kein Punkt {point}";
+        NoMeshPoint { corner, point, count } =>
+            "{corner}unter {count} Punkten, gezählt von 0, ist kein Punkt {point}";
         MeshColours { points, given } =>
             "{points} Punkte brauchen ebenso viele Farben, nicht {given}";
         PointRoom { points, given } => "{points} Punkte brauchen ebenso viel Platz, nicht {given}";

@@ -3,7 +3,7 @@
 
 use std::fmt;
 
-use super::{Index, List, Text};
+use super::{Called, Entry, Index, List, Text};
 use crate::limits;
 use crate::scene::{Channel, Interpolation};
 use crate::tools::check::FindingKind;
@@ -24,28 +24,34 @@ pub enum Quantity {
     Rate,
     Roll,
     Tension,
+    Times,
     Value,
     Zoom,
 }
 
 impl fmt::Display for Quantity {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::AimWeight => "the weight of an aim",
-            Self::Bias => "the bias",
-            Self::Continuity => "the continuity",
-            Self::Coordinate => "a coordinate",
-            Self::CurveSpeed => "each value of a speed curve",
-            Self::DistanceAhead => "the distance ahead",
-            Self::Frame => "a frame",
-            Self::Intensity => "the intensity",
-            Self::Parameter => "a parameter of a deformation",
-            Self::Rate => "a velocity or slope",
-            Self::Roll => "the roll",
-            Self::Tension => "the tension",
-            Self::Value => "a value",
-            Self::Zoom => "the zoom",
-        })
+        let called = match self {
+            Self::AimWeight => Called("the weight of an aim", "aim_weight"),
+            Self::Bias => Called("the bias", "bias"),
+            Self::Continuity => Called("the continuity", "continuity"),
+            Self::Coordinate => Called("a coordinate", "a coordinate"),
+            Self::CurveSpeed => Called("each value of a speed curve", "speed"),
+            Self::DistanceAhead => Called("the distance ahead", "distance"),
+            Self::Frame => Called("a frame", "frame"),
+            Self::Intensity => Called("the intensity", "intensity"),
+            Self::Parameter => Called(
+                "a parameter of a deformation",
+                "a parameter of a deformation",
+            ),
+            Self::Rate => Called("a velocity or slope", "a velocity or slope"),
+            Self::Roll => Called("the roll", "roll"),
+            Self::Tension => Called("the tension", "tension"),
+            Self::Times => Called("the number of times", "count"),
+            Self::Value => Called("a value", "a value"),
+            Self::Zoom => Called("the zoom", "zoom"),
+        };
+        called.fmt(f)
     }
 }
 
@@ -94,7 +100,7 @@ pub enum Invalid {
     NoNewKey,
 
     // The space.
-    #[error("the centre of the space must be finite")]
+    #[error("{} must be finite", Called("the centre of the space", "centre"))]
     CentreNotFinite,
     #[error("a single place has no size that a space could have")]
     NoSize,
@@ -102,17 +108,34 @@ pub enum Invalid {
     // Views, rotations.
     #[error("every number of a view must be finite")]
     ViewNotFinite,
-    #[error("the view plane normal must not be zero")]
+    #[error("{} must not be zero", Called("the view plane normal", "vpn"))]
     NormalZero,
-    #[error("the view up vector must not be zero")]
+    #[error("{} must not be zero", Called("the view up vector", "vup"))]
     ViewUpZero,
-    #[error("the view up vector must not be parallel to the view plane normal")]
+    #[error(
+        "{} must not be parallel to {}",
+        Called("the view up vector", "vup"),
+        Called("the view plane normal", "vpn")
+    )]
     ViewUpParallel,
-    #[error("the position, the view direction and the up vector must be finite")]
+    #[error(
+        "{} must be finite",
+        Called(
+            "the position, the view direction and the up vector",
+            "vrp, vpn and vup"
+        )
+    )]
     LookNotFinite,
-    #[error("the view direction and the up vector must not be zero")]
+    #[error(
+        "{} must not be zero",
+        Called("the view direction and the up vector", "vpn and vup")
+    )]
     LookZero,
-    #[error("the up vector must not be parallel to the view direction")]
+    #[error(
+        "{} must not be parallel to {}",
+        Called("the up vector", "vup"),
+        Called("the view direction", "vpn")
+    )]
     UpParallel,
     #[error("the axis of a rotation must be finite and not zero")]
     RotationAxis,
@@ -348,7 +371,7 @@ pub enum OutOfRange {
     NoPreset(usize),
     #[error("a point has between 1 and 10 orientations")]
     Orientations,
-    #[error("the hold must lie between 0 and 1000000 frames")]
+    #[error("{} must lie between 0 and 1000000 frames", Called("the hold", "hold"))]
     Hold,
     #[error("there is no frame {frame}: they go from {first} to {last}")]
     NoFrame { frame: f64, first: f64, last: f64 },
@@ -393,17 +416,29 @@ pub enum OutOfRange {
     NearPoint,
 
     // The space.
-    #[error("the half size of the space must lie between 1e-30 and 1e30")]
+    #[error(
+        "{} must lie between 1e-30 and 1e30",
+        Called("the half size of the space", "half_size")
+    )]
     HalfSize,
-    #[error("the centre of the space must lie within 1e9 half sizes of the world's origin")]
+    #[error(
+        "{} must lie within 1e9 half sizes of the world's origin",
+        Called("the centre of the space", "centre")
+    )]
     Centre,
     #[error("a coordinate must lie within 1e9 half sizes of the space's centre")]
     FarFromCentre,
-    #[error("the distance ahead must lie between 0 and 1e9 half sizes of the space")]
+    #[error(
+        "{} must lie between 0 and 1e9 half sizes of the space",
+        Called("the distance ahead", "distance")
+    )]
     DistanceAhead,
 
     // What is shown.
-    #[error("the frames per second must be greater than 0 and at most 100000")]
+    #[error(
+        "{} must be greater than 0 and at most 100000",
+        Called("the frames per second", "fps")
+    )]
     Fps,
     #[error("the zoom of a view must be positive and finite")]
     ViewZoom,
@@ -500,8 +535,12 @@ pub enum OutOfRange {
     Tangent,
 
     // Objects, deformations.
-    #[error("there is no point {point} among {count}, counted from 0")]
-    NoMeshPoint { point: u32, count: usize },
+    #[error("{corner}there is no point {point} among {count}, counted from 0")]
+    NoMeshPoint {
+        corner: Entry,
+        point: u32,
+        count: usize,
+    },
     #[error("{points} points need as many colours, not {given}")]
     MeshColours { points: usize, given: usize },
     #[error("{points} points need as much room, not {given}")]
@@ -542,9 +581,15 @@ pub enum OutOfRange {
     NoNextPoint,
     #[error("the weights must sum to 1, not to {0}")]
     WeightSum(f64),
-    #[error("the tolerance must be finite and greater than 0")]
+    #[error(
+        "{} must be finite and greater than 0",
+        Called("the tolerance", "tolerance")
+    )]
     Tolerance,
-    #[error("the tolerance of angles must be greater than 0 and at most 180 degrees")]
+    #[error(
+        "{} must be greater than 0 and at most 180 degrees",
+        Called("the tolerance of angles", "angle")
+    )]
     ToleranceAngle,
 }
 

@@ -1,4 +1,4 @@
-//! How a sentence counts what the library counts from 0. People see points and orientations
+//! How a sentence counts what the library counts from 0, and what it calls things. People see points and orientations
 //! numbered from 1 in the window and the command; a C program counts its arrays from 0. (What has
 //! a number only there or in files, as nodes and the points of a mesh, says "counted from 0" to
 //! everybody.)
@@ -38,6 +38,33 @@ impl fmt::Display for Index {
     }
 }
 
+/// What people call something, and what the header of the C interface does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Called(pub &'static str, pub &'static str);
+
+impl fmt::Display for Called {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match COUNTING.get() {
+            Counting::FromOne => self.0,
+            Counting::FromZero(_) => self.1,
+        })
+    }
+}
+
+/// Where something stands in an array of a C program, before a sentence about it; people have no
+/// such array.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Entry(pub &'static str, pub usize);
+
+impl fmt::Display for Entry {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match COUNTING.get() {
+            Counting::FromOne => Ok(()),
+            Counting::FromZero(_) => write!(f, "{}[{}]: ", self.0, self.1),
+        }
+    }
+}
+
 /// A sentence for those who count from 0, which it says at the first number that it counts so.
 #[derive(Clone, Copy, Debug)]
 pub struct FromZero<T>(pub T);
@@ -70,7 +97,7 @@ mod tests {
         assert_eq!(error.to_string(), people);
         assert_eq!(
             FromZero(&error).to_string(),
-            format!("point 2 (counted from 0): orientation 1: {hold}")
+            "point 2 (counted from 0): orientation 1: hold must lie between 0 and 1000000 frames"
         );
         assert_eq!(error.to_string(), people);
         let missing = OutOfRange::NoPoint { point: 4, last: 3 };

@@ -7,7 +7,7 @@ use std::fmt::{self, Write as _};
 use std::sync::Arc;
 
 pub use causes::{Bound, Invalid, OutOfRange, Quantity, TooMany};
-pub use counting::{FromZero, Index};
+pub use counting::{Called, Entry, FromZero, Index};
 
 /// What can go wrong in the engine.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

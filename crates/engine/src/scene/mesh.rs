@@ -5,7 +5,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use crate::deform::{Bounds, Deformation};
-use crate::error::{Invalid, OutOfRange, Place, Result, TooMany, can_allocate};
+use crate::error::{Entry, Invalid, OutOfRange, Place, Result, TooMany, can_allocate};
 use crate::limits::{
     MAX_COORDINATE, MAX_DEFORMATIONS, MAX_MESH_CORNERS, MAX_MESH_POINTS, MAX_SHAPES,
 };
@@ -46,16 +46,17 @@ impl Mesh {
             }
             .into());
         }
-        let lines = self.lines.iter().flatten();
-        let mut indices = lines.chain(self.triangles.iter().flatten());
-        if let Some(&wrong) = indices.find(|&&index| index as usize >= count) {
-            return Err(OutOfRange::NoMeshPoint {
-                point: wrong,
+        let wrong = |indices: &[u32], name| {
+            let at = indices.iter().position(|&index| index as usize >= count)?;
+            Some(OutOfRange::NoMeshPoint {
+                corner: Entry(name, at),
+                point: indices[at],
                 count,
-            }
-            .into());
-        }
-        Ok(())
+            })
+        };
+        let lines = wrong(self.lines.as_flattened(), "lines");
+        let found = lines.or_else(|| wrong(self.triangles.as_flattened(), "triangles"));
+        found.map_or(Ok(()), |wrong| Err(wrong.into()))
     }
 }
 

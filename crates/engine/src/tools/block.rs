@@ -11,7 +11,9 @@ use glam::{DMat4, DQuat, DVec3};
 
 use super::keep::{self, check_upright, keep_tangents, shape_in, tangents};
 use super::transform::transform;
-use crate::error::{Error, Invalid, OutOfRange, Result, TooMany, can_allocate, vec_with_room};
+use crate::error::{
+    Error, Invalid, OutOfRange, Quantity, Result, TooMany, can_allocate, vec_with_room,
+};
 use crate::limits::{MAX_NAME_BYTES, MAX_POINTS};
 use crate::path::own::distance_backwards;
 use crate::path::up_vector::check_ups;
@@ -607,7 +609,7 @@ fn backwards(old: &Orientation, section: &Orientation) -> Result<Orientation> {
 pub fn repeat(path: &CameraPath, times: usize) -> Result<CameraPath> {
     let count = path.points.len();
     if times == 0 || times > MAX_POINTS {
-        return Err(OutOfRange::NumberBetween("times", 1.0, MAX_POINTS as f64).into());
+        return Err(OutOfRange::Between(Quantity::Times, 1.0, MAX_POINTS as f64).into());
     }
     if count.saturating_mul(times) > MAX_POINTS {
         return Err(TooMany::SupportPoints.into());
