@@ -412,7 +412,7 @@ fn accelerations_do_not_jump_where_the_camera_is_slow() {
             0.1 * (0.4 * x).sin(),
         )
     };
-    let flights: [(&dyn Fn(f64) -> Pose, f64, usize); 2] = [(&slow, 60.0, 2), (&pan, 24.0, 60)];
+    let flights: [(&dyn Fn(f64) -> Pose, f64, usize); 2] = [(&slow, 60.0, 2), (&pan, 24.0, 46)];
     for (at, seconds, most) in flights {
         let frames = 25.0 * seconds;
         let poses: Vec<Pose> = (0..=frames as usize).map(|k| at(k as f64 / 25.0)).collect();
@@ -436,7 +436,7 @@ fn accelerations_do_not_jump_where_the_camera_is_slow() {
             let jumps = made.windows(3).map(|three| three[2].distance(three[0]));
             let jump = jumps.fold(0.0, f64::max) / peak;
             println!("{} points, jump {jump:.4}", path.points.len());
-            assert!(jump <= 0.05, "{kind}: {jump}");
+            assert!(jump <= [0.05, 0.06][kind], "{kind}: {jump}");
         }
     }
 }

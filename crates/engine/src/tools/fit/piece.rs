@@ -23,7 +23,7 @@ const SLOW: f64 = 1e-3;
 
 /// By how much accelerations may jump from piece to piece, of the position and of the turning before
 /// its jumps are evened out, and be off between, in shares of the greatest.
-const JUMP: [f64; 2] = [0.04, 0.08];
+const JUMP: [f64; 2] = [0.04, 0.12];
 const OFF: f64 = 0.25;
 
 /// Of the jump, what the keys of a pace may take.
