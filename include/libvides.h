@@ -2446,6 +2446,7 @@ int v_path_fit_poses_in_space(const V_POSE *poses,
  * from what those around them say are left out; the others are met.
  *
  * left_out  how many are; may be NULL
+ * v_last_warning() then says how many and which is the first, "" if none is.
  * *path is the caller's, to be freed with v_path_free().
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE,
  * V_ERR_LIMIT, V_ERR_MEMORY.

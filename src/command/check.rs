@@ -8,7 +8,7 @@ use vides::document::{Edit, Note};
 use vides::tools::check::{Finding, FindingKind, Limits, OFF};
 
 use super::table::{Align, Table};
-use super::{Failure, input, print};
+use super::{Failure, complain, input, print};
 
 #[derive(Args)]
 pub(super) struct Arguments {
@@ -78,6 +78,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         .map_err(at_file)?;
     if let Some(output) = &arguments.output {
         document.save(output)?;
+        if fixed.is_empty() && !found.is_empty() {
+            complain("nothing was fixed: for what is found there is no cure that lessens it");
+        }
     }
     print(&if arguments.json {
         json(&fixed, &found, &notes)

@@ -16,7 +16,8 @@ use super::{Failure, complain, input};
 #[derive(Args)]
 pub(super) struct Arguments {
     /// The poses, as `vides sample` writes them: ten numbers a line, with or without the
-    /// frame's number before and seconds behind; - is standard input
+    /// frame's number before and seconds behind (the frame tells the time, at --fps);
+    /// - is standard input
     #[arg(value_name = "POSES")]
     file: PathBuf,
     /// How far a position may be from its pose
@@ -59,12 +60,59 @@ fn cube(text: &str) -> Result<Space, String> {
     })
 }
 
+/// Says so where the seconds of poses are not those of their frames: the frames tell the times.
+fn compare(name: &str, frames: &[f64], seconds: &[f64], fps: f64) {
+    let (Some(frame), Some(second)) = (frames.first(), seconds.first()) else {
+        return;
+    };
+    let off = frames.iter().zip(seconds).position(|(at, when)| {
+        let off = (when - second) * fps - (at - frame);
+        !(off.abs() <= 0.5)
+    });
+    if let Some(off) = off {
+        complain(&format!(
+            "{name}: the times are those of the frames at {fps} frames a second; by the column of \
+             seconds pose {} would be at {} s, by its frame it is at {} s",
+            off + 1,
+            seconds[off] - second,
+            (frames[off] - frame) / fps
+        ));
+    }
+}
+
+/// Which poses are left out, by the numbers of their frames or counted from 1.
+fn told(left_out: &[usize], all: usize, frames: Option<&[f64]>) -> String {
+    let count = left_out.len();
+    let are = if count == 1 { "is" } else { "are" };
+    let mut text = format!("{count} of {all} poses {are} left out");
+    let kind = if frames.is_some() { "frame" } else { "pose" };
+    let numbers = left_out.iter().take(LISTED).map(|k| match frames {
+        Some(frames) => frames[*k].to_string(),
+        None => (k + 1).to_string(),
+    });
+    let numbers: Vec<String> = numbers.collect();
+    if count > 0 {
+        let several = if count == 1 { "" } else { "s" };
+        text += &format!(": {kind}{several} {}", numbers.join(", "));
+    }
+    if count > LISTED {
+        text += &format!(" and {} more", count - LISTED);
+    }
+    text
+}
+
+/// So many poses that are left out are named.
+const LISTED: usize = 50;
+
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let name = input::name(&arguments.file);
     let object = arguments.object.as_deref().map(input::object).transpose()?;
-    let (poses, frames) = input::poses(&arguments.file)?;
-    let seconds = |frames: Vec<f64>| frames.iter().map(|frame| frame / arguments.fps).collect();
-    let times: Option<Vec<f64>> = frames.map(seconds);
+    let (poses, frames, seconds) = input::poses(&arguments.file)?;
+    if let (Some(frames), Some(seconds)) = (&frames, &seconds) {
+        compare(&name, frames, seconds, arguments.fps);
+    }
+    let times = |frames: &Vec<f64>| frames.iter().map(|frame| frame / arguments.fps).collect();
+    let times: Option<Vec<f64>> = frames.as_ref().map(times);
     let options = Options {
         tolerance: Tolerance {
             position: arguments.tolerance,
@@ -93,15 +141,15 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         },
     )
     .map_err(|error| vides::Error::from(error).at(name))?;
+    let first = frames.as_ref().and_then(|frames| frames.first());
     let info = Info {
         fps: arguments.fps,
+        first_frame: first.map_or(1, |first| first.round() as i32),
         object: object.unwrap_or_default(),
         ..Info::default()
     };
     if arguments.robust {
-        let (left_out, all) = (fitted.left_out, poses.len());
-        let are = if left_out == 1 { "is" } else { "are" };
-        complain(&format!("{left_out} of {all} poses {are} left out"));
+        complain(&told(&fitted.left_out, poses.len(), frames.as_deref()));
     }
     let document = Document::from_parts(fitted.path, info)?;
     arguments.output.write(&document)

@@ -6,6 +6,7 @@ use clap::{Args, Subcommand, ValueEnum};
 use vides::deform::{Bounds, Deformation};
 use vides::document::{Document, Edit};
 use vides::glam::{DQuat, DVec3};
+use vides::limits::MAX_FRAMES;
 use vides::path::CameraPath;
 use vides::tools::block::{self, Fit};
 use vides::tools::{blend, transform};
@@ -99,6 +100,19 @@ fn length(text: &str) -> Result<Length, String> {
         Ok(seconds) if seconds > 0.0 && seconds.is_finite() => Ok(Length::Seconds(seconds)),
         _ => Err(wrong()),
     }
+}
+
+/// The frames of so many seconds, no more than a film may have.
+fn whole_frames(seconds: f64, fps: f64) -> Result<usize, Failure> {
+    let frames = (seconds * fps).round();
+    if frames > MAX_FRAMES as f64 {
+        return Err(Failure::Input(format!(
+            "{seconds:e} seconds are too many: a film has at most {MAX_FRAMES} frames, {:.0} seconds \
+             at {fps} frames a second",
+            MAX_FRAMES as f64 / fps
+        )));
+    }
+    Ok(frames as usize)
 }
 
 #[derive(Clone, Copy)]
@@ -311,7 +325,7 @@ pub(super) fn run(tool: &Tool) -> Result<(), Failure> {
                 last: points[points.len() - 1],
                 frames: match *count {
                     Length::Frames(frames) => frames,
-                    Length::Seconds(seconds) => (seconds * document.info().fps).round() as usize,
+                    Length::Seconds(seconds) => whole_frames(seconds, document.info().fps)?,
                 },
             };
             output.applied(document, file, edit)

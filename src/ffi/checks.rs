@@ -134,6 +134,7 @@ pub unsafe extern "C" fn v_path_fit_poses_in_space(
 /// from what those around them say are left out; the others are met.
 ///
 /// left_out  how many are; may be NULL
+/// v_last_warning() then says how many and which is the first, "" if none is.
 /// *path is the caller's, to be freed with v_path_free().
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE,
 /// V_ERR_LIMIT, V_ERR_MEMORY.
@@ -160,9 +161,17 @@ pub unsafe extern "C" fn v_path_fit_poses_robust(
         // SAFETY: so many poses and doubles, as the header says.
         let fitted = unsafe { fitted(poses, seconds, count, fps, &options) }?;
         let made = insert_new(fitted.path, fps)?;
+        clear_last_warning();
+        let (first, count) = (fitted.left_out.first(), fitted.left_out.len());
+        if let Some(first) = first {
+            let are = if count == 1 { "pose is" } else { "poses are" };
+            add_last_warning(format_args!(
+                "{count} {are} left out, first poses[{first}]."
+            ));
+        }
         // SAFETY: room for a number and a handle, as the header says.
         unsafe {
-            left_out.write(fitted.left_out);
+            left_out.write(fitted.left_out.len());
             out.answer(made)
         }
     })

@@ -159,10 +159,17 @@ pub unsafe extern "C" fn v_path_transform(
             Ok(Edit::TransformPoints {
                 points: range(document, first_point, last_point)?,
                 matrix,
-                with_targets: with_targets != 0,
+                with_targets: zero_or_one(with_targets, "with_targets")?,
             })
         })
     })
+}
+
+fn zero_or_one(number: c_int, name: &'static str) -> Answer<bool> {
+    match number {
+        0 | 1 => Ok(number == 1),
+        _ => Err(crate::Error::from(OutOfRange::NumberBetween(name, 0.0, 1.0)).into()),
+    }
 }
 
 /// Deforms the support points from first_point to last_point as v_deform() does,
@@ -194,7 +201,7 @@ pub unsafe extern "C" fn v_path_deform(
                 points: range(document, first_point, last_point)?,
                 deformation,
                 bounds,
-                with_targets: with_targets != 0,
+                with_targets: zero_or_one(with_targets, "with_targets")?,
             })
         })
     })

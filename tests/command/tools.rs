@@ -360,10 +360,31 @@ fn fits_and_moves_have_a_space() {
     let output = run(&arguments);
     assert!(output.status.success());
     let told = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(told, "vides: 1 of 250 poses is left out\n");
+    assert_eq!(told, "vides: 1 of 250 poses is left out: frame 100\n");
     for pose in poses_of(robust.to_str().unwrap()) {
         assert!((pose.vrp[2] - 0.4).abs() < 0.011);
     }
+    // The times are those of the frames; the first one stays.
+    let later: Vec<String> = text.lines().skip(101).map(str::to_owned).collect();
+    std::fs::write(poses, later.join("\n")).unwrap();
+    let later = folder.join("later.vid");
+    let arguments = ["fit", poses, "--fps", "50", "-o", later.to_str().unwrap()];
+    let output = run(&arguments);
+    assert!(output.status.success());
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert!(
+        told.contains("pose 2 would be at 0.04") && told.contains("by its frame it is at 0.02 s"),
+        "{told}"
+    );
+    assert_eq!(Document::load(&later).unwrap().info().first_frame, 101);
+}
+
+#[test]
+fn seconds_that_are_too_many_are_told_as_given() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = written(folder.path(), "arc.vid", &["move", "arc"]);
+    let told = sentence(&run(&["frames", &path, "1e300s"]), 1);
+    assert!(told.contains("1e300 seconds are too many"), "{told}");
 }
 
 #[test]

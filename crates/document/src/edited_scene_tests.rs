@@ -158,7 +158,7 @@ fn poses_begin_with_the_path_and_files_with_the_scene() {
     let lines = String::from_utf8(text).unwrap();
     // The car goes from frame 1 on, the camera from frame 11 to the last.
     assert_eq!(lines.lines().count(), 1 + 10 + poses.frame_count());
-    let (written, frames) = crate::poses_of_text(&lines).unwrap();
+    let (written, frames, _) = crate::poses_of_text(&lines).unwrap();
     assert_eq!(frames.unwrap()[10], 11.0);
     assert_eq!(written[10], first[0]);
 }

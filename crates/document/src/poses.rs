@@ -8,8 +8,8 @@ use super::vid;
 use crate::error::{Error, Key, Malformed, Result, Value};
 use crate::path::Pose;
 
-/// Poses, and their frame numbers if each has one.
-pub type Recorded = (Vec<Pose>, Option<Vec<f64>>);
+/// Poses, and their frame numbers and seconds if each has some.
+pub type Recorded = (Vec<Pose>, Option<Vec<f64>>, Option<Vec<f64>>);
 
 const POSE: usize = 10;
 
@@ -35,6 +35,7 @@ pub fn load_poses_from(reader: &mut dyn Read, name: &str) -> Result<Recorded> {
 /// [`Error::Format`] with the line; `ErrorKind::Memory`.
 pub fn poses_of_text(text: &str) -> Result<Recorded> {
     let (mut poses, mut frames): (Vec<Pose>, Vec<f64>) = (Vec::new(), Vec::new());
+    let mut seconds: Vec<f64> = Vec::new();
     for (line, words) in text.lines().enumerate() {
         let wrong = |cause| Error::Format {
             line: line + 1,
@@ -62,10 +63,13 @@ pub fn poses_of_text(text: &str) -> Result<Recorded> {
                 }));
             }
             (true, POSE) => {}
-            // The frame's number tells the time; seconds behind are for others.
             (true, found) if found == POSE + 1 || found == POSE + 2 => {
                 frames.try_reserve(1)?;
                 frames.push(numbers[0]);
+                if found == POSE + 2 {
+                    seconds.try_reserve(1)?;
+                    seconds.push(numbers[POSE + 1]);
+                }
                 numbers.rotate_left(1);
             }
             (true, found) => {
@@ -84,8 +88,8 @@ pub fn poses_of_text(text: &str) -> Result<Recorded> {
             zoom: numbers[9],
         });
     }
-    let all = frames.len() == poses.len();
-    Ok((poses, all.then_some(frames)))
+    let all = [&frames, &seconds].map(|column| column.len() == poses.len());
+    Ok((poses, all[0].then_some(frames), all[1].then_some(seconds)))
 }
 
 #[cfg(test)]
@@ -95,15 +99,18 @@ mod tests {
     #[test]
     fn lines_with_and_without_frames_are_poses() {
         let text = "frame,x\n1,0,0,0,0,0,-1,0,1,0,24\n\n3 1 2 3 0 0 -1 0 1 0 35\n";
-        let (poses, frames) = poses_of_text(text).unwrap();
-        assert_eq!(frames, Some(vec![1.0, 3.0]));
+        let (poses, frames, seconds) = poses_of_text(text).unwrap();
+        assert_eq!((frames, seconds), (Some(vec![1.0, 3.0]), None));
         assert_eq!(poses[1].vrp, [1.0, 2.0, 3.0]);
         assert_eq!(poses[1].zoom, 35.0);
         let text = "frame,zoom,seconds\n1,1,2,3,0,0,-1,0,1,0,35,0.0\n2,0,0,0,0,0,-1,0,1,0,24,0.04";
-        let (poses, frames) = poses_of_text(text).unwrap();
-        assert_eq!(frames, Some(vec![1.0, 2.0]));
+        let (poses, frames, seconds) = poses_of_text(text).unwrap();
+        assert_eq!(
+            (frames, seconds),
+            (Some(vec![1.0, 2.0]), Some(vec![0.0, 0.04]))
+        );
         assert_eq!((poses[0].vrp, poses[0].zoom), ([1.0, 2.0, 3.0], 35.0));
-        let (poses, frames) = poses_of_text("0 0 0 0 0 -1 0 1 0 24").unwrap();
+        let (poses, frames, _) = poses_of_text("0 0 0 0 0 -1 0 1 0 24").unwrap();
         assert_eq!((poses.len(), frames), (1, None));
         for (text, said) in [
             ("1 2 3", "line 1: expected 10 numbers, found 3"),

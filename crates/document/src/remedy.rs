@@ -15,6 +15,10 @@ use crate::path::{CameraPath, Change, Orientation, Own, Pace, Tangents, curve};
 /// A section's frames grow by at most this factor.
 const MOST: f64 = 8.0;
 
+/// So much slower than just at the limit, so that whole frames and what slows beside do not leave it
+/// at it.
+const MARGIN: f64 = 1.02;
+
 /// How far ahead a view that jumped shall look, in half sizes.
 const AHEAD: f64 = 0.1;
 
@@ -102,7 +106,7 @@ impl Document {
     /// More frames for the sections of a finding, in proportion.
     fn slower(&self, finding: &Finding) -> Result<Vec<Edit>> {
         let sampler = self.sampler()?;
-        let more = finding.value / finding.limit;
+        let more = MARGIN * finding.value / finding.limit;
         let sections = self.timeline(|timeline| {
             let all = 0..timeline.section_count();
             let all = all.map(|k| (sampler.first_frame(k) as f64, timeline.section(k)));

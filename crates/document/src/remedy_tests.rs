@@ -51,6 +51,29 @@ fn a_view_that_turns_too_fast_gets_more_frames() {
 }
 
 #[test]
+fn one_press_brings_a_turn_below_its_limit() {
+    for frames in 8..60 {
+        let mut document = straight([DVec3::NEG_Z, DVec3::new(1.0, 0.0, 0.2), DVec3::NEG_Z]);
+        document.apply(Edit::RemovePoint { at: 2 }).unwrap();
+        let few = Edit::FitFrames {
+            first: 0,
+            last: 1,
+            frames,
+        };
+        document.apply(few).unwrap();
+        let Some(finding) = found(&document, "turning") else {
+            continue;
+        };
+        for edit in document.remedy(&finding).unwrap() {
+            document.apply(edit).unwrap();
+        }
+        let left = document.check(None).unwrap();
+        let still = |left: &&Finding| left.kind == finding.kind && left.point == finding.point;
+        assert!(!left.iter().any(|left| still(&left)), "{frames}: {left:?}");
+    }
+}
+
+#[test]
 fn a_zoom_that_is_too_fast_gets_more_frames() {
     let mut document = straight([DVec3::NEG_Z; 3]);
     let mut orientation = document.path().points[1].orientations[0].clone();

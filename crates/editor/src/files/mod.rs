@@ -281,7 +281,7 @@ impl Editor {
                 Material::Block(Box::new(path))
             })
         } else {
-            load_poses(file).map(|(poses, frames)| {
+            load_poses(file).map(|(poses, frames, _)| {
                 let fps = self.document.info().fps;
                 let seconds = |all: Vec<f64>| all.iter().map(|frame| frame / fps).collect();
                 Material::Poses(poses, frames.map(seconds))

@@ -336,7 +336,8 @@ pub enum Invalid {
     /// By how many times the tolerance it is missed.
     #[error(
         "no path whose points stand at whole frames passes it within the tolerance (it is \
-         missed by {0:.1} times that): more frames a second help, or a larger tolerance"
+         missed by {0:.1} times that): a larger tolerance helps, or a robust fit (--robust), \
+         which leaves out single poses that are off"
     )]
     PoseMissed(f64),
     #[error(
@@ -399,7 +400,10 @@ pub enum OutOfRange {
         Index(*first), Index(*last)
     )]
     PointOrder { first: usize, last: usize },
-    #[error("{frames} frames are too few: it must have at least {least}")]
+    #[error(
+        "{frames} {} too few: it must have at least {least}",
+        if *frames == 1 { "frame is" } else { "frames are" }
+    )]
     TooFewFrames { frames: usize, least: usize },
     #[error("{frames} frames are too many: it can have at most {most}")]
     TooManyFrames { frames: usize, most: usize },

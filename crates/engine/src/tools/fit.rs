@@ -1,11 +1,14 @@
 //! Recorded poses become a path of few points.
 //!
 //! First splines that are smooth and near the poses (`fit/motion.rs`); then pieces, each as long as
-//! it may be (`fit/piece.rs`), that begin and end in the states of the splines: so directions,
-//! speeds and turning go on from one to the next, and accelerations nearly. If the path misses a
+//! it may be (`fit/piece.rs`), that begin and end in the states of the splines, at a pace of their
+//! own (`fit/pace.rs`): so directions, speeds and turning go on from one to the next, and
+//! accelerations nearly; those of the turning then wholly (`fit/joins.rs`). If the path misses a
 //! pose after all, it is made again with the noise left in.
 
+mod joins;
 mod motion;
+mod pace;
 mod piece;
 
 use glam::{DMat3, DQuat, DVec3};
@@ -57,13 +60,13 @@ impl From<Tolerance> for Options {
     }
 }
 
-/// A path, and how many poses it leaves out.
+/// A path, and which poses it leaves out.
 #[derive(Debug)]
 pub struct Fitted {
     /// The path.
     pub path: CameraPath,
-    /// Poses that a robust fit did not look at.
-    pub left_out: usize,
+    /// Indices of the poses that a robust fit did not look at.
+    pub left_out: Vec<usize>,
 }
 
 /// Called now and then with the poses done and all of them; false ends the work.
@@ -108,6 +111,10 @@ struct Piece {
     velocities: [DVec3; 2],
     /// Slopes of the zoom for the whole piece at its ends.
     zoom_slopes: [f64; 2],
+    /// Of the curve.
+    length: f64,
+    /// At its ends the share of the way in a frame, and by how much that grows in one.
+    speeds: [[f64; 2]; 2],
     /// Nothing moves: the frames are those of a hold.
     holds: bool,
 }
@@ -118,6 +125,8 @@ struct Joint {
     sample: Sample,
     /// For a frame at speed 50.
     zoom_slope: Option<f64>,
+    /// Acceleration.
+    bend: DVec3,
 }
 
 /// A path that passes all poses within a tolerance at their times: increasing `seconds`, or one a
@@ -144,7 +153,9 @@ pub fn fit(
             return Err(Error::from(Invalid::PoseMissed(times)).at(Place::Pose(at)));
         }
     }
-    let left_out = data.left_out.iter().filter(|left_out| **left_out).count();
+    let all = || (0..poses.len()).filter(|k| data.left_out[*k]);
+    let mut left_out = vec_with_room(all().count())?;
+    left_out.extend(all());
     Ok(Fitted { path, left_out })
 }
 
@@ -163,6 +174,7 @@ impl Data {
         let mut joint = Joint {
             sample: stretches[0].at(0.0).sample,
             zoom_slope: None,
+            bend: DVec3::ZERO,
         };
         for stretch in &stretches {
             let [begin, end] = [stretch.first, stretch.last].map(|k| self.times[k].round());
@@ -173,6 +185,7 @@ impl Data {
                 guess = f64::from(piece.frames);
                 at += guess;
                 joint.sample = piece.end;
+                joint.bend = piece.bend(1);
                 if !piece.holds {
                     joint.zoom_slope = Some(piece.zoom_slopes[1] / guess);
                 }
@@ -181,6 +194,7 @@ impl Data {
                 go_on(self.times.partition_point(|time| *time < at).min(last))?;
             }
         }
+        self.even_out(&mut pieces)?;
         self.path(&pieces, joint.sample)
     }
 

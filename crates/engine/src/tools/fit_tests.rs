@@ -1,4 +1,4 @@
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use super::*;
 use crate::math::quaternion::{exp, log};
@@ -244,7 +244,7 @@ fn what_is_no_noise_is_met_too() {
     );
     let error = refused.unwrap_err().to_string();
     assert!(
-        error.starts_with("pose ") && error.contains("times that"),
+        error.starts_with("pose ") && error.contains("times that") && error.contains("--robust"),
         "{error}"
     );
 }
@@ -352,7 +352,7 @@ fn a_recorded_flight_stays_as_smooth_as_it_was() {
         assert!(far <= 0.0101 && off <= 0.505);
         assert!(is[0] <= 1.05 * was[0] && is[0] <= 1.5 * SMOOTHING_SPLINE);
         assert!(is[1] <= 1.1 * was[1]);
-        assert!(jump <= 0.1 * was[0] || noise > 0.0);
+        assert!(jump <= 0.05 * was[0]);
         if noise == 0.0 {
             let against = Against {
                 fps: 30.0,
@@ -364,6 +364,93 @@ fn a_recorded_flight_stays_as_smooth_as_it_was() {
             assert!(found.is_empty(), "{found:?}");
         }
     }
+}
+
+/// 0 to 1 with two continuous derivatives, and its integral.
+fn eased(u: f64) -> [f64; 2] {
+    let t = u.clamp(0.0, 1.0);
+    let rises = t * t * t * (10.0 - 15.0 * t + 6.0 * t * t);
+    let gone = t.powi(4) * (2.5 - 3.0 * t + t * t);
+    [rises, gone + (u - 1.0).max(0.0)]
+}
+
+fn turned(place: [f64; 3], yaw: f64, pitch: f64) -> Pose {
+    let turn = DQuat::from_rotation_y(yaw) * DQuat::from_rotation_x(pitch);
+    Pose {
+        vrp: place,
+        vpn: (turn * DVec3::Z).to_array(),
+        vup: (turn * DVec3::Y).to_array(),
+        zoom: 30.0,
+    }
+}
+
+/// Differences of second differences over an eighth of a frame hold every jump, and little else:
+/// of these motions themselves they are 1.3 % at most.
+#[test]
+fn accelerations_do_not_jump_where_the_camera_is_slow() {
+    let slow = |t: f64| {
+        let s = eased(t / 60.0)[0];
+        let place = [0.5 * s, 0.05 * (2.0 * s).sin(), 0.1 * s * s];
+        turned(
+            place,
+            10f64.to_radians() * s,
+            3f64.to_radians() * (2.0 * s).sin(),
+        )
+    };
+    // Slows down to a fiftieth, and pans meanwhile.
+    let pan = |t: f64| {
+        let eases = 4.0 * (eased((t - 14.0) / 4.0)[1] - eased((t - 6.0) / 4.0)[1]);
+        let x = 0.4 * (0.02 * t + 0.98 * (t + eases));
+        let place = [
+            (0.3 * x).sin() / 0.3,
+            0.1 * (0.5 * x).sin(),
+            (1.0 - (0.3 * x).cos()) / 0.3,
+        ];
+        turned(
+            place,
+            0.5 * PI * eased((t - 8.0) / 8.0)[0],
+            0.1 * (0.4 * x).sin(),
+        )
+    };
+    let flights: [(&dyn Fn(f64) -> Pose, f64, usize); 2] = [(&slow, 60.0, 2), (&pan, 24.0, 46)];
+    for (at, seconds, most) in flights {
+        let frames = 25.0 * seconds;
+        let poses: Vec<Pose> = (0..=frames as usize).map(|k| at(k as f64 / 25.0)).collect();
+        let path = fitted(&poses);
+        let (far, off) = errors(&path, &poses);
+        assert!(far <= 0.0101 && off <= 0.505, "{far} {off}");
+        assert!(path.points.len() <= most, "{}", path.points.len());
+        let sampler = Sampler::new(&path, &Timeline::new(&path).unwrap()).unwrap();
+        let fine = 0..=8 * frames as usize;
+        let made: Vec<Pose> = fine
+            .clone()
+            .map(|k| sampler.pose(1.0 + k as f64 / 8.0).unwrap())
+            .collect();
+        let known: Vec<Pose> = fine.map(|k| at(k as f64 / 200.0)).collect();
+        for kind in 0..2 {
+            let peak = bends(&known, kind)
+                .into_iter()
+                .map(DVec3::length)
+                .fold(0.0, f64::max);
+            let made = bends(&made, kind);
+            let jumps = made.windows(3).map(|three| three[2].distance(three[0]));
+            let jump = jumps.fold(0.0, f64::max) / peak;
+            println!("{} points, jump {jump:.4}", path.points.len());
+            assert!(jump <= [0.05, 0.06][kind], "{kind}: {jump}");
+        }
+    }
+}
+
+/// Second differences of the places (0) or of the turning (1).
+fn bends(poses: &[Pose], kind: usize) -> Vec<DVec3> {
+    let q = |pose: &Pose| quaternion_from_view(pose.vpn.into(), pose.vup.into());
+    let step = |pair: &[Pose]| {
+        let by = q(&pair[1]) * q(&pair[0]).conjugate();
+        let moved = DVec3::from(pair[1].vrp) - DVec3::from(pair[0].vrp);
+        [moved, log(if by.w < 0.0 { -by } else { by })][kind]
+    };
+    let steps: Vec<DVec3> = poses.windows(2).map(step).collect();
+    steps.windows(2).map(|pair| pair[1] - pair[0]).collect()
 }
 
 #[test]
@@ -384,19 +471,21 @@ fn outliers_are_left_out_where_asked() {
     }
     let mut options = Options::from(TOLERANCE);
     let followed = fit(&poses, None, 30.0, &options, &mut |_, _| true).unwrap();
-    assert!(followed.left_out == 0 && errors(&followed.path, &poses).0 <= 0.0101);
+    assert!(followed.left_out.is_empty() && errors(&followed.path, &poses).0 <= 0.0101);
     options.robust = true;
     let fitted = fit(&poses, None, 30.0, &options, &mut |_, _| true).unwrap();
     // Also where a pose was off, the others tell where it should have been.
     let (far, off) = errors(&fitted.path, &clean);
     println!("{far} {off} {:?}", peaks(&sampled(&fitted.path)));
     assert!(
-        fitted.left_out == 30 && far <= 0.0101 && off <= 0.505,
+        fitted.left_out == (0..30).map(|k| 50 + 97 * k).collect::<Vec<_>>()
+            && far <= 0.0101
+            && off <= 0.505,
         "{far} {off}"
     );
     assert!(peaks(&sampled(&fitted.path))[0] <= 1.05 * peaks(&clean)[0]);
     let calm = fit(&clean, None, 30.0, &options, &mut |_, _| true).unwrap();
-    assert_eq!(calm.left_out, 0);
+    assert!(calm.left_out.is_empty());
 }
 
 #[test]

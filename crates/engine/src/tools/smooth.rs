@@ -261,25 +261,26 @@ impl<const N: usize> Spline<N> {
         &self.bends[row]
     }
 
-    /// Value and derivative at any time.
-    pub(super) fn at(&self, time: f64) -> [[f64; N]; 2] {
+    /// Value and two derivatives at any time.
+    pub(super) fn at(&self, time: f64) -> [[f64; N]; 3] {
         let last = self.times.len() - 1;
         if last == 0 {
-            return [self.values[0], [0.0; N]];
+            return [self.values[0], [0.0; N], [0.0; N]];
         }
         let after = self.times.partition_point(|at| *at <= time).clamp(1, last);
         let (from, to) = (after - 1, after);
         let step = self.times[to] - self.times[from];
         let b = (time - self.times[from]) / step;
         let a = 1.0 - b;
-        let (mut value, mut slope) = (self.values[from], [0.0; N]);
+        let (mut value, mut slope, mut bend) = (self.values[from], [0.0; N], [0.0; N]);
         for k in 0..N {
+            bend[k] = a * self.bends[from][k] + b * self.bends[to][k];
             let rise = self.values[to][k] - self.values[from][k];
             let [left, right] = [from, to].map(|at| self.bends[at][k] * step / 6.0);
             value[k] += b * rise + ((a * a * a - a) * left + (b * b * b - b) * right) * step;
             slope[k] = rise / step - (3.0 * a * a - 1.0) * left + (3.0 * b * b - 1.0) * right;
         }
-        [value, slope]
+        [value, slope, bend]
     }
 }
 
@@ -310,7 +311,7 @@ mod tests {
             (&near, 10.0, 2.764_886_08, 1.748_215_57),
         ];
         for (spline, time, value, slope) in known {
-            let [[v], [s]] = spline.at(time);
+            let [[v], [s], _] = spline.at(time);
             assert!(
                 (v - value).abs() < 1e-8 && (s - slope).abs() < 1e-8,
                 "{time}: {v} {s}"

@@ -23,6 +23,9 @@ const STILL: f64 = 1e-4;
 /// if it does for so many frames.
 const REST: f64 = 12.0;
 
+/// So many poses beyond its ends a stretch looks at.
+const LEAD: usize = 12;
+
 /// One of the last so many poses is right.
 const BEFORE: usize = 6;
 
@@ -41,11 +44,21 @@ pub(super) enum Kind {
     Rests,
 }
 
+/// Poses of one kind, both ends among them.
+struct Part {
+    kind: Kind,
+    range: RangeInclusive<usize>,
+    /// The pose where it stands, if it does.
+    spot: usize,
+}
+
 /// The poses of a stretch, both ends among them, and what is between.
 pub(super) struct Stretch {
     pub kind: Kind,
     pub first: usize,
     pub last: usize,
+    /// So many poses before the first are among those of the splines.
+    lead: usize,
     place: Spline<3>,
     turn: Spline<4>,
     zoom: Spline<1>,
@@ -59,10 +72,8 @@ pub(super) struct State {
     /// On S³.
     pub spin: DVec3,
     pub zooming: f64,
-}
-
-fn zoom_row(sample: &Sample) -> [f64; 1] {
-    [sample.zoom]
+    /// The derivatives of velocity and spin.
+    pub bends: [DVec3; 2],
 }
 
 /// By how much a zoom may change for an angle of the field of view.
@@ -72,13 +83,14 @@ fn zoom_within(zoom: f64, angle: f64) -> f64 {
 
 impl Stretch {
     pub(super) fn at(&self, time: f64) -> State {
-        let [place, velocity] = self.place.at(time).map(DVec3::from_array);
-        let [turn, turning] = self.turn.at(time).map(DQuat::from_array);
-        let [[zoom], [zooming]] = self.zoom.at(time);
+        let [place, velocity, bend] = self.place.at(time).map(DVec3::from_array);
+        let [turn, turning, twist] = self.turn.at(time).map(DQuat::from_array);
+        let [[zoom], [zooming], _] = self.zoom.at(time);
         let size = turn.length();
         let turn = turn / size;
-        // Of the derivative, what lies across the quaternion turns.
-        let spin = (turning / size) * turn.conjugate();
+        // Of the derivatives, what lies across the quaternion turns.
+        let [spin, twist] = [turning, twist].map(|part| (part / size) * turn.conjugate());
+        let (grows, spin) = (spin.w, spin.xyz());
         State {
             sample: Sample {
                 position: place,
@@ -86,15 +98,16 @@ impl Stretch {
                 zoom: zoom.clamp(MIN_ZOOM, MAX_ZOOM),
             },
             velocity,
-            spin: DVec3::new(spin.x, spin.y, spin.z),
+            spin,
             zooming,
+            bends: [bend, twist.xyz() - 2.0 * grows * spin],
         }
     }
 
     /// The greatest accelerations, of the position and on S³.
     fn peaks(&self) -> [f64; 2] {
         let mut peaks = [0.0_f64; 2];
-        for row in 0..=self.last - self.first {
+        for row in self.lead..=self.lead + self.last - self.first {
             let turn = DVec4::from_array(*self.turn.value(row)).normalize();
             let bend = DVec4::from_array(*self.turn.bend(row));
             let across = bend - turn * turn.dot(bend);
@@ -113,28 +126,33 @@ impl Data {
         round: &mut dyn FnMut() -> Result<()>,
     ) -> Result<(Vec<Stretch>, [f64; 2])> {
         let all = 0..=self.raw.len() - 1;
-        let mut found = Vec::new();
-        let mut peaks = [0.0_f64; 2];
+        let mut parts = Vec::new();
         let place = |a: &Sample, b: &Sample| a.position.distance(b.position) / self.tolerance;
         let view = |a: &Sample, b: &Sample| a.off(b.turn, b.zoom) / self.angle;
         for (on_the_spot, range) in self.runs(all, &place)? {
-            let parts = if on_the_spot {
+            let spot = *range.start();
+            let views = if on_the_spot {
                 self.runs(range, &view)?
             } else {
                 vec![(false, range)]
             };
-            for (rests, range) in parts {
+            for (rests, range) in views {
                 let kind = match (on_the_spot, rests) {
                     (false, _) => Kind::Moves,
                     (true, false) => Kind::Turns,
                     (true, true) => Kind::Rests,
                 };
-                let stretch = self.stretch(kind, range, exact, round)?;
-                let now = stretch.peaks();
-                peaks = [peaks[0].max(now[0]), peaks[1].max(now[1])];
-                found.try_reserve(1)?;
-                found.push(stretch);
+                parts.try_reserve(1)?;
+                parts.push(Part { kind, range, spot });
             }
+        }
+        let mut found = vec_with_room(parts.len())?;
+        let mut peaks = [0.0_f64; 2];
+        for k in 0..parts.len() {
+            let stretch = self.stretch(&parts, k, exact, round)?;
+            let now = stretch.peaks();
+            peaks = [peaks[0].max(now[0]), peaks[1].max(now[1])];
+            found.push(stretch);
         }
         Ok((found, peaks))
     }
@@ -172,60 +190,80 @@ impl Data {
         Ok(runs)
     }
 
+    /// Its splines know some poses of its neighbours, too: so they leave a rest as gently as the
+    /// camera does.
     fn stretch(
         &self,
-        kind: Kind,
-        range: RangeInclusive<usize>,
+        parts: &[Part],
+        number: usize,
         exact: bool,
         round: &mut dyn FnMut() -> Result<()>,
     ) -> Result<Stretch> {
-        let (first, last) = range.into_inner();
-        let (raw, times) = (&self.raw[first..=last], &self.times[first..=last]);
-        // What follows or went before rests there.
-        let free = |k: usize| match k {
-            0 => first == 0,
-            k => k + 1 < raw.len() || last + 1 == self.raw.len(),
+        let Part { kind, range, spot } = &parts[number];
+        let (first, last) = (*range.start(), *range.end());
+        let beside = [number.checked_sub(1), Some(number + 1)];
+        let beside = beside.map(|number| parts.get(number?));
+        let begin = beside[0].map_or(first, |_| first.saturating_sub(LEAD));
+        let end = beside[1].map_or(last, |_| (last + LEAD).min(self.raw.len() - 1));
+        let all = begin..=end;
+        let times = &self.times[all.clone()];
+        // Of two neighbours one stands on the spot.
+        let stands = beside.map(|beside| beside.is_some());
+        let rests = beside.map(|beside| beside.is_some_and(|part| part.kind == Kind::Rests));
+        let at = |k: usize, held: [bool; 2], before: usize| match k {
+            k if held[0] && k <= first => before,
+            k if held[1] && k >= last => last,
+            k => k,
         };
-        let share = |noise: f64, allowed: f64, k: usize| {
-            if self.left_out[first + k] {
+        let [left, rested] = beside[0].map_or([0; 2], |part| [part.spot, *part.range.start()]);
+        let share = |noise: f64, allowed: f64, k: usize, held: [bool; 2]| {
+            if self.left_out[k] {
                 return f64::INFINITY;
             }
-            if exact || !free(k) {
+            if exact || (held[0] && k <= first) || (held[1] && k >= last) {
                 return 0.0;
             }
-            let last = raw.len() - 1;
-            let to_end = (times[k] - times[0]).min(times[last] - times[k]) / REST;
+            let to_end = [0, 1].map(|side| {
+                let free = stands[side] && !held[side];
+                let far = (self.times[k] - self.times[[first, last][side]]).abs() / REST;
+                if free { 1.0 } else { far }
+            });
+            let to_end = to_end[0].min(to_end[1]);
             let least = SHARES[0] * (to_end * to_end).clamp(0.02, 1.0);
             (DEVIATIONS * noise).clamp(least * allowed, SHARES[1] * allowed)
         };
-        let mut allowed: Vec<f64> = vec_with_room(raw.len())?;
-        let mut places: Vec<[f64; 3]> = vec_with_room(raw.len())?;
-        let mut turns: Vec<[f64; 4]> = vec_with_room(raw.len())?;
-        let mut zooms: Vec<[f64; 1]> = vec_with_room(raw.len())?;
-        let (spot, rest) = (kind != Kind::Moves, kind == Kind::Rests);
-        for sample in raw {
-            places.push(if spot { &raw[0] } else { sample }.position.to_array());
-            turns.push(if rest { &raw[0] } else { sample }.turn.to_array());
-            zooms.push(zoom_row(if rest { &raw[0] } else { sample }));
+        let mut allowed: Vec<f64> = vec_with_room(times.len())?;
+        let mut places: Vec<[f64; 3]> = vec_with_room(times.len())?;
+        let mut turns: Vec<[f64; 4]> = vec_with_room(times.len())?;
+        let mut zooms: Vec<[f64; 1]> = vec_with_room(times.len())?;
+        let (stays, rest) = (*kind != Kind::Moves, *kind == Kind::Rests);
+        for k in all.clone() {
+            let place = &self.raw[if stays { *spot } else { at(k, stands, left) }];
+            let view = &self.raw[if rest { first } else { at(k, rests, rested) }];
+            places.push(place.position.to_array());
+            turns.push(view.turn.to_array());
+            zooms.push([view.zoom]);
         }
-        let all = 0..raw.len();
         let now = noise(&places)?;
-        allowed.extend(all.clone().map(|k| share(now, self.tolerance, k)));
+        allowed.extend(all.clone().map(|k| share(now, self.tolerance, k, stands)));
         let place = Spline::near(times, &places, &allowed, round)?;
         allowed.clear();
         let now = noise(&turns)?;
         // On S³ an angle counts half.
-        allowed.extend(all.map(|k| share(now, 0.5 * self.angle, k)));
+        allowed.extend(all.clone().map(|k| share(now, 0.5 * self.angle, k, rests)));
         let turn = Spline::near(times, &turns, &allowed, round)?;
         let now = noise(&zooms)?;
-        for (k, allowed) in allowed.iter_mut().enumerate() {
-            *allowed = share(now, zoom_within(raw[k].zoom, self.angle), k);
-        }
+        allowed.clear();
+        allowed.extend(all.map(|k| {
+            let within = zoom_within(self.raw[k].zoom, self.angle);
+            share(now, within, k, rests)
+        }));
         let zoom = Spline::near(times, &zooms, &allowed, round)?;
         Ok(Stretch {
-            kind,
+            kind: *kind,
             first,
             last,
+            lead: first - begin,
             place,
             turn,
             zoom,

@@ -4,6 +4,7 @@
 use glam::{DQuat, DVec3};
 
 use super::motion::{Kind, State, Stretch};
+use super::pace::{Way, pace, timing};
 use super::{Data, Joint, Piece, Sample};
 use crate::error::{Result, vec_with_room};
 use crate::limits::{BASE_SPEED, MAX_LIST_ZOOM, MAX_ZOOM, MIN_ZOOM};
@@ -12,27 +13,27 @@ use crate::path::arc_length::ArcLength;
 use crate::path::hermite::Cubic;
 use crate::path::quaternion_spline::bezier;
 use crate::path::timing::Timing;
-use crate::path::{Orientation, Pace, own};
+use crate::path::{Pace, own};
 
 /// Moments of a piece at which the splines are looked at, at even distances: so many and one.
-const MOMENTS: usize = 30;
-
-/// Into so many parts their way may be divided for a pace: with a close pair of keys between each
-/// two, which gives way and speed there, no more keys than a pace may have.
-const PARTS: [usize; 6] = [1, 2, 3, 5, 10, 15];
-
-/// Half the distance of such a pair, in shares of the time.
-const PAIR: f64 = 1e-6;
+pub(super) const MOMENTS: usize = 30;
 
 /// Where the pace is slower than so much of its mean, turning and zoom are not led by their rates.
-const SLOW: f64 = 0.05;
+const SLOW: f64 = 1e-3;
 
-/// How far the accelerations of the position and of the turning may be off at an end, and between,
-/// in shares of the greatest.
-const OFF: [[f64; 2]; 2] = [[0.04, 0.25], [0.08, 0.25]];
+/// By how much accelerations may jump from piece to piece, of the position and of the turning before
+/// its jumps are evened out, and be off between, in shares of the greatest.
+const JUMP: [f64; 2] = [0.04, 0.12];
+const OFF: f64 = 0.25;
+
+/// Of the jump, what the keys of a pace may take.
+const AT_KEYS: f64 = 0.01;
+
+/// How much the spin may jump, in shares of what the greatest acceleration makes of it in a frame.
+const SPIN_JUMP: f64 = 1e-3;
 
 /// An acceleration is nothing if it moves by less than this share of the tolerance in a second.
-const NOTHING: f64 = 0.1;
+const NOTHING: f64 = 1e-2;
 
 /// Moments from an end of a stretch at which its splines do not know the acceleration yet.
 const OPEN: usize = 8;
@@ -40,8 +41,11 @@ const OPEN: usize = 8;
 /// Rounds of a cubic by least squares; most settle sooner.
 const ROUNDS: usize = 24;
 
+/// Rounds of projection onto the one that is taken.
+const SETTLED: usize = 4;
+
 /// What the splines say at the moments of a piece.
-struct Course {
+pub(super) struct Course {
     from: f64,
     frames: f64,
     states: Vec<State>,
@@ -49,10 +53,12 @@ struct Course {
     /// Whether it begins and ends where the stretch does: no acceleration goes on there.
     open: [bool; 2],
     peaks: [f64; 2],
+    /// Nothing better was found: it need not be smooth.
+    must: bool,
 }
 
 impl Course {
-    fn share(moment: usize) -> f64 {
+    pub(super) fn share(moment: usize) -> f64 {
         moment as f64 / MOMENTS as f64
     }
 
@@ -93,6 +99,7 @@ impl Data {
                 joint,
                 open: [from == begin, to == end],
                 peaks,
+                must: false,
             })
         };
         let search = |on_the_spot: bool| -> Result<Option<Piece>> {
@@ -122,13 +129,19 @@ impl Data {
                 };
             }
         };
-        for on_the_spot in [false, true] {
-            let tried = on_the_spot || stretch.kind == Kind::Moves;
-            if tried && let Some(piece) = search(on_the_spot)? {
-                return Ok(piece);
-            }
+        let moves = stretch.kind == Kind::Moves;
+        if moves && let Some(piece) = search(false)? {
+            return Ok(piece);
         }
-        self.straight(&course(from + 1.0)?)
+        let mut frame = course(from + 1.0)?;
+        frame.must = true;
+        if moves && let Some(piece) = self.moving(&frame)? {
+            return Ok(piece);
+        }
+        match search(true)? {
+            Some(piece) => Ok(piece),
+            None => self.straight(&frame),
+        }
     }
 
     /// What there must be where nothing else will do.
@@ -144,6 +157,8 @@ impl Data {
             pace: own::distance(&[[0.0, 0.0], [1.0, 1.0]])?,
             velocities: [turned; 2],
             zoom_slopes: [end.zoom - course.joint.sample.zoom; 2],
+            length: a.distance(b),
+            speeds: [[1.0 / course.frames, 0.0]; 2],
             holds: false,
         })
     }
@@ -157,18 +172,33 @@ impl Data {
             return Ok(None);
         }
         // Share of the way, and its derivative by the share of the time.
-        let mut ways: Vec<[f64; 2]> = vec_with_room(places.len())?;
+        let square = course.frames * course.frames;
+        let mut ways: Vec<[f64; 3]> = vec_with_room(places.len())?;
         for (state, place) in course.states.iter().zip(&places) {
             let along = curve.derivative(*place).normalize_or_zero();
             let speed = state.velocity.dot(along) * course.frames;
-            ways.push([arc.length_at(*place), speed].map(|part| part / arc.length()));
+            let faster = state.bends[0].dot(along) * square;
+            ways.push([arc.length_at(*place), speed, faster].map(|part| part / arc.length()));
         }
-        let slack = 0.01 * self.tolerance / arc.length();
+        let [a, b] = course.turns();
+        let [moves, turns] = self
+            .shares(course, [AT_KEYS; 2])
+            .map(|share| share * square);
+        let slack = [
+            0.01 * self.tolerance / arc.length(),
+            (moves / arc.length()).min(turns / angle(a, b).max(1e-9)),
+        ];
         let Some((pace, timing)) = pace(&ways, slack)? else {
             return Ok(None);
         };
         let place = |way: f64| curve.point(arc.parameter_at(way * arc.length()));
-        self.finished(course, Some(curve), pace, &timing, &place)
+        let way = Way {
+            curve: Some(curve),
+            length: arc.length(),
+            pace,
+            timing,
+        };
+        self.finished(course, way, &place)
     }
 
     /// On the spot, by an even pace.
@@ -180,21 +210,24 @@ impl Data {
             return Ok(None);
         }
         let pace = own::distance(&[[0.0, 0.0], [1.0, 1.0]])?;
-        let timing = timing(&pace)?;
+        let way = Way {
+            curve: None,
+            length: 0.0,
+            timing: timing(&pace)?,
+            pace,
+        };
         let position = course.joint.sample.position;
-        self.finished(course, None, pace, &timing, &|_| position)
+        self.finished(course, way, &|_| position)
     }
 
     /// Turning and zoom of a piece; none if it does not meet its poses, or not smoothly.
     fn finished(
         &self,
         course: &Course,
-        curve: Option<Cubic>,
-        pace: Pace,
-        timing: &Timing,
+        way: Way,
         place: &dyn Fn(f64) -> DVec3,
     ) -> Result<Option<Piece>> {
-        let frames = course.frames;
+        let (frames, timing) = (course.frames, &way.timing);
         // For a frame at speed 50: what the ends say, where the pace is not too slow for it.
         let rates = [0, 1].map(|side| {
             let speed = timing.speed([0.0, 1.0][side]) / BASE_SPEED;
@@ -232,43 +265,49 @@ impl Data {
                 position: place(1.0),
                 ..course.states[MOMENTS].sample
             },
-            curve,
-            pace,
             velocities: [
                 3.0 * log(control[1] * control[0].conjugate()),
                 3.0 * log(control[3] * control[2].conjugate()),
             ],
             zoom_slopes,
+            speeds: [0, 1].map(|side| way.speeds(side, frames)),
+            curve: way.curve,
+            length: way.length,
+            pace: way.pace,
             holds: false,
         };
-        let smooth =
-            self.goes_on(course, &piece, timing) && self.is_smooth(course, &ways, &control, place);
+        let smooth = course.must
+            || self.goes_on(course, &piece, timing)
+                && self.is_smooth(course, &ways, &control, place);
         Ok(smooth.then_some(piece))
     }
 
-    /// What accelerations count as nothing, of the position and on S³.
-    fn nothing(&self) -> [f64; 2] {
-        let share = NOTHING / (self.fps * self.fps);
-        [share * self.tolerance, share * self.angle]
+    /// Such a share of the greatest accelerations, of the position and on S³, or what counts as
+    /// nothing.
+    fn shares(&self, course: &Course, shares: [f64; 2]) -> [f64; 2] {
+        let nothing = NOTHING / (self.fps * self.fps);
+        let least = [self.tolerance, self.angle].map(|tolerance| nothing * tolerance);
+        [0, 1].map(|k| (shares[k] * course.peaks[k]).max(least[k]))
     }
 
-    /// Whether speed and turning at the ends are those of the splines: a jump of them must be less
-    /// than their acceleration makes of them in a few frames.
+    /// Whether spin and accelerations go on at the ends: from the piece before, and to where the
+    /// splines go on. Those of the turning are made to meet later.
     fn goes_on(&self, course: &Course, piece: &Piece, timing: &Timing) -> bool {
-        let nothing = self.nothing();
-        [0, 1].into_iter().all(|side| {
-            if course.open[side] {
-                return true;
-            }
-            let rate = timing.speed([0.0, 1.0][side]) / BASE_SPEED / course.frames;
+        let jump = self.shares(course, JUMP);
+        let kick = self.shares(course, [SPIN_JUMP; 2])[1];
+        (0..2).filter(|side| !course.open[*side]).all(|side| {
             let state = course.ends()[side];
+            let near = [course.joint.bend, state.bends[0]][side];
+            let rate = timing.speed([0.0, 1.0][side]) / BASE_SPEED / course.frames;
             let spin = piece.velocities[side] * rate - state.spin;
-            spin.length() <= (OFF[1][0] * course.peaks[1]).max(nothing[1])
+            spin.length() <= kick
+                && (piece.bend(side) - near).length() <= jump[0]
+                && (piece.twist(side) - state.bends[1]).length() <= jump[1]
         })
     }
 
-    /// Whether the accelerations are near those of the splines: what is missed at three moments
-    /// tells by how much they are off between.
+    /// Whether the accelerations within are near those of the splines: what is missed at three
+    /// moments tells by how much they are off.
     fn is_smooth(
         &self,
         course: &Course,
@@ -276,38 +315,27 @@ impl Data {
         control: &[DQuat; 4],
         place: &dyn Fn(f64) -> DVec3,
     ) -> bool {
-        if course.frames <= 1.0 {
-            return true;
-        }
         let step = course.frames / MOMENTS as f64;
-        let nothing = self.nothing();
-        let [moved, turned] = [0, 1]
-            .map(|k| OFF[k].map(|share| (share * course.peaks[k]).max(nothing[k]) * step * step));
+        let most = self
+            .shares(course, [OFF; 2])
+            .map(|share| share * step * step);
         let off = |k: usize| {
             let (state, way) = (&course.states[k], ways[k]);
             let turned = log(bezier(control, way) * state.sample.turn.conjugate());
             [place(way) - state.sample.position, turned]
         };
-        let within = |bends: [DVec3; 2], at: usize| {
-            bends[0].length() <= moved[at] && bends[1].length() <= turned[at]
-        };
         let mut last = [off(0), off(1)];
-        // At the ends nothing is missed, nor any speed.
-        let end = |ends: &[[DVec3; 2]; 2]| [0, 1].map(|k| 2.0 * (ends[1][k] - ends[0][k]));
-        if !course.open[0] && !within(end(&last), 0) {
-            return false;
-        }
         for k in 2..=MOMENTS {
             let next = off(k);
-            let bends = [0, 1].map(|k| last[0][k] - 2.0 * last[1][k] + next[k]);
             let at_an_end =
                 (course.open[0] && k < OPEN) || (course.open[1] && k > MOMENTS + 2 - OPEN);
-            if !at_an_end && !within(bends, 1) {
+            let bend = |k: usize| last[0][k] - 2.0 * last[1][k] + next[k];
+            if !at_an_end && (0..2).any(|k| bend(k).length() > most[k]) {
                 return false;
             }
             last = [last[1], next];
         }
-        course.open[1] || within(end(&[last[1], last[0]]), 0)
+        true
     }
 
     /// The cubic nearest to the positions that leaves and ends in the directions of the splines,
@@ -356,7 +384,12 @@ impl Data {
             }
             project(&curve, &points, &mut places);
         }
-        Ok(best.map(|(_, curve, places)| (curve, places)))
+        Ok(best.map(|(_, curve, mut places)| {
+            for _ in 0..SETTLED {
+                project(&curve, &points, &mut places);
+            }
+            (curve, places)
+        }))
     }
 }
 
@@ -383,6 +416,8 @@ fn rest(frames: f64, joint: Joint) -> Piece {
         pace: Pace::Speeds,
         velocities: [DVec3::ZERO; 2],
         zoom_slopes: [0.0; 2],
+        speeds: [[0.0; 2]; 2],
+        length: 0.0,
         holds: true,
     }
 }
@@ -390,37 +425,6 @@ fn rest(frames: f64, joint: Joint) -> Piece {
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
 fn whole(frames: f64) -> u32 {
     frames as u32
-}
-
-/// A pace with ways and speeds as given: of as few keys as leave it within the slack.
-fn pace(ways: &[[f64; 2]], slack: f64) -> Result<Option<(Pace, Timing)>> {
-    let mut best = None;
-    for parts in PARTS {
-        let mut keys: Vec<[f64; 2]> = vec_with_room(2 * parts + 2)?;
-        for part in 0..=parts {
-            let at = part * MOMENTS / parts;
-            let (time, [way, speed]) = (Course::share(at), ways[at]);
-            // Rest within a piece: nearly none.
-            let rise = PAIR * speed.max(1e-6);
-            match part {
-                0 => keys.extend([[0.0, 0.0], [PAIR, rise]]),
-                part if part == parts => keys.extend([[1.0 - PAIR, 1.0 - rise], [1.0, 1.0]]),
-                _ => keys.extend([[time - PAIR, way - rise], [time + PAIR, way + rise]]),
-            }
-        }
-        let Ok(pace) = own::distance(&keys) else {
-            continue;
-        };
-        let timing = timing(&pace)?;
-        let off =
-            |(k, [way, _]): (usize, &[f64; 2])| (timing.fraction(Course::share(k)) - way).abs();
-        let fits = ways.iter().enumerate().map(off).all(|off| off <= slack);
-        best = Some((pace, timing));
-        if fits {
-            break;
-        }
-    }
-    Ok(best)
 }
 
 /// Control quaternions of a piece. Where a velocity is not given it is found by Gauss–Newton (a
@@ -512,13 +516,7 @@ fn zoom(course: &Course, ways: &[f64], given: [Option<f64>; 2]) -> [f64; 2] {
     clipped([known[0] + found[0].x, known[1] + found[1].x])
 }
 
-fn timing(pace: &Pace) -> Result<Timing> {
-    let mut orientation = Orientation::default();
-    orientation.own = orientation.own.with(|own| own.pace = pace.clone())?;
-    Timing::new(&orientation, None, None)
-}
-
-fn hermite(t: f64, [from, to]: [f64; 2], [leave, reach]: [f64; 2]) -> f64 {
+pub(super) fn hermite(t: f64, [from, to]: [f64; 2], [leave, reach]: [f64; 2]) -> f64 {
     let (a, b) = (t * t * (3.0 - 2.0 * t), t * (1.0 - t));
     from * (1.0 - a) + to * a + leave * b * (1.0 - t) - reach * b * t
 }
