@@ -108,9 +108,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let name = input::name(&arguments.file);
     let object = arguments.object.as_deref().map(input::object).transpose()?;
     let (poses, frames, seconds) = input::poses(&arguments.file)?;
-    if let (Some(frames), Some(seconds)) = (&frames, &seconds) {
-        compare(&name, frames, seconds, arguments.fps);
-    }
     let times = |frames: &Vec<f64>| frames.iter().map(|frame| frame / arguments.fps).collect();
     let times: Option<Vec<f64>> = frames.as_ref().map(times);
     let options = Options {
@@ -140,7 +137,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             true
         },
     )
-    .map_err(|error| vides::Error::from(error).at(name))?;
+    .map_err(|error| vides::Error::from(error).at(name.clone()))?;
+    if let (Some(frames), Some(seconds)) = (&frames, &seconds) {
+        compare(&name, frames, seconds, arguments.fps);
+    }
     let first = frames.as_ref().and_then(|frames| frames.first());
     let info = Info {
         fps: arguments.fps,

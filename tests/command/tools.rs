@@ -167,6 +167,10 @@ fn sentences_tell_why() {
             &["frames", PYRAMID, "1s"],
             "25 frames are too few: it must have at least 33",
         ),
+        (
+            &["frames", PYRAMID, "1"],
+            "1 frame is too few: it must have at least 33",
+        ),
     ] {
         let said = sentence(&run(arguments), 1);
         assert!(
