@@ -66,6 +66,7 @@ pub unsafe extern "C" fn v_path_frame_at_seconds(
             return Err(Failure::NotBetween {
                 name: "seconds",
                 given: seconds,
+                from: 0.0,
                 end,
             });
         }
