@@ -412,7 +412,8 @@ fn accelerations_do_not_jump_where_the_camera_is_slow() {
             0.1 * (0.4 * x).sin(),
         )
     };
-    let flights: [(&dyn Fn(f64) -> Pose, f64, usize); 2] = [(&slow, 60.0, 2), (&pan, 24.0, 46)];
+    type Flight<'a> = (&'a dyn Fn(f64) -> Pose, f64, usize);
+    let flights: [Flight<'_>; 2] = [(&slow, 60.0, 2), (&pan, 24.0, 46)];
     for (at, seconds, most) in flights {
         let frames = 25.0 * seconds;
         let poses: Vec<Pose> = (0..=frames as usize).map(|k| at(k as f64 / 25.0)).collect();
