@@ -56,6 +56,7 @@ static void points_are_moved_and_deformed(void)
     matrix[4] = 0.5;
     STATUS(V_ERR_ARGUMENT, v_path_transform(path, 0, 1, matrix, 1));
     STATUS(V_ERR_RANGE, v_path_transform(path, 2, 1, matrix, 1));
+    STATUS(V_ERR_RANGE, v_path_transform(path, 0, 12, matrix, 2));
     STATUS(V_ERR_RANGE, v_path_transform(path, 0, 13, matrix, 1));
     OK(v_path_get_position(path, 3, before));
     OK(v_path_deform(path, 3, 3, "twist", twist, 2, box, 0));

@@ -515,6 +515,12 @@ fn what_can_be_is_fixed() {
     let text = said(&run(&["check", &fast, "--fix", "-o", fixed]));
     assert!(text.starts_with("Fixed turning, frames "), "{text}");
     assert_eq!(said(&run(&["check", fixed])), "");
+    // What is the user's to choose stays, and is told.
+    let near = ["check", fixed, "--limit", "target=5"];
+    let none = run(&[&near[..], &["--fix", "-o", fixed]].concat());
+    assert_eq!(none.status.code(), Some(3));
+    let told = String::from_utf8(none.stderr).unwrap();
+    assert!(told.starts_with("vides: nothing was fixed"), "{told}");
     complaint(&run(&["check", &fast, "--fix"]), 2);
     complaint(&run(&["check", &fast, "-o", fixed]), 2);
     complaint(&run(&["check", &fast, "--fix", "-o", "-"]), 2);

@@ -17,7 +17,7 @@ const MOST: f64 = 8.0;
 
 /// So much slower than just at the limit, so that whole frames and what slows beside do not leave it
 /// at it.
-const MARGIN: f64 = 1.02;
+const MARGIN: f64 = 1.05;
 
 /// How far ahead a view that jumped shall look, in half sizes.
 const AHEAD: f64 = 0.1;

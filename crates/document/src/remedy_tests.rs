@@ -50,26 +50,26 @@ fn a_view_that_turns_too_fast_gets_more_frames() {
     assert!(mended(&mut document, "turning"));
 }
 
+/// A section that is slowed changes its neighbour's speed at the key; aimed exactly at the limit,
+/// more and more presses would come nearer to it.
 #[test]
-fn one_press_brings_a_turn_below_its_limit() {
-    for frames in 8..60 {
+fn presses_leave_nothing_at_the_limit() {
+    for frames in (30..120).step_by(3) {
         let mut document = straight([DVec3::NEG_Z, DVec3::new(1.0, 0.0, 0.2), DVec3::NEG_Z]);
-        document.apply(Edit::RemovePoint { at: 2 }).unwrap();
         let few = Edit::FitFrames {
             first: 0,
-            last: 1,
+            last: 2,
             frames,
         };
         document.apply(few).unwrap();
-        let Some(finding) = found(&document, "turning") else {
-            continue;
-        };
-        for edit in document.remedy(&finding).unwrap() {
-            document.apply(edit).unwrap();
+        let mut presses = 0;
+        while let Some(finding) = found(&document, "turning") {
+            for edit in document.remedy(&finding).unwrap() {
+                document.apply(edit).unwrap();
+            }
+            presses += 1;
+            assert!(presses <= 5, "{frames}");
         }
-        let left = document.check(None).unwrap();
-        let still = |left: &&Finding| left.kind == finding.kind && left.point == finding.point;
-        assert!(!left.iter().any(|left| still(&left)), "{frames}: {left:?}");
     }
 }
 
