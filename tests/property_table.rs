@@ -4,7 +4,7 @@
 
 use std::fmt::Write as _;
 
-use vides::path::{Orientation, Own};
+use vides::path::{Orientation, OrientationOverrides};
 use vides::property::Property;
 
 const FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/files.md");
@@ -36,7 +36,7 @@ fn the_documents_table_is_current() {
     );
     let new = Orientation::default();
     rows(Orientation::PROPERTIES, &new, &mut table);
-    rows(Own::PROPERTIES, &new.own, &mut table);
+    rows(OrientationOverrides::PROPERTIES, &new.own, &mut table);
     let text = std::fs::read_to_string(FILE).unwrap();
     let (before, rest) = text.split_once(BEGIN).expect("the table's begin");
     let (found, after) = rest.split_once(END).expect("the table's end");

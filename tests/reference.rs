@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use glam::DVec3;
 use vides::path::{
-    BaseFrames, CameraPath, Change, CurveParameters, Orientation, OrientationMode, Own, Pose,
+    BaseFrames, CameraPath, Change, CurveParameters, Orientation, OrientationMode, OrientationOverrides, Pose,
     Sampler, SupportPoint, Target, Tcb, Timeline, Up, UpVector, ZoomMode,
 };
 
@@ -88,7 +88,7 @@ fn pose(words: &[&str]) -> (f64, Pose) {
 }
 
 /// What the last view owns, changed.
-fn own(path: &mut CameraPath, change: impl FnOnce(&mut Own)) {
+fn own(path: &mut CameraPath, change: impl FnOnce(&mut OrientationOverrides)) {
     let point = path.points.last_mut();
     let view = point.and_then(|point| point.orientations.last_mut());
     let own = &mut view.expect("a view before what it owns").own;

@@ -13,7 +13,7 @@ use vides::math::orientation::{
     wrap_degrees,
 };
 use vides::math::view::View;
-use vides::path::{CameraPath, CurveParameters, MayOwn, Orientation, Target, Tcb};
+use vides::path::{CameraPath, CurveParameters, Overrides, Orientation, Target, Tcb};
 
 /// Thesis A.6.1.
 #[test]
@@ -50,7 +50,7 @@ fn the_path_of_a_new_window() {
             turning: Tcb::new(0.0, 0.0, 0.0),
             speeds: [50.0; 10],
             hold: 0,
-            own: MayOwn::default(),
+            own: Overrides::default(),
         };
         assert_eq!(point.orientations, [all]);
     }

@@ -12,7 +12,7 @@ use crate::error::{EngineError, Result};
 
 /// An owner of a shared value on the heap.
 #[derive(Debug)]
-pub(super) struct Counted<T> {
+pub(super) struct TryArc<T> {
     block: NonNull<Block<T>>,
     owns: PhantomData<Block<T>>,
 }
@@ -25,11 +25,11 @@ struct Block<T> {
 
 // SAFETY: owners on several threads share the value (hence `Sync`), and the last one drops it on
 // whatever thread it is (hence `Send`); the count is atomic.
-unsafe impl<T: Send + Sync> Send for Counted<T> {}
+unsafe impl<T: Send + Sync> Send for TryArc<T> {}
 // SAFETY: as above; a shared owner can be cloned into one of another thread.
-unsafe impl<T: Send + Sync> Sync for Counted<T> {}
+unsafe impl<T: Send + Sync> Sync for TryArc<T> {}
 
-impl<T> Counted<T> {
+impl<T> TryArc<T> {
     /// Allocates the value with its first owner. Fails with `ErrorKind::Memory`.
     pub(super) fn try_new(value: T) -> Result<Self> {
         // SAFETY: a block is never of size zero: it holds the count.
@@ -51,7 +51,7 @@ impl<T> Counted<T> {
     }
 }
 
-impl<T> Clone for Counted<T> {
+impl<T> Clone for TryArc<T> {
     fn clone(&self) -> Self {
         // An existing owner has already synchronized with the value.
         let before = self.block().owners.fetch_add(1, Ordering::Relaxed);
@@ -66,7 +66,7 @@ impl<T> Clone for Counted<T> {
     }
 }
 
-impl<T> Deref for Counted<T> {
+impl<T> Deref for TryArc<T> {
     type Target = T;
 
     fn deref(&self) -> &T {
@@ -74,7 +74,7 @@ impl<T> Deref for Counted<T> {
     }
 }
 
-impl<T> Drop for Counted<T> {
+impl<T> Drop for TryArc<T> {
     fn drop(&mut self) {
         // Other owners' accesses happen before the drop.
         if self.block().owners.fetch_sub(1, Ordering::Release) != 1 {
@@ -104,7 +104,7 @@ mod tests {
     #[test]
     fn the_value_goes_with_its_last_owner() {
         let drops = AtomicUsize::new(0);
-        let first = Counted::try_new(Dropped(&drops)).expect("room");
+        let first = TryArc::try_new(Dropped(&drops)).expect("room");
         let second = first.clone();
         drop(first);
         assert_eq!(second.0.load(Ordering::Relaxed), 0);
@@ -115,7 +115,7 @@ mod tests {
     #[test]
     fn owners_come_and_go_on_several_threads() {
         let drops = AtomicUsize::new(0);
-        let first = Counted::try_new((7, Dropped(&drops))).expect("room");
+        let first = TryArc::try_new((7, Dropped(&drops))).expect("room");
         std::thread::scope(|scope| {
             for _ in 0..4 {
                 let mut mine = first.clone();
@@ -136,7 +136,7 @@ mod tests {
     fn a_value_that_needs_much_alignment_has_it() {
         #[repr(align(256))]
         struct Wide(u8);
-        let wide = Counted::try_new(Wide(3)).expect("room");
+        let wide = TryArc::try_new(Wide(3)).expect("room");
         assert!((&raw const *wide).addr().is_multiple_of(256) && wide.0 == 3);
     }
 }

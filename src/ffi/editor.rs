@@ -8,7 +8,7 @@ use std::sync::OnceLock;
 
 use super::border::border;
 use super::callbacks::Callbacks;
-use super::counted::Counted;
+use super::counted::TryArc;
 use super::handles::{Handles, KIND_EDITOR};
 use super::host_loop;
 use super::object::wireframe;
@@ -66,7 +66,7 @@ pub(super) fn closed(editor: *const V_EDITOR, why: Gone) {
 }
 
 /// The window of a handle, if it is open and belongs to the calling thread.
-pub(super) fn opened(editor: *const V_EDITOR) -> Answer<Counted<Opened>> {
+pub(super) fn opened(editor: *const V_EDITOR) -> Answer<TryArc<Opened>> {
     let found = EDITORS.get(editor)?;
     if let Some(&why) = found.gone.get() {
         return Err(gone(why));

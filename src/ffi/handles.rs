@@ -8,7 +8,7 @@
 use std::marker::PhantomData;
 use std::sync::{PoisonError, RwLock};
 
-use super::counted::Counted;
+use super::counted::TryArc;
 use super::status::{Answer, Failure, V_ERR_LIMIT};
 use crate::error::Error;
 
@@ -59,7 +59,7 @@ struct Table<T> {
 
 struct Slot<T> {
     generation: usize,
-    object: Option<Counted<T>>,
+    object: Option<TryArc<T>>,
     next_empty: Option<usize>,
 }
 
@@ -77,7 +77,7 @@ impl<T, C> Handles<T, C> {
 
     /// Creates a handle for an object.
     pub(super) fn insert(&self, object: T) -> Answer<*mut C> {
-        let object = Counted::try_new(object)?;
+        let object = TryArc::try_new(object)?;
         let mut table = self.table.write().unwrap_or_else(PoisonError::into_inner);
         let number = match table.empty {
             Some(number) => number,
@@ -92,7 +92,7 @@ impl<T, C> Handles<T, C> {
 
     /// The object of a handle. Stays alive while the result is held, even if another thread frees
     /// the handle.
-    pub(super) fn get(&self, handle: *const C) -> Answer<Counted<T>> {
+    pub(super) fn get(&self, handle: *const C) -> Answer<TryArc<T>> {
         if handle.is_null() {
             return Err(Failure::Null(NAMES[self.kind].into()));
         }
@@ -103,7 +103,7 @@ impl<T, C> Handles<T, C> {
     }
 
     /// Removes the object and invalidates its handle.
-    pub(super) fn remove(&self, handle: *const C) -> Answer<Counted<T>> {
+    pub(super) fn remove(&self, handle: *const C) -> Answer<TryArc<T>> {
         let mut table = self.table.write().unwrap_or_else(PoisonError::into_inner);
         let number = self.slot_of(handle, &table)?;
         let empty = table.empty;

@@ -15,7 +15,7 @@ use super::status::{Answer, V_ERR_INTERNAL};
 use super::types::{V_ORIENTATION, V_PATH};
 use crate::document::{Document, Edit, Info, no_longer_ahead};
 use crate::error::{Invalid, OutOfRange, Refused};
-use crate::path::{MayOwn, Orientation, Own, Target, Tcb, Up, UpPath, UpVector};
+use crate::path::{Overrides, Orientation, OrientationOverrides, Target, Tcb, Up, UpPath, UpVector};
 
 fn to_c(orientation: &Orientation) -> V_ORIENTATION {
     let (absolute, target) = match orientation.target {
@@ -69,7 +69,7 @@ fn from_c(o: &V_ORIENTATION) -> Answer<Orientation> {
         turning: Tcb::new(o.tension, o.continuity, o.bias),
         speeds: o.speed,
         hold: u32::try_from(o.hold).map_err(|_| OutOfRange::Hold)?,
-        own: MayOwn::default(),
+        own: Overrides::default(),
     })
 }
 
@@ -96,7 +96,7 @@ pub(super) fn change_own(
     path: *mut V_PATH,
     point: c_int,
     at: c_int,
-    set: impl FnOnce(&mut Own),
+    set: impl FnOnce(&mut OrientationOverrides),
 ) -> Answer<c_int> {
     change(path, point, at, |orientation| {
         orientation.own = orientation.own.with(set)?;

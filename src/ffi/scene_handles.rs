@@ -7,7 +7,7 @@ use std::cell::Cell;
 use std::ffi::c_int;
 use std::sync::{RwLock, RwLockReadGuard};
 
-use super::counted::Counted;
+use super::counted::TryArc;
 use super::handles::{Handles, KIND_SCENE};
 use super::scene_types::V_SCENE;
 use super::status::{Answer, Failure, V_ERR_BUSY, V_ERR_INTERNAL, V_OK};
@@ -63,7 +63,7 @@ pub(super) fn within_callback<R>(run: impl FnOnce() -> R) -> R {
     run()
 }
 
-fn lookup(scene: *const V_SCENE) -> Answer<Counted<RwLock<Held>>> {
+fn lookup(scene: *const V_SCENE) -> Answer<TryArc<RwLock<Held>>> {
     let found = SCENES.get(scene)?;
     if CALLBACKS.get() > 0 {
         return Err(BUSY);

@@ -10,7 +10,7 @@ use super::info::Info;
 use super::vid::Comments;
 use crate::error::{Result, vec_with_room};
 use crate::path::{
-    BaseFrames, CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, Own, Plan,
+    BaseFrames, CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, OrientationOverrides, Plan,
     Space, SupportPoint, Tangents, Tcb, UpVector, ZoomMode,
 };
 use vides_engine::property::SameBits;
@@ -414,5 +414,5 @@ fn weigh(points: &[SupportPoint]) -> usize {
         .count();
     size_of_val(points)
         + count_orientations(points) * size_of::<Orientation>()
-        + owned * size_of::<Own>()
+        + owned * size_of::<OrientationOverrides>()
 }

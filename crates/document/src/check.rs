@@ -2,7 +2,7 @@
 
 use glam::{DAffine3, DVec3};
 use vides_engine::scene::{Kind, Mesh, NodeState, Warnings};
-use vides_engine::tools::check::{Against, Finding, check};
+use vides_engine::tools::check::{CheckContext, Finding, check};
 use vides_engine::tools::clearance::Clearance;
 
 use super::editing::Document;
@@ -99,7 +99,7 @@ impl Document {
     /// [`vides_engine::Error::Limit`], [`vides_engine::Error::Memory`].
     pub fn check_against(&self, object: Option<&Clearance>) -> Result<Vec<Finding>> {
         let (info, space) = (self.info(), self.path().space);
-        let against = Against {
+        let against = CheckContext {
             fps: info.fps,
             space: Some(space.into()),
             object,

@@ -204,7 +204,7 @@ pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
             block,
             fit,
             with_targets,
-        } => return put_in(state, block::insert(path, at, &block, fit, with_targets)?),
+        } => return insert_block(state, block::insert(path, at, &block, fit, with_targets)?),
         Edit::Reverse => {
             let count = path.points.len();
             // A closed path still begins at its first point.
@@ -304,7 +304,7 @@ fn exchanged(points: transform::Changed) -> Result<Change> {
     Ok(Change::Several(changes))
 }
 
-fn put_in(state: &State, inserted: block::Inserted) -> Result<Prepared> {
+fn insert_block(state: &State, inserted: block::Inserted) -> Result<Prepared> {
     let block::Inserted {
         at,
         count,
@@ -318,7 +318,7 @@ fn put_in(state: &State, inserted: block::Inserted) -> Result<Prepared> {
     if count > 0 {
         let mut points = vec_with_room(count)?;
         points.extend((at..at + count).map(&mut take));
-        points.iter_mut().for_each(bring_into_form);
+        points.iter_mut().for_each(normalise_point);
         changes.push(Change::InsertPoints {
             at,
             points,
@@ -339,11 +339,11 @@ fn put_in(state: &State, inserted: block::Inserted) -> Result<Prepared> {
 pub(super) fn normalise(path: &mut CameraPath) -> Result<()> {
     path.check()?;
     check_all_orientations(count_orientations(&path.points))?;
-    path.points.iter_mut().for_each(bring_into_form);
+    path.points.iter_mut().for_each(normalise_point);
     Ok(())
 }
 
-fn bring_into_form(point: &mut SupportPoint) {
+fn normalise_point(point: &mut SupportPoint) {
     point.name = point.name.take().filter(|name| !name.is_empty());
     for orientation in &mut point.orientations {
         orientation.roll = wrap_degrees(orientation.roll);
@@ -392,7 +392,7 @@ fn on_curve(state: &State, frame: f64) -> Result<Prepared> {
     check_room(state, 1, 1)?;
     let Insertion { at, path, changed } = insertion::on_curve(&state.path, frame)?;
     let count = 1;
-    put_in(
+    insert_block(
         state,
         block::Inserted {
             at,

@@ -7,7 +7,7 @@ use vides_engine::property::find;
 use crate::editing::{Document, Selection};
 use crate::error::{Error, Refused, Result};
 use crate::info::{Info, Object};
-use crate::path::{CameraPath, CurveParameters, MayOwn, Orientation, Own};
+use crate::path::{CameraPath, CurveParameters, Overrides, Orientation, OrientationOverrides};
 use crate::prepare;
 use crate::vid::{self, PATH_KEYS, POINT_KEYS, view_keys};
 use crate::{Edit, vid::quoted};
@@ -150,8 +150,8 @@ impl Document {
                     let fresh = Orientation::new_in(path.space);
                     if let Some(row) = find(Orientation::PROPERTIES, key) {
                         (row.take)(&mut new, &fresh);
-                    } else if let Some(row) = find(Own::PROPERTIES, key) {
-                        new.own = new.own.with(|own| (row.take)(own, &MayOwn::NOTHING))?;
+                    } else if let Some(row) = find(OrientationOverrides::PROPERTIES, key) {
+                        new.own = new.own.with(|own| (row.take)(own, &Overrides::NOTHING))?;
                     }
                 } else {
                     let text = line(key, value);
@@ -227,7 +227,7 @@ impl Document {
                     return Ok(value.to_string());
                 }
                 if let Some(value) =
-                    find(Own::PROPERTIES, key).and_then(|row| (row.value)(&view.own))
+                    find(OrientationOverrides::PROPERTIES, key).and_then(|row| (row.value)(&view.own))
                 {
                     return Ok(value.to_string());
                 }

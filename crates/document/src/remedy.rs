@@ -10,7 +10,7 @@ use super::edit::Edit;
 use super::editing::Document;
 use crate::error::Result;
 use crate::limits::{MAX_FRAMES, MAX_SPEED, MIN_POINTS, MIN_SPEED, SPEEDS};
-use crate::path::{CameraPath, Change, Orientation, Own, Pace, Tangents, curve};
+use crate::path::{CameraPath, Change, Orientation, OrientationOverrides, Pace, Tangents, curve};
 
 /// A section's frames grow by at most this factor.
 const MOST: f64 = 8.0;
@@ -85,7 +85,7 @@ impl Document {
             FindingKind::Redundant => {
                 if let Some(found) = without(path, point, finding.limit)? {
                     let last = path.points[point - 1].orientations.len() - 1;
-                    let frames = |own: &mut Own| own.frames = found.frames;
+                    let frames = |own: &mut OrientationOverrides| own.frames = found.frames;
                     let begin = owned(path, (point - 1, last), &frames)?;
                     let begin = (found.frames > 0).then_some(begin);
                     let remove = Edit::RemovePoint { at: point };
@@ -235,7 +235,7 @@ fn is_better(kind: FindingKind, before: &[Finding], after: &[Finding]) -> bool {
 }
 
 /// An orientation with something of its own changed.
-fn owned(path: &CameraPath, key: (usize, usize), change: &dyn Fn(&mut Own)) -> Result<Edit> {
+fn owned(path: &CameraPath, key: (usize, usize), change: &dyn Fn(&mut OrientationOverrides)) -> Result<Edit> {
     let (point, at) = key;
     let key = &path.points[point].orientations[at];
     let orientation = Orientation {

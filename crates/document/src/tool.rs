@@ -41,7 +41,7 @@ impl PartialEq for Tool {
 
 /// A tool's input besides its numbers.
 #[derive(Debug, Clone, Default)]
-pub enum Material {
+pub enum ToolInput {
     /// Nothing.
     #[default]
     None,
@@ -180,7 +180,7 @@ impl Tool {
     pub fn edit(
         &self,
         document: &Document,
-        material: &Material,
+        material: &ToolInput,
         numbers: &[f64],
     ) -> Result<Option<Edit>> {
         let own = Parameter::count(self.tables[0]).min(numbers.len());
@@ -188,7 +188,7 @@ impl Tool {
         let half_size = document.path().space.half_size;
         Parameter::numbers(self.tables[0], first, half_size)?;
         Parameter::numbers(self.tables[1], second, half_size)?;
-        let given = Given::new(self, document, numbers);
+        let given = ToolArguments::new(self, document, numbers);
         let path = document.path();
         let block = |block: CameraPath, fit: f64, with_targets| Edit::InsertPath {
             at: document.selection().point,
@@ -205,7 +205,7 @@ impl Tool {
                 let fps = document.info().fps;
                 put(known.path_with_base_frames(first, path.space, fps, path.base_frames)?)
             }
-            (Kind::Draw, Material::Stroke(places)) => {
+            (Kind::Draw, ToolInput::Stroke(places)) => {
                 put(drawn(document, places, given.number("tolerance"))?)
             }
             (Kind::Shift, _) => given.placed(DVec3::ONE, 0.0, given.place("by"))?,
@@ -222,11 +222,11 @@ impl Tool {
                 bounds: Some(cage::bounds(kind, &given.places()?)),
                 with_targets: given.number(SEEN.name) != 0.0,
             },
-            (Kind::Insert, Material::Block(of_file)) => {
+            (Kind::Insert, ToolInput::Block(of_file)) => {
                 let with_targets = given.number(SEEN.name) != 0.0;
                 block(of_file.try_clone()?, given.number("fit"), with_targets)
             }
-            (Kind::Blend, Material::Block(other)) => {
+            (Kind::Blend, ToolInput::Block(other)) => {
                 let weight = given.number("weight");
                 let made = blend(&[path, other], &[1.0 - weight, weight])?;
                 Edit::ReplacePath(Box::new(made))
@@ -245,7 +245,7 @@ impl Tool {
                     frames: chosen(given.number("frames")),
                 }
             }
-            (Kind::Fit, Material::Poses(poses, seconds)) => {
+            (Kind::Fit, ToolInput::Poses(poses, seconds)) => {
                 let tolerance = Tolerance {
                     position: given.number("tolerance"),
                     angle: given.number("angle"),
@@ -265,7 +265,7 @@ impl Tool {
         let Kind::Deform(kind) = self.kind else {
             return None;
         };
-        let given = Given::new(self, document, numbers);
+        let given = ToolArguments::new(self, document, numbers);
         let own = numbers.get(..Parameter::count(self.tables[0]))?;
         let deformation = Deformation::new(kind, own).ok()?;
         let bounds = cage::bounds(kind, &given.places().ok()?);
@@ -277,7 +277,7 @@ impl Tool {
     /// # Errors
     /// `ErrorKind::Range` if there are no such points; `ErrorKind::Memory`.
     pub fn extracted(&self, document: &Document, numbers: &[f64]) -> Result<Document> {
-        let given = Given::new(self, document, numbers);
+        let given = ToolArguments::new(self, document, numbers);
         Document::from_parts(given.extracted()?, document.info().try_clone()?)
     }
 }
@@ -305,7 +305,7 @@ pub(super) fn fitted(
 }
 
 /// A tool's numbers by parameter name.
-struct Given<'a> {
+struct ToolArguments<'a> {
     tool: &'a Tool,
     numbers: &'a [f64],
     document: &'a Document,
@@ -317,7 +317,7 @@ fn chosen(number: f64) -> usize {
     number as usize
 }
 
-impl<'a> Given<'a> {
+impl<'a> ToolArguments<'a> {
     const fn new(tool: &'a Tool, document: &'a Document, numbers: &'a [f64]) -> Self {
         Self {
             tool,

@@ -34,18 +34,18 @@ fn edit(document: &Document, name: &str, set: &[(&str, f64)]) -> Result<Option<E
         }
     }
     let material = match tool.needs() {
-        Needs::Block => Material::Block(Box::default()),
+        Needs::Block => ToolInput::Block(Box::default()),
         Needs::Poses => {
             let sampler = document.sampler().unwrap();
             let mut poses = vec![Pose::default(); sampler.frame_count()];
             sampler.sample(1, &mut poses).unwrap();
-            Material::Poses(poses, None)
+            ToolInput::Poses(poses, None)
         }
         Needs::Stroke => {
             let places = (0..50).map(|step| 0.02 * f64::from(step));
-            Material::Stroke(places.map(|x| DVec3::new(x, x * x, 0.1)).collect())
+            ToolInput::Stroke(places.map(|x| DVec3::new(x, x * x, 0.1)).collect())
         }
-        Needs::Nothing | Needs::Output => Material::None,
+        Needs::Nothing | Needs::Output => ToolInput::None,
     };
     tool.edit(document, &material, &numbers)
 }
@@ -134,7 +134,7 @@ fn a_move_lies_around_the_object_and_goes_on_behind_the_current_point() {
     let document = document();
     let numbers = tool("orbit").defaults(&document).unwrap();
     let Some(Edit::ReplacePath(orbit)) = tool("orbit")
-        .edit(&document, &Material::None, &numbers)
+        .edit(&document, &ToolInput::None, &numbers)
         .unwrap()
     else {
         panic!("no new path");
@@ -210,7 +210,7 @@ fn a_free_form_bends_what_is_flat() {
         for node in 0..64 {
             numbers[3 * node + 1] -= lowered;
         }
-        let edit = tool.edit(&document, &Material::None, &numbers).unwrap();
+        let edit = tool.edit(&document, &ToolInput::None, &numbers).unwrap();
         document.begin_step();
         document.apply(edit.unwrap()).unwrap();
         let way = before - place(&document);

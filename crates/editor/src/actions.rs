@@ -5,16 +5,16 @@ use std::path::PathBuf;
 use egui::Pos2;
 use glam::DVec3;
 
-use crate::document::tool::{Material, Tool};
+use crate::document::tool::{ToolInput, Tool};
 use crate::document::{Edit, Selection, no_longer_ahead};
 use crate::error::Result;
-use crate::files::{Purpose, Then};
+use crate::files::{Purpose, AfterSave};
 use crate::limits::SPEEDS;
 use crate::number::Entry;
 use crate::panels::orientation::OwnedMotion;
 use crate::path::{CameraPath, Target, UpVector, insertion};
 use crate::playing::Pace;
-use crate::selected::Choice;
+use crate::selected::SelectionChange;
 use crate::setup::{CameraPlace, ColourWindow, DisplayWindow, Setup, Theme, View};
 use crate::space::{Camera, Gesture, Joint};
 use crate::state::{Editor, Request};
@@ -69,7 +69,7 @@ pub(super) enum Action {
     /// `Abs.` (true) or `Rel.` (false).
     SetAbsolute(bool),
     /// Take away what the current orientation owns of this.
-    GiveBack(OwnedMotion),
+    ClearOverride(OwnedMotion),
     /// Let the current orientation look along the way.
     LookAhead,
     SetUp(UpVector),
@@ -161,7 +161,7 @@ pub(super) enum Action {
     Gesture(Gesture),
     Select(Selection),
     /// Select several points.
-    Choose(Choice),
+    Choose(SelectionChange),
     /// Move the selected points before this one.
     MoveSelected(usize),
     AimAt(DVec3),
@@ -186,14 +186,14 @@ pub(super) enum Action {
     FileChosen(Purpose, PathBuf),
     /// Discard unsaved work that was found, by its number in the window.
     Discard(usize),
-    SaveBefore(Then),
+    SaveBefore(AfterSave),
     /// Go on, whatever is lost.
-    GoOn(Then),
+    GoOn(AfterSave),
     Reload,
     /// Save under another name, and then go on.
-    SaveAsBefore(Option<Then>),
+    SaveAsBefore(Option<AfterSave>),
     /// Overwrite the file that has changed, and then go on.
-    Overwrite(Option<Then>),
+    Overwrite(Option<AfterSave>),
     /// Show a text in the output field.
     Say(String),
     /// Show what cannot be done in the output field.
@@ -345,7 +345,7 @@ impl Editor {
         }
         let Selection { point, orientation } = self.document.selection();
         match action {
-            Action::Load => self.ask_before(Then::Load),
+            Action::Load => self.ask_before(AfterSave::Load),
             Action::Save => {
                 self.save(None);
             }
@@ -377,7 +377,7 @@ impl Editor {
             }
             Action::OwnTangents(own) => self.set_own_tangents(own),
             Action::Join(joint) => self.join(joint),
-            Action::GiveBack(what) => self.give_back(what),
+            Action::ClearOverride(what) => self.give_back(what),
             Action::AddOrientation => {
                 self.edit(Edit::InsertOrientation {
                     point,
@@ -439,15 +439,15 @@ impl Editor {
             Action::MoveControl { at, place } => self.move_control(at, place),
             Action::DrawOn(at, place) => self.draw_on(at, place),
             Action::EndDrawing { keeps } => self.end_drawing(keeps),
-            Action::Stroke(places) => self.begin_tool_with(Material::Stroke(places)),
+            Action::Stroke(places) => self.begin_tool_with(ToolInput::Stroke(places)),
             Action::EndTool { keeps } => self.end_tool(keeps),
             Action::Curve => windows::open::<CurveWindow>(self, context),
             Action::SpeedCurve => windows::open::<SpeedWindow>(self, context),
             Action::Colours => windows::open::<ColourWindow>(self, context),
             Action::Display => windows::open::<DisplayWindow>(self, context),
             Action::Space => windows::open::<SpaceWindow>(self, context),
-            Action::Recent(number) => self.ask_before(Then::Recent(number)),
-            Action::Restore(number) => self.ask_before(Then::Restore(number)),
+            Action::Recent(number) => self.ask_before(AfterSave::Recent(number)),
+            Action::Restore(number) => self.ask_before(AfterSave::Restore(number)),
             Action::LoadSetup => self.choose_file(Purpose::LoadSetup),
             Action::SaveSetup => self.choose_file(Purpose::SaveSetup),
             Action::Theme(theme) => self.choose_theme(theme),

@@ -9,10 +9,10 @@ use egui::{Context, ViewportCommand};
 
 use crate::actions::Action;
 use crate::document::{Document, Edit, StepName};
-use crate::files::{Purpose, Then, readable, short};
+use crate::files::{Purpose, AfterSave, readable, short};
 use crate::limits::MIN_POINTS;
 use crate::path::Orientation;
-use crate::selected::Choice;
+use crate::selected::SelectionChange;
 use crate::state::Editor;
 use crate::texts::fill;
 use crate::texts::refusals::of_edit;
@@ -117,7 +117,7 @@ impl Editor {
         self.playing.leave();
         let first = self.document.selection().point;
         let count = self.document.path().points.len() - before;
-        self.choose(Choice::These((first..first + count).collect()));
+        self.choose(SelectionChange::These((first..first + count).collect()));
         self.say(fill(texts.points_pasted, &[&count]));
     }
 
@@ -142,7 +142,7 @@ impl Editor {
         let ending = file.extension().unwrap_or_default().to_ascii_lowercase();
         if ending == "vid" {
             self.windows.dropped = Some(file.clone());
-            self.ask_before(Then::Dropped);
+            self.ask_before(AfterSave::Dropped);
         } else if MESHES.iter().any(|known| ending == *known) {
             let chosen = Action::FileChosen(Purpose::LoadObject, file.clone());
             self.act(chosen, context);

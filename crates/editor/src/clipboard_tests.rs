@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use crate::document::{Document, Selection};
 use crate::path::SupportPoint;
-use crate::selected::Choice;
+use crate::selected::SelectionChange;
 use crate::tests::*;
 
 /// What a window has put into the clipboard in its last pass.
@@ -38,7 +38,7 @@ fn fresh() -> Window {
 }
 
 fn choose(window: &mut Window, points: &[usize]) {
-    window.state_mut().choose(Choice::These(points.to_vec()));
+    window.state_mut().choose(SelectionChange::These(points.to_vec()));
     window.run();
 }
 

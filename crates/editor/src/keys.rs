@@ -6,7 +6,7 @@
 use egui::{Context, Event, Id, Key, Modifiers};
 
 use crate::actions::Action;
-use crate::selected::Choice;
+use crate::selected::SelectionChange;
 use crate::texts::Language;
 
 const NONE: Modifiers = Modifiers::NONE;
@@ -30,7 +30,7 @@ pub(super) const SHORTCUTS: &[(Modifiers, Key, Action)] = &[
     (CTRL, Key::K, Action::AddHere),
     (CTRL, Key::I, Action::AskPoints),
     (NONE, Key::Delete, Action::RemovePoint),
-    (CTRL, Key::A, Action::Choose(Choice::All)),
+    (CTRL, Key::A, Action::Choose(SelectionChange::All)),
     (CTRL, Key::PageDown, Action::NextPoint),
     (CTRL, Key::PageUp, Action::PreviousPoint),
     (ALT, Key::Insert, Action::AddOrientation),
@@ -75,7 +75,7 @@ const OF_TEXTS: &[Action] = &[
     Action::Copy,
     Action::Cut,
     Action::Paste,
-    Action::Choose(Choice::All),
+    Action::Choose(SelectionChange::All),
 ];
 
 /// Takes the actions whose keys were pressed out of the input, in their order.

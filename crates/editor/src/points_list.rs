@@ -13,7 +13,7 @@ use crate::actions::Action;
 use crate::document::{Document, Edit, Selection};
 use crate::keys;
 use crate::scene_view;
-use crate::selected::Choice;
+use crate::selected::SelectionChange;
 use crate::state::Editor;
 use crate::texts::fill;
 use crate::theme;
@@ -286,9 +286,9 @@ impl PointsList {
             ui.memory_mut(|memory| memory.request_focus(id()));
             actions.push(
                 match (modifiers.command || modifiers.ctrl, modifiers.shift) {
-                    (true, _) => Action::Choose(Choice::Switch(at.point)),
-                    (_, true) => Action::Choose(Choice::UpTo(at.point)),
-                    _ => Action::Choose(Choice::Only(at)),
+                    (true, _) => Action::Choose(SelectionChange::Switch(at.point)),
+                    (_, true) => Action::Choose(SelectionChange::UpTo(at.point)),
+                    _ => Action::Choose(SelectionChange::Only(at)),
                 },
             );
         }
@@ -382,7 +382,7 @@ fn by_keys(editor: &Editor, ui: &Ui, actions: &mut Vec<Action>) {
         actions.push(Action::NextPoint);
     }
     if editor.several().is_some() && keys::take_escape(ui.ctx()) {
-        actions.push(Action::Choose(Choice::Current));
+        actions.push(Action::Choose(SelectionChange::Current));
     }
 }
 

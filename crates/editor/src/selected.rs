@@ -7,13 +7,13 @@ use glam::DMat4;
 
 use crate::document::{Document, Edit, Selection};
 use crate::error::Result;
-use crate::path::{Orientation, Own, SupportPoint};
+use crate::path::{Orientation, OrientationOverrides, SupportPoint};
 use crate::state::Editor;
 use vides_engine::property::SameBits;
 
 /// Which points to select.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Choice {
+pub(crate) enum SelectionChange {
     /// The current one alone.
     Current,
     /// This one alone, with its orientation; both become current.
@@ -32,18 +32,18 @@ pub(crate) enum Choice {
 pub(crate) struct Selected {
     /// Ascending; empty: the current one alone.
     points: Vec<usize>,
-    of: Of,
+    of: SelectionScope,
 }
 
 /// What a selection holds for: it ends when another point is current or their number changes.
 #[derive(Clone, Debug, Default, PartialEq)]
-struct Of {
+struct SelectionScope {
     current: usize,
     count: usize,
     node: Option<usize>,
 }
 
-impl Of {
+impl SelectionScope {
     fn now(document: &Document) -> Self {
         Self {
             current: document.selection().point,
@@ -56,7 +56,7 @@ impl Of {
 impl Selected {
     /// Forgets a selection that no longer holds.
     pub(crate) fn follow(&mut self, document: &Document) {
-        if !self.points.is_empty() && self.of != Of::now(document) {
+        if !self.points.is_empty() && self.of != SelectionScope::now(document) {
             self.points.clear();
         }
     }
@@ -66,7 +66,7 @@ impl Editor {
     /// The points selected together, ascending; `None` if the current one is alone.
     pub(crate) fn several(&self) -> Option<&[usize]> {
         let selected = &self.selected;
-        let several = selected.points.len() > 1 && selected.of == Of::now(&self.document);
+        let several = selected.points.len() > 1 && selected.of == SelectionScope::now(&self.document);
         several.then_some(&selected.points)
     }
 
@@ -83,22 +83,22 @@ impl Editor {
         several.unwrap_or_else(|| vec![self.document.selection().point])
     }
 
-    pub(crate) fn choose(&mut self, choice: Choice) {
+    pub(crate) fn choose(&mut self, choice: SelectionChange) {
         let current = self.document.selection().point;
         let mut points = self.all_selected();
         match choice {
-            Choice::Current => points = vec![current],
-            Choice::Only(at) => {
+            SelectionChange::Current => points = vec![current],
+            SelectionChange::Only(at) => {
                 self.select(at.point, at.orientation);
                 points = vec![self.document.selection().point];
             }
-            Choice::All => points = (0..self.document.path().points.len()).collect(),
-            Choice::UpTo(to) => points = (current.min(to)..=current.max(to)).collect(),
-            Choice::These(these) => points = these,
-            Choice::Switch(at) if self.is_selected(at) => {
+            SelectionChange::All => points = (0..self.document.path().points.len()).collect(),
+            SelectionChange::UpTo(to) => points = (current.min(to)..=current.max(to)).collect(),
+            SelectionChange::These(these) => points = these,
+            SelectionChange::Switch(at) if self.is_selected(at) => {
                 points.retain(|&other| other != at);
             }
-            Choice::Switch(at) => {
+            SelectionChange::Switch(at) => {
                 points.push(at);
                 self.select(at, 0);
             }
@@ -129,7 +129,7 @@ impl Editor {
     fn keep_selected(&mut self, points: Vec<usize>) {
         self.selected = Selected {
             points,
-            of: Of::now(&self.document),
+            of: SelectionScope::now(&self.document),
         };
     }
 
@@ -268,7 +268,7 @@ fn take_over(into: &mut Orientation, old: &Orientation, new: &Orientation) -> Re
     // Aiming at something ends looking along the path.
     let aims = new.target != old.target && new.own.ahead.is_none();
     into.own = into.own.with(|own| {
-        for row in Own::PROPERTIES {
+        for row in OrientationOverrides::PROPERTIES {
             if row.travels && !(row.same)(&old.own, &new.own) {
                 (row.take)(own, &new.own);
             }

@@ -7,16 +7,16 @@ use crate::clipboard::Copied;
 use crate::document::{Document, Edit, Fingerprint, Selection};
 use crate::error::{Error, Result};
 use crate::files::Folders;
-use crate::files::Then;
+use crate::files::AfterSave;
 use crate::files::recovery::Autosave;
 use crate::host::Warnings;
 use crate::host::pane::HostPane;
-use crate::host::{Program, Standing};
+use crate::host::{Program, PlayheadState};
 use crate::length::Length;
 use crate::number::Entry;
 use crate::obstacles::Obstacles;
 use crate::panels::orientation::with;
-use crate::path::{Orientation, Own, Pose, SupportPoint};
+use crate::path::{Orientation, OrientationOverrides, Pose, SupportPoint};
 use crate::selected::Selected;
 use crate::setup::{Element, Setup};
 use crate::space::Camera;
@@ -104,7 +104,7 @@ pub struct Editor {
     /// The host's camera as it was shown last.
     pub(super) ghost: Option<Pose>,
     /// Where the camera of the picture has flown, and what was shown then.
-    pub(super) flown: Option<(Camera, Standing)>,
+    pub(super) flown: Option<(Camera, PlayheadState)>,
     /// Poses are handed over after each change.
     pub(super) auto_hand_over: bool,
     pub(super) host_pane: Option<HostPane>,
@@ -245,7 +245,7 @@ impl Editor {
         if self.typing {
             self.waiting = Some(Action::Quit);
         } else {
-            self.ask_before(Then::Close);
+            self.ask_before(AfterSave::Close);
         }
     }
 
@@ -379,7 +379,7 @@ impl Editor {
         &self,
         at: Selection,
         current: &Orientation,
-        change: impl FnOnce(&mut Own),
+        change: impl FnOnce(&mut OrientationOverrides),
     ) -> Result<Edit, String> {
         let own = current.own.with(change);
         let own = own.map_err(|error| reason_of(self.language(), &error.into()))?;
@@ -387,7 +387,7 @@ impl Editor {
     }
 
     /// The same for the current orientation, as an action.
-    pub(super) fn own_action(&self, change: impl FnOnce(&mut Own)) -> Option<Action> {
+    pub(super) fn own_action(&self, change: impl FnOnce(&mut OrientationOverrides)) -> Option<Action> {
         let edit = self.with_own(self.document.selection(), self.orientation()?, change);
         Some(edit.map_or_else(Action::Complain, Action::Edit))
     }

@@ -4,12 +4,12 @@ use glam::DVec3;
 
 use super::*;
 use crate::limits;
-use crate::path::{Orientation, Own, Pace, Space, UpVector};
+use crate::path::{Orientation, OrientationOverrides, Pace, Space, UpVector};
 
 /// Every key of the views of a path.
 fn keys() -> Vec<&'static str> {
     let views = Orientation::PROPERTIES.iter().flat_map(|row| row.keys);
-    let own = Own::PROPERTIES.iter().flat_map(|row| row.keys);
+    let own = OrientationOverrides::PROPERTIES.iter().flat_map(|row| row.keys);
     views.chain(own).copied().collect()
 }
 
@@ -19,7 +19,7 @@ fn no_two_fields_have_one_key() {
     let different: HashSet<_> = all.iter().collect();
     assert_eq!(different.len(), all.len());
     assert!(find(Orientation::PROPERTIES, "zoom_mm").is_some());
-    assert!(find(Own::PROPERTIES, "zoom_mm").is_none());
+    assert!(find(OrientationOverrides::PROPERTIES, "zoom_mm").is_none());
 }
 
 #[test]
@@ -80,39 +80,39 @@ fn bounds_hold_and_what_lies_beyond_is_refused() {
 
 #[test]
 fn zeros_of_both_signs_differ() {
-    let mut own = Own::NEW;
+    let mut own = OrientationOverrides::NEW;
     own.ahead = Some(0.0);
     let mut other = own.clone();
     assert!(own.same_bits(&other));
     other.ahead = Some(-0.0);
     assert!(own == other && !own.same_bits(&other));
-    let up = |x| Own {
+    let up = |x| OrientationOverrides {
         up: UpVector::Point(DVec3::new(x, 1.0, 0.0)),
-        ..Own::NEW
+        ..OrientationOverrides::NEW
     };
     assert!(up(0.0) == up(-0.0) && !up(0.0).same_bits(&up(-0.0)));
-    let distance = |x| Own {
+    let distance = |x| OrientationOverrides {
         pace: Pace::Distance([[x, 0.0], [1.0, 1.0]].into()),
-        ..Own::NEW
+        ..OrientationOverrides::NEW
     };
     assert!(distance(0.0) == distance(-0.0) && !distance(0.0).same_bits(&distance(-0.0)));
 }
 
 #[test]
 fn a_copy_keeps_what_holds_anywhere() {
-    let mut own = Own {
+    let mut own = OrientationOverrides {
         ahead: Some(1.0),
         frames: 7,
         locked: true,
         zoom_slope: Some(2.0),
-        ..Own::NEW
+        ..OrientationOverrides::NEW
     };
-    for row in Own::PROPERTIES {
+    for row in OrientationOverrides::PROPERTIES {
         (row.for_a_copy)(&mut own);
     }
-    let expected = Own {
+    let expected = OrientationOverrides {
         ahead: Some(1.0),
-        ..Own::NEW
+        ..OrientationOverrides::NEW
     };
     assert!(own.same_bits(&expected));
 }

@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 
 use super::Reason;
 use super::window::FRAME;
-use crate::editor::{Editor, Standing};
+use crate::editor::{Editor, PlayheadState};
 use crate::path::Pose;
 
 /// A call that takes longer delays the next one by as long as it took.
@@ -22,7 +22,7 @@ const REST: Duration = Duration::from_millis(100);
 const BETWEEN_HAND_OVERS: Duration = Duration::from_millis(100);
 
 #[derive(Debug)]
-pub(super) enum Call {
+pub(super) enum HostEvent {
     /// The camera at the playhead, its frame, and the reason.
     View(Pose, f64, Reason),
     /// The frame of the scene at the playhead, and the reason.
@@ -35,7 +35,7 @@ pub(super) enum Call {
 /// What the host has been told.
 #[derive(Debug, Default)]
 pub(super) struct Live {
-    seen: Option<Standing>,
+    seen: Option<PlayheadState>,
     view: Notified<(Pose, f64)>,
     /// The revision and the frame: after a change the same frame may look different.
     frame: Notified<(u64, f64)>,
@@ -141,7 +141,7 @@ impl Live {
         watches: bool,
         held: bool,
         now: Instant,
-    ) -> Option<Call> {
+    ) -> Option<HostEvent> {
         self.look(editor);
         self.watches = watches;
         let moves = held || editor.is_under_way();
@@ -153,28 +153,28 @@ impl Live {
             self.step = Some(editor.step_number());
             if watches {
                 self.steps.strike(now);
-                return Some(Call::Changed);
+                return Some(HostEvent::Changed);
             }
         }
         // A path that cannot be sampled has no poses; the window says so.
         let view = || editor.view().ok();
         let frame = || Some((editor.document().revision(), editor.frame().ok()?));
         if watches && let Some(((pose, at), reason)) = self.view.next(now, view) {
-            return Some(Call::View(pose, at, reason));
+            return Some(HostEvent::View(pose, at, reason));
         }
         if watches && let Some(((_, at), reason)) = self.frame.next(now, frame) {
-            return Some(Call::Frame(at, reason));
+            return Some(HostEvent::Frame(at, reason));
         }
         if self.owes_poses(editor) && self.next_hand_over.is_none_or(|at| now >= at) {
             self.handed = Some(editor.document().revision());
             self.next_hand_over = Some(now + BETWEEN_HAND_OVERS);
-            return Some(Call::HandOver);
+            return Some(HostEvent::HandOver);
         }
         if let Some((pose, at)) = self.view.at_rest(now, moves, view) {
-            return Some(Call::View(pose, at, Reason::Rested));
+            return Some(HostEvent::View(pose, at, Reason::Rested));
         }
         let (_, at) = self.frame.at_rest(now, moves, frame)?;
-        Some(Call::Frame(at, Reason::Rested))
+        Some(HostEvent::Frame(at, Reason::Rested))
     }
 
     /// Notes what has happened since the last look.

@@ -7,7 +7,7 @@
 
 use std::time::Instant;
 
-use super::live::Call;
+use super::live::HostEvent;
 use super::registry::Lost;
 use super::window::HostRequest;
 use super::{Id, registry};
@@ -86,10 +86,10 @@ fn serve(id: Id) -> bool {
         Some(HostRequest::Live(call)) => {
             let began = Instant::now();
             registry::call(id, |host| match call {
-                Call::View(pose, frame, reason) => host.view(id, &pose, frame, reason),
-                Call::Frame(frame, reason) => host.frame(id, frame, reason),
-                Call::Changed => host.changed(id),
-                Call::HandOver => host.hand_over(id),
+                HostEvent::View(pose, frame, reason) => host.view(id, &pose, frame, reason),
+                HostEvent::Frame(frame, reason) => host.frame(id, frame, reason),
+                HostEvent::Changed => host.changed(id),
+                HostEvent::HandOver => host.hand_over(id),
             });
             registry::work(id, |window, _| window.called(began));
         }

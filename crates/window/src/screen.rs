@@ -6,13 +6,13 @@ use std::time::Instant;
 use egui::{PlatformOutput, RawInput};
 
 use crate::raster::{Area, Target};
-use crate::x11::{News, PanePlace, PaneWindow, Result, Window};
+use crate::x11::{PollResult, PanePlace, PaneWindow, Result, Window};
 
 /// See the methods of [`Window`].
 pub(super) trait Screen {
     fn connection(&self) -> BorrowedFd<'_>;
     fn socket(&self) -> BorrowedFd<'_>;
-    fn poll(&mut self) -> Result<News>;
+    fn poll(&mut self) -> Result<PollResult>;
     fn deadline(&self) -> Option<Instant>;
     fn take_input(&mut self) -> RawInput;
     fn target(&mut self) -> Option<Target<'_>>;
@@ -35,7 +35,7 @@ impl Screen for Window {
         self.socket()
     }
 
-    fn poll(&mut self) -> Result<News> {
+    fn poll(&mut self) -> Result<PollResult> {
         self.poll()
     }
 

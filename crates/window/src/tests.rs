@@ -24,12 +24,12 @@ use crate::document::{Document, Poses};
 use crate::editor::{Editor, Folders, HostView, Language, Options};
 use crate::error::EngineError;
 use crate::raster::{Area, Target};
-use crate::x11::{Error, News, PanePlace, PaneWindow, Result};
+use crate::x11::{Error, PollResult, PanePlace, PaneWindow, Result};
 
 /// What a fake screen does, from outside.
 struct Remote {
     theirs: RefCell<UnixStream>,
-    news: RefCell<VecDeque<News>>,
+    news: RefCell<VecDeque<PollResult>>,
     /// What poll does in the place of giving news.
     fails: Cell<Fails>,
     polls: Cell<usize>,
@@ -61,7 +61,7 @@ enum Fails {
 }
 
 impl Remote {
-    fn send(&self, news: News) {
+    fn send(&self, news: PollResult) {
         self.news.borrow_mut().push_back(news);
         self.theirs.borrow_mut().write_all(b"x").expect("room");
     }
@@ -69,11 +69,11 @@ impl Remote {
     fn hand(&self, event: egui::Event) {
         let motion = matches!(event, egui::Event::PointerMoved(_));
         self.events.borrow_mut().push(event);
-        self.send(News {
+        self.send(PollResult {
             input: !motion,
             motion,
             shown: true,
-            ..News::default()
+            ..PollResult::default()
         });
     }
 
@@ -105,7 +105,7 @@ impl Screen for Fake {
         self.ours.as_fd()
     }
 
-    fn poll(&mut self) -> Result<News> {
+    fn poll(&mut self) -> Result<PollResult> {
         self.remote.polls.set(self.remote.polls.get() + 1);
         let _ = self.ours.read(&mut [0; 64]);
         match self.remote.fails.get() {
@@ -113,10 +113,10 @@ impl Screen for Fake {
             Fails::Gone => return Err(Error::Destroyed),
             Fails::Panics => panic!("on purpose"),
             Fails::Floods => {
-                return Ok(News {
+                return Ok(PollResult {
                     input: true,
                     shown: true,
-                    ..News::default()
+                    ..PollResult::default()
                 });
             }
         }
@@ -258,7 +258,7 @@ impl Host for Calls {
     }
 }
 
-const CLOSE: News = News {
+const CLOSE: PollResult = PollResult {
     close: true,
     input: false,
     motion: false,
@@ -341,9 +341,9 @@ fn settle(windows: &[&Rc<Remote>]) -> Served {
     let mut served = dispatch();
     for _ in 0..100 {
         for remote in windows.iter().filter(|remote| !remote.dropped.get()) {
-            remote.send(News {
+            remote.send(PollResult {
                 shown: true,
-                ..News::default()
+                ..PollResult::default()
             });
         }
         let lost = served.lost.take();
@@ -396,19 +396,19 @@ fn a_callback_may_serve_the_others_and_close_them_and_itself() {
         assert!(within_a_call());
         // Its own input waits, and wakes nobody meanwhile.
         let polls = one_inside.polls.get();
-        one_inside.send(News::default());
-        two_inside.send(News {
+        one_inside.send(PollResult::default());
+        two_inside.send(PollResult {
             input: true,
             shown: true,
-            ..News::default()
+            ..PollResult::default()
         });
         let before = two_inside.polls.get();
         dispatch();
         assert!(two_inside.polls.get() > before);
         assert_eq!(one_inside.polls.get(), polls);
-        two_inside.send(News {
+        two_inside.send(PollResult {
             shown: true,
-            ..News::default()
+            ..PollResult::default()
         });
         dispatch();
         assert!(!readable());

@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 
 use egui::{ClippedPrimitive, Context, FullOutput, ViewportCommand, ViewportId, ViewportOutput};
 
-use super::live::{Call, Live};
+use super::live::{HostEvent, Live};
 use super::screen::Screen;
 use super::{Host, Id};
 use crate::editor::{Editor, Request};
@@ -77,7 +77,7 @@ pub(super) enum HostRequest {
         replace: bool,
     },
     /// It is told what the user does.
-    Live(Call),
+    Live(HostEvent),
     /// It draws in this pane from now on; `None`: the pane is closed.
     Pane(Option<PaneWindow>),
 }
@@ -194,7 +194,7 @@ impl Window {
     fn next_live_call(&mut self, id: Id, host: &Rc<dyn Host>) -> Option<HostRequest> {
         let (watched, now) = (host.watches(), Instant::now());
         let call = self.live.next(&self.editor, watched, self.held, now)?;
-        let ready = !matches!(call, Call::HandOver) || self.make_ready(id, host, false);
+        let ready = !matches!(call, HostEvent::HandOver) || self.make_ready(id, host, false);
         self.called(now);
         ready.then_some(HostRequest::Live(call))
     }

@@ -23,13 +23,13 @@ const CHECKS: u32 = 4;
 const MOST_ANCESTORS: usize = 64;
 
 /// The host's window around ours.
-pub(super) struct Home {
+pub(super) struct EmbedParent {
     parent: u32,
     /// When to check the focus, and how many checks are left.
     check: Option<(Instant, u32)>,
 }
 
-impl Home {
+impl EmbedParent {
     /// Checks the host's window and selects its size changes. Returns its size, too.
     /// `ErrorKind::Argument` if it does not exist or cannot hold ours.
     pub(super) fn enter(connection: &Connection, parent: u32) -> Result<(Self, (u32, u32))> {
@@ -86,7 +86,7 @@ impl Window {
                     && event.response_type & SENT == 0 =>
             {
                 let (new, size) =
-                    Home::enter(connection, event.parent).map_err(|_| Error::Reparented)?;
+                    EmbedParent::enter(connection, event.parent).map_err(|_| Error::Reparented)?;
                 *home = new;
                 size
             }

@@ -73,7 +73,7 @@ pub use connect::without_signals;
 use connection::Connection;
 use cursor::Cursors;
 use drops::Drops;
-use embedded::Home;
+use embedded::EmbedParent;
 pub use error::{Cause, Error, Result};
 use keyboard::Keyboard;
 use pane::Pane;
@@ -114,7 +114,7 @@ pub struct Options {
 
 /// What happened since the last poll, besides input events for egui.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct News {
+pub struct PollResult {
     /// There is input, or the size or scale changed: run egui.
     pub input: bool,
     /// Only the pointer moved: egui may run later and take several motions at once.
@@ -143,7 +143,7 @@ pub struct Window {
     resources: Database,
     /// The XSETTINGS manager's settings.
     settings: Settings,
-    home: Option<Home>,
+    home: Option<EmbedParent>,
     pane: Option<Pane>,
     /// Time and place of a middle click, until egui says whether it was over editable text.
     middle: Option<(u32, Pos2)>,
@@ -162,7 +162,7 @@ pub struct Window {
     /// The server time of the last user action, in milliseconds.
     time: u32,
     events: Vec<egui::Event>,
-    news: News,
+    news: PollResult,
     opened: Instant,
     /// Why the window is gone.
     lost: Option<Error>,
@@ -196,7 +196,7 @@ impl Window {
         let settings = Settings::ask(&connection)?;
         let home = match options.parent {
             None => None,
-            Some(parent) => Some(Home::enter(&connection, parent)?),
+            Some(parent) => Some(EmbedParent::enter(&connection, parent)?),
         };
         let place = home.as_ref().map(|(home, size)| (home.parent(), *size));
         let frame = window::create(&connection, &visual, options, scale, place)?;
@@ -227,9 +227,9 @@ impl Window {
             covered: false,
             time: x11rb::CURRENT_TIME,
             events: Vec::new(),
-            news: News {
+            news: PollResult {
                 input: true,
-                ..News::default()
+                ..PollResult::default()
             },
             opened: Instant::now(),
             lost: None,
@@ -243,7 +243,7 @@ impl Window {
     ///
     /// # Errors
     /// `ErrorKind::Display` if the server or the window is gone.
-    pub fn poll(&mut self) -> Result<News> {
+    pub fn poll(&mut self) -> Result<PollResult> {
         self.alive()?;
         let before = self.events.len();
         let result = self.drain();
@@ -339,8 +339,8 @@ impl Window {
     }
 
     /// The pixels to paint into; `None` while a frame is in flight, the window is not visible or
-    /// waits for a buffer of another size, or the connection is lost. [`News::shown`] or
-    /// [`News::new_buffer`] tells when to ask again.
+    /// waits for a buffer of another size, or the connection is lost. [`PollResult::shown`] or
+    /// [`PollResult::new_buffer`] tells when to ask again.
     pub fn target(&mut self) -> Option<Target<'_>> {
         let fits = self.surface.size() == self.size;
         if !self.visible() || !fits || self.lost.is_some() {

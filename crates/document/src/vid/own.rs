@@ -13,13 +13,13 @@ use crate::path::Space;
 use crate::path::camera_path::check_curve_speed;
 use crate::path::own::distance;
 use crate::path::{
-    Ease, EaseKind, MayOwn, Own, Pace, PacePart, Tangents, TurningPart, Up, UpPath, UpPathPoint,
-    UpVector, Velocities, Whole,
+    Ease, EaseKind, Overrides, OrientationOverrides, Pace, PacePart, Tangents, TurningPart, Up, UpPath, UpPathPoint,
+    UpVector, Velocities, PaceSource,
 };
 use vides_engine::property::find;
 
 #[derive(Default)]
-pub(super) struct SoFar {
+pub(super) struct ReadContext {
     /// Orientations of all points.
     pub orientations: usize,
     /// The path's up paths, which other orientations may refer to.
@@ -28,14 +28,14 @@ pub(super) struct SoFar {
 
 /// Reads fields into what an orientation owns.
 pub(super) struct Reader {
-    before: MayOwn,
-    own: Option<Own>,
+    before: Overrides,
+    own: Option<OrientationOverrides>,
     /// Whether an up, and a pace, has been met.
     given: [bool; 2],
 }
 
 impl Reader {
-    pub(super) fn new(before: MayOwn) -> Self {
+    pub(super) fn new(before: Overrides) -> Self {
         Self {
             before,
             own: None,
@@ -48,12 +48,12 @@ impl Reader {
         &mut self,
         field: Field<'_>,
         space: Space,
-        so_far: &mut SoFar,
+        so_far: &mut ReadContext,
     ) -> Result<bool> {
-        let Some(row) = find(Own::PROPERTIES, field.key) else {
+        let Some(row) = find(OrientationOverrides::PROPERTIES, field.key) else {
             return Ok(false);
         };
-        let own = self.own.get_or_insert_with(|| Own::clone(&self.before));
+        let own = self.own.get_or_insert_with(|| OrientationOverrides::clone(&self.before));
         let [up_given, pace_given] = &mut self.given;
         match row.key() {
             "up" if *up_given => return Err(field.error(Malformed::UpTwice)),
@@ -78,15 +78,15 @@ impl Reader {
         Ok(true)
     }
 
-    pub(super) fn owned(self) -> Result<MayOwn> {
+    pub(super) fn owned(self) -> Result<Overrides> {
         match self.own {
             None => Ok(self.before),
-            Some(read) => Ok(MayOwn::NOTHING.with(|own| *own = read)?),
+            Some(read) => Ok(Overrides::NOTHING.with(|own| *own = read)?),
         }
     }
 }
 
-fn up(field: Field<'_>, so_far: &mut SoFar) -> Result<UpVector> {
+fn up(field: Field<'_>, so_far: &mut ReadContext) -> Result<UpVector> {
     match field.key {
         "up_point" => Ok(UpVector::Point(DVec3::from_array(field.numbers()?))),
         "up_path" if field.is_array() => {
@@ -240,17 +240,17 @@ fn pace_part(table: Field<'_>) -> Result<PacePart> {
                 let (before, after) = (None, None);
                 whole(
                     field,
-                    Whole::Speeds {
+                    PaceSource::Speeds {
                         speeds,
                         before,
                         after,
                     },
                 )?;
             }
-            "ease" => whole(field, Whole::Ease(ease(field)?))?,
+            "ease" => whole(field, PaceSource::Ease(ease(field)?))?,
             "distance" => {
                 if let Pace::Distance(keys) = given_distance(field)? {
-                    whole(field, Whole::Distance(keys))?;
+                    whole(field, PaceSource::Distance(keys))?;
                 }
             }
             _ => {
@@ -270,7 +270,7 @@ fn pace_part(table: Field<'_>) -> Result<PacePart> {
         return Err(table.error(Malformed::PartWithoutWhole));
     };
     match &mut of {
-        Whole::Speeds { before, after, .. } => (*before, *after) = (facing_before, facing_after),
+        PaceSource::Speeds { before, after, .. } => (*before, *after) = (facing_before, facing_after),
         _ if facing_before.or(facing_after).is_some() => {
             return Err(table.error(Malformed::NoneFacing));
         }
@@ -318,14 +318,14 @@ fn write_up<'a>(out: &mut impl Write, up: &'a UpVector, written: &mut UpPaths<'a
 
 pub(super) fn write<'a>(
     out: &mut impl Write,
-    owned: &'a MayOwn,
+    owned: &'a Overrides,
     written: &mut UpPaths<'a>,
 ) -> fmt::Result {
     if owned.is_empty() {
         return Ok(());
     }
-    let own: &Own = owned;
-    for row in Own::PROPERTIES {
+    let own: &OrientationOverrides = owned;
+    for row in OrientationOverrides::PROPERTIES {
         match row.key() {
             "up" => write_up(out, &own.up, written)?,
             "ease" => write_pace(out, &own.pace)?,
@@ -347,7 +347,7 @@ pub(super) fn write<'a>(
                     )?;
                 }
             }
-            _ => plain(out, row, own, &MayOwn::NOTHING)?,
+            _ => plain(out, row, own, &Overrides::NOTHING)?,
         }
     }
     Ok(())
@@ -368,7 +368,7 @@ fn write_pace(out: &mut impl Write, pace: &Pace) -> fmt::Result {
                 part.from, part.to
             )?;
             match &part.of {
-                Whole::Speeds {
+                PaceSource::Speeds {
                     speeds,
                     before,
                     after,
@@ -381,8 +381,8 @@ fn write_pace(out: &mut impl Write, pace: &Pace) -> fmt::Result {
                         write!(out, ", facing_after = {after:?}")?;
                     }
                 }
-                Whole::Ease(ease) => write_ease(out, ease)?,
-                Whole::Distance(keys) => write!(out, "distance = {keys:?}")?,
+                PaceSource::Ease(ease) => write_ease(out, ease)?,
+                PaceSource::Distance(keys) => write!(out, "distance = {keys:?}")?,
             }
             writeln!(out, " }}")
         }

@@ -4,7 +4,7 @@ use glam::DVec3;
 use toml::de::DeTable;
 
 use super::field::{Field, Source, fields};
-use super::own::{self, SoFar};
+use super::own::{self, ReadContext};
 use super::pieces;
 use super::scene_read::{Drafts, MESH_KEYS, take_mesh};
 use super::{OFF_NAME, VERSION, mesh_source};
@@ -14,7 +14,7 @@ use crate::limits;
 use crate::math::orientation::wrap_degrees;
 use crate::path::camera_path::{check_base_speed, check_name};
 use crate::path::{
-    BaseFrames, CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, Own, Space,
+    BaseFrames, CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, OrientationOverrides, Space,
     SupportPoint, Target, Tcb, Up, ZoomMode, space,
 };
 use vides_engine::property::find;
@@ -87,7 +87,7 @@ pub(crate) fn scene_from_toml(text: &str) -> Result<(Scene, Info)> {
 struct Reader {
     path: CameraPath,
     info: Info,
-    so_far: SoFar,
+    so_far: ReadContext,
     /// Which of [`KEYS`] have been met.
     seen: [bool; KEYS.len()],
     scene: Drafts,
@@ -102,7 +102,7 @@ impl Reader {
                 ..CameraPath::default()
             },
             info: Info::default(),
-            so_far: SoFar::default(),
+            so_far: ReadContext::default(),
             seen: [false; KEYS.len()],
             scene: Drafts::default(),
         };
@@ -371,7 +371,7 @@ fn object(table: Field<'_>, space: Space) -> Result<Object> {
 pub(super) fn points(
     array: Field<'_>,
     points: &mut Vec<SupportPoint>,
-    so_far: &mut SoFar,
+    so_far: &mut ReadContext,
     space: Space,
 ) -> Result<()> {
     let elements = array.elements()?;
@@ -390,7 +390,7 @@ pub(super) fn points(
     Ok(())
 }
 
-fn point(table: Field<'_>, space: Space, so_far: &mut SoFar) -> Result<SupportPoint> {
+fn point(table: Field<'_>, space: Space, so_far: &mut ReadContext) -> Result<SupportPoint> {
     // The position first, since targets are checked against it.
     let Some(position) = table.fields()?.find(|field| field.key == "position") else {
         return Err(table.error(Malformed::NoPosition));
@@ -448,7 +448,7 @@ fn orientations(
     array: Field<'_>,
     position: DVec3,
     space: Space,
-    so_far: &mut SoFar,
+    so_far: &mut ReadContext,
 ) -> Result<Vec<Orientation>> {
     let elements = array.elements()?;
     let mut orientations = vec_with_room(elements.len().min(limits::MAX_ORIENTATIONS))?;
@@ -465,7 +465,7 @@ fn orientation(
     table: Field<'_>,
     position: DVec3,
     space: Space,
-    so_far: &mut SoFar,
+    so_far: &mut ReadContext,
 ) -> Result<Orientation> {
     let mut orientation = Orientation::new_in(space);
     read_view(table.fields()?, &mut orientation, position, space, so_far)?;
@@ -478,7 +478,7 @@ fn read_view<'a>(
     into: &mut Orientation,
     position: DVec3,
     space: Space,
-    so_far: &mut SoFar,
+    so_far: &mut ReadContext,
 ) -> Result<()> {
     let mut target_given = false;
     let mut owned = own::Reader::new(into.own.clone());
@@ -513,7 +513,7 @@ fn read_view<'a>(
 /// The keys of an orientation.
 pub(crate) fn view_keys() -> impl Iterator<Item = &'static str> {
     let views = Orientation::PROPERTIES.iter().flat_map(|row| row.keys);
-    let owned = Own::PROPERTIES.iter().flat_map(|row| row.keys);
+    let owned = OrientationOverrides::PROPERTIES.iter().flat_map(|row| row.keys);
     views.chain(owned).copied()
 }
 
@@ -530,7 +530,7 @@ pub(crate) fn change_view(
     let source = Source { text, start: 0 };
     let (root, _) = pieces::parse(source)?;
     let fields = fields(source, &root);
-    read_view(fields, into, position, space, &mut SoFar::default())
+    read_view(fields, into, position, space, &mut ReadContext::default())
 }
 
 /// Reads `key = value` of a point. Its orientations stay.

@@ -4,7 +4,7 @@ use glam::{DQuat, DVec3};
 
 use super::field::{Field, Source, at_line};
 use super::mesh_source;
-use super::own::SoFar;
+use super::own::ReadContext;
 use super::read::{one_line, points, read_setting, space};
 use crate::error::{EngineError, Error, Invalid, Malformed, Place, Result, TooMany, vec_with_room};
 use crate::limits;
@@ -32,12 +32,12 @@ struct Draft {
     node: Node,
     parent: Option<Named>,
     aim: Option<Named>,
-    rest: Rest,
+    rest: Deferred,
 }
 
 /// What is added to a node in its scene, each with its byte offset.
 #[derive(Default)]
-struct Rest {
+struct Deferred {
     offset: usize,
     shapes: Vec<(usize, Shape)>,
     weights: Option<(usize, Vec<f64>)>,
@@ -85,7 +85,7 @@ impl Drafts {
     pub(super) fn nodes(
         &mut self,
         array: Field<'_>,
-        so_far: &mut SoFar,
+        so_far: &mut ReadContext,
         space: Space,
     ) -> Result<()> {
         let elements = array.elements()?;
@@ -218,7 +218,7 @@ const KEYS: [&str; 24] = [
     "track",
 ];
 
-fn draft(table: Field<'_>, so_far: &mut SoFar, space: Space) -> Result<Draft> {
+fn draft(table: Field<'_>, so_far: &mut ReadContext, space: Space) -> Result<Draft> {
     let Some(name) = table.find("name")? else {
         return Err(table.error(Malformed::NoName));
     };
@@ -227,9 +227,9 @@ fn draft(table: Field<'_>, so_far: &mut SoFar, space: Space) -> Result<Draft> {
         node: Node::new(&name, kind(table)?),
         parent: None,
         aim: None,
-        rest: Rest {
+        rest: Deferred {
             offset: table.offset(),
-            ..Rest::default()
+            ..Deferred::default()
         },
     };
     let (node, added) = (&mut draft.node, &mut draft.rest);
@@ -488,7 +488,7 @@ fn deformation(table: Field<'_>) -> Result<(Deformation, Option<Bounds>)> {
 
 fn path(
     table: Field<'_>,
-    so_far: &mut SoFar,
+    so_far: &mut ReadContext,
     pins: &mut Vec<(usize, usize, String)>,
     space: Space,
 ) -> Result<FollowPath> {

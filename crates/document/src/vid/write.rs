@@ -266,7 +266,7 @@ mod tests {
     use crate::path::Tcb;
     use crate::path::Up;
     use crate::path::{
-        MayOwn, Own, Pace, PacePart, Tangents, TurningPart, UpVector, Velocities, Whole,
+        Overrides, OrientationOverrides, Pace, PacePart, Tangents, TurningPart, UpVector, Velocities, PaceSource,
     };
     use glam::{DQuat, DVec3};
 
@@ -280,12 +280,12 @@ mod tests {
     }
 
     /// Everything that an orientation may own, each of it as long as can be.
-    fn largest_own(number: f64) -> MayOwn {
+    fn largest_own(number: f64) -> Overrides {
         let vector = DVec3::splat(number);
-        let own = MayOwn::default().with(|own| {
-            *own = Own {
+        let own = Overrides::default().with(|own| {
+            *own = OrientationOverrides {
                 pace: Pace::Part(PacePart {
-                    of: Whole::Distance(vec![[number; 2]; limits::MAX_DISTANCE_KEYS].into()),
+                    of: PaceSource::Distance(vec![[number; 2]; limits::MAX_DISTANCE_KEYS].into()),
                     from: number,
                     to: number,
                 }),

@@ -29,7 +29,7 @@ pub(crate) use recovery_window::RecoveryWindow;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
-use crate::document::tool::Material;
+use crate::document::tool::ToolInput;
 use crate::document::{Document, Edit, Fingerprint, export, load_object, load_poses, save};
 use crate::error::{EngineError, Error, Result, TooMany};
 use crate::host::Warnings;
@@ -43,7 +43,7 @@ use crate::texts::refusals::reason_of;
 pub(crate) enum Purpose {
     LoadPath,
     /// And what is to be done after that.
-    SavePath(Option<Then>),
+    SavePath(Option<AfterSave>),
     /// A mesh or a point cloud to be shown.
     LoadObject,
     Export,
@@ -59,7 +59,7 @@ pub(crate) enum Purpose {
 
 /// What waits until unsaved work is saved or given up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Then {
+pub(crate) enum AfterSave {
     Close,
     Load,
     /// A recent file is loaded, by its number.
@@ -76,7 +76,7 @@ impl Editor {
     }
 
     /// Asks about unsaved work, if there is any, and goes on.
-    pub(crate) fn ask_before(&mut self, then: Then) {
+    pub(crate) fn ask_before(&mut self, then: AfterSave) {
         if self.is_unsaved() {
             self.windows.files = None;
             self.windows.question = Some(Question::unsaved(then));
@@ -86,24 +86,24 @@ impl Editor {
     }
 
     /// Does what waited: nothing is lost any more, or it is given up.
-    pub(crate) fn go_on(&mut self, then: Then) {
+    pub(crate) fn go_on(&mut self, then: AfterSave) {
         match then {
-            Then::Close => self.requests.push(Request::Close),
-            Then::Load => self.choose_file(Purpose::LoadPath),
-            Then::Recent(number) => {
+            AfterSave::Close => self.requests.push(Request::Close),
+            AfterSave::Load => self.choose_file(Purpose::LoadPath),
+            AfterSave::Recent(number) => {
                 if let Some(file) = self.recent.get(number).cloned()
                     && let Err(text) = self.load_path(&file)
                 {
                     self.complain(text);
                 }
             }
-            Then::Dropped => self.load_dropped(),
-            Then::Restore(number) => self.restore_found(number),
+            AfterSave::Dropped => self.load_dropped(),
+            AfterSave::Restore(number) => self.restore_found(number),
         }
     }
 
     /// Saves under the known name, or asks for one; then goes on. Asks if the file was changed.
-    pub(crate) fn save(&mut self, then: Option<Then>) {
+    pub(crate) fn save(&mut self, then: Option<AfterSave>) {
         let Some(file) = self.file.clone() else {
             self.choose_file(Purpose::SavePath(then));
             return;
@@ -153,7 +153,7 @@ impl Editor {
     }
 
     /// Saves under the known name, whatever is there; then goes on.
-    pub(crate) fn overwrite(&mut self, then: Option<Then>) {
+    pub(crate) fn overwrite(&mut self, then: Option<AfterSave>) {
         let Some(file) = self.file.clone() else {
             return;
         };
@@ -278,13 +278,13 @@ impl Editor {
         let read = if purpose == Purpose::LoadBlock {
             Document::load(file).map(|of_file| {
                 let (path, _) = of_file.into_parts();
-                Material::Block(Box::new(path))
+                ToolInput::Block(Box::new(path))
             })
         } else {
             load_poses(file).map(|(poses, frames, _)| {
                 let fps = self.document.info().fps;
                 let seconds = |all: Vec<f64>| all.iter().map(|frame| frame / fps).collect();
-                Material::Poses(poses, frames.map(seconds))
+                ToolInput::Poses(poses, frames.map(seconds))
             })
         };
         let material =

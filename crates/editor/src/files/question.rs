@@ -3,7 +3,7 @@
 use egui::{Button, vec2};
 
 use crate::actions::Action;
-use crate::files::{Then, short};
+use crate::files::{AfterSave, short};
 use crate::keys;
 use crate::state::Editor;
 use crate::texts::fill;
@@ -17,8 +17,8 @@ pub(crate) struct Question {
 
 #[derive(Clone, Copy, Debug)]
 enum About {
-    Unsaved(Then),
-    Changed(Option<Then>),
+    Unsaved(AfterSave),
+    Changed(Option<AfterSave>),
     /// Another program has written the file.
     Newer,
 }
@@ -37,13 +37,13 @@ struct Parts {
 
 impl Question {
     /// Unsaved work would be lost.
-    pub(crate) fn unsaved(then: Then) -> Self {
+    pub(crate) fn unsaved(then: AfterSave) -> Self {
         let about = About::Unsaved(then);
         Self { about, fresh: true }
     }
 
     /// The file would be overwritten.
-    pub(crate) fn changed(then: Option<Then>) -> Self {
+    pub(crate) fn changed(then: Option<AfterSave>) -> Self {
         let about = About::Changed(then);
         Self { about, fresh: true }
     }
@@ -75,9 +75,9 @@ impl Question {
         Some(match self.about {
             About::Unsaved(then) => {
                 let text = match then {
-                    Then::Close => texts.before_close,
-                    Then::Load | Then::Recent(_) | Then::Dropped => texts.before_load,
-                    Then::Restore(_) => texts.before_restore,
+                    AfterSave::Close => texts.before_close,
+                    AfterSave::Load | AfterSave::Recent(_) | AfterSave::Dropped => texts.before_load,
+                    AfterSave::Restore(_) => texts.before_restore,
                 };
                 let name = name.unwrap_or_else(|| texts.this_path.to_owned());
                 let (save, discard) = (Action::SaveBefore(then), Action::GoOn(then));

@@ -18,7 +18,7 @@ use crate::actions::Action;
 use crate::document::{Edit, Object, Selection};
 use crate::error::{EngineError, OutOfRange, Refused, Result};
 use crate::math::{orientation, view::View};
-use crate::path::{Change, MayOwn, Orientation, Pose, Space, Target};
+use crate::path::{Change, Overrides, Orientation, Pose, Space, Target};
 use crate::space::Camera;
 use crate::state::{Editor, Reason, Request};
 use crate::texts::fill;
@@ -29,7 +29,7 @@ const TARGET: f64 = 0.4;
 
 /// Where the playhead stands in which path: while this is equal, the host has nothing new to learn.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Standing {
+pub struct PlayheadState {
     revision: u64,
     selection: Selection,
     frame: Option<f64>,
@@ -37,7 +37,7 @@ pub struct Standing {
     scrubbed: bool,
 }
 
-impl Standing {
+impl PlayheadState {
     /// What led here from `before`.
     pub fn reason(&self, before: &Self) -> Reason {
         if self.plays || before.plays {
@@ -54,8 +54,8 @@ impl Standing {
 
 impl Editor {
     /// Where the playhead stands.
-    pub fn standing(&self) -> Standing {
-        Standing {
+    pub fn standing(&self) -> PlayheadState {
+        PlayheadState {
             revision: self.document.revision(),
             selection: self.document.selection(),
             frame: self.playing.frame(),
@@ -334,7 +334,7 @@ fn seen_by(pose: &Pose, space: Space, other: &Orientation) -> Orientation {
         target,
         roll: orientation::wrap_degrees(roll.to_degrees()),
         zoom: pose.zoom,
-        own: MayOwn::default(),
+        own: Overrides::default(),
         ..other.clone()
     }
 }

@@ -13,7 +13,7 @@ use crate::document::StepName;
 use crate::document::tool::{self, Needs};
 use crate::keys;
 use crate::limits::MIN_POINTS;
-use crate::selected::Choice;
+use crate::selected::SelectionChange;
 use crate::setup::Theme;
 use crate::state::Editor;
 use crate::texts::{Language, Texts, fill};
@@ -195,7 +195,7 @@ fn edit(editor: &Editor) -> Vec<Entry> {
         Entry::new(
             editor.texts().space.all_points,
             hints.select_all,
-            Action::Choose(Choice::All),
+            Action::Choose(SelectionChange::All),
         ),
         Entry::new(
             texts.add_orientation,

@@ -11,7 +11,7 @@ use crate::error::Result;
 use crate::limits::MAX_HOLD;
 use crate::math::rotation_minimising::turned;
 use crate::number::Number;
-use crate::path::{CameraPath, Orientation, Own, Target, Up, UpVector, ahead};
+use crate::path::{CameraPath, Orientation, OrientationOverrides, Target, Up, UpVector, ahead};
 use crate::playing::playhead::Shown;
 use crate::state::Editor;
 use crate::texts::fill;
@@ -245,7 +245,7 @@ pub(super) fn own(
         OwnedMotion::Turning => (texts.own_turning, texts.own_turning_hint),
         OwnedMotion::Zoom => (texts.own_slope, texts.own_slope_hint),
     };
-    let button = PanelButton::new(text, hint, Action::GiveBack(what)).chosen(true);
+    let button = PanelButton::new(text, hint, Action::ClearOverride(what)).chosen(true);
     button.show(editor, ui, width, actions);
 }
 
@@ -264,7 +264,7 @@ impl Editor {
         let path = self.document.path();
         let here = self.document.selection();
         let mut edits = Vec::new();
-        let mut change = |at: Selection, change: &dyn Fn(&mut Own)| -> Result<()> {
+        let mut change = |at: Selection, change: &dyn Fn(&mut OrientationOverrides)| -> Result<()> {
             let points = path.points.get(at.point);
             let key = points.and_then(|point| point.orientations.get(at.orientation));
             let Some(key) = key else { return Ok(()) };

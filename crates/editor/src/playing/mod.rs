@@ -23,7 +23,7 @@ use crate::document::{Document, Selection};
 use crate::error::Result;
 use crate::number::Entry;
 use crate::path::{Change, Timeline};
-use crate::selected::Choice;
+use crate::selected::SelectionChange;
 use crate::setup::Element;
 use crate::space::Camera;
 use crate::state::Editor;
@@ -515,8 +515,8 @@ fn scrub_by_mouse(
             let choice = snapped
                 .filter(|_| response.clicked())
                 .map(|mark| match held.ctrl {
-                    true => Choice::Switch(mark.point),
-                    false => Choice::UpTo(mark.point),
+                    true => SelectionChange::Switch(mark.point),
+                    false => SelectionChange::UpTo(mark.point),
                 });
             actions.extend(choice.map(Action::Choose));
             return;

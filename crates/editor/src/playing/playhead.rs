@@ -9,7 +9,7 @@ use crate::document::{Document, Edit, Info, Selection};
 use crate::math::orientation;
 use crate::math::rotation_minimising::signed_angle;
 use crate::number::Entry;
-use crate::path::{MayOwn, Orientation, Space, Target, UpVector};
+use crate::path::{Overrides, Orientation, Space, Target, UpVector};
 use crate::space::Camera;
 use crate::state::Editor;
 
@@ -22,7 +22,7 @@ pub(super) struct Between {
     revision: u64,
     frame: f64,
     roll: f64,
-    own: MayOwn,
+    own: Overrides,
 }
 
 /// What the panels show and change.
@@ -127,7 +127,7 @@ impl Editor {
         at: Selection,
         missing: Missing,
         orientation: &Orientation,
-    ) -> Option<(f64, MayOwn)> {
+    ) -> Option<(f64, Overrides)> {
         let known =
             |found: &&Between| (found.revision, found.frame) == (self.document.revision(), frame);
         if let Some(found) = self.playing.between.as_ref().filter(known) {

@@ -34,14 +34,14 @@ const SNAP_ROLL: f64 = 15.0;
 
 /// The coordinates in which something moves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Freedom {
+pub(super) struct DragConstraint {
     /// The axis across the plane in which it moves.
     pub(super) fixed: Axis,
     /// The only axis of that plane along which it moves, if any.
     pub(super) along: Option<Axis>,
 }
 
-impl Freedom {
+impl DragConstraint {
     /// The plane of a button (thesis A.3.1), or the plane seen best if that one is edge-on.
     pub(super) fn of_button(projection: &Projection, button: Axis) -> Self {
         let fixed = if projection.share_seen(button) < EDGE_ON {
@@ -70,7 +70,7 @@ impl Freedom {
 
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Motion {
-    pub(super) freedom: Freedom,
+    pub(super) freedom: DragConstraint,
     pub(super) snaps: bool,
     /// The pointer, or where fine dragging takes it to be.
     pub(super) pointer: DVec2,
@@ -331,7 +331,7 @@ mod tests {
         document
     }
 
-    fn motion(freedom: Freedom, snaps: bool, pointer: DVec2) -> Motion {
+    fn motion(freedom: DragConstraint, snaps: bool, pointer: DVec2) -> Motion {
         Motion {
             freedom,
             snaps,
@@ -375,7 +375,7 @@ mod tests {
         ) {
             let projection = Projection::new(&view, viewport());
             let wanted = Axis::ALL[axis];
-            let freedom = Freedom::of_button(&projection, wanted);
+            let freedom = DragConstraint::of_button(&projection, wanted);
             let axis = freedom.fixed.index();
             let mut document = document(&[from, -from], Target::Relative(DVec3::X));
             match outcome(&document, &projection, Handle::Point(0), &motion(freedom, false, pointer)) {
@@ -406,7 +406,7 @@ mod tests {
         ) {
             let projection = Projection::new(&view, viewport());
             let kept = Axis::ALL[axis];
-            let freedom = Freedom::of_key(&projection, kept);
+            let freedom = DragConstraint::of_key(&projection, kept);
             let mut document = document(&[from, -from], Target::Relative(DVec3::X));
             let Outcome::Edit(edit) =
                 outcome(&document, &projection, Handle::Point(0), &motion(freedom, false, pointer))
@@ -438,7 +438,7 @@ mod tests {
             view in view(), from in in_cube(), axis in 0..3usize, pointer in pointer(),
         ) {
             let projection = Projection::new(&view, viewport());
-            let freedom = Freedom::of_button(&projection, Axis::ALL[axis]);
+            let freedom = DragConstraint::of_button(&projection, Axis::ALL[axis]);
             let mut document = document(&[from, -from], Target::Relative(DVec3::X));
             let held = Handle::Point(0);
             let Outcome::Edit(edit) =
@@ -462,7 +462,7 @@ mod tests {
             absolute: bool, pointer in pointer(),
         ) {
             let projection = Projection::new(&view, viewport());
-            let freedom = Freedom::of_button(&projection, Axis::ALL[axis]);
+            let freedom = DragConstraint::of_button(&projection, Axis::ALL[axis]);
             let (fixed, axis) = (freedom.fixed, freedom.fixed.index());
             let target = if absolute { Target::Absolute(target) } else { Target::Relative(target) };
             let mut document = document(&[at, -at], target);
@@ -492,7 +492,7 @@ mod tests {
             let projection = Projection::new(&view, viewport());
             let mut document = document(&[at, -at], Target::Relative(target));
             let direction = orientation::unit(target);
-            let freedom = Freedom::of_button(&projection, Axis::X);
+            let freedom = DragConstraint::of_button(&projection, Axis::X);
             match outcome(&document, &projection, Handle::Vup, &motion(freedom, false, pointer)) {
                 Outcome::Edit(edit) => {
                     document.apply(edit).unwrap();
@@ -600,7 +600,7 @@ mod tests {
                 let foot = projection.image(document.path().points[point].position);
                 for step in 0..12 {
                     let way = DVec2::from_angle(f64::from(30 * step).to_radians()) * 80.0;
-                    let freedom = Freedom::of_button(&projection, Axis::X);
+                    let freedom = DragConstraint::of_button(&projection, Axis::X);
                     let held = Handle::Vup;
                     let Outcome::Edit(edit) = outcome(
                         &document,
@@ -640,7 +640,7 @@ mod tests {
         let document = document(&[DVec3::X, DVec3::Y], Target::Relative(DVec3::X));
         let projection = Projection::new(&crate::setup::View::default(), viewport());
         let held = Handle::Point(7);
-        let freedom = Freedom::of_button(&projection, Axis::X);
+        let freedom = DragConstraint::of_button(&projection, Axis::X);
         let found = outcome(
             &document,
             &projection,

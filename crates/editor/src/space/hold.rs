@@ -3,14 +3,14 @@
 use egui::{PointerButton, Pos2, Rect};
 use glam::{DVec2, DVec3};
 
-use super::drag::{self, Freedom, Handle, Motion, Outcome};
+use super::drag::{self, DragConstraint, Handle, Motion, Outcome};
 use super::gesture::Gesture;
 use super::projection::{from_pos, scale};
 use super::projection_of;
 use super::tangents::{self, Joint};
 use super::typed::Typed;
 use crate::actions::Action;
-use crate::selected::Choice;
+use crate::selected::SelectionChange;
 use crate::setup::View;
 use crate::state::Editor;
 
@@ -18,14 +18,14 @@ use crate::state::Editor;
 const TURN: f64 = 0.35;
 
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Hold {
+pub(super) struct PointerPress {
     pub(super) button: PointerButton,
     pub(super) pressed: Pos2,
     pub(super) now: Pos2,
     pub(super) what: Option<Handle>,
     /// Where that was at first.
     pub(super) from: DVec3,
-    pub(super) freedom: Freedom,
+    pub(super) freedom: DragConstraint,
     /// From the pointer to where fine dragging takes it to be.
     pub(super) lag: DVec2,
     pub(super) snaps: bool,
@@ -42,7 +42,7 @@ pub(super) struct Hold {
     pub(super) moved: bool,
 }
 
-impl Hold {
+impl PointerPress {
     /// Whether a control point of a tool's box is held; the tool's step is open already.
     pub(super) fn controls(&self) -> bool {
         matches!(self.what, Some(Handle::Control(_)))
@@ -101,7 +101,7 @@ impl Hold {
     }
 
     /// The points within the drawn box, and those selected before if it adds.
-    pub(super) fn points_within(&self, editor: &Editor, viewport: Rect) -> Choice {
+    pub(super) fn points_within(&self, editor: &Editor, viewport: Rect) -> SelectionChange {
         let drawn = Rect::from_two_pos(self.pressed, self.now);
         let projection = projection_of(editor, viewport);
         let points = editor.document.path().points.iter().enumerate();
@@ -111,9 +111,9 @@ impl Hold {
             found.extend(editor.all_selected());
         }
         if found.is_empty() {
-            return Choice::Current;
+            return SelectionChange::Current;
         }
-        Choice::These(found)
+        SelectionChange::These(found)
     }
 }
 

@@ -8,7 +8,7 @@ use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, pos2, ve
 use glam::{DVec2, DVec3};
 
 use super::cameras::Camera;
-use super::drag::{Freedom, Handle, VUP_LENGTH};
+use super::drag::{DragConstraint, Handle, VUP_LENGTH};
 use super::picking::Tips;
 use super::projection::{Axis, from_pos, to_pos};
 use super::scene::{Look, THIN};
@@ -118,7 +118,7 @@ fn arrow(
 }
 
 /// Guides of a drag, out to the cube: the plane's border and axes, or the one line of the motion.
-pub(super) fn guides(look: &Look<'_>, through: DVec3, freedom: Freedom) -> Lines {
+pub(super) fn guides(look: &Look<'_>, through: DVec3, freedom: DragConstraint) -> Lines {
     let mut strokes = Strokes::new(look.projection, look.viewport);
     // Out to the point, if that lies outside.
     let space = look.projection.space();
@@ -200,7 +200,7 @@ pub(super) fn drawn_box(painter: &Painter, look: &Look<'_>, drawn: Rect) {
 }
 
 /// The plane of a drag, faintly filled.
-pub(super) fn plane(painter: &Painter, look: &Look<'_>, through: DVec3, freedom: Freedom) {
+pub(super) fn plane(painter: &Painter, look: &Look<'_>, through: DVec3, freedom: DragConstraint) {
     let Some(color) = look.of(Element::Plane).filter(|_| freedom.along.is_none()) else {
         return;
     };
@@ -627,7 +627,7 @@ mod tests {
         let look = eye.look();
         let through = DVec3::new(0.2, -0.1, 0.3);
         for axis in Axis::ALL {
-            let freedom = |along| Freedom {
+            let freedom = |along| DragConstraint {
                 fixed: Axis::Y,
                 along,
             };

@@ -3,10 +3,10 @@
 use egui::{Context, CursorIcon, Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Rect};
 use glam::{DVec2, DVec3};
 
-use super::drag::{Freedom, Handle};
+use super::drag::{DragConstraint, Handle};
 use super::drawing::{self, Drawing};
 use super::gesture::Gesture;
-use super::hold::{Hold, place_held};
+use super::hold::{PointerPress, place_held};
 use super::keyboard::{self, NUDGES};
 use super::picking;
 use super::projection::{Axis, Projection, from_pos, scale};
@@ -16,7 +16,7 @@ use super::transform::{self, Kind, Next, Transform};
 use super::typed::Typed;
 use crate::actions::Action;
 use crate::keys;
-use crate::selected::Choice;
+use crate::selected::SelectionChange;
 use crate::setup::View;
 use crate::state::Editor;
 use crate::texts::{Texts, fill};
@@ -33,7 +33,7 @@ pub(super) const WHEEL: f64 = 1.1;
 
 #[derive(Debug, Default)]
 pub(super) struct PointerController {
-    hold: Option<Box<Hold>>,
+    hold: Option<Box<PointerPress>>,
     /// What was typed since the button went down.
     typed: Typed,
     /// Keys that move something are down; a step of the document is open.
@@ -93,7 +93,7 @@ impl PointerController {
     }
 
     /// What is dragged, and in which coordinates.
-    pub(super) fn dragged(&self) -> Option<(Handle, Freedom)> {
+    pub(super) fn dragged(&self) -> Option<(Handle, DragConstraint)> {
         let hold = self.hold.as_deref().filter(|hold| hold.moved)?;
         Some((hold.what?, hold.freedom))
     }
@@ -142,7 +142,7 @@ impl PointerController {
             (None, Some(Handle::Vup)) if !self.is_busy() => Some(texts.roll_hint.to_owned()),
             (None, Some(what)) if !self.is_busy() => {
                 let [left, middle, right] =
-                    PLANES.map(|(_, axis)| Freedom::of_button(projection, axis).fixed.letter());
+                    PLANES.map(|(_, axis)| DragConstraint::of_button(projection, axis).fixed.letter());
                 let hint = fill(texts.drag_hint, &[&left, &middle, &right]);
                 Some(of_tangent(what, hint))
             }
@@ -306,7 +306,7 @@ impl PointerController {
                 pressed: true,
                 ..
             } if self.hold.is_none() && surface.keyboard && editor.several().is_some() => {
-                actions.push(Action::Choose(Choice::Current));
+                actions.push(Action::Choose(SelectionChange::Current));
                 keys::consume_escape(surface.context);
             }
             Event::Key {
@@ -336,7 +336,7 @@ impl PointerController {
                     )
                 {
                     let projection = projection_of(editor, surface.viewport);
-                    hold.freedom = Freedom::of_key(&projection, kept);
+                    hold.freedom = DragConstraint::of_key(&projection, kept);
                     let now = hold.now;
                     self.motion(editor, surface, now, actions);
                 } else if surface.keyboard
@@ -403,8 +403,8 @@ impl PointerController {
             return;
         }
         let freedom = match held {
-            Some(kept) if left => Freedom::of_key(&projection, kept),
-            _ => Freedom::of_button(&projection, plane),
+            Some(kept) if left => DragConstraint::of_key(&projection, kept),
+            _ => DragConstraint::of_button(&projection, plane),
         };
         let what = handle_at(editor, &projection, pos, left && held.is_none());
         let plain = left && what.is_none() && modifiers.is_none();
@@ -421,7 +421,7 @@ impl PointerController {
         }
         let boxes = what.is_none() && left && modifiers.ctrl;
         self.typed = Typed::default();
-        self.hold = Some(Box::new(Hold {
+        self.hold = Some(Box::new(PointerPress {
             button,
             pressed: pos,
             now: pos,
@@ -501,9 +501,9 @@ impl PointerController {
                     place: hold.from,
                 }),
                 // A click selects one more or one less, or the current one alone.
-                Some(Handle::Point(at)) if hold.adds => Some(Action::Choose(Choice::Switch(at))),
+                Some(Handle::Point(at)) if hold.adds => Some(Action::Choose(SelectionChange::Switch(at))),
                 Some(Handle::Point(_)) | None if !hold.adds && !hold.boxes => {
-                    Some(Action::Choose(Choice::Current))
+                    Some(Action::Choose(SelectionChange::Current))
                 }
                 _ => None,
             });

@@ -11,7 +11,7 @@ use super::tests::{
 use super::*;
 use crate::path::CurveParameters;
 use crate::screenshots::screenshot;
-use crate::selected::Choice;
+use crate::selected::SelectionChange;
 use crate::setup::Theme;
 use crate::texts::{Language, fill};
 
@@ -42,7 +42,7 @@ fn current(harness: &Window<'_>) -> usize {
 
 fn choose(harness: &mut Window<'_>, points: &[usize]) {
     let context = harness.ctx.clone();
-    let choice = Choice::These(points.to_vec());
+    let choice = SelectionChange::These(points.to_vec());
     harness.state_mut().act(Action::Choose(choice), &context);
     harness.step();
 }

@@ -139,7 +139,7 @@ fn several_points_own_their_tangents_at_once() {
         let mut harness = at_point(language);
         let (before, flight) = (text(&harness), places(&harness));
         let context = harness.ctx.clone();
-        let all = Action::Choose(crate::selected::Choice::All);
+        let all = Action::Choose(crate::selected::SelectionChange::All);
         harness.state_mut().act(all, &context);
         choose(&mut harness, texts.tangents, texts.own_tangents);
         let all = |harness: &Window| -> Vec<Option<Tangents>> {

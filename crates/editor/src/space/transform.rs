@@ -4,7 +4,7 @@
 use egui::{Event, Key, Modifiers, PointerButton};
 use glam::{DMat4, DVec2, DVec3};
 
-use super::drag::{Freedom, Handle, SNAP};
+use super::drag::{DragConstraint, Handle, SNAP};
 use super::gesture::Gesture;
 use super::overlay;
 use super::pointer::{FINE, PointerContext, axis_of};
@@ -310,7 +310,7 @@ impl Transform {
     }
 
     /// Where its guides lead through, and along which axis or in which plane.
-    pub(super) fn guides(&self, editor: &Editor, projection: &Projection) -> (DVec3, Freedom) {
+    pub(super) fn guides(&self, editor: &Editor, projection: &Projection) -> (DVec3, DragConstraint) {
         let through = match self.kind {
             Kind::Move => editor.point().map_or(self.middle, |point| point.position),
             _ => self.middle,
@@ -320,7 +320,7 @@ impl Transform {
             _ => self.axis,
         };
         let fixed = projection.facing();
-        (through, Freedom { fixed, along })
+        (through, DragConstraint { fixed, along })
     }
 }
 

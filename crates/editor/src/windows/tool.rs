@@ -13,7 +13,7 @@ use glam::DVec3;
 
 use super::{name_cross, row_at_right, sub_window_as};
 use crate::actions::Action;
-use crate::document::tool::{Cage, Material, Needs, Tool};
+use crate::document::tool::{Cage, ToolInput, Needs, Tool};
 use crate::document::{Document, Selection, StepName};
 use crate::error::{EngineError, Error, OutOfRange, Result};
 use crate::files::Purpose;
@@ -36,7 +36,7 @@ const POSES: usize = 2_000;
 #[derive(Debug)]
 pub(crate) struct ToolWindow {
     tool: Tool,
-    material: Material,
+    material: ToolInput,
     numbers: Vec<f64>,
     /// The numbers before one of them is dragged.
     before: Option<Vec<f64>>,
@@ -144,7 +144,7 @@ impl ToolWindow {
     /// Whether it waits for a file.
     pub(super) fn waits(&self) -> bool {
         let material = matches!(self.tool.needs(), Needs::Block | Needs::Poses);
-        material && matches!(self.material, Material::None)
+        material && matches!(self.material, ToolInput::None)
     }
 
     /// Whether the left button draws a line in space.
@@ -158,7 +158,7 @@ impl ToolWindow {
     }
 
     fn lacks_stroke(&self) -> bool {
-        self.draws() && matches!(self.material, Material::None)
+        self.draws() && matches!(self.material, ToolInput::None)
     }
 
     pub(crate) fn cage(&self) -> Option<&Cage> {
@@ -181,7 +181,7 @@ impl ToolWindow {
     }
 
     fn is_slow(&self) -> bool {
-        matches!(&self.material, Material::Poses(poses, _) if poses.len() > POSES)
+        matches!(&self.material, ToolInput::Poses(poses, _) if poses.len() > POSES)
     }
 
     /// The size of the result, in words.
@@ -399,7 +399,7 @@ impl Editor {
         }
         self.windows.tool = Some(ToolWindow {
             tool,
-            material: Material::None,
+            material: ToolInput::None,
             numbers,
             before: None,
             trouble: None,
@@ -419,7 +419,7 @@ impl Editor {
     }
 
     /// Gives the tool what it works on.
-    pub(crate) fn begin_tool_with(&mut self, material: Material) {
+    pub(crate) fn begin_tool_with(&mut self, material: ToolInput) {
         if let Some(window) = &mut self.windows.tool {
             window.material = material;
             window.fresh = true;
@@ -442,7 +442,7 @@ impl Editor {
         let drawn = std::mem::take(&mut window.drawn);
         if keeps && drawn.len() > 2 {
             let places = drawn.into_iter().map(|(_, place)| place).collect();
-            self.begin_tool_with(Material::Stroke(places));
+            self.begin_tool_with(ToolInput::Stroke(places));
         }
     }
 

@@ -10,7 +10,7 @@ use super::ahead::{self, Follow, Look, Rail};
 use super::arc_length::ArcLength;
 use super::camera_path::{CameraPath, Orientation, Target};
 use super::frenet::Normals;
-use super::own::MayOwn;
+use super::own::Overrides;
 use super::space::Up;
 use super::timeline::Timeline;
 use super::up_vector::{UpPath, UpVector};
@@ -33,7 +33,7 @@ pub(super) struct End<'a> {
     pub target: Target,
     pub view: DVec3,
     pub roll: f64,
-    pub own: &'a MayOwn,
+    pub own: &'a Overrides,
 }
 
 /// The look that a section keeps all the way, if both ends have the same look and the same up.
@@ -65,7 +65,7 @@ pub(super) fn common_look(from: &End<'_>, to: &End<'_>) -> Option<Look> {
 pub(super) enum UpAlong {
     Point(DVec3),
     Path(Arc<UpPath>),
-    Minimal(Arc<Carried>),
+    Minimal(Arc<TransportedFrame>),
     Frenet(Arc<Normals>),
     /// The up of the key in which the section begins, where the camera stays.
     Key(DVec3),
@@ -73,7 +73,7 @@ pub(super) enum UpAlong {
 
 /// A minimal up along one section.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Carried {
+pub(super) struct TransportedFrame {
     /// Directions and ups at equal steps of the curve's parameter, both of the world.
     nodes: Vec<(DVec3, DVec3)>,
     /// Extra turn at both ends, so that a closed path closes.
@@ -146,7 +146,7 @@ pub(super) struct Alignment {
     /// Up before the roll of each orientation, in y-up axes; `None` where it is an axis.
     ups: Vec<Option<DVec3>>,
     /// For each section, if it carries its up.
-    carried: Vec<Option<Arc<Carried>>>,
+    carried: Vec<Option<Arc<TransportedFrame>>>,
     normals: Option<Arc<Normals>>,
 }
 
@@ -374,7 +374,7 @@ impl Alignment {
         let nodes = carried(&follow, (segment, length), (a.view, up))?;
         let (view, up) = nodes[nodes.len() - 1];
         let turn = [0.0; 2];
-        self.carried[from] = Some(try_arc(Carried { nodes, turn })?);
+        self.carried[from] = Some(try_arc(TransportedFrame { nodes, turn })?);
         Ok(shortest(up, view, b.view))
     }
 
@@ -398,7 +398,7 @@ impl Alignment {
             let view = axes.upright(place.view);
             self.ups[at] = self.ups[at].map(|up| turned(up, view, turn(place.point)));
             if let Some(carried) = &mut self.carried[at] {
-                can_allocate(size_of::<Carried>() + 2 * size_of::<usize>())?;
+                can_allocate(size_of::<TransportedFrame>() + 2 * size_of::<usize>())?;
                 Arc::make_mut(carried).turn = [turn(place.point), turn(place.point + 1)];
             }
         }

@@ -3,7 +3,7 @@
 
 use glam::DVec3;
 
-use super::own::{MayOwn, Tangents};
+use super::own::{Overrides, Tangents};
 use super::space::Space;
 use super::up_vector::check_ups;
 use crate::error::{Error, Invalid, OutOfRange, Place, Quantity, Result, TooMany, vec_with_room};
@@ -141,7 +141,7 @@ properties! {
             ..Row::new(&["speed_curve"])
         },
         /// What it has beyond that, if anything.
-        pub own: MayOwn = MayOwn::NOTHING => Row {
+        pub own: Overrides = Overrides::NOTHING => Row {
             check: Check::By(|own, space| own.check(space)),
             ..Row::new(&[])
         },

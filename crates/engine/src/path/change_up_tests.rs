@@ -9,7 +9,7 @@ use crate::path::insertion::tests::random_path;
 use crate::path::test_support::Random;
 use crate::path::up_vector::check_ups;
 use crate::path::{
-    CurveKind, OrientationMode, Own, Pose, Sampler, Target, UpPath, UpPathPoint, Velocities,
+    CurveKind, OrientationMode, OrientationOverrides, Pose, Sampler, Target, UpPath, UpPathPoint, Velocities,
 };
 
 fn pick(random: &mut Random, count: usize) -> usize {
@@ -83,7 +83,7 @@ fn varied(random: &mut Random, round: usize) -> CameraPath {
             leave: 3.0 * direction(random),
         });
         let up = only.as_ref().unwrap_or(&up).clone();
-        let change = |own: &mut Own| {
+        let change = |own: &mut OrientationOverrides| {
             (own.up, own.ahead) = (up, ahead);
             (own.roll_slope, own.velocities) = (slope, velocities);
         };

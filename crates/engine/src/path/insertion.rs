@@ -15,7 +15,7 @@ use super::arc_length::ArcLength;
 use super::camera_path::{CameraPath, Orientation, OrientationMode, SupportPoint, Target, Tcb};
 use super::curve;
 use super::orientation_curve::{Rates, rates};
-use super::own::{Pace, PacePart, Tangents, TurningPart, Velocities, Whole};
+use super::own::{Pace, PacePart, Tangents, TurningPart, Velocities, PaceSource};
 use super::sampling::{Layout, Sampler, zoom_slopes};
 use super::section_sampler::SectionSampler;
 use super::timeline::Timeline;
@@ -302,15 +302,15 @@ fn take_part(
         *speed = timing.speed(from + (end - from) * x);
         *speed = speed.clamp(MIN_SPEED, MAX_SPEED);
     }
-    let part = |of: Whole| PacePart { of, from, to: end };
+    let part = |of: PaceSource| PacePart { of, from, to: end };
     let pace = match &old.own.pace {
-        Pace::Speeds => part(Whole::Speeds {
+        Pace::Speeds => part(PaceSource::Speeds {
             speeds: old.speeds,
             before,
             after,
         }),
-        Pace::Ease(ease) => part(Whole::Ease(*ease)),
-        Pace::Distance(keys) => part(Whole::Distance(keys.clone())),
+        Pace::Ease(ease) => part(PaceSource::Ease(*ease)),
+        Pace::Distance(keys) => part(PaceSource::Distance(keys.clone())),
         Pace::Part(old) => {
             let [from, to] = part_of([old.from, old.to], [from, end]);
             let of = old.of.clone();

@@ -57,7 +57,7 @@ pub use camera_path::{
     Target, Tcb, ZoomMode,
 };
 pub use ease::{Ease, EaseKind};
-pub use own::{MayOwn, Own, Pace, PacePart, Tangents, TurningPart, Velocities, Whole};
+pub use own::{Overrides, OrientationOverrides, Pace, PacePart, Tangents, TurningPart, Velocities, PaceSource};
 pub use plan::Plan;
 pub use pose::Pose;
 pub use sampling::Sampler;

@@ -12,7 +12,7 @@ use super::ahead::{Follow, Look, Rail, end_direction};
 use super::alignment::{Alignment, End, UpAlong, look_between, rolled};
 use super::camera_path::{OrientationMode, Target, Tcb};
 use super::hermite::Cubic;
-use super::own::{MayOwn, TurningPart};
+use super::own::{Overrides, TurningPart};
 use super::quaternion_spline::{
     bezier, bezier_control, end_velocity, key_velocities, mean_velocity, reflect,
 };
@@ -42,7 +42,7 @@ pub(super) struct Key {
     pub turning: Tcb,
     /// With the sign that continues the key before it.
     pub q: DQuat,
-    pub own: MayOwn,
+    pub own: Overrides,
 }
 
 impl Key {

@@ -44,7 +44,7 @@ impl SameBits for Tangents {
 
 /// The pace that a [`PacePart`] is taken from.
 #[derive(Debug, Clone, PartialEq)]
-pub enum Whole {
+pub enum PaceSource {
     /// Ten speeds, each 1…100, and the speeds that faced them, if any.
     Speeds {
         /// The ten.
@@ -64,7 +64,7 @@ pub enum Whole {
 #[derive(Debug, Clone, PartialEq)]
 pub struct PacePart {
     /// The whole.
-    pub of: Whole,
+    pub of: PaceSource,
     /// Share of its time where the part begins, 0 ≤ from < to.
     pub from: f64,
     /// Where it ends, to ≤ 1.
@@ -78,7 +78,7 @@ impl PacePart {
     /// [`crate::Error::Range`] or [`crate::Error::Argument`].
     pub fn check(&self) -> Result<()> {
         match &self.of {
-            Whole::Speeds {
+            PaceSource::Speeds {
                 speeds,
                 before,
                 after,
@@ -87,8 +87,8 @@ impl PacePart {
                 let mut all = speeds.iter().chain(facing);
                 all.try_for_each(|speed| check_curve_speed(*speed))?;
             }
-            Whole::Ease(ease) => ease.check()?,
-            Whole::Distance(keys) => check_distance(keys)?,
+            PaceSource::Ease(ease) => ease.check()?,
+            PaceSource::Distance(keys) => check_distance(keys)?,
         }
         check_part(self.from, self.to)
     }
@@ -139,7 +139,7 @@ impl SameBits for Pace {
 
 impl Stored for Pace {}
 
-impl SameBits for Whole {
+impl SameBits for PaceSource {
     fn same_bits(&self, other: &Self) -> bool {
         match (self, other) {
             // Speeds are ≥ 1, so `==` is bitwise there.
@@ -263,7 +263,7 @@ fn check_part(from: f64, to: f64) -> Result<()> {
 
 properties! {
     /// What an orientation may have of its own.
-    pub struct Own {
+    pub struct OrientationOverrides {
         /// Looks along the way, not at its target: along the tangent (0), or so far ahead on the curve.
         pub ahead: Option<f64> = None => Row {
             unit: Unit::Length,
@@ -323,7 +323,7 @@ properties! {
     }
 }
 
-impl Own {
+impl OrientationOverrides {
     /// Everything finite and in range.
     ///
     /// # Errors
@@ -365,34 +365,34 @@ pub fn check_rates(rates: &[f64]) -> Result<()> {
     Ok(())
 }
 
-/// The place of [`Own`] in an orientation; an empty one reads as an [`Own`] with nothing set.
+/// The place of [`OrientationOverrides`] in an orientation; an empty one reads as an [`OrientationOverrides`] with nothing set.
 #[derive(Debug, Clone, Default)]
-pub struct MayOwn(Option<Arc<Own>>);
+pub struct Overrides(Option<Arc<OrientationOverrides>>);
 
-static NOTHING: Own = Own::NEW;
+static NOTHING: OrientationOverrides = OrientationOverrides::NEW;
 
-impl Deref for MayOwn {
-    type Target = Own;
-    fn deref(&self) -> &Own {
+impl Deref for Overrides {
+    type Target = OrientationOverrides;
+    fn deref(&self) -> &OrientationOverrides {
         self.0.as_deref().unwrap_or(&NOTHING)
     }
 }
 
-impl PartialEq for MayOwn {
+impl PartialEq for Overrides {
     fn eq(&self, other: &Self) -> bool {
         self.is_shared_with(other) || **self == **other
     }
 }
 
-impl SameBits for MayOwn {
+impl SameBits for Overrides {
     fn same_bits(&self, other: &Self) -> bool {
         self.is_shared_with(other) || (**self).same_bits(other)
     }
 }
 
-impl Stored for MayOwn {}
+impl Stored for Overrides {}
 
-impl MayOwn {
+impl Overrides {
     /// Nothing.
     pub const NOTHING: Self = Self(None);
 
@@ -400,8 +400,8 @@ impl MayOwn {
     ///
     /// # Errors
     /// [`crate::Error::Memory`].
-    pub fn with(&self, change: impl FnOnce(&mut Own)) -> Result<Self> {
-        let mut own = Own::clone(self);
+    pub fn with(&self, change: impl FnOnce(&mut OrientationOverrides)) -> Result<Self> {
+        let mut own = OrientationOverrides::clone(self);
         change(&mut own);
         if own == NOTHING {
             return Ok(Self(None));
@@ -432,7 +432,7 @@ impl MayOwn {
             return Ok(Self(None));
         }
         self.with(|own| {
-            for row in Own::PROPERTIES {
+            for row in OrientationOverrides::PROPERTIES {
                 (row.for_a_copy)(own);
             }
         })

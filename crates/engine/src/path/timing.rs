@@ -2,7 +2,7 @@
 
 use super::camera_path::Orientation;
 use super::ease::Ease;
-use super::own::{Pace, PacePart, Whole};
+use super::own::{Pace, PacePart, PaceSource};
 use super::speed_curve::SpeedCurve;
 use crate::error::{Result, vec_with_room};
 use crate::limits::{BASE_SPEED, MAX_DISTANCE_KEYS, MAX_SPEED, MIN_SPEED};
@@ -131,13 +131,13 @@ impl Timing {
             Pace::Ease(ease) => Course::Ease(*ease),
             Pace::Distance(keys) => Course::Distance(pieces(keys)?),
             Pace::Part(part) => match &part.of {
-                Whole::Speeds {
+                PaceSource::Speeds {
                     speeds,
                     before,
                     after,
                 } => Course::Curve(SpeedCurve::new(speeds, *before, *after)),
-                Whole::Ease(ease) => Course::Ease(*ease),
-                Whole::Distance(keys) => Course::Distance(pieces(keys)?),
+                PaceSource::Ease(ease) => Course::Ease(*ease),
+                PaceSource::Distance(keys) => Course::Distance(pieces(keys)?),
             },
         };
         let (from, to) = match pace {
@@ -279,7 +279,7 @@ pub fn facing(orientation: &Orientation) -> [f64; 2] {
         Pace::Ease(whole) => ease(whole, [0.0, 1.0]),
         Pace::Distance(keys) => distance(keys),
         Pace::Part(PacePart { of, from, to }) => match of {
-            Whole::Speeds {
+            PaceSource::Speeds {
                 speeds,
                 before,
                 after,
@@ -287,9 +287,9 @@ pub fn facing(orientation: &Orientation) -> [f64; 2] {
                 let curve = SpeedCurve::new(speeds, *before, *after);
                 [curve.speed(*from), curve.speed(*to)]
             }
-            Whole::Ease(whole) => ease(whole, [*from, *to]),
+            PaceSource::Ease(whole) => ease(whole, [*from, *to]),
             // Without memory for its pieces, the ten speeds come near.
-            Whole::Distance(_) => match Timing::new(orientation, None, None) {
+            PaceSource::Distance(_) => match Timing::new(orientation, None, None) {
                 Ok(timing) => [0.0, 1.0].map(|u| seen(timing.speed(u))),
                 Err(_) => [first, last],
             },
@@ -321,7 +321,7 @@ mod tests {
             let whole = SpeedCurve::new(&speeds, before, after);
             let cut = 0.01 + 0.98 * random.unit();
             let part = |from, to| PacePart {
-                of: Whole::Speeds {
+                of: PaceSource::Speeds {
                     speeds,
                     before,
                     after,
@@ -363,7 +363,7 @@ mod tests {
             cruise: 70.0,
         };
         let speeds = [3.0, 60.0, 100.0, 1.0, 1.0, 55.0, 20.0, 70.0, 90.0, 5.0];
-        let whole = Whole::Speeds {
+        let whole = PaceSource::Speeds {
             speeds,
             before: Some(40.0),
             after: None,

@@ -7,7 +7,7 @@ use crate::error::{Invalid, OutOfRange, Result, vec_with_room};
 use crate::limits::MAX_FRAMES;
 use crate::math::orientation::wrap_degrees;
 use crate::path::resample::resample;
-use crate::path::{CameraPath, Orientation, Own, Tangents, Target, Velocities, curve};
+use crate::path::{CameraPath, Orientation, OrientationOverrides, Tangents, Target, Velocities, curve};
 
 /// How far from 1 the weights' sum may be.
 const SUM: f64 = 1e-9;
@@ -120,7 +120,7 @@ fn blended(
         *speed = sum(&|k| of(k).1.speeds[n]);
     }
     // Frames not fixed by all are the leader's; slopes and velocities not owned by all are not set.
-    let owned = |value: &dyn Fn(&Own) -> Option<f64>| -> Option<f64> {
+    let owned = |value: &dyn Fn(&OrientationOverrides) -> Option<f64>| -> Option<f64> {
         let parts = (0..all.len()).map(|k| Some(all[k].1 * value(&of(k).1.own)?));
         parts.sum()
     };
@@ -131,7 +131,7 @@ fn blended(
         });
         parts.sum()
     };
-    let fixed = |own: &Own| (own.frames > 0).then_some(f64::from(own.frames));
+    let fixed = |own: &OrientationOverrides| (own.frames > 0).then_some(f64::from(own.frames));
     let frames = owned(&fixed).map(|frames| frames.round().clamp(1.0, MAX_FRAMES as f64));
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     let frames = frames.map_or(first.own.frames, |frames| frames as u32);

@@ -56,7 +56,7 @@ fn what_each_path_owns_is_blended_too() {
         let mut path = random_path(random, 4);
         for point in &mut path.points {
             let view = &mut point.orientations[0];
-            let own = |own: &mut Own| {
+            let own = |own: &mut OrientationOverrides| {
                 own.frames = frames;
                 own.zoom_slope = Some(slope);
                 let reach = DVec3::new(slope, 0.5, -1.0);

@@ -19,7 +19,7 @@ use crate::path::own::distance_backwards;
 use crate::path::up_vector::check_ups;
 use crate::path::{
     CameraPath, Change, CurveKind, CurveParameters, Ease, Orientation, Pace, PacePart,
-    SupportPoint, Tangents, Tcb, Timeline, TurningPart, Up, UpVector, Velocities, Whole, alignment,
+    SupportPoint, Tangents, Tcb, Timeline, TurningPart, Up, UpVector, Velocities, PaceSource, alignment,
 };
 
 /// Half sizes of the space that a length must have to tell a direction.
@@ -539,7 +539,7 @@ fn backwards(old: &Orientation, section: &Orientation) -> Result<Orientation> {
     let keys = match &section.own.pace {
         Pace::Distance(keys)
         | Pace::Part(PacePart {
-            of: Whole::Distance(keys),
+            of: PaceSource::Distance(keys),
             ..
         }) => keys.len(),
         _ => 0,
@@ -564,21 +564,21 @@ fn backwards(old: &Orientation, section: &Orientation) -> Result<Orientation> {
             Pace::Distance(keys) => Pace::Distance(distance(keys)),
             Pace::Part(part) => Pace::Part(PacePart {
                 of: match &part.of {
-                    Whole::Speeds {
+                    PaceSource::Speeds {
                         speeds,
                         before,
                         after,
                     } => {
                         let mut speeds = *speeds;
                         speeds.reverse();
-                        Whole::Speeds {
+                        PaceSource::Speeds {
                             speeds,
                             before: *after,
                             after: *before,
                         }
                     }
-                    Whole::Ease(whole) => Whole::Ease(ease(whole)),
-                    Whole::Distance(keys) => Whole::Distance(distance(keys)),
+                    PaceSource::Ease(whole) => PaceSource::Ease(ease(whole)),
+                    PaceSource::Distance(keys) => PaceSource::Distance(distance(keys)),
                 },
                 from: 1.0 - part.to,
                 to: 1.0 - part.from,

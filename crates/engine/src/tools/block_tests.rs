@@ -1,7 +1,7 @@
 use super::*;
 use crate::path::own::check_distance;
 use crate::path::test_support::Random;
-use crate::path::{MayOwn, Own, UpPath};
+use crate::path::{Overrides, OrientationOverrides, UpPath};
 use crate::path::{Pose, Sampler, Target, Timeline, curve};
 
 fn vector(random: &mut Random) -> DVec3 {
@@ -123,7 +123,7 @@ fn vary(path: &mut CameraPath, random: &mut Random) {
                 fall: 0.4,
                 cruise: 60.0,
             };
-            let own = |own: &mut Own| {
+            let own = |own: &mut OrientationOverrides| {
                 own.frames = (20.0 * random.unit()) as u32;
                 if kind > 0.7 {
                     own.pace = Pace::Ease(ease);
@@ -209,7 +209,7 @@ fn ups_are_kept_backwards_and_in_parts() {
         for orientation in path.points.iter_mut().flat_map(|p| &mut p.orientations) {
             orientation.target = target;
             orientation.hold = 0;
-            orientation.own = MayOwn::default().with(|own| own.up = up.clone()).unwrap();
+            orientation.own = Overrides::default().with(|own| own.up = up.clone()).unwrap();
         }
         let back = reverse(&path).unwrap();
         if !path.closed {

@@ -73,7 +73,7 @@ fn decimals(value: f64) -> usize {
 
 /// What a path is checked against.
 #[derive(Debug, Clone, Copy)]
-pub struct Against<'a> {
+pub struct CheckContext<'a> {
     /// Frames a second.
     pub fps: f64,
     /// The space that the camera must not leave.
@@ -97,7 +97,7 @@ const SUSPECT: f64 = 0.01;
 ///
 /// # Errors
 /// [`crate::Error::Limit`] if the path has too many frames, [`crate::Error::Memory`].
-pub fn check(path: &CameraPath, against: &Against<'_>) -> Result<Vec<Finding>> {
+pub fn check(path: &CameraPath, against: &CheckContext<'_>) -> Result<Vec<Finding>> {
     let timeline = Timeline::new(path)?;
     let sampler = Sampler::new(path, &timeline)?;
     let mut scan = Scan {
@@ -168,7 +168,7 @@ impl Frame {
 
 struct Scan<'a> {
     path: &'a CameraPath,
-    against: &'a Against<'a>,
+    against: &'a CheckContext<'a>,
     sampler: &'a Sampler,
     sections: Vec<(usize, Section)>,
     open: [Option<Finding>; COUNT],

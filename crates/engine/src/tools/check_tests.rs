@@ -17,7 +17,7 @@ fn path(points: &[[f64; 3]]) -> CameraPath {
     }
 }
 
-fn found_against(path: &CameraPath, against: &Against<'_>) -> Vec<&'static str> {
+fn found_against(path: &CameraPath, against: &CheckContext<'_>) -> Vec<&'static str> {
     let mut kinds: Vec<_> = check(path, against)
         .unwrap()
         .iter()
@@ -27,8 +27,8 @@ fn found_against(path: &CameraPath, against: &Against<'_>) -> Vec<&'static str> 
     kinds
 }
 
-fn plain() -> Against<'static> {
-    Against {
+fn plain() -> CheckContext<'static> {
+    CheckContext {
         fps: 25.0,
         space: None,
         object: None,
@@ -68,7 +68,7 @@ fn kinds_stand_in_their_order_and_have_names() {
 #[test]
 fn space() {
     let space = Bounds::new(DVec3::splat(-1.0), DVec3::ONE).unwrap();
-    let against = Against {
+    let against = CheckContext {
         space: Some(space),
         ..plain()
     };
@@ -358,7 +358,7 @@ fn clearance_through_and_nothing_to_see() {
         ..Mesh::default()
     };
     let object = Clearance::new(&mesh).unwrap();
-    let against = Against {
+    let against = CheckContext {
         object: Some(&object),
         ..plain()
     };

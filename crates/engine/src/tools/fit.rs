@@ -20,7 +20,7 @@ use crate::math::quaternion::{angle, continue_sign};
 use crate::path::camera_path::{check_coordinates, check_zoom};
 use crate::path::hermite::Cubic;
 use crate::path::{
-    CameraPath, Orientation, Own, Pace, Pose, Sampler, Space, SupportPoint, Tangents, Target,
+    CameraPath, Orientation, OrientationOverrides, Pace, Pose, Sampler, Space, SupportPoint, Tangents, Target,
     Timeline, Up, Velocities,
 };
 
@@ -343,7 +343,7 @@ impl Data {
         let slope = |piece: &Piece, side| piece.zoom_slopes[side] / f64::from(piece.frames);
         let zoom_slope = sides(pieces, slope).map(|slopes| slopes[0]);
         let (view, up) = view_from_quaternion(at.turn);
-        let own = |own: &mut Own| {
+        let own = |own: &mut OrientationOverrides| {
             own.velocities = velocities;
             own.zoom_slope = zoom_slope.filter(|_| zooms);
             if let Some(piece) = pieces[1] {

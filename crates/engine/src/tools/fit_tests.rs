@@ -4,7 +4,7 @@ use super::*;
 use crate::math::quaternion::{exp, log};
 use crate::path::test_support::Random;
 use crate::path::{Sampler, Timeline};
-use crate::tools::check::{Against, Limits, check};
+use crate::tools::check::{CheckContext, Limits, check};
 
 fn vector(random: &mut Random) -> DVec3 {
     DVec3::from_array(std::array::from_fn(|_| 2.0 * random.unit() - 1.0))
@@ -354,7 +354,7 @@ fn a_recorded_flight_stays_as_smooth_as_it_was() {
         assert!(is[1] <= 1.1 * was[1]);
         assert!(jump <= 0.05 * was[0]);
         if noise == 0.0 {
-            let against = Against {
+            let against = CheckContext {
                 fps: 30.0,
                 space: Some(path.space.into()),
                 object: None,

@@ -49,7 +49,7 @@ pub struct Move {
     pub does: &'static str,
     /// What it asks for.
     pub parameters: &'static [Parameter],
-    make: fn(&Given<'_>) -> Result<Vec<SupportPoint>>,
+    make: fn(&MoveArguments<'_>) -> Result<Vec<SupportPoint>>,
 }
 
 const fn length(name: &'static str, does: &'static str, default: f64) -> Parameter {
@@ -294,7 +294,7 @@ const RISE: Parameter = Parameter {
     ..degrees("rise", "how steeply the camera is above the target", 15.0)
 };
 
-struct Given<'a> {
+struct MoveArguments<'a> {
     parameters: &'static [Parameter],
     numbers: &'a [f64],
     space: Space,
@@ -302,7 +302,7 @@ struct Given<'a> {
     frames: Option<usize>,
 }
 
-impl Given<'_> {
+impl MoveArguments<'_> {
     fn number(&self, name: &str) -> f64 {
         Parameter::find(self.parameters, name).map_or(0.0, |(at, _)| self.numbers[at])
     }
@@ -446,7 +446,7 @@ impl Move {
         speeds: BaseFrames,
     ) -> Result<CameraPath> {
         let numbers = Parameter::numbers(self.parameters, given, space.half_size)?;
-        let mut given = Given {
+        let mut given = MoveArguments {
             parameters: self.parameters,
             numbers: &numbers,
             space,
@@ -504,7 +504,7 @@ fn keep_zoom_linear(path: &mut CameraPath) -> Result<()> {
 }
 
 /// A point with the tangents before and after it.
-fn point(given: &Given<'_>, offset: DVec3, tangents: [DVec3; 2]) -> Result<SupportPoint> {
+fn point(given: &MoveArguments<'_>, offset: DVec3, tangents: [DVec3; 2]) -> Result<SupportPoint> {
     let around = given.place("around");
     let mut point = SupportPoint::try_new(around + given.space.up.world(offset))?;
     point.curve = CurveParameters::Preset(0);
@@ -518,7 +518,7 @@ fn point(given: &Given<'_>, offset: DVec3, tangents: [DVec3; 2]) -> Result<Suppo
     Ok(point)
 }
 
-fn straight(given: &Given<'_>, [from, to]: [DVec3; 2]) -> Result<Vec<SupportPoint>> {
+fn straight(given: &MoveArguments<'_>, [from, to]: [DVec3; 2]) -> Result<Vec<SupportPoint>> {
     if (to - from).length() <= NO_WAY * given.space.half_size {
         return Err(OutOfRange::NoWay.into());
     }
@@ -531,7 +531,7 @@ fn straight(given: &Given<'_>, [from, to]: [DVec3; 2]) -> Result<Vec<SupportPoin
 
 /// Points along a curve: the place at each share, and the tangent there for a step of the share.
 fn along(
-    given: &Given<'_>,
+    given: &MoveArguments<'_>,
     shares: &[f64],
     at: &dyn Fn(f64) -> DVec3,
     tangent: &dyn Fn(f64, f64) -> DVec3,
@@ -547,7 +547,7 @@ fn along(
     Ok(points)
 }
 
-fn towards(given: &Given<'_>) -> Result<Vec<SupportPoint>> {
+fn towards(given: &MoveArguments<'_>) -> Result<Vec<SupportPoint>> {
     let [from, to, angle, rise] = given.numbers(["distance", "end-distance", "from", "rise"]);
     let (sin, cos) = rise.to_radians().sin_cos();
     let direction = cos * heading(angle.to_radians()) + sin * DVec3::Y;
@@ -561,7 +561,7 @@ fn towards(given: &Given<'_>) -> Result<Vec<SupportPoint>> {
     clippy::cast_sign_loss
 )]
 fn around(
-    given: &Given<'_>,
+    given: &MoveArguments<'_>,
     [r0, r1]: [f64; 2],
     [h0, h1]: [f64; 2],
     angle: f64,
@@ -592,7 +592,7 @@ fn around(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss
 )]
-fn pan(given: &Given<'_>) -> Result<Vec<SupportPoint>> {
+fn pan(given: &MoveArguments<'_>) -> Result<Vec<SupportPoint>> {
     let [from, to, tilt] = given.numbers(["from", "to", "tilt"]).map(f64::to_radians);
     if from == to {
         return Err(OutOfRange::NoTurn.into());
@@ -621,7 +621,7 @@ fn pan(given: &Given<'_>) -> Result<Vec<SupportPoint>> {
 }
 
 /// Gerono's lemniscate (r·sin t, w·sin 2t), from its middle back to it.
-fn eight(given: &Given<'_>) -> Result<Vec<SupportPoint>> {
+fn eight(given: &MoveArguments<'_>) -> Result<Vec<SupportPoint>> {
     let [radius, width, height, from] = given.numbers(["radius", "width", "height", "from"]);
     let (away, across) = (
         heading(from.to_radians()),

@@ -1,7 +1,7 @@
 use super::*;
 use crate::deform::Bounds;
 use crate::path::{Pose, Sampler};
-use crate::tools::check::{Against, Limits, check};
+use crate::tools::check::{CheckContext, Limits, check};
 
 fn poses(path: &CameraPath) -> Vec<Pose> {
     let timeline = Timeline::new(path).unwrap();
@@ -228,7 +228,7 @@ fn a_check_finds_nothing_in_them() {
     for made_of in MOVES {
         let path = made(made_of.name, &[]).unwrap();
         let space = path.space;
-        let against = Against {
+        let against = CheckContext {
             fps: 25.0,
             space: Some(Bounds::new(space.low(), space.high()).unwrap()),
             object: None,

@@ -3,7 +3,7 @@
 use glam::{DMat4, DVec3};
 
 use super::block::{self, Fit};
-use super::check::{Against, Limits, check};
+use super::check::{CheckContext, Limits, check};
 use super::moves::{MOVES, Move};
 use super::{blend, fit, transform};
 use crate::deform::{Bounds, Deformation};
@@ -206,7 +206,7 @@ fn checks() {
     for _ in 0..10 {
         let path = path(&mut random, 5);
         let found = |size: f64| {
-            let against = Against {
+            let against = CheckContext {
                 fps: 25.0,
                 space: Some(
                     Space {

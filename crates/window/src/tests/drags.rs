@@ -6,7 +6,7 @@ use egui::{Event, Modifiers, PointerButton, Pos2, pos2};
 
 use super::{Remote, open, settle};
 use crate::window::{DRAG_PAUSE, FRAME};
-use crate::x11::News;
+use crate::x11::PollResult;
 use crate::{close, dispatch, wait};
 
 fn button(pos: Pos2, pressed: bool) -> Event {
@@ -29,9 +29,9 @@ fn hand(remote: &Remote, event: Event) -> usize {
 /// The picture is shown, and no input comes: waits for the next pass.
 fn until_it_settles(remote: &Remote) {
     let before = remote.passes.get();
-    remote.send(News {
+    remote.send(PollResult {
         shown: true,
-        ..News::default()
+        ..PollResult::default()
     });
     dispatch();
     while remote.passes.get() == before {

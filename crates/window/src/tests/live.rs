@@ -11,7 +11,7 @@ use super::{Remote, open_for};
 use crate::document::{Edit, Poses, Result};
 use crate::editor::HostView;
 use crate::path::{CameraPath, Pose};
-use crate::x11::News;
+use crate::x11::PollResult;
 use crate::{Gone, Host, Id, Reason, change, close, command, dispatch, is_open, look, wait};
 use vides_engine::scene::{Extrapolation, FollowPath, Kind, Node, Scene};
 
@@ -108,9 +108,9 @@ fn rest_all(remotes: &[&Remote]) {
     let mut quiet = 0;
     for _ in 0..2000 {
         for remote in remotes {
-            remote.send(News {
+            remote.send(PollResult {
                 shown: true,
-                ..News::default()
+                ..PollResult::default()
             });
         }
         dispatch();
@@ -242,9 +242,9 @@ fn a_slow_host_has_time_for_itself_and_is_told_the_last() {
     while began.elapsed() < Duration::from_millis(600) {
         x += 0.001;
         move_first_point(id, x);
-        remote.send(News {
+        remote.send(PollResult {
             shown: true,
-            ..News::default()
+            ..PollResult::default()
         });
         let start = Instant::now();
         dispatch();
@@ -486,9 +486,9 @@ fn the_host_is_told_sixty_times_a_second_at_most() {
     while began.elapsed() < Duration::from_millis(500) {
         x += 0.001;
         move_first_point(id, x);
-        remote.send(News {
+        remote.send(PollResult {
             shown: true,
-            ..News::default()
+            ..PollResult::default()
         });
         dispatch();
     }

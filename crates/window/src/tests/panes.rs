@@ -30,10 +30,10 @@ fn the_host_is_told_of_its_size_and_of_its_end() {
     settle(&[&remote]);
     assert_eq!(told(&calls), [], "nothing has changed");
     remote.size.set([850, 700]);
-    remote.send(News {
+    remote.send(PollResult {
         input: true,
         shown: true,
-        ..News::default()
+        ..PollResult::default()
     });
     settle(&[&remote]);
     let smaller = told(&calls);
@@ -74,10 +74,10 @@ fn a_pane_that_is_lost_comes_back() {
     let (_, remote, calls) = filled([1200, 800]);
     let first = told(&calls);
     remote.pane.set(None);
-    remote.send(News {
+    remote.send(PollResult {
         input: true,
         shown: true,
-        ..News::default()
+        ..PollResult::default()
     });
     settle(&[&remote]);
     assert_eq!(told(&calls), [(0, [0, 0], false), first[0]]);

@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 
 use super::stream::wait;
 use super::testing::{PATIENCE, Server};
-use super::{News, Options, Window};
+use super::{PollResult, Options, Window};
 use crate::raster::Area;
 
 /// A window and what it told.
@@ -45,7 +45,7 @@ impl Shown {
     }
 
     /// Waits for the window's descriptor and does what an owner does.
-    fn turn(&mut self) -> News {
+    fn turn(&mut self) -> PollResult {
         wait(
             self.window.as_fd(),
             PollFlags::IN,

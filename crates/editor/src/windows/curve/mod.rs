@@ -6,7 +6,7 @@ use glam::DVec3;
 mod pending;
 mod picture;
 
-use self::pending::{Belonging, Choice, GivenUp, Pending, orientation, users};
+use self::pending::{Belonging, CurveSource, GivenUp, Pending, orientation, users};
 use super::{SubWindow, Windows, is_cramped, row_at_right, sub_window};
 use crate::actions::Action;
 use crate::document::Document;
@@ -221,10 +221,10 @@ impl CurveWindow {
             let name = format!("{}{mark}", texts.preset_name(preset, tcb));
             let shape = texts.shape(editor.language(), tcb);
             let hint = format!("{}: {shape}", fill(texts.preset, &[&preset]));
-            radio(ui, Choice::Preset(preset), name, hint);
+            radio(ui, CurveSource::Preset(preset), name, hint);
         }
         let own = texts.own.to_owned();
-        radio(ui, Choice::Own, own, texts.own_hint.to_owned());
+        radio(ui, CurveSource::Own, own, texts.own_hint.to_owned());
         if let Some(choice) = choose {
             self.pending.choose(&editor.document, choice);
         }
@@ -244,8 +244,8 @@ impl CurveWindow {
             return;
         }
         let users = match self.pending.choice(&editor.document) {
-            Choice::Preset(preset) => users(&editor.document, preset),
-            Choice::Own => 1,
+            CurveSource::Preset(preset) => users(&editor.document, preset),
+            CurveSource::Own => 1,
         };
         let text = if users == 1 {
             texts.used_once.to_owned()

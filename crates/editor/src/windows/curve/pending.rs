@@ -9,7 +9,7 @@ use crate::path::{CurveParameters, Orientation, SupportPoint, Target, Tcb};
 
 /// Where the parameters come from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Choice {
+pub(crate) enum CurveSource {
     /// `Standard n`.
     Preset(usize),
     /// `Eigendef.`
@@ -19,7 +19,7 @@ pub(crate) enum Choice {
 /// Values to be applied to the current point and orientation.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Pending {
-    pub(crate) choice: Option<Choice>,
+    pub(crate) choice: Option<CurveSource>,
     pub(crate) presets: [Option<Tcb>; PRESETS],
     pub(crate) own: Option<Tcb>,
     /// The own values come from changing this preset, which other points use too.
@@ -34,16 +34,16 @@ impl Pending {
         *self == Self::default()
     }
 
-    pub(crate) fn choice(&self, document: &Document) -> Choice {
+    pub(crate) fn choice(&self, document: &Document) -> CurveSource {
         self.choice.unwrap_or_else(|| match point(document).curve {
-            CurveParameters::Preset(preset) => Choice::Preset(preset.into()),
-            CurveParameters::Own(_) => Choice::Own,
+            CurveParameters::Preset(preset) => CurveSource::Preset(preset.into()),
+            CurveParameters::Own(_) => CurveSource::Own,
         })
     }
 
     /// Chooses a preset, or own values that begin as those in force.
-    pub(crate) fn choose(&mut self, document: &Document, choice: Choice) {
-        if choice == Choice::Own && self.own.is_none() {
+    pub(crate) fn choose(&mut self, document: &Document, choice: CurveSource) {
+        if choice == CurveSource::Own && self.own.is_none() {
             let known = matches!(point(document).curve, CurveParameters::Own(_));
             self.own = (!known).then(|| self.tcb(document));
         }
@@ -54,7 +54,7 @@ impl Pending {
     /// The preset whose change could be meant for all points that use it, and whether it is.
     pub(crate) fn for_all(&self, document: &Document) -> Option<(usize, bool)> {
         let shared = self.shared?;
-        let all = self.choice(document) == Choice::Preset(shared);
+        let all = self.choice(document) == CurveSource::Preset(shared);
         Some((shared, all))
     }
 
@@ -67,9 +67,9 @@ impl Pending {
             *preset = all.then_some(tcb);
             self.own = (!all).then_some(tcb);
             self.choice = Some(if all {
-                Choice::Preset(shared)
+                CurveSource::Preset(shared)
             } else {
-                Choice::Own
+                CurveSource::Own
             });
         }
     }
@@ -78,8 +78,8 @@ impl Pending {
     pub(crate) fn tcb(&self, document: &Document) -> Tcb {
         let in_force = document.path().tcb(document.selection().point);
         match self.choice(document) {
-            Choice::Own => self.own.unwrap_or(in_force),
-            Choice::Preset(preset) => self.preset(document, preset),
+            CurveSource::Own => self.own.unwrap_or(in_force),
+            CurveSource::Preset(preset) => self.preset(document, preset),
         }
     }
 
@@ -92,12 +92,12 @@ impl Pending {
     /// Changes the parameters that the sliders show.
     pub(crate) fn set_tcb(&mut self, document: &Document, tcb: Tcb) {
         match self.choice(document) {
-            Choice::Own => self.own = Some(tcb),
-            Choice::Preset(preset) => {
+            CurveSource::Own => self.own = Some(tcb),
+            CurveSource::Preset(preset) => {
                 let asked = self.shared == Some(preset);
                 if !asked && users(document, preset) > 1 {
                     self.shared = Some(preset);
-                    (self.choice, self.own) = (Some(Choice::Own), Some(tcb));
+                    (self.choice, self.own) = (Some(CurveSource::Own), Some(tcb));
                 } else if let Some(pending) = self.presets.get_mut(preset) {
                     *pending = Some(tcb);
                 }
@@ -136,8 +136,8 @@ impl Pending {
         }
         if self.shapes() {
             edits.push(match self.choice(document) {
-                Choice::Preset(preset) => Edit::UsePreset { at, preset },
-                Choice::Own => Edit::SetOwn {
+                CurveSource::Preset(preset) => Edit::UsePreset { at, preset },
+                CurveSource::Own => Edit::SetOwn {
                     at,
                     tcb: self.tcb(document),
                 },

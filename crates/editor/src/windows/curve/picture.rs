@@ -5,7 +5,7 @@
 use egui::{Pos2, Rect, Stroke, Vec2, pos2, vec2};
 use glam::DVec3;
 
-use super::pending::{Choice, Pending};
+use super::pending::{CurveSource, Pending};
 use crate::document::Document;
 use crate::path::{CameraPath, CurveKind, CurveParameters, SupportPoint, Tcb, curve};
 use crate::theme::{self, Palette};
@@ -84,8 +84,8 @@ impl Around {
             point.tangents = None;
         }
         point.curve = match pending.choice(document) {
-            Choice::Preset(preset) => CurveParameters::Preset(preset.min(9) as u8),
-            Choice::Own => CurveParameters::Own(limited(pending.tcb(document))),
+            CurveSource::Preset(preset) => CurveParameters::Preset(preset.min(9) as u8),
+            CurveSource::Own => CurveParameters::Own(limited(pending.tcb(document))),
         };
         path
     }
@@ -368,7 +368,7 @@ mod tests {
         let mut document = document(9, false);
         document.select(4, 0).unwrap();
         let mut pending = Pending::default();
-        pending.choose(&document, Choice::Preset(3));
+        pending.choose(&document, CurveSource::Preset(3));
         pending.set_tcb(&document, Tcb::new(0.5, -0.25, 1.0));
         pending.position[1] = Some(0.75);
         let around = Around::of(&document);

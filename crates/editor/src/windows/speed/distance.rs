@@ -6,7 +6,7 @@ use super::graph::{Axes, Handle};
 use super::{Section, SpeedWindow, entered_own};
 use crate::actions::Action;
 use crate::number::Number;
-use crate::path::{MayOwn, Orientation, Pace, Timing};
+use crate::path::{Overrides, Orientation, Pace, Timing};
 use crate::state::Editor;
 use crate::texts::fill;
 use crate::theme;
@@ -32,7 +32,7 @@ pub(super) fn sampled(timing: &Timing) -> Vec<[f64; 2]> {
         let times = (0..=parts).map(|part| part as f64 / parts as f64);
         keys = times.map(|time| [time, timing.fraction(time)]).collect();
         let pace = Pace::Distance(keys.as_slice().into());
-        let Ok(own) = MayOwn::default().with(|own| own.pace = pace) else {
+        let Ok(own) = Overrides::default().with(|own| own.pace = pace) else {
             break;
         };
         let orientation = Orientation {

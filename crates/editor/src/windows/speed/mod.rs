@@ -19,7 +19,7 @@ use crate::document::{Edit, Info, Selection};
 use crate::limits::{MAX_FPS, MAX_FRAMES, MAX_HOLD, SPEEDS};
 use crate::number::{Entry, Number};
 use crate::panels::orientation::with;
-use crate::path::{BaseFrames, Orientation, Own, Pace, Timing};
+use crate::path::{BaseFrames, Orientation, OrientationOverrides, Pace, Timing};
 use crate::state::Editor;
 use crate::texts::fill;
 use crate::theme;
@@ -412,7 +412,7 @@ fn entered(
 fn entered_own(
     editor: &Editor,
     entry: Entry,
-    change: impl FnOnce(&mut Own, f64),
+    change: impl FnOnce(&mut OrientationOverrides, f64),
 ) -> Option<Action> {
     let (at, current) = (editor.document.selection(), editor.orientation()?);
     Some(Action::Enter(entry.try_map(|value| {
