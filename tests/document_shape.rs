@@ -7,7 +7,9 @@ mod common;
 use common::Random;
 use glam::DVec3;
 use vides::document::{Document, Edit};
-use vides::path::{CurveKind, Ease, EaseKind, OrientationOverrides, Pace, Tangents, Up, UpPath, UpVector, own};
+use vides::path::{
+    CurveKind, Ease, EaseKind, OrientationOverrides, Pace, Tangents, Up, UpPath, UpVector, own,
+};
 
 fn document(random: &mut Random) -> Document {
     let path = random.path(30.0);
@@ -15,7 +17,11 @@ fn document(random: &mut Random) -> Document {
 }
 
 /// A change of what an orientation owns.
-fn owning(document: &Document, point: usize, change: impl FnOnce(&mut OrientationOverrides)) -> Edit {
+fn owning(
+    document: &Document,
+    point: usize,
+    change: impl FnOnce(&mut OrientationOverrides),
+) -> Edit {
     let mut orientation = document.path().points[point].orientations[0].clone();
     orientation.own = orientation.own.with(change).expect("memory");
     Edit::SetOrientation {
@@ -132,7 +138,9 @@ fn what_an_insertion_left_goes_with_the_values_that_are_changed() {
     change(&mut document, 0, None, Some(10.0));
     change(&mut document, 1, Some(80.0), None);
     document.apply(Edit::InsertOnCurve { frame: 40.0 }).unwrap();
-    let own = |document: &Document| OrientationOverrides::clone(&document.path().points[1].orientations[0].own);
+    let own = |document: &Document| {
+        OrientationOverrides::clone(&document.path().points[1].orientations[0].own)
+    };
     assert_eq!(document.selection().point, 1);
     assert!(own(&document).zoom_slope.is_some() && matches!(own(&document).pace, Pace::Part(_)));
     change(&mut document, 1, Some(30.0), None);

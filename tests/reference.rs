@@ -6,8 +6,9 @@ use std::path::{Path, PathBuf};
 
 use glam::DVec3;
 use vides::path::{
-    BaseFrames, CameraPath, Change, CurveParameters, Orientation, OrientationMode, OrientationOverrides, Pose,
-    Sampler, SupportPoint, Target, Tcb, Timeline, Up, UpVector, ZoomMode,
+    BaseFrames, CameraPath, Change, CurveParameters, Orientation, OrientationMode,
+    OrientationOverrides, Pose, Sampler, SupportPoint, Target, Tcb, Timeline, Up, UpVector,
+    ZoomMode,
 };
 
 /// Lengths, relative; positions, relative to the segment and its distance

@@ -13,7 +13,7 @@ use vides::math::orientation::{
     wrap_degrees,
 };
 use vides::math::view::View;
-use vides::path::{CameraPath, CurveParameters, Overrides, Orientation, Target, Tcb};
+use vides::path::{CameraPath, CurveParameters, Orientation, Overrides, Target, Tcb};
 
 /// Thesis A.6.1.
 #[test]

@@ -15,7 +15,9 @@ use super::status::{Answer, V_ERR_INTERNAL};
 use super::types::{V_ORIENTATION, V_PATH};
 use crate::document::{Document, Edit, Info, no_longer_ahead};
 use crate::error::{Invalid, OutOfRange, Refused};
-use crate::path::{Overrides, Orientation, OrientationOverrides, Target, Tcb, Up, UpPath, UpVector};
+use crate::path::{
+    Orientation, OrientationOverrides, Overrides, Target, Tcb, Up, UpPath, UpVector,
+};
 
 fn to_c(orientation: &Orientation) -> V_ORIENTATION {
     let (absolute, target) = match orientation.target {

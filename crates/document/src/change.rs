@@ -10,8 +10,8 @@ use super::info::Info;
 use super::vid::Comments;
 use crate::error::{Result, vec_with_room};
 use crate::path::{
-    BaseFrames, CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, OrientationOverrides, Plan,
-    Space, SupportPoint, Tangents, Tcb, UpVector, ZoomMode,
+    BaseFrames, CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode,
+    OrientationOverrides, Plan, Space, SupportPoint, Tangents, Tcb, UpVector, ZoomMode,
 };
 use vides_engine::property::SameBits;
 

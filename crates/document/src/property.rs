@@ -7,7 +7,7 @@ use vides_engine::property::find;
 use crate::editing::{Document, Selection};
 use crate::error::{Error, Refused, Result};
 use crate::info::{Info, Object};
-use crate::path::{CameraPath, CurveParameters, Overrides, Orientation, OrientationOverrides};
+use crate::path::{CameraPath, CurveParameters, Orientation, OrientationOverrides, Overrides};
 use crate::prepare;
 use crate::vid::{self, PATH_KEYS, POINT_KEYS, view_keys};
 use crate::{Edit, vid::quoted};
@@ -226,8 +226,8 @@ impl Document {
                 {
                     return Ok(value.to_string());
                 }
-                if let Some(value) =
-                    find(OrientationOverrides::PROPERTIES, key).and_then(|row| (row.value)(&view.own))
+                if let Some(value) = find(OrientationOverrides::PROPERTIES, key)
+                    .and_then(|row| (row.value)(&view.own))
                 {
                     return Ok(value.to_string());
                 }

@@ -235,7 +235,11 @@ fn is_better(kind: FindingKind, before: &[Finding], after: &[Finding]) -> bool {
 }
 
 /// An orientation with something of its own changed.
-fn owned(path: &CameraPath, key: (usize, usize), change: &dyn Fn(&mut OrientationOverrides)) -> Result<Edit> {
+fn owned(
+    path: &CameraPath,
+    key: (usize, usize),
+    change: &dyn Fn(&mut OrientationOverrides),
+) -> Result<Edit> {
     let (point, at) = key;
     let key = &path.points[point].orientations[at];
     let orientation = Orientation {

@@ -5,10 +5,10 @@ use std::path::PathBuf;
 use egui::Pos2;
 use glam::DVec3;
 
-use crate::document::tool::{ToolInput, Tool};
+use crate::document::tool::{Tool, ToolInput};
 use crate::document::{Edit, Selection, no_longer_ahead};
 use crate::error::Result;
-use crate::files::{Purpose, AfterSave};
+use crate::files::{AfterSave, Purpose};
 use crate::limits::SPEEDS;
 use crate::number::Entry;
 use crate::panels::orientation::OwnedMotion;

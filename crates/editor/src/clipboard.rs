@@ -9,7 +9,7 @@ use egui::{Context, ViewportCommand};
 
 use crate::actions::Action;
 use crate::document::{Document, Edit, StepName};
-use crate::files::{Purpose, AfterSave, readable, short};
+use crate::files::{AfterSave, Purpose, readable, short};
 use crate::limits::MIN_POINTS;
 use crate::path::Orientation;
 use crate::selected::SelectionChange;

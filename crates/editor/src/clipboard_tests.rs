@@ -38,7 +38,9 @@ fn fresh() -> Window {
 }
 
 fn choose(window: &mut Window, points: &[usize]) {
-    window.state_mut().choose(SelectionChange::These(points.to_vec()));
+    window
+        .state_mut()
+        .choose(SelectionChange::These(points.to_vec()));
     window.run();
 }
 

@@ -44,6 +44,6 @@ use vides_engine::{limits, math, path, tools};
 use vides_raster as raster;
 
 pub use files::Folders;
-pub use host::{Date, HostPane, Program, PlayheadState, Warning, Warnings};
+pub use host::{Date, HostPane, PlayheadState, Program, Warning, Warnings};
 pub use state::{Editor, HostView, Options, Reason, Request};
 pub use texts::Language;

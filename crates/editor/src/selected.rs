@@ -66,7 +66,8 @@ impl Editor {
     /// The points selected together, ascending; `None` if the current one is alone.
     pub(crate) fn several(&self) -> Option<&[usize]> {
         let selected = &self.selected;
-        let several = selected.points.len() > 1 && selected.of == SelectionScope::now(&self.document);
+        let several =
+            selected.points.len() > 1 && selected.of == SelectionScope::now(&self.document);
         several.then_some(&selected.points)
     }
 

@@ -6,12 +6,12 @@ use crate::actions::Action;
 use crate::clipboard::Copied;
 use crate::document::{Document, Edit, Fingerprint, Selection};
 use crate::error::{Error, Result};
-use crate::files::Folders;
 use crate::files::AfterSave;
+use crate::files::Folders;
 use crate::files::recovery::Autosave;
 use crate::host::Warnings;
 use crate::host::pane::HostPane;
-use crate::host::{Program, PlayheadState};
+use crate::host::{PlayheadState, Program};
 use crate::length::Length;
 use crate::number::Entry;
 use crate::obstacles::Obstacles;
@@ -387,7 +387,10 @@ impl Editor {
     }
 
     /// The same for the current orientation, as an action.
-    pub(super) fn own_action(&self, change: impl FnOnce(&mut OrientationOverrides)) -> Option<Action> {
+    pub(super) fn own_action(
+        &self,
+        change: impl FnOnce(&mut OrientationOverrides),
+    ) -> Option<Action> {
         let edit = self.with_own(self.document.selection(), self.orientation()?, change);
         Some(edit.map_or_else(Action::Complain, Action::Edit))
     }

@@ -9,7 +9,9 @@ use crate::path::{Orientation, OrientationOverrides, Pace, Space, UpVector};
 /// Every key of the views of a path.
 fn keys() -> Vec<&'static str> {
     let views = Orientation::PROPERTIES.iter().flat_map(|row| row.keys);
-    let own = OrientationOverrides::PROPERTIES.iter().flat_map(|row| row.keys);
+    let own = OrientationOverrides::PROPERTIES
+        .iter()
+        .flat_map(|row| row.keys);
     views.chain(own).copied().collect()
 }
 

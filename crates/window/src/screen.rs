@@ -6,7 +6,7 @@ use std::time::Instant;
 use egui::{PlatformOutput, RawInput};
 
 use crate::raster::{Area, Target};
-use crate::x11::{PollResult, PanePlace, PaneWindow, Result, Window};
+use crate::x11::{PanePlace, PaneWindow, PollResult, Result, Window};
 
 /// See the methods of [`Window`].
 pub(super) trait Screen {

@@ -24,7 +24,7 @@ use crate::document::{Document, Poses};
 use crate::editor::{Editor, Folders, HostView, Language, Options};
 use crate::error::EngineError;
 use crate::raster::{Area, Target};
-use crate::x11::{Error, PollResult, PanePlace, PaneWindow, Result};
+use crate::x11::{Error, PanePlace, PaneWindow, PollResult, Result};
 
 /// What a fake screen does, from outside.
 struct Remote {

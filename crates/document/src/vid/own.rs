@@ -13,8 +13,8 @@ use crate::path::Space;
 use crate::path::camera_path::check_curve_speed;
 use crate::path::own::distance;
 use crate::path::{
-    Ease, EaseKind, Overrides, OrientationOverrides, Pace, PacePart, Tangents, TurningPart, Up, UpPath, UpPathPoint,
-    UpVector, Velocities, PaceSource,
+    Ease, EaseKind, OrientationOverrides, Overrides, Pace, PacePart, PaceSource, Tangents,
+    TurningPart, Up, UpPath, UpPathPoint, UpVector, Velocities,
 };
 use vides_engine::property::find;
 
@@ -53,7 +53,9 @@ impl Reader {
         let Some(row) = find(OrientationOverrides::PROPERTIES, field.key) else {
             return Ok(false);
         };
-        let own = self.own.get_or_insert_with(|| OrientationOverrides::clone(&self.before));
+        let own = self
+            .own
+            .get_or_insert_with(|| OrientationOverrides::clone(&self.before));
         let [up_given, pace_given] = &mut self.given;
         match row.key() {
             "up" if *up_given => return Err(field.error(Malformed::UpTwice)),
@@ -270,7 +272,9 @@ fn pace_part(table: Field<'_>) -> Result<PacePart> {
         return Err(table.error(Malformed::PartWithoutWhole));
     };
     match &mut of {
-        PaceSource::Speeds { before, after, .. } => (*before, *after) = (facing_before, facing_after),
+        PaceSource::Speeds { before, after, .. } => {
+            (*before, *after) = (facing_before, facing_after)
+        }
         _ if facing_before.or(facing_after).is_some() => {
             return Err(table.error(Malformed::NoneFacing));
         }

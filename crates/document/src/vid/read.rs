@@ -14,8 +14,8 @@ use crate::limits;
 use crate::math::orientation::wrap_degrees;
 use crate::path::camera_path::{check_base_speed, check_name};
 use crate::path::{
-    BaseFrames, CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, OrientationOverrides, Space,
-    SupportPoint, Target, Tcb, Up, ZoomMode, space,
+    BaseFrames, CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode,
+    OrientationOverrides, Space, SupportPoint, Target, Tcb, Up, ZoomMode, space,
 };
 use vides_engine::property::find;
 use vides_engine::scene::{Mesh, Scene};
@@ -513,7 +513,9 @@ fn read_view<'a>(
 /// The keys of an orientation.
 pub(crate) fn view_keys() -> impl Iterator<Item = &'static str> {
     let views = Orientation::PROPERTIES.iter().flat_map(|row| row.keys);
-    let owned = OrientationOverrides::PROPERTIES.iter().flat_map(|row| row.keys);
+    let owned = OrientationOverrides::PROPERTIES
+        .iter()
+        .flat_map(|row| row.keys);
     views.chain(owned).copied()
 }
 

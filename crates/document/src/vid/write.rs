@@ -266,7 +266,8 @@ mod tests {
     use crate::path::Tcb;
     use crate::path::Up;
     use crate::path::{
-        Overrides, OrientationOverrides, Pace, PacePart, Tangents, TurningPart, UpVector, Velocities, PaceSource,
+        OrientationOverrides, Overrides, Pace, PacePart, PaceSource, Tangents, TurningPart,
+        UpVector, Velocities,
     };
     use glam::{DQuat, DVec3};
 

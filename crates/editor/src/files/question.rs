@@ -76,7 +76,9 @@ impl Question {
             About::Unsaved(then) => {
                 let text = match then {
                     AfterSave::Close => texts.before_close,
-                    AfterSave::Load | AfterSave::Recent(_) | AfterSave::Dropped => texts.before_load,
+                    AfterSave::Load | AfterSave::Recent(_) | AfterSave::Dropped => {
+                        texts.before_load
+                    }
                     AfterSave::Restore(_) => texts.before_restore,
                 };
                 let name = name.unwrap_or_else(|| texts.this_path.to_owned());

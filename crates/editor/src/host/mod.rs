@@ -18,7 +18,7 @@ use crate::actions::Action;
 use crate::document::{Edit, Object, Selection};
 use crate::error::{EngineError, OutOfRange, Refused, Result};
 use crate::math::{orientation, view::View};
-use crate::path::{Change, Overrides, Orientation, Pose, Space, Target};
+use crate::path::{Change, Orientation, Overrides, Pose, Space, Target};
 use crate::space::Camera;
 use crate::state::{Editor, Reason, Request};
 use crate::texts::fill;

@@ -264,16 +264,17 @@ impl Editor {
         let path = self.document.path();
         let here = self.document.selection();
         let mut edits = Vec::new();
-        let mut change = |at: Selection, change: &dyn Fn(&mut OrientationOverrides)| -> Result<()> {
-            let points = path.points.get(at.point);
-            let key = points.and_then(|point| point.orientations.get(at.orientation));
-            let Some(key) = key else { return Ok(()) };
-            let own = key.own.with(change)?;
-            if own != key.own {
-                edits.push(with(at, key, |new| new.own = own));
-            }
-            Ok(())
-        };
+        let mut change =
+            |at: Selection, change: &dyn Fn(&mut OrientationOverrides)| -> Result<()> {
+                let points = path.points.get(at.point);
+                let key = points.and_then(|point| point.orientations.get(at.orientation));
+                let Some(key) = key else { return Ok(()) };
+                let own = key.own.with(change)?;
+                if own != key.own {
+                    edits.push(with(at, key, |new| new.own = own));
+                }
+                Ok(())
+            };
         match what {
             OwnedMotion::Zoom => change(here, &|own| own.zoom_slope = None)?,
             OwnedMotion::Turning => {

@@ -22,7 +22,7 @@ const NARROW: f32 = 4.0;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Pace {
     #[default]
-    PaceSource,
+    Whole,
     Half,
     Double,
 }

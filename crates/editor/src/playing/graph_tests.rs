@@ -130,7 +130,7 @@ fn where_there_are_no_ten_speeds_none_are_dragged() {
     };
     let way = [[0.0, 0.0], [0.5, 0.2], [1.0, 1.0]].as_slice();
     for pace in [path::Pace::Ease(ease), path::Pace::Distance(way.into())] {
-        let set = |own: &mut path::Own| own.pace = pace.clone();
+        let set = |own: &mut path::OrientationOverrides| own.pace = pace.clone();
         harness
             .state_mut()
             .set_orientation(|new| new.own = new.own.with(set).unwrap());
@@ -176,7 +176,7 @@ fn a_speed_of_the_current_section_is_dragged_up_and_down() {
 fn speeds_near_a_part_of_a_pace_are_dragged_too() {
     let mut harness = pyramid_window();
     harness.state_mut().document.select(2, 0).unwrap();
-    let of = path::own::Whole::Speeds {
+    let of = path::own::PaceSource::Speeds {
         speeds: harness.state().orientation().unwrap().speeds,
         before: None,
         after: None,

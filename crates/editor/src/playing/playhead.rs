@@ -9,7 +9,7 @@ use crate::document::{Document, Edit, Info, Selection};
 use crate::math::orientation;
 use crate::math::rotation_minimising::signed_angle;
 use crate::number::Entry;
-use crate::path::{Overrides, Orientation, Space, Target, UpVector};
+use crate::path::{Orientation, Overrides, Space, Target, UpVector};
 use crate::space::Camera;
 use crate::state::Editor;
 

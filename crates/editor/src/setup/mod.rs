@@ -229,7 +229,7 @@ pub(super) enum CameraPlace {
     /// Side by side with it.
     Beside,
     /// In its place.
-    PaceSource,
+    Whole,
 }
 
 impl CameraPlace {

@@ -141,8 +141,8 @@ impl PointerController {
             )),
             (None, Some(Handle::Vup)) if !self.is_busy() => Some(texts.roll_hint.to_owned()),
             (None, Some(what)) if !self.is_busy() => {
-                let [left, middle, right] =
-                    PLANES.map(|(_, axis)| DragConstraint::of_button(projection, axis).fixed.letter());
+                let [left, middle, right] = PLANES
+                    .map(|(_, axis)| DragConstraint::of_button(projection, axis).fixed.letter());
                 let hint = fill(texts.drag_hint, &[&left, &middle, &right]);
                 Some(of_tangent(what, hint))
             }
@@ -501,7 +501,9 @@ impl PointerController {
                     place: hold.from,
                 }),
                 // A click selects one more or one less, or the current one alone.
-                Some(Handle::Point(at)) if hold.adds => Some(Action::Choose(SelectionChange::Switch(at))),
+                Some(Handle::Point(at)) if hold.adds => {
+                    Some(Action::Choose(SelectionChange::Switch(at)))
+                }
                 Some(Handle::Point(_)) | None if !hold.adds && !hold.boxes => {
                     Some(Action::Choose(SelectionChange::Current))
                 }

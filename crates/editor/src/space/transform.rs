@@ -310,7 +310,11 @@ impl Transform {
     }
 
     /// Where its guides lead through, and along which axis or in which plane.
-    pub(super) fn guides(&self, editor: &Editor, projection: &Projection) -> (DVec3, DragConstraint) {
+    pub(super) fn guides(
+        &self,
+        editor: &Editor,
+        projection: &Projection,
+    ) -> (DVec3, DragConstraint) {
         let through = match self.kind {
             Kind::Move => editor.point().map_or(self.middle, |point| point.position),
             _ => self.middle,

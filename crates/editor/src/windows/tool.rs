@@ -13,7 +13,7 @@ use glam::DVec3;
 
 use super::{name_cross, row_at_right, sub_window_as};
 use crate::actions::Action;
-use crate::document::tool::{Cage, ToolInput, Needs, Tool};
+use crate::document::tool::{Cage, Needs, Tool, ToolInput};
 use crate::document::{Document, Selection, StepName};
 use crate::error::{EngineError, Error, OutOfRange, Result};
 use crate::files::Purpose;

@@ -8,7 +8,7 @@ use crate::path::{CurveKind, Pose, Sampler, SupportPoint, Tangents, Timeline};
 
 fn set(path: &mut CameraPath, up: &UpVector, ahead: Option<f64>) {
     for orientation in path.points.iter_mut().flat_map(|p| &mut p.orientations) {
-        let change = |own: &mut crate::path::Own| {
+        let change = |own: &mut crate::path::OrientationOverrides| {
             own.up = up.clone();
             own.ahead = ahead;
         };

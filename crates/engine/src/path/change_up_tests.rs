@@ -9,7 +9,8 @@ use crate::path::insertion::tests::random_path;
 use crate::path::test_support::Random;
 use crate::path::up_vector::check_ups;
 use crate::path::{
-    CurveKind, OrientationMode, OrientationOverrides, Pose, Sampler, Target, UpPath, UpPathPoint, Velocities,
+    CurveKind, OrientationMode, OrientationOverrides, Pose, Sampler, Target, UpPath, UpPathPoint,
+    Velocities,
 };
 
 fn pick(random: &mut Random, count: usize) -> usize {

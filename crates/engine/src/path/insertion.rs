@@ -15,7 +15,7 @@ use super::arc_length::ArcLength;
 use super::camera_path::{CameraPath, Orientation, OrientationMode, SupportPoint, Target, Tcb};
 use super::curve;
 use super::orientation_curve::{Rates, rates};
-use super::own::{Pace, PacePart, Tangents, TurningPart, Velocities, PaceSource};
+use super::own::{Pace, PacePart, PaceSource, Tangents, TurningPart, Velocities};
 use super::sampling::{Layout, Sampler, zoom_slopes};
 use super::section_sampler::SectionSampler;
 use super::timeline::Timeline;

@@ -57,7 +57,9 @@ pub use camera_path::{
     Target, Tcb, ZoomMode,
 };
 pub use ease::{Ease, EaseKind};
-pub use own::{Overrides, OrientationOverrides, Pace, PacePart, Tangents, TurningPart, Velocities, PaceSource};
+pub use own::{
+    OrientationOverrides, Overrides, Pace, PacePart, PaceSource, Tangents, TurningPart, Velocities,
+};
 pub use plan::Plan;
 pub use pose::Pose;
 pub use sampling::Sampler;

@@ -7,7 +7,9 @@ use crate::error::{Invalid, OutOfRange, Result, vec_with_room};
 use crate::limits::MAX_FRAMES;
 use crate::math::orientation::wrap_degrees;
 use crate::path::resample::resample;
-use crate::path::{CameraPath, Orientation, OrientationOverrides, Tangents, Target, Velocities, curve};
+use crate::path::{
+    CameraPath, Orientation, OrientationOverrides, Tangents, Target, Velocities, curve,
+};
 
 /// How far from 1 the weights' sum may be.
 const SUM: f64 = 1e-9;

@@ -18,8 +18,8 @@ use crate::limits::{MAX_NAME_BYTES, MAX_POINTS};
 use crate::path::own::distance_backwards;
 use crate::path::up_vector::check_ups;
 use crate::path::{
-    CameraPath, Change, CurveKind, CurveParameters, Ease, Orientation, Pace, PacePart,
-    SupportPoint, Tangents, Tcb, Timeline, TurningPart, Up, UpVector, Velocities, PaceSource, alignment,
+    CameraPath, Change, CurveKind, CurveParameters, Ease, Orientation, Pace, PacePart, PaceSource,
+    SupportPoint, Tangents, Tcb, Timeline, TurningPart, Up, UpVector, Velocities, alignment,
 };
 
 /// Half sizes of the space that a length must have to tell a direction.

@@ -1,7 +1,7 @@
 use super::*;
 use crate::path::own::check_distance;
 use crate::path::test_support::Random;
-use crate::path::{Overrides, OrientationOverrides, UpPath};
+use crate::path::{OrientationOverrides, Overrides, UpPath};
 use crate::path::{Pose, Sampler, Target, Timeline, curve};
 
 fn vector(random: &mut Random) -> DVec3 {
@@ -209,7 +209,9 @@ fn ups_are_kept_backwards_and_in_parts() {
         for orientation in path.points.iter_mut().flat_map(|p| &mut p.orientations) {
             orientation.target = target;
             orientation.hold = 0;
-            orientation.own = Overrides::default().with(|own| own.up = up.clone()).unwrap();
+            orientation.own = Overrides::default()
+                .with(|own| own.up = up.clone())
+                .unwrap();
         }
         let back = reverse(&path).unwrap();
         if !path.closed {

@@ -20,8 +20,8 @@ use crate::math::quaternion::{angle, continue_sign};
 use crate::path::camera_path::{check_coordinates, check_zoom};
 use crate::path::hermite::Cubic;
 use crate::path::{
-    CameraPath, Orientation, OrientationOverrides, Pace, Pose, Sampler, Space, SupportPoint, Tangents, Target,
-    Timeline, Up, Velocities,
+    CameraPath, Orientation, OrientationOverrides, Pace, Pose, Sampler, Space, SupportPoint,
+    Tangents, Target, Timeline, Up, Velocities,
 };
 
 /// A pose missed by no more than so many times the tolerance counts as met.

@@ -1,6 +1,8 @@
 use super::*;
 use crate::path::test_support::Random;
-use crate::path::{CurveKind, OrientationOverrides, Pose, Sampler, Timeline, UpPath, UpVector, curve};
+use crate::path::{
+    CurveKind, OrientationOverrides, Pose, Sampler, Timeline, UpPath, UpVector, curve,
+};
 
 fn path(random: &mut Random, absolute: bool) -> CameraPath {
     let mut vector = || DVec3::from_array(std::array::from_fn(|_| 2.0 * random.unit() - 1.0));
@@ -91,7 +93,8 @@ fn a_path_turns_with_its_ups() {
             for point in &mut old.points {
                 point.tangents = None;
                 let own = &mut point.orientations[0].own;
-                let change = |own: &mut OrientationOverrides| (own.up, own.ahead) = (up.clone(), ahead);
+                let change =
+                    |own: &mut OrientationOverrides| (own.up, own.ahead) = (up.clone(), ahead);
                 *own = own.with(change).unwrap();
             }
             let new = transform(&old, &[0, 1, 2, 3, 4], &matrix, true).unwrap();

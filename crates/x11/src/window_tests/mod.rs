@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 
 use super::stream::wait;
 use super::testing::{PATIENCE, Server};
-use super::{PollResult, Options, Window};
+use super::{Options, PollResult, Window};
 use crate::raster::Area;
 
 /// A window and what it told.

@@ -6,7 +6,7 @@ use super::graph::{Axes, Handle};
 use super::{Section, SpeedWindow, entered_own};
 use crate::actions::Action;
 use crate::number::Number;
-use crate::path::{Overrides, Orientation, Pace, Timing};
+use crate::path::{Orientation, Overrides, Pace, Timing};
 use crate::state::Editor;
 use crate::texts::fill;
 use crate::theme;

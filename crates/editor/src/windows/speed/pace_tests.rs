@@ -316,7 +316,7 @@ fn with_distance(language: Language) -> Window {
     let texts = &language.texts().speed_window;
     choose(&mut window, texts.pace, texts.distance);
     let way = [[0.0, 0.0], [0.5, 0.25], [1.0, 1.0]].as_slice();
-    let set = |own: &mut crate::path::Own| own.pace = Pace::Distance(way.into());
+    let set = |own: &mut crate::path::OrientationOverrides| own.pace = Pace::Distance(way.into());
     let editor = window.state_mut();
     editor.set_orientation(|new| new.own = new.own.with(set).unwrap());
     editor.document.mark_saved();
