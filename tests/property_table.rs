@@ -30,6 +30,18 @@ fn rows<T>(table: &[Property<T>], new: &T, out: &mut String) {
 }
 
 #[test]
+fn the_manual_names_every_key() {
+    let manual = include_str!("../man/vides.1");
+    let views = Orientation::PROPERTIES.iter().flat_map(|row| row.keys);
+    let own = OrientationOverrides::PROPERTIES
+        .iter()
+        .flat_map(|row| row.keys);
+    for key in views.chain(own) {
+        assert!(manual.contains(key), "{key}");
+    }
+}
+
+#[test]
 fn the_documents_table_is_current() {
     let mut table = String::from(
         "| key | kind | unit | range | new | what it is |\n|---|---|---|---|---|---|\n",

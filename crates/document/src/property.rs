@@ -5,7 +5,7 @@
 use vides_engine::property::find;
 
 use crate::editing::{Document, Selection};
-use crate::error::{Error, Refused, Result};
+use crate::error::{Error, Malformed, Refused, Result};
 use crate::info::{Info, Object};
 use crate::path::{CameraPath, CurveParameters, Orientation, OrientationOverrides, Overrides};
 use crate::prepare;
@@ -102,7 +102,8 @@ impl Document {
                     points: Vec::new(),
                     ..*path
                 };
-                vid::change_path(&line(key, value), &mut new, &mut info).map_err(told)?;
+                let read = |text: &str| vid::change_path(text, &mut new, &mut info);
+                read_value(key, value, read).map_err(told)?;
                 let presets = new.presets.into_iter().enumerate();
                 let presets = presets.map(|(preset, tcb)| Edit::SetPreset { preset, tcb });
                 let others = [
@@ -124,7 +125,8 @@ impl Document {
                         _ => {}
                     }
                 } else {
-                    vid::change_point(&line(key, value), &mut new, path.space).map_err(told)?;
+                    let read = |text: &str| vid::change_point(text, &mut new, path.space);
+                    read_value(key, value, read).map_err(told)?;
                 }
                 self.apply(match (key, new.curve) {
                     ("name", _) => Edit::SetName { at, name: new.name },
@@ -154,8 +156,8 @@ impl Document {
                         new.own = new.own.with(|own| (row.take)(own, &Overrides::NOTHING))?;
                     }
                 } else {
-                    let text = line(key, value);
-                    vid::change_view(&text, &mut new, position, path.space).map_err(told)?;
+                    let read = |text: &str| vid::change_view(text, &mut new, position, path.space);
+                    read_value(key, value, read).map_err(told)?;
                 }
                 // Aiming at something ends looking along the path.
                 if matches!(key, "target" | "offset") {
@@ -247,14 +249,21 @@ impl Document {
     }
 }
 
-/// `key = value` as it stands in a file.
-fn line(key: &str, value: &str) -> String {
+/// Reads `key = value` as it stands in a file; what no value of a file is, is a text.
+fn read_value(key: &str, value: &str, mut read: impl FnMut(&str) -> Result<()>) -> Result<()> {
     let value = value.trim();
+    let as_text = format!("{key} = {}\n", quoted(value));
     let is_text = TEXTS.contains(&key.rsplit('.').next().unwrap_or(key));
-    match is_text && !value.starts_with(['"', '\'', '{']) {
-        true => format!("{key} = {}\n", quoted(value)),
-        // One line: more would be more keys.
-        false => format!("{key} = {}\n", value.replace(['\n', '\r'], " ")),
+    if is_text && !value.starts_with(['"', '\'', '{']) {
+        return read(&as_text);
+    }
+    // One line: more would be more keys.
+    match read(&format!("{key} = {}\n", value.replace(['\n', '\r'], " "))) {
+        Err(Error::Format {
+            cause: Malformed::Toml(_),
+            ..
+        }) => read(&as_text),
+        done => done,
     }
 }
 

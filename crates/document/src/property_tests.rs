@@ -105,7 +105,11 @@ fn what_cannot_be_is_refused() {
             "3000",
             "point.2.zoom: the zoom must lie between 1 and 2000",
         ),
-        ("point.2.zoom", "wide", "point.2.zoom: "),
+        (
+            "point.2.zoom",
+            "wide",
+            "point.2.zoom: expected a number, found a text",
+        ),
         (
             "point.2.zoom",
             "nan",
@@ -117,7 +121,11 @@ fn what_cannot_be_is_refused() {
             "-1",
             "point.2.hold: must lie between 0 and 1000000",
         ),
-        ("point.2.locked", "yes", "point.2.locked: "),
+        (
+            "point.2.locked",
+            "yes",
+            "point.2.locked: expected true or false, found a text",
+        ),
         (
             "point.2.colour",
             "1",
