@@ -1981,7 +1981,8 @@ int v_scene_new(V_SCENE **scene);
  * with v_scene_free().
  *
  * A mesh in a file of its own that is gone or broken leaves its object empty, and one
- * that has changed is taken: the answer is V_OK, and v_last_error() tells.
+ * that has changed is taken: the answer is V_OK, and v_last_warning() tells, "" if all are
+ * as they were.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT (with
  * line and reason in v_last_error()), V_ERR_MEMORY, V_ERR_LIMIT. Memory that
  * runs out while the text itself is read or parsed ends the program.
@@ -2342,7 +2343,7 @@ int v_scene_frame_range(const V_SCENE *scene, double *first, double *last);
  *
  * A channel whose interpolation is the host's and is not registered, fails or
  * gives no finite number steps from key to key: the rest plays, the answer is
- * V_OK, and v_last_error() tells.
+ * V_OK, and v_last_warning() tells, "" if there was none.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (fewer
  * than the nodes; *count is written), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
  * V_ERR_MEMORY.

@@ -13,7 +13,7 @@ use super::pointers::{
 };
 use super::scene_handles::{self, change, edit, insert, look, read};
 use super::scene_types::*;
-use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK, clear_last_error, set_last_error};
+use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK, add_last_warning, clear_last_warning};
 use super::types::V_PATH;
 use crate::document::{Info, SceneDocument};
 use crate::error::{Invalid, Refused};
@@ -207,7 +207,8 @@ pub unsafe extern "C" fn v_scene_new(scene: *mut *mut V_SCENE) -> c_int {
 /// with v_scene_free().
 ///
 /// A mesh in a file of its own that is gone or broken leaves its object empty, and one
-/// that has changed is taken: the answer is V_OK, and v_last_error() tells.
+/// that has changed is taken: the answer is V_OK, and v_last_warning() tells, "" if all are
+/// as they were.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT (with
 /// line and reason in v_last_error()), V_ERR_MEMORY, V_ERR_LIMIT. Memory that
 /// runs out while the text itself is read or parsed ends the program.
@@ -247,9 +248,9 @@ pub unsafe extern "C" fn v_scene_load_from_memory(
 
 /// A handle for a scene that was read; tells what was wrong with its meshes.
 fn insert_loaded(document: SceneDocument) -> Answer<*mut V_SCENE> {
-    clear_last_error();
-    if let Some(warning) = document.warnings().first() {
-        set_last_error(format_args!("{warning}"));
+    clear_last_warning();
+    for warning in document.warnings() {
+        add_last_warning(format_args!("{warning}."));
     }
     insert(document)
 }

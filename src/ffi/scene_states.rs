@@ -9,22 +9,23 @@ use super::pointers::{ArrayOut, Out, check, index, slice_mut, text};
 use super::scene_handles::read;
 use super::scene_tracks::mesh_points;
 use super::scene_types::{V_NODE_STATE, V_SCENE};
-use super::status::{V_ERR_INTERNAL, V_OK, clear_last_error, set_last_error};
+use super::status::{V_ERR_INTERNAL, V_OK, add_last_warning, clear_last_error, clear_last_warning};
 use crate::document::SceneDocument;
 use crate::error::vec_with_room;
 use crate::scene::{Channel, NodeState, Warnings};
 
-/// After a success: reports what a host's interpolation did wrong, in place of any error its own
-/// calls have left.
+/// After a success: reports what a host's interpolation did wrong, and takes back any error that
+/// its own calls have left.
 fn report(document: &SceneDocument, warnings: &Warnings) {
     clear_last_error();
+    clear_last_warning();
     if let Some((node, message)) = warnings.first() {
         let name = document
             .scene
             .nodes()
             .get(node)
             .map_or("", |node| &node.name);
-        set_last_error(format_args!("node \"{name}\": {message}"));
+        add_last_warning(format_args!("node \"{name}\": {message}."));
     }
 }
 
@@ -57,7 +58,7 @@ pub unsafe extern "C" fn v_scene_frame_range(
 ///
 /// A channel whose interpolation is the host's and is not registered, fails or
 /// gives no finite number steps from key to key: the rest plays, the answer is
-/// V_OK, and v_last_error() tells.
+/// V_OK, and v_last_warning() tells, "" if there was none.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (fewer
 /// than the nodes; *count is written), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
 /// V_ERR_MEMORY.
