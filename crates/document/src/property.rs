@@ -86,7 +86,7 @@ impl Document {
     /// `ErrorKind::Argument` or `Range` with the name and the reason; `ErrorKind::Memory`. The
     /// path is as it was then.
     pub fn set_property(&mut self, name: &str, value: &str) -> Result<()> {
-        let place = place(name)?;
+        let (place, value) = (place(name)?, value.trim());
         let told = |error| match error {
             Error::Format { cause, .. } => Error::Property {
                 name: (&name).into(),
@@ -103,7 +103,11 @@ impl Document {
                     ..*path
                 };
                 let read = |text: &str| vid::change_path(text, &mut new, &mut info);
-                read_value(key, value, read).map_err(told)?;
+                let new_value = match value {
+                    "" => Self::new().property(key)?,
+                    given => given.to_owned(),
+                };
+                read_value(key, &new_value, read).map_err(told)?;
                 let presets = new.presets.into_iter().enumerate();
                 let presets = presets.map(|(preset, tcb)| Edit::SetPreset { preset, tcb });
                 let others = [
@@ -117,7 +121,8 @@ impl Document {
             }
             Place::Point(at, key) => {
                 let mut new = prepare::point(path, at)?.clone();
-                if value.is_empty() {
+                // A position has no value that it had when it was new.
+                if value.is_empty() && key != "position" {
                     match key {
                         "name" => new.name = None,
                         "tangents" => new.tangents = None,
@@ -251,7 +256,6 @@ impl Document {
 
 /// Reads `key = value` as it stands in a file; what no value of a file is, is a text.
 fn read_value(key: &str, value: &str, mut read: impl FnMut(&str) -> Result<()>) -> Result<()> {
-    let value = value.trim();
     let as_text = format!("{key} = {}\n", quoted(value));
     let is_text = TEXTS.contains(&key.rsplit('.').next().unwrap_or(key));
     if is_text && !value.starts_with(['"', '\'', '{']) {

@@ -69,7 +69,14 @@ fn names_need_neither_unit_nor_view() {
 #[test]
 fn nothing_gives_back_what_a_new_one_has() {
     let mut document = flight();
+    document.set_property("fps", "30").unwrap();
+    document.set_property("curve", "cubic").unwrap();
     for (name, value) in [
+        ("fps", "25.0"),
+        ("closed", "false"),
+        ("curve", "\"tcb\""),
+        ("title", "\"\""),
+        ("base_speeds.zoom_frames", "100.0"),
         ("point.2.zoom", "24.0"),
         ("point.2.hold", "0"),
         ("point.2.name", ""),

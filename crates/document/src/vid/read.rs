@@ -1,5 +1,7 @@
 //! From the text of a `.vid` file to its document.
 
+use std::iter::once;
+
 use glam::DVec3;
 use toml::de::DeTable;
 
@@ -21,6 +23,7 @@ use vides_engine::property::find;
 use vides_engine::scene::{Mesh, Scene};
 use vides_engine::tools::check::{FindingKind, Limits, OFF};
 
+/// The keys of a file; those from `title` to `presets` are one value of the whole path each.
 const KEYS: [&str; 17] = [
     "version",
     "title",
@@ -40,6 +43,9 @@ const KEYS: [&str; 17] = [
     "marker",
     "node",
 ];
+
+/// The keys of a whole path that are neither places nor lists.
+pub(crate) const PATH_KEYS: &[&str] = KEYS.split_at(11).0.split_at(1).1;
 
 /// Arrays of tables, which may recur in each piece of a file.
 const REPEATED: [&str; 3] = ["point", "marker", "node"];
@@ -522,55 +528,44 @@ pub(crate) fn view_keys() -> impl Iterator<Item = &'static str> {
 /// The keys of a point, but for its orientations.
 pub(crate) const POINT_KEYS: [&str; 5] = ["name", "position", "preset", "own", "tangents"];
 
-/// Reads `key = value` of an orientation at `position`, as it stands in a file.
+/// Reads each `key = value` of a text as it stands in a file.
+fn read_lines(text: &str, read: impl FnMut(Field<'_>) -> Result<()>) -> Result<()> {
+    let source = Source { text, start: 0 };
+    let (root, _) = pieces::parse(source)?;
+    fields(source, &root).try_for_each(read)
+}
+
+/// Reads `key = value` of an orientation at `position`.
 pub(crate) fn change_view(
     text: &str,
     into: &mut Orientation,
     position: DVec3,
     space: Space,
 ) -> Result<()> {
-    let source = Source { text, start: 0 };
-    let (root, _) = pieces::parse(source)?;
-    let fields = fields(source, &root);
-    read_view(fields, into, position, space, &mut ReadContext::default())
+    let mut context = ReadContext::default();
+    read_lines(text, |field| {
+        read_view(once(field), into, position, space, &mut context)
+    })
 }
 
 /// Reads `key = value` of a point. Its orientations stay.
 pub(crate) fn change_point(text: &str, into: &mut SupportPoint, space: Space) -> Result<()> {
-    let source = Source { text, start: 0 };
-    let (root, _) = pieces::parse(source)?;
-    for field in fields(source, &root) {
+    read_lines(text, |field| {
         match field.key {
             "position" => into.position = field.place_in(space)?,
             _ if read_point(field, into, space)? => {}
             _ => return Err(field.unknown(&POINT_KEYS)),
         }
-    }
-    Ok(())
+        Ok(())
+    })
 }
 
 /// Reads `key = value` of what holds for a whole path.
 pub(crate) fn change_path(text: &str, path: &mut CameraPath, info: &mut Info) -> Result<()> {
-    let source = Source { text, start: 0 };
-    let (root, _) = pieces::parse(source)?;
-    for field in fields(source, &root) {
-        if !read_info(field, info)? && !read_setting(field, path)? {
-            return Err(field.unknown(&PATH_KEYS));
+    read_lines(text, |field| {
+        match read_info(field, info)? || read_setting(field, path)? {
+            true => Ok(()),
+            false => Err(field.unknown(PATH_KEYS)),
         }
-    }
-    Ok(())
+    })
 }
-
-/// The keys of a whole path that are neither tables of places nor lists.
-pub(crate) const PATH_KEYS: [&str; 10] = [
-    "title",
-    "comment",
-    "fps",
-    "first_frame",
-    "closed",
-    "curve",
-    "orientation_mode",
-    "zoom_mode",
-    "base_speeds",
-    "presets",
-];
