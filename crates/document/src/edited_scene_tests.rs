@@ -133,12 +133,13 @@ fn poses_are_those_of_the_camera_that_is_shown() {
     let mut document = document(&scene());
     let (mut own, mut others) = ([Pose::default(); 20], [Pose::default(); 20]);
     document.sampler().unwrap().sample(1, &mut own).unwrap();
-    document.poses().unwrap().sample(1, &mut others).unwrap();
+    // The camera goes from frame 11 on, the car from frame 1.
+    document.poses().unwrap().sample(11, &mut others).unwrap();
     assert_eq!(own, others);
     // Whichever path is edited.
     document.apply(Edit::EditNode(Some(0))).unwrap();
     move_first(&mut document);
-    document.poses().unwrap().sample(1, &mut others).unwrap();
+    document.poses().unwrap().sample(11, &mut others).unwrap();
     assert_eq!(own, others);
     assert_eq!(
         document.shown_path().unwrap().path(),
@@ -146,21 +147,34 @@ fn poses_are_those_of_the_camera_that_is_shown() {
     );
 }
 
-/// A program that takes the poses wants the flight; a file has the frames that all else is at.
+/// One count: a program that takes the poses gets what a file has, frame by frame.
 #[test]
-fn poses_begin_with_the_path_and_files_with_the_scene() {
-    let document = document(&scene());
-    let poses = document.poses().unwrap();
-    let mut first = [Pose::default()];
-    poses.sample(1, &mut first).unwrap();
-    let mut text = Vec::new();
-    crate::export::write(&document, Format::Csv, &mut text, &mut |_, _| {}).unwrap();
-    let lines = String::from_utf8(text).unwrap();
-    // The car goes from frame 1 on, the camera from frame 11 to the last.
-    assert_eq!(lines.lines().count(), 1 + 10 + poses.frame_count());
-    let (written, frames, _) = crate::poses_of_text(&lines).unwrap();
-    assert_eq!(frames.unwrap()[10], 11.0);
-    assert_eq!(written[10], first[0]);
+fn poses_are_those_of_a_file_over_the_scenes_range() {
+    let mut scene = scene();
+    let (first, last) = scene.frame_range();
+    let wide = (last - first) as usize + 1;
+    let second = Node::new("second", Kind::Camera(Default::default()));
+    let second = scene.add(second).unwrap();
+    for (camera, range, count) in [
+        (None, None, wide),
+        (Some(second), None, wide),
+        (None, Some((-3.5, 20.0)), 24),
+        (Some(second), Some((40.0, 40.25)), 1),
+    ] {
+        scene.set_camera(camera).unwrap();
+        scene.set_range(range).unwrap();
+        let document = document(&scene);
+        let poses = document.poses().unwrap();
+        assert_eq!(poses.frame_count(), count);
+        let mut all = vec![Pose::default(); count];
+        poses.sample(1, &mut all).unwrap();
+        let mut text = Vec::new();
+        crate::export::write(&document, Format::Csv, &mut text, &mut |_, _| {}).unwrap();
+        let lines = String::from_utf8(text).unwrap();
+        let (written, frames, _) = crate::poses_of_text(&lines).unwrap();
+        assert_eq!(written, all);
+        assert_eq!(frames.unwrap()[0], scene.frame_range().0);
+    }
 }
 
 #[test]

@@ -258,16 +258,30 @@ impl Track {
 
     /// The same track with one number more in each key, 0 throughout.
     pub(super) fn widened(&self) -> Result<Self> {
-        let wide = |numbers: &[f64]| {
-            let mut all = vec_with_room(numbers.len() / self.width * (self.width + 1))?;
-            for key in numbers.chunks_exact(self.width) {
-                all.extend_from_slice(key);
-                all.push(0.0);
-            }
+        self.with_keys(self.width + 1, |all, key| {
+            all.extend_from_slice(key);
+            all.push(0.0);
+        })
+    }
+
+    /// The same track without the number `at` of each key, one of at least two.
+    pub(super) fn narrowed(&self, at: usize) -> Result<Self> {
+        self.with_keys(self.width - 1, |all, key| {
+            all.extend_from_slice(&key[..at]);
+            all.extend_from_slice(&key[at + 1..]);
+        })
+    }
+
+    /// The same track with `width` numbers in each key, which `put` makes of the old ones.
+    fn with_keys(&self, width: usize, put: impl Fn(&mut Vec<f64>, &[f64])) -> Result<Self> {
+        let changed = |numbers: &[f64]| {
+            let mut all = vec_with_room(numbers.len() / self.width * width)?;
+            let keys = numbers.chunks_exact(self.width);
+            keys.for_each(|key| put(&mut all, key));
             Ok::<_, Error>(all)
         };
         let shape = if self.interpolation == Interpolation::Hermite {
-            wide(&self.shape)?
+            changed(&self.shape)?
         } else {
             self.shape.clone()
         };
@@ -275,7 +289,7 @@ impl Track {
             self.channel.clone(),
             self.interpolation.clone(),
             self.frames.clone(),
-            wide(&self.values)?,
+            changed(&self.values)?,
             shape,
         )?
         .with_extrapolation(self.before, self.after)
