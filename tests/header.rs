@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 /// The files with exports, in the order in which the header shows them.
-const SOURCES: [&str; 28] = [
+const SOURCES: [&str; 30] = [
     "status",
     "types",
     "legacy",
@@ -25,7 +25,9 @@ const SOURCES: [&str; 28] = [
     "scene_types",
     "scene",
     "scene_space",
+    "scene_shown",
     "scene_tracks",
+    "scene_contents",
     "scene_states",
     "checks",
     "editor",

@@ -366,6 +366,18 @@ impl Scene {
         Ok(())
     }
 
+    /// The object that a node is.
+    ///
+    /// # Errors
+    /// [`Error::Range`] if there is no such node, [`Error::Argument`] if it is no object.
+    pub fn object(&self, at: usize) -> Result<&super::Object> {
+        let node = self.node(at)?;
+        match &node.kind {
+            Kind::Object(object) => Ok(object),
+            _ => Err(Invalid::NoObject((&node.name).into()).into()),
+        }
+    }
+
     fn object_mut(&mut self, at: usize) -> Result<&mut super::Object> {
         let node = self.node_mut(at)?;
         match &mut node.kind {
