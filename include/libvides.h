@@ -591,7 +591,8 @@ struct v_editor_options {
     const char *language;
     /**
      * called when the user hands over the poses; they are the library's and
-     * valid until it returns. NULL: nothing can be handed over
+     * valid until it returns. Of a scene they are those of the camera that is shown,
+     * one for each frame of v_scene_frame_range(). NULL: nothing can be handed over
      */
     void (*on_poses)(V_EDITOR *editor, const V_POSE *poses, size_t count, void *user);
     /**
@@ -2988,6 +2989,54 @@ int v_editor_get_scene(const V_EDITOR *editor,
  */
 int v_editor_set_scene(V_EDITOR *editor,
                        const V_SCENE *scene);
+
+
+/* ---- Steps of a window ------------------------------------------------------- */
+
+/**
+ * Takes back the last step of a window, as the user does by Ctrl-Z.
+ * The thread that opened the window; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (there is none).
+ */
+int v_editor_undo(V_EDITOR *editor);
+
+/**
+ * Does again what was taken back last, as the user does by Ctrl-Y.
+ * The thread that opened the window; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (there is none).
+ */
+int v_editor_redo(V_EDITOR *editor);
+
+/**
+ * Begins what the user can take back at once: all that is changed in a window, by whomever,
+ * until v_editor_end_step(). One that was begun before is forgotten; another document in the
+ * window ends it.
+ * The thread that opened the window; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_CLOSED.
+ */
+int v_editor_begin_step(V_EDITOR *editor);
+
+/**
+ * Ends what v_editor_begin_step() has begun; without that it does nothing.
+ * The thread that opened the window; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_MEMORY (the steps stay apart).
+ */
+int v_editor_end_step(V_EDITOR *editor);
+
+/**
+ * The point that is current and its orientation, both counted from 0, see
+ * v_editor_select(). Each result may be NULL.
+ * The thread that opened the window; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no path of its scene is edited).
+ */
+int v_editor_get_selection(const V_EDITOR *editor, int *point, int *orientation);
+
+/**
+ * Whether a window plays the flight, see v_editor_play(): *playing is 1 or 0.
+ * The thread that opened the window; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_CLOSED.
+ */
+int v_editor_is_playing(const V_EDITOR *editor, int *playing);
 
 
 /* ---- Toolbox: quaternions ---------------------------------------------------- */

@@ -167,6 +167,32 @@ fn info_shows_nodes_tracks_and_markers() {
     }
 }
 
+/// Frames are told as people count them, and which camera is shown.
+#[test]
+fn info_counts_from_the_first_frame() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("car.vid");
+    let mut document = SceneDocument::load(Path::new(CAR)).unwrap();
+    document.info.first_frame = 1001;
+    document.scene.set_range(Some((3.0, 20.5))).unwrap();
+    document.save(&file).unwrap();
+    let file = file.to_str().unwrap();
+    let text = said(&["info", file]);
+    assert!(
+        text.contains("Camera       camera\nFrames       1003 to 1020.5\n"),
+        "{text}"
+    );
+    let frame = document.scene.markers()[0].frame + 1000.0;
+    assert!(text.contains(&format!(" {frame}  at the arm")), "{text}");
+    let json = said(&["info", file, "--json"]);
+    let told: serde_json::Value = serde_json::from_str(&json).unwrap();
+    assert_eq!(told["camera"], "camera");
+    assert_eq!(
+        [&told["first_frame"], &told["last_frame"]],
+        [1003.0, 1020.5]
+    );
+}
+
 /// A file with a track whose interpolation is the host's.
 fn with_host(folder: &Path) -> String {
     let file = folder.join("host.vid");

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 /// The files with exports, in the order in which the header shows them.
-const SOURCES: [&str; 30] = [
+const SOURCES: [&str; 31] = [
     "status",
     "types",
     "legacy",
@@ -33,6 +33,7 @@ const SOURCES: [&str; 30] = [
     "editor",
     "live",
     "editor_scene",
+    "editor_steps",
     "quaternions",
     "splines",
     "view",

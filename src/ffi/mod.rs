@@ -29,6 +29,7 @@ mod enter;
 mod callbacks;
 mod editor;
 mod editor_scene;
+mod editor_steps;
 mod handles;
 mod host_loop;
 mod legacy;

@@ -45,6 +45,7 @@ static V_SCENE *everything(void)
     static const double twist[] = {1, 90}, taper[] = {0, 1, 0.5}, box[] = {-1, 0, -1, 1, 2, 3};
     static const double weights[] = {0, 0.25, 0.5, 1, 2, 3}, way[] = {0, 0, 0, 4, 0, 0};
     static const double slopes[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}, zooms[] = {24, 50};
+    static const double tcb[] = {-1, 0.5, 1, 0, -0.0, 0.25};
     static const double centre[] = {1, 2, 3}, one = 90;
     V_SCENE *scene = NULL;
     V_PATH *path = new_path();
@@ -89,7 +90,7 @@ static V_SCENE *everything(void)
                          V_AFTER_REPEAT | V_BEFORE_PINGPONG));
     OK(v_scene_set_track(scene, sheet, "deformation.0.angle", "step", two, &one, NULL, 1, 0));
     OK(v_scene_set_track(scene, sheet, "position", "hermite", two, way, slopes, 2, 0));
-    OK(v_scene_set_track(scene, sheet, "value:wind:3", "tcb", two, way, slopes, 2, 0));
+    OK(v_scene_set_track(scene, sheet, "value:wind:3", "tcb", two, way, tcb, 2, 0));
     OK(v_scene_set_track(scene, eye, "zoom", "linear", two, zooms, NULL, 2, V_AFTER_OFFSET));
     OK(v_scene_set_path(scene, late, path, 3.5, V_AFTER_PINGPONG));
     OK(v_scene_set_marker(scene, "meet", 12));

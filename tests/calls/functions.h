@@ -207,6 +207,12 @@
     F(v_editors_close, STATUS, V_OK, 1) \
     F(v_editor_get_scene, STATUS, V_OK, 1) \
     F(v_editor_set_scene, STATUS, V_OK, 1) \
+    F(v_editor_undo, STATUS, -2, 1) \
+    F(v_editor_redo, STATUS, -2, 1) \
+    F(v_editor_begin_step, STATUS, V_OK, 1) \
+    F(v_editor_end_step, STATUS, V_OK, 1) \
+    F(v_editor_get_selection, STATUS, -2, 1) \
+    F(v_editor_is_playing, STATUS, V_OK, 1) \
     F(v_quat_slerp, STATUS, V_OK, 0) \
     F(v_quat_from_view, STATUS, V_OK, 0) \
     F(v_view_from_quat, STATUS, V_OK, 0) \
