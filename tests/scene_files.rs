@@ -367,7 +367,10 @@ fn complaints_name_line_node_channel_and_key() {
             "range = [-5e7, 5e7]\nnode = []\n",
             "line 2: range: the scene has more than 100000000 frames",
         ),
-        ("range = [1, 2]\nclosed = true\n", "line 4: a path needs at least two points"),
+        (
+            "range = [1, 2]\nclosed = true\n",
+            "line 4: a path needs at least two points",
+        ),
     ];
     for (text, want) in cases {
         let text = format!("version = 1\n{text}");

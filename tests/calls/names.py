@@ -47,7 +47,7 @@ def fault(text):
 
 
 def block(data, room=0):
-    data = ctypes.create_string_buffer(data, max(len(data), room))
+    data = ctypes.create_string_buffer(data, max(len(data) + 1, room))  # a text ends by zero
     kept.append(data)
     return ctypes.addressof(data)
 

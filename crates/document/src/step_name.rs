@@ -200,7 +200,7 @@ mod tests {
     fn steps_since_a_mark_become_one() {
         let mut document = Document::new();
         document.join_steps().unwrap();
-        document.apply(Edit::SetClosed(true)).unwrap();
+        document.apply(Edit::Reverse).unwrap();
         let (before, number) = (document.path().clone(), document.state_number());
         document.mark_steps();
         document.apply(Edit::AppendAfterLast).unwrap();
@@ -208,7 +208,7 @@ mod tests {
         assert!(document.undo());
         document.apply(Edit::Repeat(2)).unwrap();
         document.begin_step();
-        document.apply(Edit::SetClosed(false)).unwrap();
+        document.apply(Edit::SetClosed(true)).unwrap();
         let after = document.path().clone();
         document.join_steps().unwrap();
         assert_eq!(document.step_names(), [Some(StepName::InsertPoint), None]);
@@ -219,7 +219,7 @@ mod tests {
                 (document.path(), document.state_number()),
                 (&before, number)
             );
-            assert_eq!(document.step_names()[0], Some(StepName::Closed));
+            assert_eq!(document.step_names()[0], Some(StepName::Reverse));
             assert!(document.redo() && !document.redo());
         }
         // One that was undone below its mark joins what comes after.
