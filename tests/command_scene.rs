@@ -193,6 +193,35 @@ fn info_counts_from_the_first_frame() {
     );
 }
 
+/// Without a node it is the shown camera's, over the scene's range, as people count.
+#[test]
+fn the_shown_camera_is_written_over_the_range() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("car.vid");
+    let mut document = SceneDocument::load(Path::new(CAR)).unwrap();
+    let mut second = document.scene.nodes()[document.scene.find("camera").unwrap()].clone();
+    second.name = "second".to_owned();
+    second.rest.roll = 30.0;
+    let second = document.scene.add(second).unwrap();
+    document.info.first_frame = 1001;
+    document.scene.set_camera(Some(second)).unwrap();
+    document.scene.set_range(Some((3.0, 20.5))).unwrap();
+    document.save(&file).unwrap();
+    let file = file.to_str().unwrap();
+    let shown = said(&["sample", file, "--format", "csv"]);
+    let named = said(&["sample", file, "--format", "csv", "--node", "second"]);
+    let other = said(&["sample", file, "--format", "csv", "--node", "camera"]);
+    assert_eq!(shown, named);
+    assert_ne!(shown, other);
+    let frames: Vec<&str> = shown
+        .lines()
+        .skip(1)
+        .filter_map(|line| line.split(',').next())
+        .collect();
+    let want: Vec<String> = (1003..=1020).map(|frame: i32| frame.to_string()).collect();
+    assert_eq!(frames, want);
+}
+
 /// A file with a track whose interpolation is the host's.
 fn with_host(folder: &Path) -> String {
     let file = folder.join("host.vid");

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 /// The files with exports, in the order in which the header shows them.
-const SOURCES: [&str; 31] = [
+const SOURCES: [&str; 32] = [
     "status",
     "types",
     "legacy",
@@ -29,6 +29,7 @@ const SOURCES: [&str; 31] = [
     "scene_tracks",
     "scene_contents",
     "scene_states",
+    "exchange",
     "checks",
     "editor",
     "live",

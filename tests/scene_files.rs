@@ -4,7 +4,8 @@
 use glam::{DQuat, DVec3};
 use vides::deform::{Bounds, Deformation};
 use vides::document::{Document, SceneDocument};
-use vides::path::CameraPath;
+use vides::formats::{Options, by_name, export_to};
+use vides::path::{CameraPath, Pose};
 use vides::scene::{
     Camera, Channel, Extrapolation, FollowPath, Interpolation, Kind, Light, Mesh, Node, Object,
     Scene, Shape, Track,
@@ -260,6 +261,59 @@ fn the_chosen_cameras_path_is_the_documents() {
         let (whole, _) = Document::scene_from_toml(&text, "".as_ref()).unwrap();
         assert_eq!(whole.shown_path().unwrap().path(), &want);
         assert_eq!(whole.path(), &want);
+    }
+}
+
+/// One count: a program that takes the poses gets what a file has, frame by frame, and people
+/// read the frames as they count them.
+#[test]
+fn poses_handed_over_are_those_of_a_file() {
+    let mut document = SceneDocument::try_new().unwrap();
+    document.info.first_frame = -7;
+    let scene = &mut document.scene;
+    let mut second = Node::new("second", Kind::Camera(Camera::default()));
+    second.parent = Some(0);
+    second.rest.roll = 20.0;
+    let second = scene.add(second).unwrap();
+    scene
+        .set_track(
+            second,
+            track("zoom", "linear", &[-9.0, 700.5], &[24.0, 50.0], &[]),
+        )
+        .unwrap();
+    for (camera, range, count) in [
+        (None, None, 710),
+        (Some(second), None, 710),
+        (None, Some((-3.5, 20.0)), 24),
+        (Some(second), Some((40.0, 40.25)), 1),
+    ] {
+        document.scene.set_camera(camera).unwrap();
+        document.scene.set_range(range).unwrap();
+        let (first, _) = document.scene.frame_range();
+        let text = document.to_toml().unwrap();
+        let (whole, _) = Document::scene_from_toml(&text, "".as_ref()).unwrap();
+        let poses = whole.poses().unwrap();
+        let mut all = vec![Pose::default(); poses.frame_count()];
+        poses.sample(1, &mut all).unwrap();
+        assert_eq!(all.len(), count);
+        let (mut lines, csv) = (Vec::new(), by_name("csv").unwrap());
+        export_to(
+            &document,
+            &mut lines,
+            csv,
+            &Options::default(),
+            &mut |_, _| {},
+        )
+        .unwrap();
+        let lines = String::from_utf8(lines).unwrap();
+        assert_eq!(lines.lines().count(), 1 + count);
+        for (at, (line, pose)) in lines.lines().skip(1).zip(&all).enumerate() {
+            let numbers: Vec<f64> = line.split(',').map(|word| word.parse().unwrap()).collect();
+            let want = [pose.vrp, pose.vpn, pose.vup];
+            assert_eq!(numbers[0], first + at as f64 - 8.0);
+            assert_eq!(numbers[1..10], *want.as_flattened());
+            assert_eq!(numbers[10], pose.zoom);
+        }
     }
 }
 

@@ -30,6 +30,7 @@ mod callbacks;
 mod editor;
 mod editor_scene;
 mod editor_steps;
+mod exchange;
 mod handles;
 mod host_loop;
 mod legacy;

@@ -3,7 +3,6 @@ use vides_engine::scene::{Camera, Extrapolation, Marker};
 use super::*;
 use crate::Edit;
 use crate::error::ErrorKind;
-use crate::export::Format;
 use crate::path::Space;
 use glam::DVec3;
 
@@ -145,36 +144,6 @@ fn poses_are_those_of_the_camera_that_is_shown() {
         document.shown_path().unwrap().path(),
         &CameraPath::default()
     );
-}
-
-/// One count: a program that takes the poses gets what a file has, frame by frame.
-#[test]
-fn poses_are_those_of_a_file_over_the_scenes_range() {
-    let mut scene = scene();
-    let (first, last) = scene.frame_range();
-    let wide = (last - first) as usize + 1;
-    let second = Node::new("second", Kind::Camera(Default::default()));
-    let second = scene.add(second).unwrap();
-    for (camera, range, count) in [
-        (None, None, wide),
-        (Some(second), None, wide),
-        (None, Some((-3.5, 20.0)), 24),
-        (Some(second), Some((40.0, 40.25)), 1),
-    ] {
-        scene.set_camera(camera).unwrap();
-        scene.set_range(range).unwrap();
-        let document = document(&scene);
-        let poses = document.poses().unwrap();
-        assert_eq!(poses.frame_count(), count);
-        let mut all = vec![Pose::default(); count];
-        poses.sample(1, &mut all).unwrap();
-        let mut text = Vec::new();
-        crate::export::write(&document, Format::Csv, &mut text, &mut |_, _| {}).unwrap();
-        let lines = String::from_utf8(text).unwrap();
-        let (written, frames, _) = crate::poses_of_text(&lines).unwrap();
-        assert_eq!(written, all);
-        assert_eq!(frames.unwrap()[0], scene.frame_range().0);
-    }
 }
 
 #[test]
