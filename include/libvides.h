@@ -2674,6 +2674,44 @@ int v_scene_vertices(const V_SCENE *scene,
                      size_t capacity,
                      size_t *points);
 
+/**
+ * Writes a scene in the format of another program: gltf, glb, usda, blender,
+ * paraview, vtk, nerfstudio, transforms, cameras, tum, kitti, colmap (a folder), osg, chan,
+ * html, ascii, csv, json or vid; format NULL: the one that the file's name tells. options are
+ * lines name=value of the long options of `vides convert` ("fps=30\nnode=camera"); NULL: none.
+ * Each file is afterwards wholly the old or wholly the new one.
+ *
+ * What the format cannot hold is left out: the answer is V_OK, and v_last_warning()
+ * tells, a line each, "" if nothing is.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY, V_ERR_ARGUMENT (format,
+ * options, no such node), V_ERR_RANGE (frames), V_ERR_IO, V_ERR_LIMIT, V_ERR_MEMORY.
+ * Memory that runs out while a file is opened or written may end the program; the old file
+ * stays.
+ */
+int v_scene_export(const V_SCENE *scene,
+                   const char *file,
+                   const char *format,
+                   const char *options);
+
+/**
+ * Reads the file of another program, or a folder of COLMAP's, as a scene: one of gltf, glb,
+ * usda, nerfstudio, transforms, cameras, tum, kitti, colmap, osg, chan, paraview (what
+ * v_scene_export() wrote; nothing is run), ascii, csv, json and vid; format NULL: the one that
+ * the content shows. options as of v_scene_export(). Poses become a path of few points, fitted,
+ * or with "as=keys" a camera with a key for each. *scene is the caller's, to be freed
+ * with v_scene_free().
+ *
+ * What is not taken, and how well a path fits, is told by v_last_warning() beside V_OK, a line
+ * each, "" if there is nothing to tell.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT (format, options), V_ERR_IO,
+ * V_ERR_FORMAT (with place and reason in v_last_error()), V_ERR_RANGE, V_ERR_LIMIT,
+ * V_ERR_MEMORY. Memory that runs out while the file is parsed may end the program.
+ */
+int v_scene_import(const char *file,
+                   const char *format,
+                   const char *options,
+                   V_SCENE **scene);
+
 
 /* ---- Paths from recorded poses, checks --------------------------------------- */
 

@@ -7,6 +7,8 @@ use std::io::{BufRead, BufReader, Read, Write};
 use std::path::Path;
 use std::process::{Command, Output, Stdio};
 
+#[path = "command/convert.rs"]
+mod convert;
 #[path = "command/tools.rs"]
 mod tools;
 

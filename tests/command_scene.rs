@@ -5,7 +5,7 @@ use std::process::{Command, Output, Stdio};
 
 use vides::document::{Document, SceneDocument};
 use vides::path::Pose;
-use vides::scene::{NodeState, Warnings};
+use vides::scene::{Camera, Kind, Node, NodeState, Warnings};
 
 const CAR: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/car.vid");
 
@@ -199,9 +199,8 @@ fn the_shown_camera_is_written_over_the_range() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("car.vid");
     let mut document = SceneDocument::load(Path::new(CAR)).unwrap();
-    let mut second = document.scene.nodes()[document.scene.find("camera").unwrap()].clone();
-    second.name = "second".to_owned();
-    second.rest.roll = 30.0;
+    let mut second = Node::new("second", Kind::Camera(Camera::default()));
+    second.rest.position.z = 5.0;
     let second = document.scene.add(second).unwrap();
     document.info.first_frame = 1001;
     document.scene.set_camera(Some(second)).unwrap();

@@ -459,6 +459,36 @@ CALL(v_scene_vertices)
     return too_small(v_scene_vertices(of, node, at, xyz, POINTS, points), points, POINTS);
 }
 
+/* NULL, or one that will do. */
+static const char *a_choice(const char *const *of, int count)
+{
+    return chance(50) ? text(NULL) : one_of(of, count);
+}
+
+CALL(v_scene_export)
+{
+    static const char *const formats[] = {"csv", "json", "tum", "vid", "ascii"};
+    static const char *const options[] = {"", "fps=50", "up=z\nscale=2\n"};
+    const V_SCENE *of = a_scene();
+    const char *file = a_file("out.csv");
+    const char *format = a_choice(formats, 5);
+    int status = v_scene_export(of, file, format, a_choice(options, 3));
+    /* A .vid file holds all of a scene, and frames have a rate of their own there. */
+    return status == V_ERR_ARGUMENT && format != NULL && strcmp(format, "vid") == 0 ? V_OK : status;
+}
+
+CALL(v_scene_import)
+{
+    static const char *const formats[] = {"vid"};
+    static const char *const options[] = {"", "as=keys", "tolerance=0.1\nangle=1"};
+    const char *file = a_file("a.vid");
+    const char *format = a_choice(formats, 1);
+    const char *how = a_choice(options, 3);
+    V_SCENE **made = result(sizeof *made, 0);
+    drop_made();
+    return gave(made, v_scene_import(file, format, how, made));
+}
+
 CALL(v_editor_get_scene)
 {
     const V_EDITOR *editor = an_editor();

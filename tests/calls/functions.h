@@ -188,6 +188,8 @@
     F(v_scene_sample, STATUS, V_OK, 0) \
     F(v_scene_value, STATUS, V_OK, 0) \
     F(v_scene_vertices, STATUS, V_OK, 0) \
+    F(v_scene_export, STATUS, V_OK, 0) \
+    F(v_scene_import, STATUS, V_OK, 0) \
     F(v_editor_options_init, NOTHING, V_OK, 0) \
     F(v_editor_options_init_sized, NOTHING, V_OK, 0) \
     F(v_editor_open, STATUS, V_OK, 1) \

@@ -69,6 +69,9 @@ pub enum Error {
     /// The format is a folder of files, and no stream.
     #[error("the format {0} is a folder of files: name one")]
     Folder(&'static str),
+    /// The format holds a whole document, of which nothing can be chosen.
+    #[error("{0}: a .vid file holds all of a document as it is")]
+    Whole(&'static str),
     /// The format has another axis upright.
     #[error("in the format {format} the {up} axis stands upright")]
     OtherUp {

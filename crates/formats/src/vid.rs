@@ -4,7 +4,7 @@ use std::io::Write;
 
 use super::blocks;
 use super::content::Content;
-use super::error::Result;
+use super::error::{Error, Result};
 use super::flight::Flight;
 use super::format::{Format, Row};
 use super::loss::Report;
@@ -45,6 +45,18 @@ impl Format for Vid {
         out: &mut dyn Write,
         _: &mut Report,
     ) -> Result<()> {
+        let (options, info) = (flight.options(), flight.info());
+        for (name, chosen) in [
+            ("node", options.node.is_some()),
+            ("frames", options.frames.is_some()),
+            ("scale", options.scale != 1.0),
+            ("fps", options.fps.is_some_and(|fps| fps != info.fps)),
+            ("up", flight.up() != flight.document_up()),
+        ] {
+            if chosen {
+                return Err(Error::Whole(name));
+            }
+        }
         let text = flight.document().to_toml()?;
         out.write_all(text.as_bytes()).map_err(blocks::failed)
     }

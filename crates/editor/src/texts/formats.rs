@@ -48,6 +48,7 @@ german! {
         NotRead(name) => "das Format {name} wird geschrieben, nicht gelesen";
         NotWritten(name) => "das Format {name} wird gelesen, nicht geschrieben";
         Folder(name) => "das Format {name} ist ein Verzeichnis mit Dateien: bitte eines nennen";
+        Whole(name) => "{name}: eine .vid-Datei hält ein ganzes Dokument, wie es ist";
         OtherUp { format, up } => "im Format {format} steht die Achse {up} senkrecht";
         Stopped => "es wurde angehalten";
         In(file, error) => "{file}: {}", German::<Error>(error);

@@ -12,7 +12,7 @@ use super::rotation::{Between, Turns, unit};
 use super::state::Warnings;
 use super::tangents::{self, NumberKeys};
 use super::time::{Extrapolation, local_frame};
-use crate::error::{Error, Invalid, OutOfRange, Place, Quantity, Result, TooMany, vec_with_room};
+use crate::error::{Error, Invalid, OutOfRange, Place, Quantity, Result, TooMany};
 use crate::limits::{MAX_COORDINATE, MAX_KEYS, MAX_TANGENT};
 use crate::math::euler::EulerAngles;
 use crate::path::Tcb;
@@ -254,45 +254,6 @@ impl Track {
 
     pub(super) fn set_channel(&mut self, channel: Channel) {
         self.channel = channel;
-    }
-
-    /// The same track with one number more in each key, 0 throughout.
-    pub(super) fn widened(&self) -> Result<Self> {
-        self.with_keys(self.width + 1, |all, key| {
-            all.extend_from_slice(key);
-            all.push(0.0);
-        })
-    }
-
-    /// The same track without the number `at` of each key, one of at least two.
-    pub(super) fn narrowed(&self, at: usize) -> Result<Self> {
-        self.with_keys(self.width - 1, |all, key| {
-            all.extend_from_slice(&key[..at]);
-            all.extend_from_slice(&key[at + 1..]);
-        })
-    }
-
-    /// The same track with `width` numbers in each key, which `put` makes of the old ones.
-    fn with_keys(&self, width: usize, put: impl Fn(&mut Vec<f64>, &[f64])) -> Result<Self> {
-        let changed = |numbers: &[f64]| {
-            let mut all = vec_with_room(numbers.len() / self.width * width)?;
-            let keys = numbers.chunks_exact(self.width);
-            keys.for_each(|key| put(&mut all, key));
-            Ok::<_, Error>(all)
-        };
-        let shape = if self.interpolation == Interpolation::Hermite {
-            changed(&self.shape)?
-        } else {
-            self.shape.clone()
-        };
-        Self::new(
-            self.channel.clone(),
-            self.interpolation.clone(),
-            self.frames.clone(),
-            changed(&self.values)?,
-            shape,
-        )?
-        .with_extrapolation(self.before, self.after)
     }
 
     fn check(&self) -> Result<()> {

@@ -1,0 +1,201 @@
+//! `vides convert`: what it writes, what it tells, what it refuses.
+
+use std::fs;
+
+use super::{PYRAMID, complaint, run, run_with_input, said};
+
+const CAR: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/car.vid");
+
+/// What a run that loses something wrote, and what it told, a sentence each.
+fn lossy(arguments: &[&str]) -> (String, Vec<String>) {
+    let output = run(arguments);
+    let told = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.success(), "{told}");
+    let told = told.lines().map(str::to_owned).collect();
+    (String::from_utf8(output.stdout).unwrap(), told)
+}
+
+#[test]
+fn what_sample_writes_is_written_by_the_same_code() {
+    for format in ["ascii", "csv", "json"] {
+        let sampled = said(&run(&["sample", PYRAMID, "--format", format]));
+        assert_eq!(
+            said(&run(&["convert", PYRAMID, "-", "--to", format])),
+            sampled
+        );
+    }
+    // A path comes through to the last byte.
+    let file = fs::read_to_string(PYRAMID).unwrap();
+    assert_eq!(said(&run(&["convert", PYRAMID, "-", "--to", "vid"])), file);
+}
+
+#[test]
+fn poses_become_keys_exactly_or_a_path_within_a_tolerance() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let (tum, keys, path) = (place("a.tum"), place("keys.vid"), place("path.vid"));
+    let (_, told) = lossy(&["convert", PYRAMID, &tum]);
+    assert_eq!(
+        told,
+        [
+            format!("vides: {tum}: the object is left out"),
+            format!("vides: {tum}: points, speeds and holds become poses, one a frame"),
+            format!("vides: {tum}: the field of view is left out"),
+        ]
+    );
+    let (_, told) = lossy(&["convert", &tum, &keys, "--as", "keys"]);
+    assert_eq!(
+        told,
+        [format!("vides: {tum}: the field of view is left out")]
+    );
+    let numbers = |text: &str| -> Vec<Vec<f64>> {
+        let row = |row: &str| row.split(',').map(|cell| cell.parse().unwrap()).collect();
+        text.lines().skip(1).map(row).collect()
+    };
+    let sampled = |file: &str| numbers(&said(&run(&["sample", file, "--format", "csv"])));
+    let (first, again) = (sampled(PYRAMID), sampled(&keys));
+    assert_eq!(first.len(), again.len());
+    for (a, b) in first.iter().zip(&again) {
+        for (a, b) in a[1..10].iter().zip(&b[1..10]) {
+            assert!((a - b).abs() < 1e-12, "{a} {b}");
+        }
+    }
+    let (_, told) = lossy(&["convert", &tum, &path, "--tolerance", "0.001"]);
+    assert!(told[1].contains(": a path of "), "{told:?}");
+    for (a, b) in first.iter().zip(&sampled(&path)) {
+        for (a, b) in a[1..4].iter().zip(&b[1..4]) {
+            assert!((a - b).abs() <= 0.001, "{a} {b}");
+        }
+    }
+}
+
+#[test]
+fn frames_rate_and_axes_are_chosen() {
+    let csv = |options: &[&str]| {
+        let arguments = [&["convert", PYRAMID, "-", "--to", "csv"], options].concat();
+        let text = said(&run(&arguments));
+        let row = |row: &str| row.split(',').map(|cell| cell.parse().unwrap()).collect();
+        text.lines().skip(1).map(row).collect::<Vec<Vec<f64>>>()
+    };
+    let all = csv(&[]);
+    let some = csv(&["--frames", "3..7"]);
+    assert_eq!(some.len(), 5);
+    assert_eq!(some[0][..11], all[2][..11]);
+    // Twice the rate: every second pose is one of before, at the same time.
+    let fine = csv(&["--fps", "50"]);
+    assert_eq!(fine.len(), 2 * all.len() - 1);
+    for (at, pose) in all.iter().enumerate() {
+        assert_eq!(fine[2 * at], *pose);
+    }
+    let turned = csv(&["--up", "z", "--scale", "10"]);
+    for (a, b) in all.iter().zip(&turned) {
+        assert_eq!([10.0 * a[1], -(10.0 * a[3]), 10.0 * a[2]], b[1..4]);
+        assert_eq!([a[4], -a[6], a[5]], b[4..7]);
+    }
+    assert_eq!(
+        complaint(
+            &run(&["convert", PYRAMID, "-", "--to", "csv", "--frames", "0..3"]),
+            1
+        ),
+        format!("vides: {PYRAMID}: the frames are 1 to {}\n", all.len())
+    );
+}
+
+#[test]
+fn a_scene_gives_its_shown_camera_or_a_node() {
+    let shown = said(&run(&["sample", CAR, "--format", "csv"]));
+    let (text, told) = lossy(&["convert", CAR, "-", "--to", "tum"]);
+    assert_eq!(text.lines().count(), shown.lines().count() - 1);
+    assert!(
+        told.iter().any(|line| line.contains("other node")),
+        "{told:?}"
+    );
+    let wheel = said(&run(&["convert", CAR, "-", "--to", "csv", "--node", "car"]));
+    assert!(wheel.starts_with("frame,m00,"));
+    assert_eq!(
+        complaint(
+            &run(&["convert", CAR, "-", "--to", "tum", "--node", "car"]),
+            1
+        ),
+        format!("vides: {CAR}: node \"car\" is no camera; of others this format holds nothing\n")
+    );
+}
+
+#[test]
+fn what_cannot_be_done_is_told() {
+    for (arguments, status, said) in [
+        (
+            ["convert", PYRAMID, "-"].as_slice(),
+            2,
+            "vides: standard output has no name that tells a format: give --to\n",
+        ),
+        (
+            &["convert", PYRAMID, "x.unknown"],
+            2,
+            "vides: x.unknown: no format has this ending: name it, with --to in the command\n",
+        ),
+        (
+            &["convert", PYRAMID, "-", "--to", "csv", "--node", "x"],
+            1,
+            "there is no node \"x\"\n",
+        ),
+        (
+            &["convert", "/nowhere.tum", "-", "--to", "csv"],
+            1,
+            "vides: /nowhere.tum: No such file or directory\n",
+        ),
+        (
+            &["convert", PYRAMID, "-", "--to", "csv", "--fps", "0"],
+            2,
+            "--fps: a number greater than 0 and at most 100000 is wanted, not \"0\"\n",
+        ),
+        (
+            &["convert", PYRAMID, "-", "--to", "vid", "--scale", "2"],
+            1,
+            "scale: a .vid file holds all of a document as it is\n",
+        ),
+        (
+            &["convert", PYRAMID, PYRAMID],
+            2,
+            "the file would be replaced by what is made of it\n",
+        ),
+    ] {
+        let complaint = complaint(&run(arguments), status);
+        assert!(complaint.ends_with(said), "{complaint}");
+    }
+    let unknown = complaint(&run(&["convert", PYRAMID, "-", "--to", "tea"]), 2);
+    assert!(unknown.starts_with("vides: there is no format \"tea\"; formats are vid, "));
+    for (input, said) in [
+        (
+            "nothing known",
+            "this is no file of a format that is read: name it, with --from in the command",
+        ),
+        ("0 1 2 3 0 0 0 x\n", "line 1: expected a number"),
+        (
+            "0 1 2 3 0 0 0 1\n1 0 0 0 0 0 0 0\n",
+            "line 2: the rotation is zero",
+        ),
+        (
+            "0 1 2 3 0 0 0 1\n0 0 0 0 0 0 0 1\n",
+            "the times must increase",
+        ),
+        ("0 1 2 inf 0 0 0 1\n", "line 1: the number must be finite"),
+    ] {
+        let from = if input.starts_with('0') {
+            "--from=tum"
+        } else {
+            "--as=keys"
+        };
+        let arguments = ["convert", "-", "-", "--to", "csv", "--as", "keys", from];
+        let arguments = if from == "--as=keys" {
+            &arguments[..5]
+        } else {
+            &arguments[..]
+        };
+        let output = run_with_input(arguments, input.as_bytes());
+        assert_eq!(
+            complaint(&output, 1),
+            format!("vides: standard input: {said}\n")
+        );
+    }
+}
