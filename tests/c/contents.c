@@ -321,6 +321,31 @@ static void what_is_shown(void)
     v_scene_free(scene);
 }
 
+/* v_path_load() takes the path of the camera that is shown. */
+static void the_path_that_is_shown(void)
+{
+    V_SCENE *scene = everything();
+    V_PATH *path = new_path(), *loaded = NULL;
+    char *text = text_of(scene);
+    double place[3] = {0.125, 0, 0}, found[3];
+    int other;
+    /* The one that is chosen moves by keys. */
+    STATUS(V_ERR_ARGUMENT, v_path_load_from_memory(text, strlen(text), &loaded));
+    free(text);
+    OK(v_path_set_position(path, 0, place));
+    other = add(scene, "other", V_NODE_CAMERA, -1);
+    OK(v_scene_set_path(scene, other, path, 5, V_AFTER_HOLD));
+    OK(v_scene_set_camera(scene, other));
+    text = text_of(scene);
+    OK(v_path_load_from_memory(text, strlen(text), &loaded));
+    OK(v_path_get_position(loaded, 0, found));
+    CHECK(memcmp(place, found, sizeof place) == 0);
+    free(text);
+    v_path_free(loaded);
+    v_path_free(path);
+    v_scene_free(scene);
+}
+
 static double x_of(const V_SCENE *scene, int node)
 {
     V_NODE_STATE state;
@@ -405,6 +430,7 @@ int main(void)
     what_is_set_is_read();
     places_that_are_none();
     what_is_shown();
+    the_path_that_is_shown();
     another_parent();
     what_goes();
     return failures != 0;
