@@ -187,6 +187,12 @@
 #define V_BEFORE_PINGPONG 32
 #define V_BEFORE_OFFSET 48
 
+/**
+ * What a node keeps that gets another parent, see v_scene_set_parent().
+ */
+#define V_KEEP_PLACE 0
+#define V_KEEP_NUMBERS 1
+
 
 /* ---- Axes of a camera, see v_pose_matrix() ----------------------------------- */
 
@@ -585,7 +591,8 @@ struct v_editor_options {
     const char *language;
     /**
      * called when the user hands over the poses; they are the library's and
-     * valid until it returns. NULL: nothing can be handed over
+     * valid until it returns. Of a scene they are those of the camera that is shown,
+     * one for each frame of v_scene_frame_range(). NULL: nothing can be handed over
      */
     void (*on_poses)(V_EDITOR *editor, const V_POSE *poses, size_t count, void *user);
     /**
@@ -894,13 +901,13 @@ int v_path_clone(const V_PATH *path, V_PATH **copy);
 void v_path_free(V_PATH *path);
 
 /**
- * Reads a path from a .vid file; of a scene (v_scene_load()) that of its first
- * camera on a path: to save it to that file would lose the rest of the scene. file
+ * Reads a path from a .vid file; of a scene (v_scene_load()) that of the camera
+ * that is shown: to save it to that file would lose the rest of the scene. file
  * is a name as open() takes it. *path is the caller's, to be freed with
  * v_path_free().
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT (with
- * line and reason in v_last_error()), V_ERR_ARGUMENT (a scene without such a
- * camera), V_ERR_MEMORY, V_ERR_LIMIT. Memory that
+ * line and reason in v_last_error()), V_ERR_ARGUMENT (that camera follows none, or
+ * there is none), V_ERR_MEMORY, V_ERR_LIMIT. Memory that
  * runs out while the text itself is read or parsed ends the program.
  */
 int v_path_load(const char *file, V_PATH **path);
@@ -2076,7 +2083,7 @@ int v_scene_find_node(const V_SCENE *scene, const char *name, int *node);
 
 /**
  * A node's name. The text belongs to the library and is valid until the same
- * thread's next call of this function or of v_scene_get_track().
+ * thread's next call of a function that gives one of a scene.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
  * V_ERR_BUSY.
  */
@@ -2174,6 +2181,127 @@ int v_scene_get_space(const V_SCENE *scene,
                       int *up);
 
 
+/* ---- What a scene is called -------------------------------------------------- */
+
+/**
+ * Sets what a scene is called: UTF-8, one line of at most 256 bytes; "" is none.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+ * V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+ */
+int v_scene_set_title(V_SCENE *scene, const char *title);
+
+/**
+ * What a scene is called, as v_path_get_title() gives it of a path.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_BUSY.
+ */
+int v_scene_get_title(const V_SCENE *scene,
+                      char *title,
+                      size_t capacity,
+                      size_t *length);
+
+/**
+ * Sets the comment of a scene: UTF-8, any lines; "" is none.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+ * V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+ */
+int v_scene_set_comment(V_SCENE *scene, const char *comment);
+
+/**
+ * The comment of a scene, as v_path_get_title() gives the title of a path.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_BUSY.
+ */
+int v_scene_get_comment(const V_SCENE *scene,
+                        char *comment,
+                        size_t capacity,
+                        size_t *length);
+
+/**
+ * Sets how many frames are shown in a second, > 0 and at most 100000; nothing moves
+ * elsewhere by it. A new scene has 25.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
+ */
+int v_scene_set_fps(V_SCENE *scene,
+                    double fps);
+
+/**
+ * How many frames are shown in a second.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
+ */
+int v_scene_get_fps(const V_SCENE *scene, double *fps);
+
+/**
+ * Sets the number that people see for the scene's frame 1; a new scene has 1. What the
+ * functions here take and give is the scene's frame.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
+ */
+int v_scene_set_first_frame(V_SCENE *scene,
+                            int number);
+
+/**
+ * The number that people see for the scene's frame 1.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
+ */
+int v_scene_get_first_frame(const V_SCENE *scene, int *number);
+
+/**
+ * Sets the limit of a kind of finding, see v_path_check(); it is kept in the file.
+ * INFINITY: that kind is not looked for.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such
+ * kind), V_ERR_RANGE, V_ERR_BUSY.
+ */
+int v_scene_set_limit(V_SCENE *scene, const char *kind, double limit);
+
+/**
+ * The limit of a kind of finding, see v_path_check(); INFINITY: not looked for.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_BUSY.
+ */
+int v_scene_get_limit(const V_SCENE *scene,
+                      const char *kind,
+                      double *limit);
+
+
+/* ---- What is shown of a scene ------------------------------------------------ */
+
+/**
+ * Chooses the camera that is shown; -1: the first on a path, else the first. The choice
+ * is kept in the file, stays with its node and goes with it.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no camera),
+ * V_ERR_RANGE, V_ERR_BUSY.
+ */
+int v_scene_set_camera(V_SCENE *scene,
+                       int node);
+
+/**
+ * The camera that is shown; -1: there is none.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
+ */
+int v_scene_get_camera(const V_SCENE *scene, int *node);
+
+/**
+ * Chooses the first and the last frame of a scene; first > last: those of all paths and
+ * keys. v_scene_frame_range() gives what holds. It is kept in the file.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a number
+ * that is not finite), V_ERR_RANGE, V_ERR_LIMIT (more than 100000000 frames), V_ERR_BUSY.
+ */
+int v_scene_set_range(V_SCENE *scene,
+                      double first,
+                      double last);
+
+/**
+ * Puts a node into another one, or into none (-1).
+ *
+ * keep  V_KEEP_PLACE: it stays where it is in the world at the scene's first frame, as by
+ *     v_scene_set_node(); V_KEEP_NUMBERS: its numbers, path and tracks stay, and it goes
+ *     along with its new parent
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (cycles among
+ * them), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+ */
+int v_scene_set_parent(V_SCENE *scene,
+                       int node,
+                       int parent,
+                       int keep);
+
+
 /* ---- Tracks ------------------------------------------------------------------ */
 
 /**
@@ -2215,7 +2343,7 @@ int v_scene_set_track(V_SCENE *scene,
  * track (then *interpolation is ""). capacity is the number of keys that
  * frames, values and shape have room for; each of them may be NULL, as any
  * other result. The text belongs to the library and is valid until the same
- * thread's next call of this function or of v_scene_get_name().
+ * thread's next call of a function that gives one of a scene.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
  * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_SIZE (more keys than room), V_ERR_BUSY.
  */
@@ -2327,15 +2455,162 @@ int v_deform(const char *kind,
              size_t points);
 
 
+/* ---- What has been set in a scene -------------------------------------------- */
+
+/**
+ * The frame at which a node's path begins, and what comes before it and after it, see
+ * v_scene_set_path(). Each result may be NULL.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (it
+ * follows none), V_ERR_RANGE, V_ERR_BUSY.
+ */
+int v_scene_get_start(const V_SCENE *scene,
+                      int node,
+                      double *start_frame,
+                      int *after);
+
+/**
+ * How many tracks a node has.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
+ */
+int v_scene_track_count(const V_SCENE *scene,
+                        int node,
+                        int *count);
+
+/**
+ * The channel of a node's track, for v_scene_get_track(); at counts from 0. The text
+ * belongs to the library and is valid until the same thread's next call of a function that
+ * gives one of a scene.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
+ */
+int v_scene_get_channel(const V_SCENE *scene,
+                        int node,
+                        int at,
+                        const char **channel);
+
+/**
+ * How many markers a scene has.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
+ */
+int v_scene_marker_count(const V_SCENE *scene, int *count);
+
+/**
+ * A marker, in the order of their names, counted from 0. Each result may be NULL; the text
+ * as of v_scene_get_channel().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
+ */
+int v_scene_get_marker(const V_SCENE *scene,
+                       int at,
+                       const char **name,
+                       double *frame);
+
+/**
+ * Removes a marker with its pins.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such
+ * marker), V_ERR_BUSY.
+ */
+int v_scene_remove_marker(V_SCENE *scene, const char *name);
+
+/**
+ * How many points of paths are pinned to markers.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
+ */
+int v_scene_pin_count(const V_SCENE *scene, int *count);
+
+/**
+ * A pin, in the order of nodes and points, counted from 0: what v_scene_pin() was given.
+ * Each result may be NULL; the text as of v_scene_get_channel().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
+ */
+int v_scene_get_pin(const V_SCENE *scene,
+                    int at,
+                    int *node,
+                    int *point,
+                    const char **marker);
+
+/**
+ * The geometry of an object at rest, as it was set or read from a file; no points if there
+ * is none. What the mesh points to is the library's, and valid until the scene is changed or
+ * freed. mesh->size must be set before.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (no
+ * object), V_ERR_RANGE, V_ERR_BUSY.
+ */
+int v_scene_get_geometry(const V_SCENE *scene,
+                         int node,
+                         V_MESH *mesh);
+
+/**
+ * How many shapes an object has.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no object),
+ * V_ERR_RANGE, V_ERR_BUSY.
+ */
+int v_scene_shape_count(const V_SCENE *scene,
+                        int node,
+                        int *count);
+
+/**
+ * A shape of an object, counted from 0: its name, and its points, three numbers each;
+ * capacity counts points, *points is how many there are. Each result may be NULL; the text
+ * as of v_scene_get_channel().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (more points than
+ * room; *points is written), V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY.
+ */
+int v_scene_get_shape(const V_SCENE *scene,
+                      int node,
+                      int at,
+                      const char **name,
+                      double *xyz,
+                      size_t capacity,
+                      size_t *points);
+
+/**
+ * Removes a shape of an object. The numbers behind move up; the others keep their weights,
+ * in a track of the channel "weights" too.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no object),
+ * V_ERR_RANGE, V_ERR_BUSY, V_ERR_MEMORY.
+ */
+int v_scene_remove_shape(V_SCENE *scene,
+                         int node,
+                         int at);
+
+/**
+ * How many deformations an object has.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no object),
+ * V_ERR_RANGE, V_ERR_BUSY.
+ */
+int v_scene_deformation_count(const V_SCENE *scene,
+                              int node,
+                              int *count);
+
+/**
+ * A deformation of an object, counted from 0: its kind, its parameters as they were given
+ * (*count is how many), and its box. Where it goes by the bounds of the geometry, box is
+ * 1 1 1 -1 -1 -1, which no other is: give v_scene_add_deformation() NULL then. Each result
+ * may be NULL; the text as of v_scene_get_channel().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (more parameters than
+ * room; *count is written), V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY.
+ */
+int v_scene_get_deformation(const V_SCENE *scene,
+                            int node,
+                            int at,
+                            const char **kind,
+                            double *parameters,
+                            size_t capacity,
+                            size_t *count,
+                            double box[6]);
+
+
 /* ---- The scene at a frame ---------------------------------------------------- */
 
 /**
- * The first and the last frame of all paths and keys; 1 and 1 if nothing moves.
+ * The first and the last frame: those of v_scene_set_range(), else of all paths and keys;
+ * 1 and 1 if nothing moves.
  * Each result may be NULL.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
  * V_ERR_BUSY.
  */
-int v_scene_frame_range(const V_SCENE *scene, double *first, double *last);
+int v_scene_frame_range(const V_SCENE *scene,
+                        double *first,
+                        double *last);
 
 /**
  * The states of all nodes at a frame, any finite number, by the nodes' numbers.
@@ -2752,6 +3027,54 @@ int v_editor_get_scene(const V_EDITOR *editor,
  */
 int v_editor_set_scene(V_EDITOR *editor,
                        const V_SCENE *scene);
+
+
+/* ---- Steps of a window ------------------------------------------------------- */
+
+/**
+ * Takes back the last step of a window, as the user does by Ctrl-Z.
+ * The thread that opened the window; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (there is none).
+ */
+int v_editor_undo(V_EDITOR *editor);
+
+/**
+ * Does again what was taken back last, as the user does by Ctrl-Y.
+ * The thread that opened the window; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (there is none).
+ */
+int v_editor_redo(V_EDITOR *editor);
+
+/**
+ * Begins what the user can take back at once: all that is changed in a window, by whomever,
+ * until v_editor_end_step(). One that was begun before is forgotten; another document in the
+ * window ends it.
+ * The thread that opened the window; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_CLOSED.
+ */
+int v_editor_begin_step(V_EDITOR *editor);
+
+/**
+ * Ends what v_editor_begin_step() has begun; without that it does nothing.
+ * The thread that opened the window; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_MEMORY (the steps stay apart).
+ */
+int v_editor_end_step(V_EDITOR *editor);
+
+/**
+ * The point that is current and its orientation, both counted from 0, see
+ * v_editor_select(). Each result may be NULL.
+ * The thread that opened the window; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no path of its scene is edited).
+ */
+int v_editor_get_selection(const V_EDITOR *editor, int *point, int *orientation);
+
+/**
+ * Whether a window plays the flight, see v_editor_play(): *playing is 1 or 0.
+ * The thread that opened the window; from callbacks too. V_ERR_NULL,
+ * V_ERR_HANDLE, V_ERR_CLOSED.
+ */
+int v_editor_is_playing(const V_EDITOR *editor, int *playing);
 
 
 /* ---- Toolbox: quaternions ---------------------------------------------------- */

@@ -5,7 +5,7 @@ use std::process::{Command, Output, Stdio};
 
 use vides::document::{Document, SceneDocument};
 use vides::path::Pose;
-use vides::scene::{NodeState, Warnings};
+use vides::scene::{Camera, Kind, Node, NodeState, Warnings};
 
 const CAR: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/car.vid");
 
@@ -165,6 +165,60 @@ fn info_shows_nodes_tracks_and_markers() {
     for node in document.scene.nodes() {
         assert!(text.contains(&node.name), "{}: {text}", node.name);
     }
+}
+
+/// Frames are told as people count them, and which camera is shown.
+#[test]
+fn info_counts_from_the_first_frame() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("car.vid");
+    let mut document = SceneDocument::load(Path::new(CAR)).unwrap();
+    document.info.first_frame = 1001;
+    document.scene.set_range(Some((3.0, 20.5))).unwrap();
+    document.save(&file).unwrap();
+    let file = file.to_str().unwrap();
+    let text = said(&["info", file]);
+    assert!(
+        text.contains("Camera       camera\nFrames       1003 to 1020.5\n"),
+        "{text}"
+    );
+    let frame = document.scene.markers()[0].frame + 1000.0;
+    assert!(text.contains(&format!(" {frame}  at the arm")), "{text}");
+    let json = said(&["info", file, "--json"]);
+    let told: serde_json::Value = serde_json::from_str(&json).unwrap();
+    assert_eq!(told["camera"], "camera");
+    assert_eq!(
+        [&told["first_frame"], &told["last_frame"]],
+        [1003.0, 1020.5]
+    );
+}
+
+/// Without a node it is the shown camera's, over the scene's range, as people count.
+#[test]
+fn the_shown_camera_is_written_over_the_range() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("car.vid");
+    let mut document = SceneDocument::load(Path::new(CAR)).unwrap();
+    let mut second = Node::new("second", Kind::Camera(Camera::default()));
+    second.rest.position.z = 5.0;
+    let second = document.scene.add(second).unwrap();
+    document.info.first_frame = 1001;
+    document.scene.set_camera(Some(second)).unwrap();
+    document.scene.set_range(Some((3.0, 20.5))).unwrap();
+    document.save(&file).unwrap();
+    let file = file.to_str().unwrap();
+    let shown = said(&["sample", file, "--format", "csv"]);
+    let named = said(&["sample", file, "--format", "csv", "--node", "second"]);
+    let other = said(&["sample", file, "--format", "csv", "--node", "camera"]);
+    assert_eq!(shown, named);
+    assert_ne!(shown, other);
+    let frames: Vec<&str> = shown
+        .lines()
+        .skip(1)
+        .filter_map(|line| line.split(',').next())
+        .collect();
+    let want: Vec<String> = (1003..=1020).map(|frame: i32| frame.to_string()).collect();
+    assert_eq!(frames, want);
 }
 
 /// A file with a track whose interpolation is the host's.

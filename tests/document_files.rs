@@ -170,7 +170,8 @@ const BROKEN: &[(&str, &str)] = &[
     (
         "unknown_root_key",
         "line 2: unknown key \"titel\"; known here: version, title, comment, fps, first_frame, closed, curve, \
-         orientation_mode, zoom_mode, base_speeds, presets, space, check, object, point, marker, node",
+         orientation_mode, zoom_mode, base_speeds, presets, space, check, object, point, camera, range, \
+         marker, node",
     ),
     (
         "unknown_space_key",

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 /// The files with exports, in the order in which the header shows them.
-const SOURCES: [&str; 29] = [
+const SOURCES: [&str; 32] = [
     "status",
     "types",
     "legacy",
@@ -25,13 +25,16 @@ const SOURCES: [&str; 29] = [
     "scene_types",
     "scene",
     "scene_space",
+    "scene_shown",
     "scene_tracks",
+    "scene_contents",
     "scene_states",
     "exchange",
     "checks",
     "editor",
     "live",
     "editor_scene",
+    "editor_steps",
     "quaternions",
     "splines",
     "view",

@@ -4,7 +4,8 @@
 use glam::{DQuat, DVec3};
 use vides::deform::{Bounds, Deformation};
 use vides::document::{Document, SceneDocument};
-use vides::path::CameraPath;
+use vides::formats::{Options, by_name, export_to};
+use vides::path::{CameraPath, Pose};
 use vides::scene::{
     Camera, Channel, Extrapolation, FollowPath, Interpolation, Kind, Light, Mesh, Node, Object,
     Scene, Shape, Track,
@@ -149,6 +150,8 @@ fn everything() -> SceneDocument {
     scene.set_marker("again", 0.1).unwrap();
     scene.pin(lamp, 1, Some("meet")).unwrap();
     scene.pin(camera, 0, Some("again")).unwrap();
+    scene.set_camera(Some(camera)).unwrap();
+    scene.set_range(Some((-0.0, 40.0 + 1.0 / 3.0))).unwrap();
     let mut document = SceneDocument::try_new().unwrap();
     document.scene = scene;
     document.info.title = "everything".to_owned();
@@ -199,6 +202,119 @@ fn a_camera_alone_is_todays_file() {
     empty.scene.remove(0).unwrap();
     let text = empty.to_toml().unwrap();
     assert_eq!(SceneDocument::from_toml(&text).unwrap(), empty);
+}
+
+/// What is shown stands at the top, and makes a scene of a path.
+#[test]
+fn a_range_or_a_chosen_camera_is_a_scenes() {
+    let plain = Document::new().to_toml().unwrap();
+    let of = |keys: &str| plain.replacen("\nclosed", &format!("\n{keys}\nclosed"), 1);
+    for (keys, camera, range) in [
+        ("range = [-2.5, 7]", None, Some((-2.5, 7.0))),
+        ("camera = \"camera\"", Some(0), None),
+        (
+            "range = [3, 3]\ncamera = 'camera'",
+            Some(0),
+            Some((3.0, 3.0)),
+        ),
+    ] {
+        let text = of(keys);
+        let document = SceneDocument::from_toml(&text).unwrap();
+        let scene = &document.scene;
+        assert_eq!((scene.camera(), scene.range()), (camera, range));
+        assert_eq!(scene.nodes().len(), 1);
+        let written = document.to_toml().unwrap();
+        assert!(written.contains("[[node]]") && document.path_alone().is_none());
+        let back = SceneDocument::from_toml(&written).unwrap();
+        assert_eq!(back, document);
+        assert_eq!(back.to_toml().unwrap(), written);
+        // The window keeps it, what takes a path alone says so, and the path is that of the file.
+        let (whole, _) = Document::scene_from_toml(&text, "".as_ref()).unwrap();
+        assert_eq!(whole.scene().unwrap(), *scene);
+        assert_eq!(whole.to_toml().unwrap(), written);
+        let error = Document::from_toml(&text).unwrap_err().to_string();
+        assert!(
+            error.contains("this is a scene with 1 nodes, not a path alone"),
+            "{error}"
+        );
+        let path = Document::load_shown_from(&mut text.as_bytes(), "it").unwrap();
+        assert_eq!(path.path(), Document::new().path());
+    }
+}
+
+/// Of several cameras on paths the chosen one's path is edited, and loaded as a path.
+#[test]
+fn the_chosen_cameras_path_is_the_documents() {
+    let mut document = SceneDocument::try_new().unwrap();
+    let scene = &mut document.scene;
+    let second = Node::new("second", Kind::Camera(Camera::default()));
+    let second = scene.add(second).unwrap();
+    let mut path = CameraPath::default();
+    path.points[0].position.x = -0.25;
+    let follow = FollowPath::new(path.clone(), 5.0, Extrapolation::Hold).unwrap();
+    scene.set_path(second, Some(follow)).unwrap();
+    for (chosen, want) in [(None, CameraPath::default()), (Some(second), path)] {
+        document.scene.set_camera(chosen).unwrap();
+        let text = document.to_toml().unwrap();
+        let shown = Document::load_shown_from(&mut text.as_bytes(), "it").unwrap();
+        assert_eq!(*shown.path(), want);
+        let (whole, _) = Document::scene_from_toml(&text, "".as_ref()).unwrap();
+        assert_eq!(whole.shown_path().unwrap().path(), &want);
+        assert_eq!(whole.path(), &want);
+    }
+}
+
+/// One count: a program that takes the poses gets what a file has, frame by frame, and people
+/// read the frames as they count them.
+#[test]
+fn poses_handed_over_are_those_of_a_file() {
+    let mut document = SceneDocument::try_new().unwrap();
+    document.info.first_frame = -7;
+    let scene = &mut document.scene;
+    let mut second = Node::new("second", Kind::Camera(Camera::default()));
+    second.parent = Some(0);
+    second.rest.roll = 20.0;
+    let second = scene.add(second).unwrap();
+    scene
+        .set_track(
+            second,
+            track("zoom", "linear", &[-9.0, 700.5], &[24.0, 50.0], &[]),
+        )
+        .unwrap();
+    for (camera, range, count) in [
+        (None, None, 710),
+        (Some(second), None, 710),
+        (None, Some((-3.5, 20.0)), 24),
+        (Some(second), Some((40.0, 40.25)), 1),
+    ] {
+        document.scene.set_camera(camera).unwrap();
+        document.scene.set_range(range).unwrap();
+        let (first, _) = document.scene.frame_range();
+        let text = document.to_toml().unwrap();
+        let (whole, _) = Document::scene_from_toml(&text, "".as_ref()).unwrap();
+        let poses = whole.poses().unwrap();
+        let mut all = vec![Pose::default(); poses.frame_count()];
+        poses.sample(1, &mut all).unwrap();
+        assert_eq!(all.len(), count);
+        let (mut lines, csv) = (Vec::new(), by_name("csv").unwrap());
+        export_to(
+            &document,
+            &mut lines,
+            csv,
+            &Options::default(),
+            &mut |_, _| {},
+        )
+        .unwrap();
+        let lines = String::from_utf8(lines).unwrap();
+        assert_eq!(lines.lines().count(), 1 + count);
+        for (at, (line, pose)) in lines.lines().skip(1).zip(&all).enumerate() {
+            let numbers: Vec<f64> = line.split(',').map(|word| word.parse().unwrap()).collect();
+            let want = [pose.vrp, pose.vpn, pose.vup];
+            assert_eq!(numbers[0], first + at as f64 - 8.0);
+            assert_eq!(numbers[1..10], *want.as_flattened());
+            assert_eq!(numbers[10], pose.zoom);
+        }
+    }
 }
 
 #[test]
@@ -271,6 +387,43 @@ fn complaints_name_line_node_channel_and_key() {
         (
             "[[node]]\nname = \"a\"\nkind = \"group\"\n[node.path]\npins = [{ point = 0, marker = \"m\" }]\n[[node.path.point]]\nposition = [0,0,0]\n[[node.path.point]]\nposition = [1,0,0]\n",
             "line 6: node \"a\": there is no marker \"m\"",
+        ),
+        (
+            "camera = \"b\"\n[[node]]\nname = \"a\"\nkind = \"camera\"\n",
+            "line 2: camera: there is no node \"b\"",
+        ),
+        (
+            "fps = 24\ncamera = \"a\"\n[[node]]\nname = \"a\"\nkind = \"light\"\n",
+            "line 3: camera: \"a\" is no camera",
+        ),
+        ("camera = 3\nnode = []\n", "line 2: camera: expected a text"),
+        (
+            "range = [3, 2.5]\nnode = []\n",
+            "line 2: range: the last frame must not lie before the first",
+        ),
+        (
+            "range = [3]\nnode = []\n",
+            "line 2: range: expected 2 numbers, found 1",
+        ),
+        (
+            "range = 3\nnode = []\n",
+            "line 2: range: expected an array, found",
+        ),
+        (
+            "range = [1, inf]\nnode = []\n",
+            "line 2: range: the number must be finite",
+        ),
+        (
+            "range = [1, 1e10]\nnode = []\n",
+            "line 2: range: a frame must not exceed 1e9",
+        ),
+        (
+            "range = [-5e7, 5e7]\nnode = []\n",
+            "line 2: range: the scene has more than 100000000 frames",
+        ),
+        (
+            "range = [1, 2]\nclosed = true\n",
+            "line 4: a path needs at least two points",
         ),
     ];
     for (text, want) in cases {

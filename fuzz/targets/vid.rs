@@ -58,6 +58,8 @@ const WORDS: Words = Words {
         "point.orientation = [{ target = [0, 0, 0] }]",
         "point = [{ position = [1, 2, 3] }, { position = [1, 2, 3] }]",
         "# [[point]]",
+        "camera = \"a\"",
+        "range = [-2.5, 40]",
         "[[marker]]",
         "frame = 51.0",
         "[[node]]",

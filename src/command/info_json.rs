@@ -120,27 +120,30 @@ fn sections(path: &CameraPath, info: &Info, timeline: &Timeline) -> Value {
 
 fn of_scene(scene: &Scene, info: &Info) -> Value {
     let (first, last) = scene.frame_range();
+    // As people count them.
+    let seen = |frame: f64| frame + f64::from(info.first_frame) - 1.0;
     let markers = scene.markers().iter().map(|marker| {
         let pins = scene.pins().iter().filter(|pin| pin.marker == marker.name);
         let pins =
             pins.map(|pin| json!({ "node": scene.nodes()[pin.node].name, "point": pin.point + 1 }));
         json!({
-            "frame": marker.frame,
+            "frame": seen(marker.frame),
             "name": marker.name,
             "pins": pins.collect::<Value>(),
         })
     });
     json!({
         "kind": "scene",
-        "first_frame": first,
-        "last_frame": last,
+        "camera": scene.shown_camera().map(|at| &scene.nodes()[at].name),
+        "first_frame": seen(first),
+        "last_frame": seen(last),
         "seconds": (last - first + 1.0) / info.fps,
-        "nodes": scene.nodes().iter().map(|one| node(one, scene.nodes())).collect::<Value>(),
+        "nodes": scene.nodes().iter().map(|one| node(one, scene.nodes(), &seen)).collect::<Value>(),
         "markers": markers.collect::<Value>(),
     })
 }
 
-fn node(node: &Node, nodes: &[Node]) -> Value {
+fn node(node: &Node, nodes: &[Node], seen: &dyn Fn(f64) -> f64) -> Value {
     let name = |at: Option<usize>| at.map(|at| &nodes[at].name);
     let tracks = node.keys().tracks().iter().map(|track| {
         let (first, last) = track.ends();
@@ -148,8 +151,8 @@ fn node(node: &Node, nodes: &[Node]) -> Value {
             "channel": track.channel().to_string(),
             "interpolation": track.interpolation().to_string(),
             "keys": track.frames().len(),
-            "first_frame": first,
-            "last_frame": last,
+            "first_frame": seen(first),
+            "last_frame": seen(last),
             "after": track.extrapolation().1.name(),
         })
     });
@@ -160,7 +163,7 @@ fn node(node: &Node, nodes: &[Node]) -> Value {
         "aim": name(node.aim),
         "path": node.path().map(|path| json!({
             "points": path.path().points.len(),
-            "start_frame": path.start_frame(),
+            "start_frame": seen(path.start_frame()),
         })),
         "tracks": tracks.collect::<Value>(),
         "mesh": match &node.kind {

@@ -20,17 +20,23 @@ pub(super) fn tables(file: &Path, document: &SceneDocument) -> String {
     let info = &document.info;
     let mut text = heading(info);
     let (first, last) = scene.frame_range();
+    // As people count them.
+    let seen = |frame: f64| frame + f64::from(info.first_frame) - 1.0;
+    let camera = scene.shown_camera().map(|at| &*scene.nodes()[at].name);
     let _ = write!(
         text,
-        "File         {}\nScene        {} nodes\nFrames       {first} to {last}\n\
+        "File         {}\nScene        {} nodes\nCamera       {}\nFrames       {} to {}\n\
          Time         {:.2} s at {} frames per second\n",
         one_line(&input::name(file)),
         scene.nodes().len(),
+        one_line(camera.unwrap_or("none")),
+        seen(first),
+        seen(last),
         (last - first + 1.0) / info.fps,
         info.fps
     );
-    let _ = write!(text, "\nNodes\n{}", nodes(scene.nodes()));
-    let tracks = tracks(scene.nodes());
+    let _ = write!(text, "\nNodes\n{}", nodes(scene.nodes(), &seen));
+    let tracks = tracks(scene.nodes(), &seen);
     if scene
         .nodes()
         .iter()
@@ -52,7 +58,7 @@ pub(super) fn tables(file: &Path, document: &SceneDocument) -> String {
                 format!("{} {}", one_line(name), pin.point + 1)
             });
             table.row(vec![
-                marker.frame.to_string(),
+                seen(marker.frame).to_string(),
                 one_line(&marker.name),
                 pinned.collect::<Vec<_>>().join(", "),
             ]);
@@ -62,7 +68,7 @@ pub(super) fn tables(file: &Path, document: &SceneDocument) -> String {
     text
 }
 
-fn nodes(nodes: &[Node]) -> Table {
+fn nodes(nodes: &[Node], seen: &dyn Fn(f64) -> f64) -> Table {
     let mut table = Table::new(&[
         ("Name", Align::Left),
         ("Kind", Align::Left),
@@ -77,7 +83,7 @@ fn nodes(nodes: &[Node]) -> Table {
             (Some(path), _) => format!(
                 "path, {} points, from {}",
                 path.path().points.len(),
-                path.start_frame()
+                seen(path.start_frame())
             ),
             (None, 0) => String::new(),
             (None, 1) => "1 track".to_owned(),
@@ -114,7 +120,7 @@ fn nodes(nodes: &[Node]) -> Table {
     table
 }
 
-fn tracks(nodes: &[Node]) -> Table {
+fn tracks(nodes: &[Node], seen: &dyn Fn(f64) -> f64) -> Table {
     let mut table = Table::new(&[
         ("Node", Align::Left),
         ("Channel", Align::Left),
@@ -136,8 +142,8 @@ fn tracks(nodes: &[Node]) -> Table {
                 one_line(&track.channel().to_string()),
                 one_line(&track.interpolation().to_string()),
                 track.frames().len().to_string(),
-                first.to_string(),
-                last.to_string(),
+                seen(first).to_string(),
+                seen(last).to_string(),
                 after.to_owned(),
             ]);
         }

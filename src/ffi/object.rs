@@ -112,7 +112,8 @@ fn as_drawn(object: &Object) -> Answer<Mesh> {
     })
 }
 
-fn to_c(mesh: &Mesh) -> V_MESH {
+/// A mesh for C, which points into it.
+pub(super) fn to_c(mesh: &Mesh) -> V_MESH {
     /// NULL where there is nothing.
     fn first<T, F>(all: &[T]) -> *const F {
         match all {

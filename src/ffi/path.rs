@@ -131,13 +131,13 @@ pub unsafe extern "C" fn v_path_free(path: *mut V_PATH) {
     });
 }
 
-/// Reads a path from a .vid file; of a scene (v_scene_load()) that of its first
-/// camera on a path: to save it to that file would lose the rest of the scene. file
+/// Reads a path from a .vid file; of a scene (v_scene_load()) that of the camera
+/// that is shown: to save it to that file would lose the rest of the scene. file
 /// is a name as open() takes it. *path is the caller's, to be freed with
 /// v_path_free().
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT (with
-/// line and reason in v_last_error()), V_ERR_ARGUMENT (a scene without such a
-/// camera), V_ERR_MEMORY, V_ERR_LIMIT. Memory that
+/// line and reason in v_last_error()), V_ERR_ARGUMENT (that camera follows none, or
+/// there is none), V_ERR_MEMORY, V_ERR_LIMIT. Memory that
 /// runs out while the text itself is read or parsed ends the program.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_load(file: *const c_char, path: *mut *mut V_PATH) -> c_int {

@@ -40,7 +40,7 @@ pub(super) fn thread_text(text: &str) -> *const c_char {
 }
 
 /// Converts a link to a node from C; −1 is none.
-fn link(value: c_int, name: &'static str) -> Answer<Option<usize>> {
+pub(super) fn link(value: c_int, name: &'static str) -> Answer<Option<usize>> {
     if value == -1 {
         Ok(None)
     } else {
@@ -48,7 +48,7 @@ fn link(value: c_int, name: &'static str) -> Answer<Option<usize>> {
     }
 }
 
-fn unlink(value: Option<usize>) -> Answer<c_int> {
+pub(super) fn unlink(value: Option<usize>) -> Answer<c_int> {
     value.map_or(Ok(-1), pointers::count)
 }
 
@@ -397,7 +397,7 @@ pub unsafe extern "C" fn v_scene_find_node(
 }
 
 /// A node's name. The text belongs to the library and is valid until the same
-/// thread's next call of this function or of v_scene_get_track().
+/// thread's next call of a function that gives one of a scene.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
 /// V_ERR_BUSY.
 #[unsafe(no_mangle)]

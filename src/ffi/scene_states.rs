@@ -31,7 +31,8 @@ fn report(document: &SceneDocument, warnings: &Warnings) {
 
 /// ==== The scene at a frame ====
 ///
-/// The first and the last frame of all paths and keys; 1 and 1 if nothing moves.
+/// The first and the last frame: those of v_scene_set_range(), else of all paths and keys;
+/// 1 and 1 if nothing moves.
 /// Each result may be NULL.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
 /// V_ERR_BUSY.

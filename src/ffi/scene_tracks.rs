@@ -154,7 +154,8 @@ fn both(after: c_int) -> Answer<(Extrapolation, Extrapolation)> {
     Ok((beyond(after >> 4)?, beyond(after & 15)?))
 }
 
-fn number_of(beyond: Extrapolation) -> c_int {
+/// The number of a continuation, for C.
+pub(super) fn number_of(beyond: Extrapolation) -> c_int {
     match beyond {
         Extrapolation::Hold => V_AFTER_HOLD,
         Extrapolation::Repeat => V_AFTER_REPEAT,
@@ -167,7 +168,7 @@ fn number_of(beyond: Extrapolation) -> c_int {
 /// track (then *interpolation is ""). capacity is the number of keys that
 /// frames, values and shape have room for; each of them may be NULL, as any
 /// other result. The text belongs to the library and is valid until the same
-/// thread's next call of this function or of v_scene_get_name().
+/// thread's next call of a function that gives one of a scene.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
 /// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_SIZE (more keys than room), V_ERR_BUSY.
 #[unsafe(no_mangle)]

@@ -49,6 +49,10 @@ pub const V_BEFORE_REPEAT: c_int = 16;
 pub const V_BEFORE_PINGPONG: c_int = 32;
 pub const V_BEFORE_OFFSET: c_int = 48;
 
+/// What a node keeps that gets another parent, see v_scene_set_parent().
+pub const V_KEEP_PLACE: c_int = 0;
+pub const V_KEEP_NUMBERS: c_int = 1;
+
 /// A node at rest. Its local matrix is T(position) T(pivot) R S T(-pivot), its
 /// world matrix that of its parent times the local one. Lights and cameras look
 /// along their own +z axis, +y up, and have pivot 0. What another kind of node

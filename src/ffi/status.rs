@@ -133,6 +133,12 @@ pub(super) enum Failure {
     NoLanguage(Text),
     #[error("{name} is {given}, and the number of an X window has at most 32 bits")]
     NoWindow { name: &'static str, given: c_ulong },
+    #[error("there is no {what} {at} among {count}, counted from 0")]
+    NoEntry {
+        what: &'static str,
+        at: usize,
+        count: usize,
+    },
     #[error("there is no section {} among {count}", Index(*at))]
     NoSection { at: usize, count: usize },
     #[error(
@@ -216,6 +222,7 @@ impl Failure {
             | Self::Unknown { .. }
             | Self::NoCurveKind(_)
             | Self::NoWindow { .. }
+            | Self::NoEntry { .. }
             | Self::NoSection { .. }
             | Self::NoPoses { .. }
             | Self::NoFrame { .. }

@@ -251,7 +251,8 @@ pub struct v_editor_options {
     /// A language that the user has chosen in the setup counts before both
     pub language: *const c_char,
     /// called when the user hands over the poses; they are the library's and
-    /// valid until it returns. NULL: nothing can be handed over
+    /// valid until it returns. Of a scene they are those of the camera that is shown,
+    /// one for each frame of v_scene_frame_range(). NULL: nothing can be handed over
     pub on_poses: Option<
         unsafe extern "C" fn(
             editor: *mut V_EDITOR,

@@ -134,6 +134,7 @@ static void opening(void)
 static void handles(void)
 {
     V_PATH *path = new_path(), *copy = path;
+    int number = 7;
     /* A path is no window, and a made-up handle is none. */
     V_EDITOR *wrong = (V_EDITOR *)path, *nothing = (V_EDITOR *)&called;
     OK(v_editor_close(NULL));
@@ -145,6 +146,16 @@ static void handles(void)
     STATUS(V_ERR_NULL, v_editor_set_path(NULL, path));
     STATUS(V_ERR_HANDLE, v_editor_set_path(nothing, path));
     CHECK(copy == path);
+    STATUS(V_ERR_NULL, v_editor_undo(NULL));
+    STATUS(V_ERR_HANDLE, v_editor_undo(wrong));
+    STATUS(V_ERR_HANDLE, v_editor_redo(nothing));
+    STATUS(V_ERR_NULL, v_editor_begin_step(NULL));
+    STATUS(V_ERR_HANDLE, v_editor_begin_step(wrong));
+    STATUS(V_ERR_HANDLE, v_editor_end_step(nothing));
+    STATUS(V_ERR_HANDLE, v_editor_get_selection(wrong, &number, NULL));
+    STATUS(V_ERR_NULL, v_editor_is_playing(wrong, NULL));
+    STATUS(V_ERR_HANDLE, v_editor_is_playing(wrong, &number));
+    CHECK(number == 7);
     v_path_free(path);
 }
 

@@ -222,6 +222,27 @@ CALL(v_editor_set_title)
     return v_editor_set_title(editor, text(titles[below(odd ? 6 : 4)]));
 }
 
+CALL(v_editor_undo) { return v_editor_undo(an_editor()); }
+
+CALL(v_editor_redo) { return v_editor_redo(an_editor()); }
+
+CALL(v_editor_begin_step) { return v_editor_begin_step(an_editor()); }
+
+CALL(v_editor_end_step) { return v_editor_end_step(an_editor()); }
+
+CALL(v_editor_get_selection)
+{
+    const V_EDITOR *editor = an_editor();
+    int *point = result(sizeof *point, 1);
+    return v_editor_get_selection(editor, point, result(sizeof(int), 1));
+}
+
+CALL(v_editor_is_playing)
+{
+    const V_EDITOR *editor = an_editor();
+    return v_editor_is_playing(editor, result(sizeof(int), 0));
+}
+
 CALL(v_editor_is_modified)
 {
     const V_EDITOR *editor = an_editor();

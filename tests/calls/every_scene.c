@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "functions.h"
+#include "scene_things.h"
 #include "things.h"
 
 #define NODES 3
@@ -11,9 +12,7 @@ static V_SCENE *scene;
 
 static const double twist[] = {2, 30}, box[] = {-1, -1, -1, 1, 1, 1};
 
-/* A camera on a path, a sheet that changes and moves, a lamp in it: made anew for
- * each call, always by the same calls. */
-static V_SCENE *a_scene(void)
+V_SCENE *a_scene(void)
 {
     static const double xyz[3 * POINTS] = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
     static const double frames[] = {1, 11}, way[] = {0, 0, 0, 1, 2, 3};
@@ -44,7 +43,7 @@ static V_SCENE *a_scene(void)
     return handle(scene);
 }
 
-static int a_node(void) { return whole(0, NODES - 1); }
+int a_node(void) { return whole(0, NODES - 1); }
 
 /* One of these, or as often as `wild` says one that will not do. */
 static const char *one_of(const char *const *fit, int count)
@@ -58,7 +57,7 @@ static const char *one_of(const char *const *fit, int count)
     return text(fit[below((unsigned)count)]);
 }
 
-static const char *a_name(void)
+const char *a_name(void)
 {
     static const char *const names[] = {"wheel", "\xc3\xbc", "a b"};
     return one_of(names, 3);

@@ -146,6 +146,20 @@
     F(v_scene_pin, STATUS, V_OK, 0) \
     F(v_scene_set_space, STATUS, V_OK, 0) \
     F(v_scene_get_space, STATUS, V_OK, 0) \
+    F(v_scene_set_title, STATUS, V_OK, 0) \
+    F(v_scene_get_title, STATUS, V_OK, 0) \
+    F(v_scene_set_comment, STATUS, V_OK, 0) \
+    F(v_scene_get_comment, STATUS, V_OK, 0) \
+    F(v_scene_set_fps, STATUS, V_OK, 0) \
+    F(v_scene_get_fps, STATUS, V_OK, 0) \
+    F(v_scene_set_first_frame, STATUS, V_OK, 0) \
+    F(v_scene_get_first_frame, STATUS, V_OK, 0) \
+    F(v_scene_set_limit, STATUS, V_OK, 0) \
+    F(v_scene_get_limit, STATUS, V_OK, 0) \
+    F(v_scene_set_camera, STATUS, V_OK, 0) \
+    F(v_scene_get_camera, STATUS, V_OK, 0) \
+    F(v_scene_set_range, STATUS, V_OK, 0) \
+    F(v_scene_set_parent, STATUS, V_OK, 0) \
     F(v_scene_set_track, STATUS, V_OK, 0) \
     F(v_scene_get_track, STATUS, V_OK, 0) \
     F(v_register_interpolation, STATUS, V_OK, 0) \
@@ -155,6 +169,20 @@
     F(v_scene_add_deformation, STATUS, V_OK, 0) \
     F(v_scene_remove_deformation, STATUS, V_OK, 0) \
     F(v_deform, STATUS, V_OK, 0) \
+    F(v_scene_get_start, STATUS, V_OK, 0) \
+    F(v_scene_track_count, STATUS, V_OK, 0) \
+    F(v_scene_get_channel, STATUS, V_OK, 0) \
+    F(v_scene_marker_count, STATUS, V_OK, 0) \
+    F(v_scene_get_marker, STATUS, V_OK, 0) \
+    F(v_scene_remove_marker, STATUS, V_OK, 0) \
+    F(v_scene_pin_count, STATUS, V_OK, 0) \
+    F(v_scene_get_pin, STATUS, V_OK, 0) \
+    F(v_scene_get_geometry, STATUS, V_OK, 0) \
+    F(v_scene_shape_count, STATUS, V_OK, 0) \
+    F(v_scene_get_shape, STATUS, V_OK, 0) \
+    F(v_scene_remove_shape, STATUS, V_OK, 0) \
+    F(v_scene_deformation_count, STATUS, V_OK, 0) \
+    F(v_scene_get_deformation, STATUS, V_OK, 0) \
     F(v_scene_frame_range, STATUS, V_OK, 0) \
     F(v_scene_evaluate, STATUS, V_OK, 0) \
     F(v_scene_sample, STATUS, V_OK, 0) \
@@ -181,6 +209,12 @@
     F(v_editors_close, STATUS, V_OK, 1) \
     F(v_editor_get_scene, STATUS, V_OK, 1) \
     F(v_editor_set_scene, STATUS, V_OK, 1) \
+    F(v_editor_undo, STATUS, -2, 1) \
+    F(v_editor_redo, STATUS, -2, 1) \
+    F(v_editor_begin_step, STATUS, V_OK, 1) \
+    F(v_editor_end_step, STATUS, V_OK, 1) \
+    F(v_editor_get_selection, STATUS, -2, 1) \
+    F(v_editor_is_playing, STATUS, V_OK, 1) \
     F(v_quat_slerp, STATUS, V_OK, 0) \
     F(v_quat_from_view, STATUS, V_OK, 0) \
     F(v_view_from_quat, STATUS, V_OK, 0) \

@@ -192,7 +192,9 @@ int main(int argc, char **argv)
     within_callback = within;
     check_names();
     if (display_there) { /* what is read when the first sign is typed is kept for good */
-        struct window first = open_editor();
+        struct window first;
+        fresh_things(); /* its callbacks call, too */
+        first = open_editor();
         hands_type(first.shown);
         settle();
         v_editor_close(first.editor);

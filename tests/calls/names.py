@@ -48,7 +48,7 @@ def fault(text):
 
 
 def block(data, room=0):
-    data = ctypes.create_string_buffer(data, max(len(data), room))
+    data = ctypes.create_string_buffer(data, max(len(data) + 1, room))  # a text ends by zero
     kept.append(data)
     return ctypes.addressof(data)
 
@@ -91,6 +91,10 @@ def a_scene():
         ("v_scene_add_deformation", [1, pointer(block(b"twist")), pointer(doubles(2, 30)),
                                      ctypes.c_size_t(2), pointer(doubles(-1, -1, -1, 1, 1, 1)), None]),
         ("v_scene_set_marker", [pointer(block(b"meet")), ctypes.c_double(20)]),
+        ("v_scene_pin", [0, 1, pointer(block(b"meet"))]),
+        ("v_scene_add_shape", [1, pointer(block(b"flat")), pointer(doubles(*range(12))), ctypes.c_size_t(4)]),
+        ("v_scene_set_track", [1, pointer(block(b"position")), pointer(block(b"linear")), pointer(doubles(1, 11)),
+                               pointer(doubles(*range(6))), None, ctypes.c_size_t(2), 0]),
     ]:
         status = getattr(vides, name)(pointer(scene), *more)
         assert status == OK, (name, vides.v_last_error())
@@ -151,7 +155,8 @@ def fit(function, kind, name):
 
 INTS = {"last_point": 1, "up": 1, "count": 2, "points": 1, "node": 1, ("v_path_extract", "last_point"): 2,
         ("v_path_remove_orientation", "at"): 1, ("v_scene_set_path", "node"): 0,
-        ("v_scene_get_path", "node"): 0, ("v_scene_pin", "node"): 0}
+        ("v_scene_get_path", "node"): 0, ("v_scene_pin", "node"): 0, ("v_scene_set_camera", "node"): 0,
+        ("v_scene_get_start", "node"): 0}
 SIZES = {"capacity": 50000, "count": 2, "keys": 2, "points": 4, "size": len(VID), "first": 1,
          "frames": 500, ("v_path_fit_poses", "count"): 12,
          ("v_path_fit_poses_in_space", "count"): 12, ("v_path_fit_poses_robust", "count"): 12,
@@ -162,7 +167,8 @@ DOUBLES = {"fps": 25.0, "frame": 2.5, "back": 10.0, "rise": 0.2, "fall": 0.2, "c
 TEXTS = {"format": "csv", "options": "as=keys", ("v_scene_import", "file"): folder + "/a.csv", "channel": "position", "interpolation": "hermite", "kind": "twist", "move": "orbit", "up": "point",
          "marker": "meet", "text": VID, "name": "wheel", ("v_scene_find_node", "name"): "sheet",
          ("v_path_set_curve", "kind"): "cubic", ("v_path_set_limit", "kind"): "turning",
-         ("v_path_get_limit", "kind"): "turning", "file": folder + "/written",
+         ("v_path_get_limit", "kind"): "turning", ("v_scene_set_limit", "kind"): "turning",
+         ("v_scene_get_limit", "kind"): "turning", ("v_scene_remove_marker", "name"): "meet", "file": folder + "/written",
          ("v_path_load", "file"): folder + "/a.vid", ("v_scene_load", "file"): folder + "/a.vid",
          ("v_scene_load_geometry", "file"): folder + "/a.obj"}
 ARRAYS = {"keys": [1, 0, 0, 0, 0, 1, 0, 0], "key_times": [0, 1], "tcb": [0] * 6, "weights": [0.5, 0.5],
@@ -173,8 +179,8 @@ ARRAYS = {"keys": [1, 0, 0, 0, 0, 1, 0, 0], "key_times": [0, 1], "tcb": [0] * 6,
 
 # Numbers of things, and those that choose one of a few.
 NUMBERS = ("at", "point", "node", "segment", "section", "orientation", "first_point", "last_point", "preset",
-           "from", "to")
-CHOICES = ("up", "kind", "fit", "after", "orientation_mode", "zoom_mode", "convention")
+           "from", "to", "parent")
+CHOICES = ("up", "kind", "fit", "after", "orientation_mode", "zoom_mode", "convention", "keep")
 
 
 def parameters(text):

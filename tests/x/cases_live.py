@@ -110,6 +110,43 @@ def the_host_is_told_what_is_done(place):
 
 
 @test()
+def the_host_goes_through_the_history(place):
+    """One step at a time, its own and the user's; several of them become one."""
+    server, host, window, now = opened(place)
+    steps = lambda what: host.tell(what).split()[1]
+    first = points(host)
+    check(steps("undo") == "3" and steps("redo") == "3", "a step where there is none")
+    check(steps("step 0") == "0", "the end of nothing")
+    server.press(window, "Insert")
+    wait(lambda: len(points(host)) == 3, "a point")
+    one_more = points(host)
+    check(steps("step 1") == "0", "v_editor_begin_step")
+    for count in (4, 5):
+        server.press(window, "Insert")
+        wait(lambda count=count: len(points(host)) == count, "a point more")
+    many = points(host)
+    check(steps("step 0") == "0", "v_editor_end_step")
+    for _ in range(2):
+        check(steps("undo") == "0" and points(host) == one_more, "both taken back")
+        check(steps("redo") == "0" and points(host) == many, "both done again")
+    server.press(window, "ctrl+z")
+    wait(lambda: points(host) == one_more, "both taken back by the user")
+    check(steps("undo") == "0" and points(host) == first, "the first one taken back")
+    check(host.tell("select 1 0").split()[1] == "0" and host.tell("current") == "current 0 1 0",
+          "v_editor_get_selection")
+    server.press(window, "ctrl+Prior")
+    wait(lambda: host.tell("current") == "current 0 0 0", "what the user has chosen")
+    check(host.tell("plays") == "plays 0 0", "it plays already")
+    check(host.tell("play 1").split()[1] == "0" and host.tell("plays") == "plays 0 1", "it plays")
+    wait(lambda: views(host).reason == PLAYED, "a frame that is played")
+    check(host.tell("plays") == "plays 0 1", "it goes on playing")
+    check(host.tell("play 0").split()[1] == "0" and host.tell("plays") == "plays 0 0", "it stops")
+    rested(host)
+    check(host.tell("plays") == "plays 0 0", "it has stopped")
+    host.leave()
+
+
+@test()
 def the_hosts_view_is_taken_over(place):
     """By key; to the last digits; what is no view is refused."""
     server, host, window, now = opened(place)

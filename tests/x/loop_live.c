@@ -211,6 +211,22 @@ int loop_command(const char *name, char *rest)
         sscanf(rest, "%d %d", &status, &whole);
         status = v_editor_select(editor, status, whole);
         say("select %d %s", status, v_last_error());
+    } else if (strcmp(name, "undo") == 0) {
+        status = v_editor_undo(editor);
+        say("undo %d %s", status, v_last_error());
+    } else if (strcmp(name, "redo") == 0) {
+        status = v_editor_redo(editor);
+        say("redo %d %s", status, v_last_error());
+    } else if (strcmp(name, "step") == 0) {
+        status = number != 0 ? v_editor_begin_step(editor) : v_editor_end_step(editor);
+        say("step %d %s", status, v_last_error());
+    } else if (strcmp(name, "current") == 0) {
+        int point = -1, orientation = -1;
+        status = v_editor_get_selection(editor, &point, &orientation);
+        say("current %d %d %d", status, point, orientation);
+    } else if (strcmp(name, "plays") == 0) {
+        status = v_editor_is_playing(editor, &whole);
+        say("plays %d %d", status, whole);
     } else if (strcmp(name, "title") == 0) {
         status = v_editor_set_title(editor, rest[0] != '\0' ? rest : NULL);
         say("title %d", status);

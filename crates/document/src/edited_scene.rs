@@ -12,9 +12,7 @@ use super::editing::{Document, fresh_revision};
 use super::info::Info;
 use super::scene::SceneDocument;
 use super::vid;
-use crate::error::{
-    EngineError, OutOfRange, Refused, Result, TooMany, can_allocate, vec_with_room,
-};
+use crate::error::{EngineError, OutOfRange, Refused, Result, can_allocate, vec_with_room};
 use crate::limits::MAX_FRAMES;
 use crate::path::fit_frames::frames_between;
 use crate::path::{CameraPath, Pose, Sampler};
@@ -307,8 +305,8 @@ impl Document {
         Some(is_plain(&edited.scene.nodes()[shown]))
     }
 
-    /// All present poses of the shown camera: those of its path's frames, or if it has none, of the
-    /// scene's. [`export::write`](crate::export::write) writes those of the scene's in any case.
+    /// All present poses of the shown camera, one for each frame of the path; in a scene one for
+    /// each whole step of its range ([`Scene::frame_range`]), as a file has them.
     ///
     /// # Errors
     /// `ErrorKind::Argument` without a camera; `ErrorKind::Limit` for too many frames;
@@ -317,30 +315,13 @@ impl Document {
         let Some(edited) = self.edited_scene() else {
             return Ok(Poses::Path(self.sampler()?));
         };
-        let shown = edited.scene.shown_camera().ok_or(Refused::NoCamera)?;
-        let node = &edited.scene.nodes()[shown];
-        if edited.node == Some(shown) && is_plain(node) {
-            return Ok(Poses::Path(self.sampler()?));
-        }
-        if let Some(follow) = node.path()
-            && is_plain(node)
-        {
-            return Ok(Poses::Path(follow.sampler()?));
-        }
+        let camera = edited.scene.shown_camera().ok_or(Refused::NoCamera)?;
         let scene = edited.with(self.path())?;
-        let (first, last) = match scene.nodes()[shown].path() {
-            Some(follow) => follow.first_and_last(),
-            None => scene.frame_range(),
-        };
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-        let count = (last - first).floor() as usize + 1;
-        if count > MAX_FRAMES {
-            return Err(TooMany::SceneFrames.into());
-        }
+        let (first, count) = (scene.frame_range().0, scene.frame_count()?);
         scene.prepare(first)?;
         Ok(Poses::Scene {
             scene: Box::new(scene),
-            camera: shown,
+            camera,
             first,
             count,
         })
@@ -360,7 +341,7 @@ fn is_plain(node: &Node) -> bool {
 /// The poses of the shown camera.
 #[derive(Debug)]
 pub enum Poses<'a> {
-    /// Those of its path.
+    /// Those of a path alone.
     Path(&'a Sampler),
     /// Those it has in a scene, at each whole step from its first frame on.
     Scene {

@@ -132,12 +132,13 @@ fn poses_are_those_of_the_camera_that_is_shown() {
     let mut document = document(&scene());
     let (mut own, mut others) = ([Pose::default(); 20], [Pose::default(); 20]);
     document.sampler().unwrap().sample(1, &mut own).unwrap();
-    document.poses().unwrap().sample(1, &mut others).unwrap();
+    // The camera goes from frame 11 on, the car from frame 1.
+    document.poses().unwrap().sample(11, &mut others).unwrap();
     assert_eq!(own, others);
     // Whichever path is edited.
     document.apply(Edit::EditNode(Some(0))).unwrap();
     move_first(&mut document);
-    document.poses().unwrap().sample(1, &mut others).unwrap();
+    document.poses().unwrap().sample(11, &mut others).unwrap();
     assert_eq!(own, others);
     assert_eq!(
         document.shown_path().unwrap().path(),

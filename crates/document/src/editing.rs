@@ -336,6 +336,22 @@ impl Document {
         }
     }
 
+    /// Marks where the history stands, for [`Document::join_steps`]. Ends an open step.
+    pub fn mark_steps(&mut self) {
+        self.end_step();
+        self.history.mark();
+    }
+
+    /// Makes one step of all that were done since [`Document::mark_steps`] and not undone, and ends
+    /// an open one. Without a mark they stay.
+    ///
+    /// # Errors
+    /// `ErrorKind::Memory`; they stay as they are then.
+    pub fn join_steps(&mut self) -> Result<()> {
+        self.end_step();
+        self.history.join()
+    }
+
     /// Undoes the open step, selection included, and drops it: it cannot be redone.
     pub fn cancel_step(&mut self) {
         if let Some(mut step) = self.open.take() {

@@ -6,7 +6,7 @@ use std::collections::VecDeque;
 use super::change::Change;
 use super::editing::Selection;
 use super::step_name::StepName;
-use crate::error::Result;
+use crate::error::{Result, vec_with_room};
 use crate::limits;
 
 /// What a single undo takes back.
@@ -91,6 +91,24 @@ impl Step {
         self.changes.reverse();
     }
 
+    /// Puts closed steps together, given in the order in which they were done.
+    fn join(
+        steps: impl DoubleEndedIterator<Item = Self>,
+        mut changes: Vec<Change>,
+    ) -> Option<Self> {
+        let mut joined: Option<Self> = None;
+        // What was done last is taken back first; the other side is that of the first.
+        for mut step in steps.rev() {
+            changes.append(&mut step.changes);
+            let name = joined.and_then(|later| later.name);
+            joined = Some(Self {
+                name: step.name.or(name),
+                ..step
+            });
+        }
+        joined.map(|first| Self { changes, ..first })
+    }
+
     fn weight(&self) -> usize {
         size_of::<Self>() + self.changes.iter().map(Change::weight).sum::<usize>()
     }
@@ -107,6 +125,8 @@ pub(super) struct History {
     weight: usize,
     /// Steps kept; 0 keeps none.
     limit: usize,
+    /// How many steps were done where joining begins; fewer if they have been undone since.
+    mark: Option<usize>,
 }
 
 impl History {
@@ -116,6 +136,7 @@ impl History {
             done: 0,
             weight: 0,
             limit,
+            mark: None,
         }
     }
 
@@ -157,7 +178,37 @@ impl History {
         {
             self.weight -= self.steps.pop_front().map_or(0, |(_, weight)| weight);
             self.done -= 1;
+            self.mark = self.mark.map(|mark| mark.saturating_sub(1));
         }
+    }
+
+    pub(super) const fn mark(&mut self) {
+        self.mark = Some(self.done);
+    }
+
+    /// Makes one step of all that were done since the mark, which goes.
+    pub(super) fn join(&mut self) -> Result<()> {
+        let Some(mark) = self.mark.take().filter(|mark| mark + 1 < self.done) else {
+            return Ok(());
+        };
+        let records = |(step, _): &(Step, usize)| step.changes.len();
+        let count = self.steps.range(mark..self.done).map(records).sum();
+        let changes = vec_with_room(count)?;
+        let steps = self.steps.drain(mark..self.done).map(|(step, _)| step);
+        let joined = Step::join(steps, changes);
+        self.done = mark;
+        if let Some(joined) = joined {
+            let weight = joined.weight();
+            self.steps.insert(mark, (joined, weight));
+            self.done += 1;
+        }
+        self.weight = self.steps.iter().map(|(_, weight)| weight).sum();
+        Ok(())
+    }
+
+    fn lower_mark(&mut self) {
+        let done = self.done;
+        self.mark = self.mark.map(|mark| mark.min(done));
     }
 
     /// Takes the newest step out, if nothing was undone after it.
@@ -168,6 +219,7 @@ impl History {
         let (step, weight) = self.steps.pop_back()?;
         self.weight -= weight;
         self.done -= 1;
+        self.lower_mark();
         Some(step)
     }
 
@@ -187,6 +239,7 @@ impl History {
         self.weight -= *weight;
         *weight = step.weight();
         self.weight += *weight;
+        self.lower_mark();
         true
     }
 }

@@ -194,4 +194,42 @@ mod tests {
         assert!(document.undo() && document.undo() && !document.undo());
         assert_eq!(*document.path(), first);
     }
+
+    /// Between a mark and its end all is one step, whatever else was taken back meanwhile.
+    #[test]
+    fn steps_since_a_mark_become_one() {
+        let mut document = Document::new();
+        document.join_steps().unwrap();
+        document.apply(Edit::Reverse).unwrap();
+        let (before, number) = (document.path().clone(), document.state_number());
+        document.mark_steps();
+        document.apply(Edit::AppendAfterLast).unwrap();
+        document.apply(Edit::Reverse).unwrap();
+        assert!(document.undo());
+        document.apply(Edit::Repeat(2)).unwrap();
+        document.begin_step();
+        document.apply(Edit::SetClosed(true)).unwrap();
+        let after = document.path().clone();
+        document.join_steps().unwrap();
+        assert_eq!(document.step_names(), [Some(StepName::InsertPoint), None]);
+        for _ in 0..2 {
+            assert_eq!(*document.path(), after);
+            assert!(document.undo());
+            assert_eq!(
+                (document.path(), document.state_number()),
+                (&before, number)
+            );
+            assert_eq!(document.step_names()[0], Some(StepName::Reverse));
+            assert!(document.redo() && !document.redo());
+        }
+        // One that was undone below its mark joins what comes after.
+        document.mark_steps();
+        assert!(document.undo() && document.undo());
+        document.apply(Edit::AppendAfterLast).unwrap();
+        document.apply(Edit::Reverse).unwrap();
+        document.join_steps().unwrap();
+        document.apply(Edit::Reverse).unwrap();
+        assert!(document.undo() && document.undo() && !document.undo());
+        assert_eq!(document.path(), Document::new().path());
+    }
 }

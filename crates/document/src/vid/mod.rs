@@ -36,6 +36,7 @@ mod pieces;
 mod read;
 mod scene_read;
 mod scene_write;
+mod shown;
 mod weight;
 mod write;
 

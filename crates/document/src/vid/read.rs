@@ -24,7 +24,7 @@ use vides_engine::scene::{Mesh, Scene};
 use vides_engine::tools::check::{FindingKind, Limits, OFF};
 
 /// The keys of a file; those from `title` to `presets` are one value of the whole path each.
-const KEYS: [&str; 17] = [
+const KEYS: [&str; 19] = [
     "version",
     "title",
     "comment",
@@ -40,6 +40,8 @@ const KEYS: [&str; 17] = [
     "check",
     "object",
     "point",
+    "camera",
+    "range",
     "marker",
     "node",
 ];
@@ -64,7 +66,8 @@ const OF_PATH: [&str; 7] = [
 pub(crate) fn from_toml(text: &str) -> Result<(CameraPath, Info)> {
     let (reader, end) = Reader::of(text)?;
     if reader.is_scene() {
-        let reason = Malformed::Scene(reader.scene.count());
+        let nodes = reader.scene.count();
+        let reason = Malformed::Scene(if reader.has("node") { nodes } else { 1 });
         return Err(end.complain(text.len(), reason));
     }
     reader.path(end)
@@ -130,7 +133,9 @@ impl Reader {
     }
 
     fn is_scene(&self) -> bool {
-        self.has("node") || self.has("marker")
+        ["node", "marker", "camera", "range"]
+            .iter()
+            .any(|key| self.has(key))
     }
 
     fn scene(mut self, end: Source<'_>) -> Result<(Scene, Info)> {
@@ -185,7 +190,9 @@ impl Reader {
                 "node" => self.scene.nodes(field, &mut self.so_far, path.space)?,
                 // Version and space are already read.
                 _ => {
-                    let _ = read_info(field, info)? || read_setting(field, path)?;
+                    let _ = read_info(field, info)?
+                        || read_setting(field, path)?
+                        || self.scene.shown.take(field)?;
                 }
             }
         }

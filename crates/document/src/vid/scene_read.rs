@@ -6,6 +6,7 @@ use super::field::{Field, Source, at_line};
 use super::mesh_source;
 use super::own::ReadContext;
 use super::read::{one_line, points, read_setting, space};
+use super::shown::Shown;
 use crate::error::{EngineError, Error, Invalid, Malformed, Place, Result, TooMany, vec_with_room};
 use crate::limits;
 use crate::path::{CameraPath, Space};
@@ -22,6 +23,7 @@ use vides_engine::scene::{
 pub(super) struct Drafts {
     nodes: Vec<Draft>,
     markers: Vec<(usize, String, f64)>,
+    pub(super) shown: Shown,
 }
 
 /// Byte offset and name; counting lines for every node, not only for errors, would be quadratic.
@@ -176,6 +178,7 @@ impl Drafts {
                 .set_marker(&name, frame)
                 .map_err(|e| placed(source.line(offset), e))?;
         }
+        self.shown.set(&mut scene, text)?;
         Ok(scene)
     }
 }

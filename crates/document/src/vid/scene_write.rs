@@ -10,7 +10,7 @@ use super::own::UpPaths;
 use super::write::{
     Quoted, Text, base_speeds, head, place, point, shape_and_modes, space, to_toml,
 };
-use super::{mesh_source, too_large};
+use super::{mesh_source, shown, too_large};
 use crate::error::{EngineError, Result};
 use crate::info::Info;
 use crate::limits::MAX_FILE_BYTES;
@@ -61,6 +61,8 @@ pub(crate) fn alone(scene: &Scene) -> Option<&FollowPath> {
             .all(|(own, default)| same(&own.1, &default.1))
         && node.keys().tracks().is_empty()
         && scene.markers().is_empty()
+        && scene.camera().is_none()
+        && scene.range().is_none()
         && path.start_frame() == 1.0
         && path.extrapolation() == Extrapolation::Hold
         && path.path().space == scene.space();
@@ -90,6 +92,7 @@ fn rest(values: &Values) -> [(&'static str, Vec<f64>); 9] {
 
 fn document(out: &mut Text, scene: &Scene, info: &Info, folder: Option<&Path>) -> fmt::Result {
     head(out, info)?;
+    shown::write(out, scene)?;
     if scene.nodes().is_empty() {
         writeln!(out, "node = []")?;
     }

@@ -145,6 +145,12 @@ impl Editor {
         self.playing.order(plays);
     }
 
+    /// Whether it plays, or will from the next pass on.
+    #[must_use]
+    pub fn plays(&self) -> bool {
+        self.playing.will_play()
+    }
+
     /// Makes a point and one of its orientations current, both counted from 0.
     ///
     /// # Errors

@@ -184,6 +184,11 @@ impl Playing {
         self.since.is_some()
     }
 
+    /// Whether it plays once what was ordered is done.
+    pub(super) fn will_play(&self) -> bool {
+        self.ordered.unwrap_or(self.is_playing())
+    }
+
     pub(super) fn was_scrubbed(&self) -> bool {
         self.scrubbed
     }

@@ -120,6 +120,7 @@ german! {
         NoNodeNamed(name) => "einen Knoten „{name}“ gibt es nicht";
         KindStays { node, kind } => "„{node}“ ist von der Art „{kind}“ und bleibt es";
         NoObject(name) => "„{name}“ ist kein Objekt";
+        NotACamera(name) => "„{name}“ ist keine Kamera";
         Pivot => "Lichter und Kameras haben ihren Drehpunkt bei 0, 0, 0";
         CannotAim => "nur Lichter und Kameras zielen auf etwas";
         AimsAtItself => "er kann nicht auf sich selbst zielen";
@@ -138,6 +139,7 @@ german! {
         PinsTurnBack => "seine Marke muss nach der des vorigen angehefteten Punktes kommen";
         PathWithOffset =>
             "ein Pfad hält, wiederholt sich oder läuft hin und her; mit Versatz wiederholt er sich nicht";
+        RangeEnds => "das letzte Bild darf nicht vor dem ersten liegen";
         NoChannel(name) => "einen Kanal „{name}“ gibt es nicht; bekannt sind: {}",
             List(Channel::names(None));
         NoChannelOfKind { kind, channel } =>
@@ -308,6 +310,7 @@ german! {
             "die Form „{shape}“ hat {given} Punkte, das Netz {wanted}";
         ShapeWeights { shapes, given } =>
             "{shapes} Formen brauchen ebenso viele Gewichte, nicht {given}";
+        NoShape { at, count } => "unter {count} Formen, gezählt von 0, ist keine {at}";
         NoDeformation { at, count } => "unter {count} Verformungen, gezählt von 0, ist keine {at}";
         DeformationNumbers { deformation, given } =>
             "die Verformung „{deformation}“ nimmt nicht {given} Zahlen, sondern {}",

@@ -189,6 +189,8 @@ pub enum Invalid {
     KindStays { node: Text, kind: &'static str },
     #[error("\"{0}\" is no object")]
     NoObject(Text),
+    #[error("\"{0}\" is no camera")]
+    NotACamera(Text),
     #[error("lights and cameras have their pivot at 0, 0, 0")]
     Pivot,
     #[error("only lights and cameras aim at something")]
@@ -215,6 +217,9 @@ pub enum Invalid {
     PinsTurnBack,
     #[error("a path holds, repeats or goes back and forth; it has no repeat with offset")]
     PathWithOffset,
+
+    #[error("the last frame must not lie before the first")]
+    RangeEnds,
 
     // Channels, tracks.
     #[error("there is no channel \"{}\"; known: {}", .0, List(Channel::names(None)))]
@@ -557,6 +562,8 @@ pub enum OutOfRange {
     },
     #[error("{shapes} shapes need as many weights, not {given}")]
     ShapeWeights { shapes: usize, given: usize },
+    #[error("there is no shape {at} among {count}, counted from 0")]
+    NoShape { at: usize, count: usize },
     #[error("there is no deformation {at} among {count}, counted from 0")]
     NoDeformation { at: usize, count: usize },
     #[error(

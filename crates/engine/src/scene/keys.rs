@@ -6,8 +6,8 @@ use super::channel::Channel;
 use super::motion::Motion;
 use super::node::Values;
 use super::state::Warnings;
-use super::track::Track;
-use crate::error::{Result, TooMany};
+use super::track::{Interpolation, Track};
+use crate::error::{Error, Result, TooMany, vec_with_room};
 use crate::limits::{MAX_TRACKS, MAX_ZOOM, MIN_ZOOM};
 
 /// The tracks of a node, in the order of their channels.
@@ -106,6 +106,48 @@ impl Motion for Keys {
     fn frames(&self) -> Option<(f64, f64)> {
         let ends = self.tracks.iter().map(Track::ends);
         ends.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
+    }
+}
+
+impl Track {
+    /// The same track with one number more in each key, 0 throughout.
+    pub(super) fn widened(&self) -> Result<Self> {
+        self.with_keys(self.width() + 1, |all, key| {
+            all.extend_from_slice(key);
+            all.push(0.0);
+        })
+    }
+
+    /// The same track without the number `at` of each key, one of at least two.
+    pub(super) fn narrowed(&self, at: usize) -> Result<Self> {
+        self.with_keys(self.width() - 1, |all, key| {
+            all.extend_from_slice(&key[..at]);
+            all.extend_from_slice(&key[at + 1..]);
+        })
+    }
+
+    /// The same track with `width` numbers in each key, which `put` makes of the old ones.
+    fn with_keys(&self, width: usize, put: impl Fn(&mut Vec<f64>, &[f64])) -> Result<Self> {
+        let changed = |numbers: &[f64]| {
+            let mut all = vec_with_room(numbers.len() / self.width() * width)?;
+            let keys = numbers.chunks_exact(self.width());
+            keys.for_each(|key| put(&mut all, key));
+            Ok::<_, Error>(all)
+        };
+        let shape = if *self.interpolation() == Interpolation::Hermite {
+            changed(self.shape())?
+        } else {
+            self.shape().to_vec()
+        };
+        let (before, after) = self.extrapolation();
+        Self::new(
+            self.channel().clone(),
+            self.interpolation().clone(),
+            self.frames().to_vec(),
+            changed(self.values())?,
+            shape,
+        )?
+        .with_extrapolation(before, after)
     }
 }
 

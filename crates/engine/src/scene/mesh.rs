@@ -211,6 +211,12 @@ impl Object {
         Ok(())
     }
 
+    /// Removes a shape that is there; tracks of the weights are the scene's part.
+    pub(super) fn remove_shape(&mut self, at: usize) {
+        self.shapes.remove(at);
+        self.weights.remove(at);
+    }
+
     /// The deformations in the order in which they act.
     #[must_use]
     pub fn deformations(&self) -> &[(Deformation, Option<Bounds>)] {

@@ -21,6 +21,7 @@ mod reparent;
 mod rotation;
 #[expect(clippy::module_inception)]
 mod scene;
+mod shown;
 mod state;
 mod tangents;
 pub mod time;
@@ -33,6 +34,7 @@ pub use markers::{Marker, Pin};
 pub use mesh::{Mesh, MeshSource, Object, Shape};
 pub use motion::{FollowPath, Motion};
 pub use node::{Camera, Kind, Light, Node, Values};
+pub use reparent::Keep;
 pub use scene::Scene;
 pub use state::{NodeState, Warnings};
 pub use time::Extrapolation;

@@ -170,6 +170,7 @@ impl Scene {
             pin.node = number.unwrap_or(0);
             number.is_some()
         });
+        self.camera = self.camera.and_then(new);
         self.numbers = self.nodes.iter().map(|node| node.keys.numbers()).sum();
     }
 }

@@ -57,6 +57,10 @@ fn a_scene(state: &mut u64) -> Scene {
         // Where it would aim at what it carries, it does not.
         let _ = scene.set_node(at, &aims);
     }
+    if random(state, 4) > 0 {
+        scene.set_camera(Some(random(state, count))).unwrap();
+    }
+    scene.set_range(Some((3.0, 40.0))).unwrap();
     scene
 }
 
@@ -66,6 +70,7 @@ fn nodes_removed_one_by_one_are_those_removed_at_once() {
     for _ in 0..300 {
         let mut scene = a_scene(&mut state);
         let (places, mut model) = (kept(&scene), kept(&scene));
+        let chosen = scene.camera().map(|at| places[at].0.clone());
         let (mut each, mut removal) = (scene.clone(), Removal::new(&scene).unwrap());
         for _ in 0..random(&mut state, places.len() + 1) {
             if model.is_empty() {
@@ -88,6 +93,11 @@ fn nodes_removed_one_by_one_are_those_removed_at_once() {
         scene.remove_all(removal);
         assert_eq!(scene, each);
         assert_eq!(kept(&scene), model);
+        // The camera that was chosen is, as long as it is there.
+        let left = chosen.and_then(|name| model.iter().position(|node| node.0 == name));
+        assert_eq!(scene.camera(), left);
+        assert_eq!(scene.shown_camera(), left.or(model.first().map(|_| 0)));
+        assert_eq!(scene.frame_range(), (3.0, 40.0));
         for (number, node) in model.iter().enumerate() {
             assert_eq!(scene.find(&node.0), Some(number));
         }
@@ -95,5 +105,76 @@ fn nodes_removed_one_by_one_are_those_removed_at_once() {
         let mut order = scene.order.clone();
         order.sort_unstable();
         assert!(order.into_iter().eq(0..model.len()));
+    }
+}
+
+#[test]
+fn a_shape_goes_and_the_others_keep_their_weights() {
+    use crate::scene::{Channel, Extrapolation, Interpolation, Object, Shape, Track};
+    let rows = |numbers: &[[f64; 3]], gone: &[usize]| -> Vec<f64> {
+        let left = |row: &[f64; 3]| {
+            let kept = (0..3).filter(|at| !gone.contains(at));
+            kept.map(|at| row[at]).collect::<Vec<_>>()
+        };
+        numbers.iter().flat_map(left).collect()
+    };
+    let values = [[0.1, 0.2, 0.3], [1.0, 2.0, 3.0]];
+    let tangents = [
+        [4.0, 5.0, 6.0],
+        [7.0, 8.0, 9.0],
+        [1.5, 2.5, 3.5],
+        [0.5, -0.0, 1e-9],
+    ];
+    for (by, tangents) in [("hermite", &tangents[..]), ("linear", &[])] {
+        let mut scene = Scene::new();
+        let object = Node::new("sheet", Kind::Object(Object::default()));
+        scene.add(object).unwrap();
+        for name in ["a", "b", "c"] {
+            let shape = Shape {
+                name: name.to_owned(),
+                points: Vec::new(),
+                colours: Vec::new(),
+            };
+            scene.add_shape(0, shape).unwrap();
+        }
+        scene.set_weights(0, &[10.0, 20.0, 30.0]).unwrap();
+        let track = Track::new(
+            Channel::Weights,
+            Interpolation::parse(by).unwrap(),
+            vec![1.0, 2.5],
+            rows(&values, &[]),
+            rows(tangents, &[]),
+        )
+        .and_then(|track| track.with_extrapolation(Extrapolation::PingPong, Extrapolation::Repeat));
+        scene.set_track(0, track.unwrap()).unwrap();
+        let (untouched, wrong) = (scene.clone(), scene.remove_shape(0, 3).unwrap_err());
+        assert_eq!(
+            wrong.to_string(),
+            "there is no shape 3 among 3, counted from 0"
+        );
+        assert_eq!(scene, untouched);
+        for (which, gone, names) in [(1, &[1][..], "ac"), (1, &[1, 2], "a"), (0, &[0, 1, 2], "")] {
+            scene.remove_shape(0, which).unwrap();
+            let node = &scene.nodes()[0];
+            let Kind::Object(object) = &node.kind else {
+                panic!("an object stays one")
+            };
+            let left: String = object.shapes().iter().map(|s| &*s.name).collect();
+            assert_eq!(left, names);
+            let weights = rows(&[[10.0, 20.0, 30.0]], gone);
+            assert_eq!(object.weights(), weights);
+            let track = node.keys().track(&Channel::Weights);
+            assert_eq!(track.is_none(), gone.len() == 3);
+            if let Some(track) = track {
+                assert_eq!(track.values(), rows(&values, gone));
+                assert_eq!(track.shape(), rows(tangents, gone));
+                assert_eq!(
+                    track.extrapolation(),
+                    (Extrapolation::PingPong, Extrapolation::Repeat)
+                );
+            }
+            assert_eq!(scene.numbers, node.keys().numbers());
+        }
+        assert!(scene.remove_shape(0, 0).is_err());
     }
 }

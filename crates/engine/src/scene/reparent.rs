@@ -1,4 +1,4 @@
-//! A node that is given another parent stays where it is in the world.
+//! A node is given another parent: it stays where it is in the world, or goes along with that.
 
 use glam::{DAffine3, DMat3, DQuat};
 
@@ -12,20 +12,65 @@ use crate::error::{Error, Invalid, Place, Result};
 /// How well a place must be kept, relative to its size.
 const KEPT: f64 = 1e-9;
 
+/// What a node keeps that is given another parent.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Keep {
+    /// Its place in the world at the scene's first frame, as [`Scene::set_node`] does.
+    #[default]
+    Place,
+    /// Its numbers, path and tracks, so that it goes along with the new parent.
+    Numbers,
+}
+
 impl Scene {
+    /// Gives a node another parent; none: it stands in the scene itself.
+    ///
+    /// # Errors
+    /// [`Error::Range`] if there is no such node, [`Error::Argument`] if the parent is in it or
+    /// moves with it, [`Error::Limit`] for too many levels; for [`Keep::Place`] as
+    /// [`Scene::set_node`]. Nothing has changed then.
+    pub fn set_parent(&mut self, at: usize, parent: Option<usize>, keep: Keep) -> Result<()> {
+        let node = self.node(at)?;
+        if keep == Keep::Place {
+            let values = Node {
+                kind: node.kind.clone(),
+                parent,
+                aim: node.aim,
+                pivot: node.pivot,
+                rest: node.rest,
+                ..Node::default()
+            };
+            return self.set_node(at, &values);
+        }
+        let aim = node.aim;
+        self.check_parent(at, parent)?;
+        self.link(at, parent, aim)
+    }
+
+    /// Checks that a parent is there, and neither the node itself nor in it.
+    fn check_parent(&self, at: usize, parent: Option<usize>) -> Result<()> {
+        let Some(parent) = parent else {
+            return Ok(());
+        };
+        let name = |at: usize| (&self.nodes()[at].name).into();
+        self.node(parent).map_err(|error| error.at(Place::Parent))?;
+        if parent == at {
+            return Err(Error::from(Invalid::InItself).at(Place::Node(name(at))));
+        }
+        let mut above = std::iter::successors(Some(parent), |&up| self.nodes()[up].parent);
+        if above.any(|up| up == at) {
+            return Err(Invalid::ParentMovesWithIt {
+                node: name(at),
+                parent: name(parent),
+            }
+            .into());
+        }
+        Ok(())
+    }
+
     /// Changes the rest values of `new`, node `at` in another parent, to keep its world matrix.
     pub(super) fn keep_world(&self, at: usize, new: &mut Node) -> Result<()> {
-        if let Some(parent) = new.parent {
-            self.node(parent).map_err(|error| error.at(Place::Parent))?;
-            let mut above = std::iter::successors(Some(parent), |&up| self.nodes()[up].parent);
-            if above.any(|up| up == at) {
-                return Err(Invalid::ParentMovesWithIt {
-                    node: (&new.name).into(),
-                    parent: (&self.nodes()[parent].name).into(),
-                }
-                .into());
-            }
-        }
+        self.check_parent(at, new.parent)?;
         let mut states = self.scratch()?;
         let first = self.frame_range().0;
         self.evaluate(first, &mut states, &mut Warnings::default())?;
@@ -84,3 +129,7 @@ impl Scene {
 fn flat(node: &Node) -> Error {
     Error::Argument(Invalid::ScaleZero((&node.name).into()))
 }
+
+#[cfg(test)]
+#[path = "reparent_tests.rs"]
+mod tests;

@@ -4,7 +4,7 @@ use super::channel::Channel;
 use super::hierarchy;
 use super::markers::{Marker, Pin};
 use super::mesh::{Mesh, MeshSource, Shape};
-use super::motion::{FollowPath, Motion};
+use super::motion::FollowPath;
 use super::node::{Kind, Node, check_node_name};
 use super::removal::Removal;
 use super::track::Track;
@@ -25,6 +25,10 @@ pub struct Scene {
     pub(super) pins: Vec<Pin>,
     /// All numbers of all keys.
     pub(super) numbers: usize,
+    /// The camera that was chosen to be shown.
+    pub(super) camera: Option<usize>,
+    /// The first and the last frame, where they were chosen.
+    pub(super) range: Option<(f64, f64)>,
     space: Space,
 }
 
@@ -34,6 +38,8 @@ impl PartialEq for Scene {
             && self.markers == other.markers
             && self.pins == other.pins
             && self.space == other.space
+            && self.camera == other.camera
+            && self.range == other.range
     }
 }
 
@@ -150,18 +156,6 @@ impl Scene {
             .binary_search_by(|&node| self.nodes[node].name.as_str().cmp(name))
     }
 
-    /// The number of the camera that is shown: the first one on a path, else the first one.
-    #[must_use]
-    pub fn shown_camera(&self) -> Option<usize> {
-        let nodes = &self.nodes;
-        let cameras = || {
-            let all = nodes.iter().enumerate();
-            all.filter(|(_, node)| matches!(node.kind, Kind::Camera(_)))
-        };
-        let moving = cameras().find(|(_, node)| node.path().is_some());
-        moving.or_else(|| cameras().next()).map(|(at, _)| at)
-    }
-
     /// Adds a node behind the others and returns its number.
     ///
     /// # Errors
@@ -262,29 +256,41 @@ impl Scene {
             .into());
         }
         check_node(&new, at)?;
-        let (parent, aim) = (old.parent, old.aim);
-        let linked = parent != new.parent || aim != new.aim;
-        if parent != new.parent {
+        if old.parent != new.parent {
             self.keep_world(at, &mut new)?;
         }
-        let node = &mut self.nodes[at];
-        std::mem::swap(&mut node.parent, &mut new.parent);
-        std::mem::swap(&mut node.aim, &mut new.aim);
-        if linked {
-            match hierarchy::order(&self.nodes) {
-                Ok(order) => self.order = order,
-                Err((_, error)) => {
-                    (self.nodes[at].parent, self.nodes[at].aim) = (parent, aim);
-                    return Err(error);
-                }
-            }
-        }
+        self.link(at, new.parent, new.aim)?;
         let node = &mut self.nodes[at];
         (node.pivot, node.rest) = (new.pivot, new.rest);
         if !matches!(node.kind, Kind::Object(_)) {
             node.kind = new.kind;
         }
         Ok(())
+    }
+
+    /// Puts a node into another one and lets it aim at another one, where the tree allows that.
+    pub(super) fn link(
+        &mut self,
+        at: usize,
+        parent: Option<usize>,
+        aim: Option<usize>,
+    ) -> Result<()> {
+        let node = &mut self.nodes[at];
+        let old = (node.parent, node.aim);
+        if old == (parent, aim) {
+            return Ok(());
+        }
+        (node.parent, node.aim) = (parent, aim);
+        match hierarchy::order(&self.nodes) {
+            Ok(order) => {
+                self.order = order;
+                Ok(())
+            }
+            Err((_, error)) => {
+                (self.nodes[at].parent, self.nodes[at].aim) = old;
+                Err(error)
+            }
+        }
     }
 
     /// Sets the path of a node. Pins of points that it lacks go, the others hold ([`super::pins`]).
@@ -360,6 +366,18 @@ impl Scene {
         Ok(())
     }
 
+    /// The object that a node is.
+    ///
+    /// # Errors
+    /// [`Error::Range`] if there is no such node, [`Error::Argument`] if it is no object.
+    pub fn object(&self, at: usize) -> Result<&super::Object> {
+        let node = self.node(at)?;
+        match &node.kind {
+            Kind::Object(object) => Ok(object),
+            _ => Err(Invalid::NoObject((&node.name).into()).into()),
+        }
+    }
+
     fn object_mut(&mut self, at: usize) -> Result<&mut super::Object> {
         let node = self.node_mut(at)?;
         match &mut node.kind {
@@ -415,6 +433,31 @@ impl Scene {
         Ok(())
     }
 
+    /// Removes an object's shape; the others keep their weights, in a track of them too.
+    ///
+    /// # Errors
+    /// [`Error::Range`], [`Error::Argument`], [`Error::Memory`].
+    pub fn remove_shape(&mut self, at: usize, which: usize) -> Result<()> {
+        let count = self.object_mut(at)?.shapes().len();
+        if which >= count {
+            return Err(OutOfRange::NoShape { at: which, count }.into());
+        }
+        let old = self.nodes[at].keys.track(&Channel::Weights);
+        let before = old.map_or(0, Track::numbers_kept);
+        let narrower = match old {
+            Some(old) if count > 1 => Some(old.narrowed(which)?),
+            _ => None,
+        };
+        let after = narrower.as_ref().map_or(0, Track::numbers_kept);
+        match narrower {
+            Some(track) => self.nodes[at].keys.set(track)?,
+            None => drop(self.nodes[at].keys.remove(&Channel::Weights)),
+        }
+        self.numbers = self.numbers - before + after;
+        self.object_mut(at)?.remove_shape(which);
+        Ok(())
+    }
+
     /// Sets an object's weights at rest.
     ///
     /// # Errors
@@ -458,17 +501,6 @@ impl Scene {
         });
         self.numbers -= before - node.keys.numbers();
         Ok(())
-    }
-
-    /// The first and the last frame of all that moves; 1 and 1 if nothing does.
-    #[must_use]
-    pub fn frame_range(&self) -> (f64, f64) {
-        let paths = self.nodes.iter().filter_map(|node| node.path()?.frames());
-        let keys = self.nodes.iter().filter_map(|node| node.keys.frames());
-        paths
-            .chain(keys)
-            .reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
-            .unwrap_or((1.0, 1.0))
     }
 
     /// About how many bytes a copy takes: to be checked before making one, which would abort.

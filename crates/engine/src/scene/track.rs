@@ -12,7 +12,7 @@ use super::rotation::{Between, Turns, unit};
 use super::state::Warnings;
 use super::tangents::{self, NumberKeys};
 use super::time::{Extrapolation, local_frame};
-use crate::error::{Error, Invalid, OutOfRange, Place, Quantity, Result, TooMany, vec_with_room};
+use crate::error::{Error, Invalid, OutOfRange, Place, Quantity, Result, TooMany};
 use crate::limits::{MAX_COORDINATE, MAX_KEYS, MAX_TANGENT};
 use crate::math::euler::EulerAngles;
 use crate::path::Tcb;
@@ -254,31 +254,6 @@ impl Track {
 
     pub(super) fn set_channel(&mut self, channel: Channel) {
         self.channel = channel;
-    }
-
-    /// The same track with one number more in each key, 0 throughout.
-    pub(super) fn widened(&self) -> Result<Self> {
-        let wide = |numbers: &[f64]| {
-            let mut all = vec_with_room(numbers.len() / self.width * (self.width + 1))?;
-            for key in numbers.chunks_exact(self.width) {
-                all.extend_from_slice(key);
-                all.push(0.0);
-            }
-            Ok::<_, Error>(all)
-        };
-        let shape = if self.interpolation == Interpolation::Hermite {
-            wide(&self.shape)?
-        } else {
-            self.shape.clone()
-        };
-        Self::new(
-            self.channel.clone(),
-            self.interpolation.clone(),
-            self.frames.clone(),
-            wide(&self.values)?,
-            shape,
-        )?
-        .with_extrapolation(self.before, self.after)
     }
 
     fn check(&self) -> Result<()> {

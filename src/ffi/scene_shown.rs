@@ -1,0 +1,259 @@
+//! What a scene is called, what is shown of it, and where its nodes hang.
+
+use std::ffi::{c_char, c_int};
+
+use super::border::border;
+use super::pointers::{Out, TextOut, copied, index, text};
+use super::scene::{link, unlink};
+use super::scene_handles::{change, edit, read};
+use super::scene_types::*;
+use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
+use crate::error::{Place, TooMany};
+use crate::limits::MAX_COMMENT_BYTES;
+use crate::path::camera_path::check_name;
+use crate::scene::Keep;
+use crate::tools::check::FindingKind;
+
+/// ==== What a scene is called ====
+///
+/// Sets what a scene is called: UTF-8, one line of at most 256 bytes; "" is none.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+/// V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_set_title(scene: *mut V_SCENE, title: *const c_char) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        // SAFETY: a text ended by zero, as the header says.
+        let title = unsafe { text(title, "title") }?;
+        check_name(title).map_err(|error| error.at(Place::Title))?;
+        let title = copied(title)?;
+        edit(scene, |document| {
+            document.info.title = title;
+            Ok(V_OK)
+        })
+    })
+}
+
+/// What a scene is called, as v_path_get_title() gives it of a path.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_BUSY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_get_title(
+    scene: *const V_SCENE,
+    title: *mut c_char,
+    capacity: usize,
+    length: *mut usize,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = TextOut::new(title, capacity, length, "title")?;
+        // SAFETY: room as the header says.
+        read(scene, |document| unsafe {
+            out.write(document.info.title.as_bytes())
+        })
+    })
+}
+
+/// Sets the comment of a scene: UTF-8, any lines; "" is none.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+/// V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_set_comment(scene: *mut V_SCENE, comment: *const c_char) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        // SAFETY: a text ended by zero, as the header says.
+        let comment = unsafe { text(comment, "comment") }?;
+        if comment.len() > MAX_COMMENT_BYTES {
+            return Err(TooMany::CommentBytes.into());
+        }
+        let comment = copied(comment)?;
+        edit(scene, |document| {
+            document.info.comment = comment;
+            Ok(V_OK)
+        })
+    })
+}
+
+/// The comment of a scene, as v_path_get_title() gives the title of a path.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_BUSY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_get_comment(
+    scene: *const V_SCENE,
+    comment: *mut c_char,
+    capacity: usize,
+    length: *mut usize,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = TextOut::new(comment, capacity, length, "comment")?;
+        // SAFETY: room as the header says.
+        read(scene, |document| unsafe {
+            out.write(document.info.comment.as_bytes())
+        })
+    })
+}
+
+/// Sets how many frames are shown in a second, > 0 and at most 100000; nothing moves
+/// elsewhere by it. A new scene has 25.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_set_fps(scene: *mut V_SCENE, fps: f64) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        edit(scene, |document| {
+            let old = std::mem::replace(&mut document.info.fps, fps);
+            if let Err(error) = document.info.check(document.scene.space()) {
+                document.info.fps = old;
+                return Err(error.into());
+            }
+            Ok(V_OK)
+        })
+    })
+}
+
+/// How many frames are shown in a second.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_get_fps(scene: *const V_SCENE, fps: *mut f64) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(fps, "fps")?;
+        let fps = read(scene, |document| Ok(document.info.fps))?;
+        // SAFETY: room for a double, as the header says.
+        unsafe { out.answer(fps) }
+    })
+}
+
+/// Sets the number that people see for the scene's frame 1; a new scene has 1. What the
+/// functions here take and give is the scene's frame.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_set_first_frame(scene: *mut V_SCENE, number: c_int) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        edit(scene, |document| {
+            document.info.first_frame = number;
+            Ok(V_OK)
+        })
+    })
+}
+
+/// The number that people see for the scene's frame 1.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_get_first_frame(
+    scene: *const V_SCENE,
+    number: *mut c_int,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(number, "number")?;
+        let number = read(scene, |document| Ok(document.info.first_frame))?;
+        // SAFETY: room for an int, as the header says.
+        unsafe { out.answer(number) }
+    })
+}
+
+/// Sets the limit of a kind of finding, see v_path_check(); it is kept in the file.
+/// INFINITY: that kind is not looked for.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such
+/// kind), V_ERR_RANGE, V_ERR_BUSY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_set_limit(
+    scene: *mut V_SCENE,
+    kind: *const c_char,
+    limit: f64,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        // SAFETY: a text ended by zero, as the header says.
+        let kind = FindingKind::parse(unsafe { text(kind, "kind") }?)?;
+        edit(scene, |document| {
+            document.info.limits.set(kind, limit)?;
+            Ok(V_OK)
+        })
+    })
+}
+
+/// The limit of a kind of finding, see v_path_check(); INFINITY: not looked for.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_BUSY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_get_limit(
+    scene: *const V_SCENE,
+    kind: *const c_char,
+    limit: *mut f64,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(limit, "limit")?;
+        // SAFETY: a text ended by zero, as the header says.
+        let kind = FindingKind::parse(unsafe { text(kind, "kind") }?)?;
+        let limit = read(scene, |document| Ok(document.info.limits.get(kind)))?;
+        // SAFETY: room for a double, as the header says.
+        unsafe { out.answer(limit) }
+    })
+}
+
+/// ==== What is shown of a scene ====
+///
+/// Chooses the camera that is shown; -1: the first on a path, else the first. The choice
+/// is kept in the file, stays with its node and goes with it.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no camera),
+/// V_ERR_RANGE, V_ERR_BUSY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_set_camera(scene: *mut V_SCENE, node: c_int) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let node = link(node, "node")?;
+        change(scene, |scene| scene.set_camera(node))
+    })
+}
+
+/// The camera that is shown; -1: there is none.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_get_camera(scene: *const V_SCENE, node: *mut c_int) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = Out::new(node, "node")?;
+        let shown = read(scene, |document| unlink(document.scene.shown_camera()))?;
+        // SAFETY: room for an int, as the header says.
+        unsafe { out.answer(shown) }
+    })
+}
+
+/// Chooses the first and the last frame of a scene; first > last: those of all paths and
+/// keys. v_scene_frame_range() gives what holds. It is kept in the file.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a number
+/// that is not finite), V_ERR_RANGE, V_ERR_LIMIT (more than 100000000 frames), V_ERR_BUSY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_set_range(scene: *mut V_SCENE, first: f64, last: f64) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let range = if first > last {
+            None
+        } else {
+            Some((first, last))
+        };
+        change(scene, |scene| scene.set_range(range))
+    })
+}
+
+/// Puts a node into another one, or into none (-1).
+///
+/// keep  V_KEEP_PLACE: it stays where it is in the world at the scene's first frame, as by
+///     v_scene_set_node(); V_KEEP_NUMBERS: its numbers, path and tracks stay, and it goes
+///     along with its new parent
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (cycles among
+/// them), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_scene_set_parent(
+    scene: *mut V_SCENE,
+    node: c_int,
+    parent: c_int,
+    keep: c_int,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let (node, parent) = (index(node, "node")?, link(parent, "parent")?);
+        let keep = self::keep(keep)?;
+        change(scene, |scene| scene.set_parent(node, parent, keep))
+    })
+}
+
+fn keep(keep: c_int) -> Answer<Keep> {
+    match keep {
+        V_KEEP_PLACE => Ok(Keep::Place),
+        V_KEEP_NUMBERS => Ok(Keep::Numbers),
+        _ => Err(Failure::unknown(
+            "keep",
+            keep,
+            "V_KEEP_PLACE (0), V_KEEP_NUMBERS (1)",
+        )),
+    }
+}
