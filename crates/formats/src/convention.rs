@@ -3,7 +3,7 @@
 //! Ours: right-handed, y or z upright, the camera looks along its view with its up; its quaternion
 //! takes (0, 0, 1) to the view and (0, 1, 0) to up.
 
-use glam::{DMat3, DQuat, DVec3};
+use glam::{DAffine3, DMat3, DQuat, DVec3};
 
 use super::error::{Cause, Place, Result, Wanted};
 use crate::limits::{MAX_ZOOM, MIN_ZOOM};
@@ -117,6 +117,67 @@ pub fn rotation_of(matrix: DMat3) -> Result<DQuat, Cause> {
     Ok(quaternion_from_view(view, up))
 }
 
+/// An affine map as a scale along the axes, then a turn, then a move.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Parts {
+    /// Where the origin goes.
+    pub position: DVec3,
+    /// Of length 1.
+    pub rotation: DQuat,
+    /// Along its own axes; a mirrored map is mirrored along x.
+    pub scale: DVec3,
+    /// Whether there was shear, which is left out.
+    pub sheared: bool,
+}
+
+/// Takes an affine map apart; what has no direction looks as the axes do.
+#[must_use]
+pub fn parts(map: DAffine3) -> Parts {
+    let [x, y, z] = map.matrix3.to_cols_array_2d().map(DVec3::from_array);
+    let mut scale = DVec3::new(x.length(), y.length(), z.length());
+    if map.matrix3.determinant() < 0.0 {
+        scale.x = -scale.x;
+    }
+    let unit = |axis: DVec3, length: f64| (axis / length).try_normalize();
+    let axes = (unit(x, scale.x), unit(y, scale.y), unit(z, scale.z));
+    // Two axes, made perpendicular, give the third.
+    let (rotation, sheared) = match axes {
+        (Some(x), Some(y), Some(z)) => {
+            let dots = x.dot(y).abs().max(y.dot(z).abs()).max(z.dot(x).abs());
+            (quaternion_from_view(z, perpendicular(y, z)), dots > SHEARED)
+        }
+        (None, Some(y), Some(z)) => (quaternion_from_view(z, perpendicular(y, z)), false),
+        (Some(x), None, Some(z)) => {
+            let x = perpendicular(x, z);
+            (quaternion_from_view(z, z.cross(x)), false)
+        }
+        (Some(x), Some(y), None) => {
+            let y = perpendicular(y, x);
+            (quaternion_from_view(x.cross(y), y), false)
+        }
+        (Some(x), None, None) => (DQuat::from_rotation_arc(DVec3::X, x), false),
+        (None, Some(y), None) => (DQuat::from_rotation_arc(DVec3::Y, y), false),
+        (None, None, Some(z)) => (DQuat::from_rotation_arc(DVec3::Z, z), false),
+        (None, None, None) => (DQuat::IDENTITY, false),
+    };
+    Parts {
+        position: map.translation,
+        rotation: rotation.normalize(),
+        scale,
+        sheared,
+    }
+}
+
+/// A unit vector perpendicular to `to`, as near `v` as there is one.
+fn perpendicular(v: DVec3, to: DVec3) -> DVec3 {
+    let off = v - to * v.dot(to);
+    off.try_normalize()
+        .unwrap_or_else(|| to.any_orthonormal_vector())
+}
+
+/// Axes whose cosine is larger than this are sheared: more than numbers of 32 bits round.
+const SHEARED: f64 = 1e-5;
+
 /// Turns a world with one axis upright so that the other is: y to z is (x, −z, y).
 #[must_use]
 pub fn turn(from: Up, to: Up) -> DQuat {
@@ -216,6 +277,35 @@ mod tests {
             assert!((turn(from, to) * v - turned(v, from, to)).length() < 1e-15);
             assert_eq!(turned(turned(v, from, to), to, from), v);
         }
+    }
+
+    #[test]
+    fn maps_come_apart_and_together() {
+        let turn = DQuat::from_xyzw(0.3, -0.5, 0.1, 0.7).normalize();
+        let place = DVec3::new(1.0, 2.0, 3.0);
+        for scale in [
+            DVec3::ONE,
+            DVec3::new(-2.0, 3.0, 0.5),
+            DVec3::new(2.0, 0.0, 3.0),
+            DVec3::new(0.0, 2.0, 3.0),
+            DVec3::new(2.0, 3.0, 0.0),
+            DVec3::new(0.0, 0.0, 3.0),
+            DVec3::new(0.0, 2.0, 0.0),
+            DVec3::ZERO,
+        ] {
+            let map = DAffine3::from_scale_rotation_translation(scale, turn, place);
+            let found = parts(map);
+            let again = DAffine3::from_scale_rotation_translation(
+                found.scale,
+                found.rotation,
+                found.position,
+            );
+            assert!(again.abs_diff_eq(map, 1e-14), "{scale}");
+            assert!(!found.sheared);
+        }
+        let shear = DMat3::from_cols(DVec3::X, DVec3::new(0.5, 1.0, 0.0), DVec3::Z);
+        assert!(parts(DAffine3::from_mat3(shear)).sheared);
+        assert!(!parts(DAffine3::from_mat3(DMat3::ZERO)).sheared);
     }
 
     #[test]

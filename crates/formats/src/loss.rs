@@ -38,6 +38,10 @@ pub enum Loss {
     OffCentre(usize),
     /// Skinned meshes, taken at rest.
     Skins(usize),
+    /// Places that shear, taken without.
+    Sheared(usize),
+    /// Animations beside the first.
+    OtherAnimations(usize),
     /// The viewer joins the keys by a spline of its own.
     OwnSpline,
     /// A path was fitted: points, the farthest position, the largest angle in degrees.
@@ -95,6 +99,10 @@ impl fmt::Display for Loss {
                 "{n} skinned mesh{} as at rest",
                 if *n == 1 { "" } else { "es" }
             ),
+            Self::Sheared(n) => write!(f, "{n} node{} without their shear", several(n)),
+            Self::OtherAnimations(n) => {
+                write!(f, "{n} other animation{} left out", several(n))
+            }
             Self::OwnSpline => write!(f, "its viewer joins the keys by a spline of its own"),
             Self::Fitted {
                 points,

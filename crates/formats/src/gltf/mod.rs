@@ -1,0 +1,165 @@
+//! glTF 2.0 (Khronos 2021), text and GLB: nodes, cameras, lights, meshes and one animation, out
+//! and in.
+//!
+//! Times are seconds of 32 bits, y stands upright, cameras and lights look along −z. What is ours
+//! and has no place in the format stands in `extras.vides`.
+
+mod binary;
+mod compact;
+mod keys;
+mod lights;
+mod meshes;
+#[cfg(test)]
+mod tests;
+mod write;
+
+use std::io::{self, Write};
+
+use glam::DQuat;
+
+use super::blocks::failed;
+use super::content::Content;
+use super::error::{Cause, Place, Result};
+use super::flight::Flight;
+use super::format::{Format, Row};
+use super::loss::Report;
+use super::options::Options;
+use super::source::Source;
+use crate::path::Up;
+
+/// Names of the extensions that we know.
+mod extensions {
+    pub(super) const LIGHTS: &str = "KHR_lights_punctual";
+    pub(super) const VISIBILITY: &str = "KHR_node_visibility";
+    pub(super) const POINTER: &str = "KHR_animation_pointer";
+}
+
+/// Half a turn about y: what looks along z looks along −z then. (0, 0, 1, 0) as w x y z.
+const TURNED: DQuat = DQuat::from_xyzw(0.0, 1.0, 0.0, 0.0);
+
+/// The text form.
+pub(super) struct Gltf;
+
+/// The binary form.
+pub(super) struct Glb;
+
+const GLTF: Row = Row {
+    name: "gltf",
+    title: "glTF, text",
+    endings: &["gltf"],
+    up: Some(Up::Y),
+    ..Row::PLAIN
+};
+
+const GLB: Row = Row {
+    name: "glb",
+    title: "glTF",
+    endings: &["glb"],
+    ..GLTF
+};
+
+impl Format for Gltf {
+    fn row(&self) -> &'static Row {
+        &GLTF
+    }
+
+    fn write(
+        &self,
+        flight: &mut Flight<'_>,
+        _: usize,
+        out: &mut dyn Write,
+        report: &mut Report,
+    ) -> Result<()> {
+        let (json, bytes) = written(flight, report)?;
+        let json = serde_json::to_vec(&json).map_err(|error| failed(error.into()))?;
+        // Into the object behind its last value: no copy of the whole buffer as text.
+        let mut text = || -> io::Result<()> {
+            out.write_all(&json[..json.len() - 1])?;
+            if !bytes.is_empty() {
+                let length = bytes.len();
+                write!(
+                    out,
+                    ",\"buffers\":[{{\"byteLength\":{length},\
+                     \"uri\":\"data:application/octet-stream;base64,"
+                )?;
+                write_base64(&bytes, out)?;
+                out.write_all(b"\"}]")?;
+            }
+            out.write_all(b"}\n")
+        };
+        text().map_err(failed)
+    }
+}
+
+impl Format for Glb {
+    fn row(&self) -> &'static Row {
+        &GLB
+    }
+
+    fn write(
+        &self,
+        flight: &mut Flight<'_>,
+        _: usize,
+        out: &mut dyn Write,
+        report: &mut Report,
+    ) -> Result<()> {
+        let (mut json, bytes) = written(flight, report)?;
+        if !bytes.is_empty() {
+            let buffer = serde_json::json!([{"byteLength": bytes.len()}]);
+            json.insert("buffers".into(), buffer);
+        }
+        let mut json = serde_json::to_vec(&json).map_err(|error| failed(error.into()))?;
+        json.resize(json.len().next_multiple_of(4), b' ');
+        // The bytes of each accessor are whole words.
+        let chunk = if bytes.is_empty() { 0 } else { 8 + bytes.len() };
+        let all = u32::try_from(12 + 8 + json.len() + chunk);
+        let all = all.map_err(|_| Place::Whole.wrong(Cause::Long))?;
+        let mut head = b"glTF\x02\0\0\0".to_vec();
+        head.extend(all.to_le_bytes());
+        // Shorter than all.
+        head.extend((json.len() as u32).to_le_bytes());
+        head.extend(b"JSON");
+        let mut whole = || -> io::Result<()> {
+            out.write_all(&head)?;
+            out.write_all(&json)?;
+            if !bytes.is_empty() {
+                out.write_all(&(bytes.len() as u32).to_le_bytes())?;
+                out.write_all(b"BIN\0")?;
+                out.write_all(&bytes)?;
+            }
+            Ok(())
+        };
+        whole().map_err(failed)
+    }
+}
+
+fn written(
+    flight: &mut Flight<'_>,
+    report: &mut Report,
+) -> Result<(serde_json::Map<String, serde_json::Value>, Vec<u8>)> {
+    let mut writer = write::Writer::new(flight)?;
+    writer.document()?;
+    writer.tell(report);
+    Ok(writer.finish())
+}
+
+/// RFC 4648.
+fn write_base64(bytes: &[u8], out: &mut dyn Write) -> io::Result<()> {
+    const ALPHABET: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let mut text = Vec::with_capacity(4096);
+    for block in bytes.chunks(3 * 1024) {
+        text.clear();
+        for three in block.chunks(3) {
+            let byte = |at: usize| u32::from(three.get(at).copied().unwrap_or(0));
+            let word = byte(0) << 16 | byte(1) << 8 | byte(2);
+            for at in 0..4 {
+                text.push(match at > three.len() {
+                    true => b'=',
+                    false => ALPHABET[(word >> (18 - 6 * at)) as usize & 63],
+                });
+            }
+        }
+        out.write_all(&text)?;
+    }
+    Ok(())
+}
