@@ -311,7 +311,8 @@ pub enum Malformed {
     #[error("a checksum has up to 16 digits 0 to 9, a to f")]
     Checksum,
     #[error(
-        "a mesh has points of its own, or a file: alone, or with both its bytes and its checksum"
+        "a mesh has points of its own, or a file: alone, or with both its bytes and its checksum, \
+         and the number of its part where it has parts"
     )]
     MeshFile,
     #[error("an object has either polylines or a mesh of its own")]

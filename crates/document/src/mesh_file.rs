@@ -1,10 +1,11 @@
 //! Meshes in files of their own, of which a scene stores name, length and checksum.
 
 use std::cell::Cell;
+use std::collections::HashMap;
 use std::path::{Component, Path, PathBuf, absolute};
 
 use vides_engine::scene::{Kind, Mesh, MeshSource, Scene};
-use vides_mesh::Format;
+use vides_mesh::{Format, Opened};
 
 use super::fingerprint::Fingerprint;
 use super::info::{Info, Object};
@@ -30,16 +31,25 @@ pub fn watch_meshes(watcher: Option<Watcher>) {
 /// # Errors
 /// [`Error::Io`], [`Error::FileTooLarge`], [`Error::Mesh`], each with the file.
 pub fn load_mesh(file: &Path) -> Result<(MeshSource, Mesh)> {
-    let name = file.display().to_string();
-    read(file, &name).map_err(|error| error.at(name))
+    load_part(file, None)
 }
 
-fn read(file: &Path, name: &str) -> Result<(MeshSource, Mesh)> {
+/// As [`load_mesh`], or the mesh of a glTF file that has this number there.
+fn load_part(file: &Path, part: Option<u32>) -> Result<(MeshSource, Mesh)> {
+    let name = file.display().to_string();
+    let read = || {
+        let (mut opened, source) = open(file, &name)?;
+        let mesh = mesh_of(&mut opened, part)?;
+        Ok((MeshSource { part, ..source }, mesh))
+    };
+    read().map_err(|error: Error| error.at(&name))
+}
+
+/// A mesh file that is open, and its name, length and checksum.
+fn open(file: &Path, name: &str) -> Result<(Opened, MeshSource)> {
     let format = Format::of(file).ok_or(vides_mesh::Error::UnknownFormat)?;
     let bytes = read_bytes(file, MAX_FILE_BYTES)?;
-    // Taken out meanwhile, so that it may itself read meshes or set a watcher.
-    let mut watcher = WATCHER.take();
-    let mut go_on = |share: f64| watcher.as_mut().is_none_or(|go_on| go_on(share));
+    let now = Fingerprint::of(&bytes);
     let folder = file.parent().unwrap_or(Path::new(""));
     let mut beside = |name: &str| {
         // Only within the file's folder.
@@ -47,17 +57,28 @@ fn read(file: &Path, name: &str) -> Result<(MeshSource, Mesh)> {
         let inside = Path::new(name).components().all(plain);
         inside.then(|| read_bytes(&folder.join(name), MAX_FILE_BYTES).ok())?
     };
-    let mesh = vides_mesh::read_with(format, &bytes, &mut beside, &mut go_on);
-    go_on(1.0);
-    WATCHER.set(watcher);
-    let mesh = mesh?;
-    let now = Fingerprint::of(&bytes);
+    let opened = Opened::new(format, bytes, &mut beside)?;
     let source = MeshSource {
         file: name.to_owned(),
         bytes: now.bytes,
         checksum: now.hash,
+        part: None,
     };
-    Ok((source, mesh))
+    Ok((opened, source))
+}
+
+/// The mesh of an open file, watched.
+fn mesh_of(opened: &mut Opened, part: Option<u32>) -> Result<Mesh> {
+    // Taken out meanwhile, so that it may itself read meshes or set a watcher.
+    let mut watcher = WATCHER.take();
+    let mut go_on = |share: f64| watcher.as_mut().is_none_or(|go_on| go_on(share));
+    let mesh = match part {
+        None => opened.whole(&mut go_on),
+        Some(part) => opened.part(part as usize, &mut go_on).map(|(mesh, _)| mesh),
+    };
+    go_on(1.0);
+    WATCHER.set(watcher);
+    Ok(mesh?)
 }
 
 /// The object ([`Object::features_of`]) of a mesh file, whose name a document stores.
@@ -65,7 +86,11 @@ fn read(file: &Path, name: &str) -> Result<(MeshSource, Mesh)> {
 /// # Errors
 /// As [`load_mesh`] and [`Object::features_of`].
 pub fn load_object(file: &Path) -> Result<Object> {
-    let (source, mesh) = load_mesh(file)?;
+    load_object_part(file, None)
+}
+
+fn load_object_part(file: &Path, part: Option<u32>) -> Result<Object> {
+    let (source, mesh) = load_part(file, part)?;
     let wireframe = Object::features_of(mesh)?;
     let file = absolute(file).unwrap_or_else(|_| file.to_owned());
     Ok(wireframe.of_source(MeshSource {
@@ -81,7 +106,7 @@ pub(super) fn read_object(info: &mut Info, space: Space, folder: &Path) -> Resul
         return Ok(None);
     };
     let file = folder.join(&known.file);
-    let read = load_object(&file).and_then(|object| {
+    let read = load_object_part(&file, known.part).and_then(|object| {
         let with = Info {
             object: object.clone(),
             ..Info::default()
@@ -111,9 +136,10 @@ pub(super) fn read_object(info: &mut Info, space: Space, folder: &Path) -> Resul
     Ok(trouble)
 }
 
-/// As [`read_object`], for all objects of a scene.
+/// As [`read_object`], for all objects of a scene. Objects of one file share its meshes.
 pub(super) fn read_meshes(scene: &mut Scene, folder: &Path) -> Result<Vec<Error>> {
     let mut warnings = Vec::new();
+    let mut files = Files::default();
     for at in 0..scene.nodes().len() {
         let node = &scene.nodes()[at];
         let Kind::Object(object) = &node.kind else {
@@ -124,19 +150,7 @@ pub(super) fn read_meshes(scene: &mut Scene, folder: &Path) -> Result<Vec<Error>
         };
         let place = Place::Node((&node.name).into());
         let file = folder.join(&known.file);
-        let trouble = match load_mesh(&file) {
-            Ok((source, mesh)) => {
-                let same = known.bytes == 0
-                    || (source.bytes, source.checksum) == (known.bytes, known.checksum);
-                match scene.set_mesh_of(at, source, mesh) {
-                    Ok(()) if same => None,
-                    Ok(()) => Some(vides_mesh::Error::Changed.into()),
-                    Err(error) => Some(error.into()),
-                }
-                .map(|error: Error| error.at(file.display()))
-            }
-            Err(error) => Some(error),
-        };
+        let trouble = files.set_mesh(scene, at, &file, &known).err();
         if let Some(error) = trouble {
             if matches!(error, Error::Engine(EngineError::Memory)) {
                 return Err(error);
@@ -148,6 +162,72 @@ pub(super) fn read_meshes(scene: &mut Scene, folder: &Path) -> Result<Vec<Error>
         scene.name_mesh(at, file.display().to_string())?;
     }
     Ok(warnings)
+}
+
+/// What has been read of the files of a scene's meshes.
+#[derive(Default)]
+struct Files {
+    /// Nodes with the mesh of a file, or of its part.
+    nodes: HashMap<(PathBuf, Option<u32>), usize>,
+    /// Files of several meshes, open.
+    open: HashMap<PathBuf, (Opened, MeshSource)>,
+}
+
+impl Files {
+    /// Reads the mesh of a node, or takes it from the node that has it; what was wrong is told.
+    fn set_mesh(
+        &mut self,
+        scene: &mut Scene,
+        at: usize,
+        file: &Path,
+        known: &MeshSource,
+    ) -> Result<()> {
+        let named = |error: Error| error.at(file.display());
+        let key = (file.to_owned(), known.part);
+        let source = if let Some(&from) = self.nodes.get(&key) {
+            let object = match &scene.nodes()[from].kind {
+                Kind::Object(object) => object.source().cloned(),
+                _ => None,
+            };
+            let source = object.unwrap_or_else(|| known.clone());
+            let shared = scene.share_mesh(at, from, source.clone());
+            shared.map_err(|error| named(error.into()))?;
+            source
+        } else {
+            let (source, mesh) = self.read(file, known.part)?;
+            let set = scene.set_mesh_of(at, source.clone(), mesh);
+            set.map_err(|error| named(error.into()))?;
+            self.nodes.try_reserve(1)?;
+            self.nodes.insert(key, at);
+            source
+        };
+        let same = (source.bytes, source.checksum) == (known.bytes, known.checksum);
+        match known.bytes == 0 || same {
+            true => Ok(()),
+            false => Err(named(vides_mesh::Error::Changed.into())),
+        }
+    }
+
+    fn read(&mut self, file: &Path, part: Option<u32>) -> Result<(MeshSource, Mesh)> {
+        if part.is_none() {
+            return load_mesh(file);
+        }
+        let name = file.display().to_string();
+        if !self.open.contains_key(file) {
+            let opened = open(file, &name).map_err(|error| error.at(&name))?;
+            self.open.try_reserve(1)?;
+            self.open.insert(file.to_owned(), opened);
+        }
+        let (opened, source) = self.open.get_mut(file).ok_or(EngineError::Memory)?;
+        let mesh = mesh_of(opened, part).map_err(|error| error.at(&name))?;
+        Ok((
+            MeshSource {
+                part,
+                ..source.clone()
+            },
+            mesh,
+        ))
+    }
 }
 
 /// A mesh's name for a file in `folder`: relative if the mesh lies in or below it.

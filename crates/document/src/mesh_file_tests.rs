@@ -146,3 +146,68 @@ fn the_reading_of_a_mesh_is_watched_and_stopped() {
         assert!(loaded.info().object.source().is_some());
     }
 }
+
+/// Two triangles in one file, each a mesh of its own.
+const TWO: &str = r#"{"asset": {"version": "2.0"},
+"meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]},
+           {"primitives": [{"attributes": {"POSITION": 1}}]}],
+"nodes": [{"mesh": 0}, {"mesh": 1, "translation": [9, 0, 0]}],
+"accessors": [
+  {"bufferView": 0, "componentType": 5121, "count": 3, "type": "VEC3"},
+  {"bufferView": 0, "byteOffset": 9, "componentType": 5121, "count": 3, "type": "VEC3"}],
+"bufferViews": [{"buffer": 0, "byteLength": 18}],
+"buffers": [{"byteLength": 18, "uri": "data:;base64,AAAABwAAAAcAAAAACAAAAAgA"}]}"#;
+
+#[cfg(feature = "meshes")]
+#[test]
+fn objects_have_the_meshes_of_one_file_by_their_numbers() {
+    use crate::SceneDocument;
+    let folder = tempfile::tempdir().unwrap();
+    let mesh = folder.path().join("two.gltf");
+    fs::write(&mesh, TWO).unwrap();
+    let node = |name: &str, part: &str| {
+        format!(
+            "[[node]]\nname = \"{name}\"\nkind = \"object\"\n[node.mesh]\nfile = \"two.gltf\"\n{part}\n"
+        )
+    };
+    let file = folder.path().join("scene.vid");
+    let text = [
+        node("first", "part = 0"),
+        node("second", "part = 1"),
+        node("second again", "part = 1"),
+        node("all", ""),
+    ];
+    fs::write(&file, format!("version = 1\n{}", text.concat())).unwrap();
+    let scene = SceneDocument::load(&file).unwrap();
+    assert!(scene.warnings().is_empty(), "{:?}", scene.warnings());
+    let object = |scene: &SceneDocument, at: usize| match &scene.scene.nodes()[at].kind {
+        Kind::Object(object) => object.clone(),
+        _ => unreachable!(),
+    };
+    let far = |at| object(&scene, at).mesh().points[1].x;
+    assert_eq!([far(0), far(1), far(2)], [7.0, 8.0, 8.0]);
+    assert_eq!(object(&scene, 3).mesh().points.len(), 6);
+    let meshes = [1, 2].map(|at| std::ptr::from_ref(object(&scene, at).mesh()).addr());
+    assert_eq!(meshes[0], meshes[1], "two copies of one mesh");
+    // Saved, loaded and saved again: the same file, to the byte.
+    scene.save(&file).unwrap();
+    let text = fs::read_to_string(&file).unwrap();
+    assert_eq!(text.matches("\npart = 1\n").count(), 2, "{text}");
+    assert!(!text.contains("points"), "{text}");
+    let again = SceneDocument::load(&file).unwrap();
+    assert_eq!(again, scene);
+    again.save(&file).unwrap();
+    assert_eq!(fs::read_to_string(&file).unwrap(), text);
+    // One that is not there, and none at all.
+    for (part, said) in [
+        ("part = 2", "numbers of points"),
+        ("part = -1", "between 0 and"),
+    ] {
+        fs::write(&file, format!("version = 1\n{}", node("none", part))).unwrap();
+        let words = match SceneDocument::load(&file) {
+            Ok(scene) => scene.warnings()[0].to_string(),
+            Err(error) => error.to_string(),
+        };
+        assert!(words.contains(said), "{words}");
+    }
+}

@@ -1,16 +1,16 @@
 //! Meshes and point clouds from Wavefront OBJ, PLY, STL (both ASCII and binary) and glTF or GLB.
 //!
 //! Files are read from memory; nothing is allocated because a header claims a number. Only geometry
-//! is taken: points, their colours, lines, and polygons as fans of triangles. The crate opens no
+//! is taken: points, their colours, lines, and polygons as fans of triangles; of glTF also morph
+//! targets, for readers of scenes ([`gltf`]). The crate opens no
 //! files and knows neither scenes nor windows.
 
 #![forbid(unsafe_code)]
 
 #[cfg(feature = "gltf")]
-mod gltf;
-#[cfg(all(test, feature = "gltf"))]
-mod gltf_tests;
+pub mod gltf;
 mod obj;
+mod opened;
 #[cfg(feature = "ply")]
 mod ply;
 mod stl;
@@ -21,6 +21,8 @@ use std::ffi::OsStr;
 use std::path::Path;
 
 use vides_engine::scene::Mesh;
+
+pub use opened::Opened;
 
 /// A mesh file format.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -70,6 +72,9 @@ pub enum Error {
     /// An error of the PLY reader.
     #[error("{0}")]
     Ply(String),
+    /// A glTF file that cannot be read without this extension.
+    #[error("this file requires the extension {0}, which is not read")]
+    Extension(String),
     /// Out of memory.
     #[error("out of memory")]
     Memory,
@@ -124,14 +129,9 @@ pub enum Problem {
         "a mesh compressed by meshoptimizer (EXT_meshopt_compression) is not read; export it uncompressed"
     )]
     Meshopt,
-    /// A glTF mesh whose positions are integers.
-    #[error(
-        "a mesh with quantised positions (KHR_mesh_quantization) is not read; export it with floats"
-    )]
-    Quantised,
-    /// A glTF mesh with a sparse accessor.
-    #[error("a mesh with sparse accessors is not read; export it with plain ones")]
-    Sparse,
+    /// A part that the file does not have.
+    #[error("this file has no such part")]
+    NoPart,
     /// A glTF node below itself, or in two places.
     #[error("a node of this file lies below itself or in two places; each may stand in one")]
     Cycle,
@@ -182,6 +182,11 @@ pub fn read_with(
             Err(Error::LeftOut)
         }
     }?;
+    checked(mesh)
+}
+
+/// A mesh of some points that fits the engine.
+fn checked(mesh: Mesh) -> Result<Mesh> {
     if mesh.points.is_empty() {
         return Err(Error::File(Problem::Empty));
     }

@@ -87,6 +87,8 @@ pub struct MeshSource {
     pub bytes: u64,
     /// A checksum of its bytes.
     pub checksum: u64,
+    /// The number of its mesh in a glTF file, from 0; none: all of the file.
+    pub part: Option<u32>,
 }
 
 /// An object: its mesh, shapes with weights, and deformations with their boxes (none: the mesh's).
@@ -120,17 +122,31 @@ impl Object {
     /// As [`Mesh::check`]; [`crate::Error::Argument`] if it has other points than the shapes.
     pub fn set_mesh(&mut self, mesh: Mesh) -> Result<()> {
         mesh.check()?;
-        if let Some(shape) = self.shapes.first()
-            && mesh.points.len() != shape.points.len()
-        {
-            return Err(Invalid::MeshOfShapes {
+        self.check_shapes(&mesh)?;
+        self.bounds = Some(Bounds::of(&mesh.points));
+        self.mesh = Some(Arc::new(mesh));
+        self.source = None;
+        Ok(())
+    }
+
+    fn check_shapes(&self, mesh: &Mesh) -> Result<()> {
+        match self.shapes.first() {
+            Some(shape) if mesh.points.len() != shape.points.len() => Err(Invalid::MeshOfShapes {
                 given: mesh.points.len(),
                 wanted: shape.points.len(),
             }
-            .into());
+            .into()),
+            _ => Ok(()),
         }
-        self.bounds = Some(Bounds::of(&mesh.points));
-        self.mesh = Some(Arc::new(mesh));
+    }
+
+    /// Takes the mesh of another object, which both share then.
+    ///
+    /// # Errors
+    /// [`crate::Error::Argument`] if it has other points than the shapes.
+    pub fn share_mesh(&mut self, other: &Self) -> Result<()> {
+        self.check_shapes(other.mesh())?;
+        (self.mesh, self.bounds) = (other.mesh.clone(), other.bounds);
         self.source = None;
         Ok(())
     }

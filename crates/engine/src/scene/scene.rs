@@ -404,6 +404,19 @@ impl Scene {
         object.set_source(Some(source))
     }
 
+    /// Gives an object the mesh of another, which both share then, and the file that it came from.
+    ///
+    /// # Errors
+    /// [`Error::Range`] for the nodes; [`Error::Argument`] if one is no object, or has shapes of
+    /// other points.
+    pub fn share_mesh(&mut self, at: usize, from: usize, source: MeshSource) -> Result<()> {
+        // Meshes are shared: this copies none.
+        let other = self.object_mut(from)?.clone();
+        let object = self.object_mut(at)?;
+        object.share_mesh(&other)?;
+        object.set_source(Some(source))
+    }
+
     /// Renames the file that an object's mesh comes from.
     ///
     /// # Errors

@@ -218,7 +218,7 @@ impl<'f, 'd> Writer<'f, 'd> {
         let node = &self.flight.scene().nodes()[at];
         self.count(node);
         if !node.kind.looks() {
-            let own = self.moved(at, node, DQuat::IDENTITY, true)?;
+            let own = self.moved(at, node, &node.name, DQuat::IDENTITY, true)?;
             let inner = self.pivot(node, own)?;
             if let Kind::Object(object) = &node.kind {
                 let mesh = self.meshes.of_object(
@@ -243,11 +243,12 @@ impl<'f, 'd> Writer<'f, 'd> {
         let scales = scale != DVec3::ONE || mirrors;
         if self.scaled_above(node) || mirrors || (has_children && scales) {
             let own = if has_children {
-                Some(self.moved(at, node, DQuat::IDENTITY, true)?)
+                let name = format!("{} axes", node.name);
+                Some(self.moved(at, node, &name, DQuat::IDENTITY, true)?)
             } else {
                 None
             };
-            self.at_the_top(at, node, own)?;
+            self.at_the_top(at, node)?;
             return Ok(Became {
                 node: own,
                 inner: own,
@@ -258,7 +259,7 @@ impl<'f, 'd> Writer<'f, 'd> {
         } else {
             TURNED
         };
-        let own = self.moved(at, node, look, false)?;
+        let own = self.moved(at, node, &node.name, look, false)?;
         let seen = if has_children {
             let child = self.push(&format!("{} view", node.name))?;
             self.set_place(child, DVec3::ZERO, TURNED, DVec3::ONE);
@@ -320,8 +321,15 @@ impl<'f, 'd> Writer<'f, 'd> {
     }
 
     /// A node with its place, its motion and whether it is seen.
-    fn moved(&mut self, at: usize, node: &Node, look: DQuat, scales: bool) -> Result<usize> {
-        let own = self.push(&node.name)?;
+    fn moved(
+        &mut self,
+        at: usize,
+        node: &Node,
+        name: &str,
+        look: DQuat,
+        scales: bool,
+    ) -> Result<usize> {
+        let own = self.push(name)?;
         let place = self.place(node, look);
         let flight = self.flight;
         let track = |channel| node.keys().track(&channel);
@@ -499,12 +507,8 @@ impl<'f, 'd> Writer<'f, 'd> {
     }
 
     /// A camera or light that stands at the top, frame by frame.
-    fn at_the_top(&mut self, at: usize, node: &Node, own: Option<usize>) -> Result<()> {
-        let name = match own {
-            Some(_) => format!("{} view", node.name),
-            None => node.name.clone(),
-        };
-        let top = self.push(&name)?;
+    fn at_the_top(&mut self, at: usize, node: &Node) -> Result<()> {
+        let top = self.push(&node.name)?;
         let (flight, count) = (self.flight, self.flight.count());
         let mut positions: Vec<[f64; 3]> = vec_with_room(count)?;
         let mut rotations: Vec<[f64; 4]> = vec_with_room(count)?;

@@ -1,0 +1,44 @@
+//! glTF 2.0 (Khronos 2021), text and GLB. By hand: readers of the whole format trust that a
+//! checked file's accessors lie within its buffers.
+//!
+//! [`Container`] takes a file apart, [`Accessor`] finds numbers in it, [`Container::tree`] gives
+//! its nodes and [`Container::part`] one of its meshes: readers of scenes need no more. Nothing
+//! here knows scenes; materials and pictures are not read.
+
+mod accessor;
+mod container;
+mod geometry;
+mod join;
+#[cfg(test)]
+mod tests;
+mod tree;
+
+use std::borrow::Cow;
+
+use vides_engine::scene::Mesh;
+
+pub use accessor::{Accessor, Component};
+pub use container::Container;
+pub use geometry::{Part, Room};
+use join::joined;
+pub use tree::{Local, Placed};
+
+use super::{Beside, Error, Problem, Result};
+
+const FORMAT: Error = Error::File(Problem::Format);
+const END: Error = Error::File(Problem::End);
+const INDICES: Error = Error::File(Problem::Indices);
+
+/// The primitives of all nodes of the scene, in place.
+pub(super) fn read(
+    bytes: &[u8],
+    beside: Beside<'_>,
+    go_on: &mut dyn FnMut(f64) -> bool,
+) -> Result<Mesh> {
+    geometry::whole(&Container::open(Cow::Borrowed(bytes), beside)?, go_on)
+}
+
+/// As [`read`], of a file that is open.
+pub(super) fn whole(container: &Container<'_>, go_on: &mut dyn FnMut(f64) -> bool) -> Result<Mesh> {
+    geometry::whole(container, go_on)
+}

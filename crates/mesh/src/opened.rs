@@ -1,0 +1,72 @@
+//! A mesh file that is read in parts.
+
+use glam::DVec3;
+use vides_engine::scene::Mesh;
+
+use super::{Beside, Error, Format, Problem, Result, checked};
+
+/// A file whose meshes are asked for one after the other.
+pub struct Opened {
+    format: Format,
+    content: Content,
+}
+
+enum Content {
+    Bytes(Vec<u8>),
+    #[cfg(feature = "gltf")]
+    Gltf(Box<super::gltf::Container<'static>>, super::gltf::Room),
+}
+
+impl Opened {
+    /// Opens a file, with the external buffers that `beside` gives by name.
+    ///
+    /// # Errors
+    /// [`Error`] if a glTF file cannot be taken apart.
+    pub fn new(format: Format, bytes: Vec<u8>, beside: Beside<'_>) -> Result<Self> {
+        #[cfg(feature = "gltf")]
+        if format == Format::Gltf {
+            let container = super::gltf::Container::open(bytes.into(), beside)?;
+            let room = super::gltf::Room::of(&container);
+            let content = Content::Gltf(Box::new(container), room);
+            return Ok(Self { format, content });
+        }
+        let _ = beside;
+        let content = Content::Bytes(bytes);
+        Ok(Self { format, content })
+    }
+
+    /// The mesh of the whole file.
+    ///
+    /// # Errors
+    /// As [`super::read`].
+    pub fn whole(&self, go_on: &mut dyn FnMut(f64) -> bool) -> Result<Mesh> {
+        match &self.content {
+            Content::Bytes(bytes) => super::read(self.format, bytes, go_on),
+            #[cfg(feature = "gltf")]
+            Content::Gltf(container, _) => checked(super::gltf::whole(container, go_on)?),
+        }
+    }
+
+    /// One mesh of a glTF file, counted from 0 as there, and the places of its points in each
+    /// morph target. All parts together are bounded by the file's size.
+    ///
+    /// # Errors
+    /// As [`super::read`]; [`Problem::NoPart`] if there is none, as in all other formats.
+    pub fn part(
+        &mut self,
+        number: usize,
+        go_on: &mut dyn FnMut(f64) -> bool,
+    ) -> Result<(Mesh, Vec<Vec<DVec3>>)> {
+        match &mut self.content {
+            Content::Bytes(_) => {
+                let _ = (number, go_on);
+                Err(Error::File(Problem::NoPart))
+            }
+            #[cfg(feature = "gltf")]
+            Content::Gltf(container, room) => {
+                let part = container.part(number, room, go_on)?;
+                Ok((checked(part.mesh)?, part.targets))
+            }
+        }
+    }
+}
