@@ -49,7 +49,7 @@ fn load_part(file: &Path, part: Option<u32>) -> Result<(MeshSource, Mesh)> {
 fn open(file: &Path, name: &str) -> Result<(Opened, MeshSource)> {
     let format = Format::of(file).ok_or(vides_mesh::Error::UnknownFormat)?;
     let bytes = read_bytes(file, MAX_FILE_BYTES)?;
-    let now = Fingerprint::of(&bytes);
+    let source = mesh_source(name, &bytes);
     let folder = file.parent().unwrap_or(Path::new(""));
     let mut beside = |name: &str| {
         // Only within the file's folder.
@@ -58,13 +58,19 @@ fn open(file: &Path, name: &str) -> Result<(Opened, MeshSource)> {
         inside.then(|| read_bytes(&folder.join(name), MAX_FILE_BYTES).ok())?
     };
     let opened = Opened::new(format, bytes, &mut beside)?;
-    let source = MeshSource {
+    Ok((opened, source))
+}
+
+/// How a scene notes a mesh file, all of it, of this name and content.
+#[must_use]
+pub fn mesh_source(name: &str, bytes: &[u8]) -> MeshSource {
+    let now = Fingerprint::of(bytes);
+    MeshSource {
         file: name.to_owned(),
         bytes: now.bytes,
         checksum: now.hash,
         part: None,
-    };
-    Ok((opened, source))
+    }
 }
 
 /// The mesh of an open file, watched.

@@ -103,6 +103,30 @@ impl<'a> At<'a> {
         Ok(list.iter().enumerate().map(element))
     }
 
+    /// An element of an array.
+    ///
+    /// # Errors
+    /// [`Wanted::List`], [`Cause::Index`].
+    pub(super) fn element(self, index: usize) -> Result<Self> {
+        let Value::Array(list) = self.value else {
+            return Err(self.expected(Wanted::List));
+        };
+        let found = list.get(index).ok_or_else(|| {
+            self.wrong(Cause::Index {
+                index: index as u64,
+                count: list.len(),
+            })
+        })?;
+        Ok(self.step(Step::Index(index), found))
+    }
+
+    /// # Errors
+    /// [`Wanted::WholeNumber`].
+    pub(super) fn index(self) -> Result<usize> {
+        let index = self.value.as_u64().and_then(|index| index.try_into().ok());
+        index.ok_or_else(|| self.expected(Wanted::WholeNumber))
+    }
+
     /// # Errors
     /// [`Wanted::Number`], [`Cause::NotFinite`].
     pub(super) fn number(self) -> Result<f64> {

@@ -199,7 +199,11 @@ impl Object {
     }
 
     /// Adds a shape with weight 0; tracks of the weights are the scene's part.
-    pub(super) fn add_shape(&mut self, shape: Shape) -> Result<()> {
+    ///
+    /// # Errors
+    /// [`crate::Error::Argument`], [`crate::Error::Range`], [`crate::Error::Limit`],
+    /// [`crate::Error::Memory`].
+    pub fn add_shape(&mut self, shape: Shape) -> Result<()> {
         check_name(&shape.name).map_err(|error| error.at(Place::Name))?;
         if self.shapes.len() >= MAX_SHAPES {
             return Err(TooMany::Shapes.into());

@@ -8,7 +8,11 @@ mod binary;
 mod compact;
 mod keys;
 mod lights;
+mod looks;
 mod meshes;
+mod motion;
+mod read;
+mod space;
 #[cfg(test)]
 mod tests;
 mod write;
@@ -63,6 +67,15 @@ impl Format for Gltf {
         &GLTF
     }
 
+    fn recognises(&self, source: &Source) -> bool {
+        read::is_text(&source.bytes)
+    }
+
+    fn read(&self, source: &Source, options: &Options, report: &mut Report) -> Result<Content> {
+        let scene = read::read(source, options, report)?;
+        Ok(Content::Scene(Box::new(scene)))
+    }
+
     fn write(
         &self,
         flight: &mut Flight<'_>,
@@ -94,6 +107,14 @@ impl Format for Gltf {
 impl Format for Glb {
     fn row(&self) -> &'static Row {
         &GLB
+    }
+
+    fn recognises(&self, source: &Source) -> bool {
+        source.bytes.starts_with(b"glTF")
+    }
+
+    fn read(&self, source: &Source, options: &Options, report: &mut Report) -> Result<Content> {
+        Gltf.read(source, options, report)
     }
 
     fn write(

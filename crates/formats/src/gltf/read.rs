@@ -1,0 +1,565 @@
+//! A file as a scene: every node with its mesh, camera or light.
+//!
+//! What we wrote as several nodes (a camera with children, a pivot) comes back as one. A camera or
+//! light without children is one node of ours, turned to look along z; with children, or beside a
+//! mesh, it hangs on a node of its own.
+
+use std::borrow::Cow;
+use std::collections::{HashMap, HashSet};
+use std::path::{Path, absolute};
+
+use glam::{DQuat, DVec3};
+use vides_document::error::vec_with_room;
+use vides_document::mesh::gltf::{Container, Local, Placed, Room};
+use vides_document::{Info, SceneDocument, mesh_source};
+use vides_engine::scene::{Kind, MeshSource, Node, Object, Scene, Shape};
+
+use super::motion::{self, Users};
+use super::{TURNED, extensions, looks, space};
+use crate::content::one_line;
+use crate::convention;
+use crate::error::{Cause, Error, Result};
+use crate::limits::{MAX_COMMENT_BYTES, MAX_FILE_BYTES, MAX_FPS, MAX_NAME_BYTES};
+use crate::loss::{Loss, Report};
+use crate::options::Options;
+use crate::source::Source;
+use crate::tree::At;
+
+/// Frames per second where neither file nor user says.
+const DEFAULT_FPS: f64 = 25.0;
+
+/// How far a rotation may be from half a turn about y to be taken for it.
+const NEARLY: f64 = 1e-6;
+
+/// Errors of the container, which know no more than their reason.
+pub(super) fn wrong(error: vides_document::mesh::Error) -> Error {
+    vides_document::Error::from(error).into()
+}
+
+/// What a node of the file becomes.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Became {
+    /// Our number.
+    pub(super) node: usize,
+    /// Whether it was turned to look along z.
+    pub(super) turned: bool,
+    /// What its position counts from.
+    pub(super) pivot: DVec3,
+    /// Whether it is a part of the node above.
+    pub(super) absorbed: bool,
+    /// The numbers in the file of its parts, which are no nodes of ours.
+    parts: [Option<usize>; 2],
+}
+
+struct Reader<'a> {
+    container: &'a Container<'a>,
+    root: At<'a>,
+    tree: Vec<Placed>,
+    /// Children by their place in the tree.
+    children: Vec<u32>,
+    /// The file's nodes that an animation moves.
+    moved: HashSet<usize>,
+    nodes: Vec<Node>,
+    became: Vec<Became>,
+    names: Names,
+    objects: HashMap<usize, Object>,
+    source: Option<MeshSource>,
+    room: Room,
+    users: Users,
+    sheared: usize,
+    skins: usize,
+    clamped: usize,
+    flat: usize,
+}
+
+/// Names that are taken, and the next number of each.
+#[derive(Default)]
+struct Names {
+    taken: HashSet<String>,
+    next: HashMap<String, usize>,
+}
+
+impl Names {
+    /// The name, or one like it that is free.
+    fn unique(&mut self, wanted: &str) -> Result<String> {
+        let mut name = one_line(wanted);
+        if name.is_empty() {
+            name = "node".to_owned();
+        }
+        self.taken.try_reserve(1)?;
+        self.next.try_reserve(1)?;
+        if self.taken.insert(name.clone()) {
+            return Ok(name);
+        }
+        let mut base = name;
+        while base.len() > MAX_NAME_BYTES - 16 {
+            base.pop();
+        }
+        let next = self.next.entry(base.clone()).or_insert(2);
+        loop {
+            let numbered = format!("{base} {next}");
+            *next += 1;
+            if self.taken.insert(numbered.clone()) {
+                return Ok(numbered);
+            }
+        }
+    }
+}
+
+/// The scene in a file.
+pub(super) fn read(
+    source: &Source,
+    options: &Options,
+    report: &mut Report,
+) -> Result<SceneDocument> {
+    let mut beside = |name: &str| source.beside(name, MAX_FILE_BYTES).ok();
+    let container = Container::open(Cow::Borrowed(&source.bytes), &mut beside).map_err(wrong)?;
+    let root = At::root(container.json());
+    let tree = container.tree().map_err(wrong)?;
+    if tree.is_empty() {
+        return Err(root.wrong(Cause::Empty));
+    }
+    let mut reader = Reader::new(&container, root, tree, source)?;
+    for at in 0..reader.tree.len() {
+        reader.node(at)?;
+    }
+    let vides = root.get("asset").and_then(ours);
+    let number = |key| vides?.get(key)?.value.as_f64();
+    let fps = number("fps").filter(|fps| *fps > 0.0 && *fps <= MAX_FPS);
+    let fps = fps.or(options.fps).unwrap_or(DEFAULT_FPS);
+    reader.animate(fps, report)?;
+    report.count(reader.sheared, Loss::Sheared);
+    report.count(reader.skins, Loss::Skins);
+    report.count(reader.clamped, Loss::FieldsClamped);
+    let told = |report: &mut Report, what: &str, count: usize| {
+        if count > 0 {
+            let what = what.into();
+            report.add(Loss::NotTaken { what, count });
+        }
+    };
+    told(report, "an orthographic projection", reader.flat);
+    let scenes = root
+        .get("scenes")
+        .map_or(Ok(0), |list| Ok::<_, Error>(list.list()?.len()))?;
+    told(report, "another scene", scenes.saturating_sub(1));
+    let mut scene = Scene::from_nodes(reader.nodes).map_err(|(_, error)| error)?;
+    let up = options.up.unwrap_or_default();
+    let own = vides.and_then(|vides| {
+        let centre = vides.get("centre")?.numbers::<3>().ok()?;
+        let half_size = vides.get("half_size")?.number().ok()?;
+        let space = crate::path::Space {
+            centre: centre.into(),
+            half_size,
+            up,
+        };
+        space.check().is_ok().then_some(space)
+    });
+    let space = match own {
+        Some(own) => own,
+        None => space::around(&scene, up)?,
+    };
+    scene.set_space(space)?;
+    let text = |key| vides.and_then(|vides| vides.get(key)?.value.as_str());
+    let comment = text("comment").filter(|text| text.len() <= MAX_COMMENT_BYTES);
+    let info = Info {
+        title: one_line(text("title").unwrap_or("")),
+        comment: comment.unwrap_or("").to_owned(),
+        // The format's lengths are metres.
+        unit: match vides {
+            Some(_) => one_line(text("unit").unwrap_or("")),
+            None => "m".to_owned(),
+        },
+        fps,
+        first_frame: number("first_frame").map_or(1, |first| first.round() as i32),
+        ..Info::default()
+    };
+    Ok(SceneDocument::new(scene, info)?)
+}
+
+/// What is ours at a place of the file.
+fn ours(at: At<'_>) -> Option<At<'_>> {
+    at.get("extras")?.get("vides")
+}
+
+fn part_of(at: At<'_>, part: &str) -> bool {
+    ours(at)
+        .and_then(|vides| vides.get("part"))
+        .is_some_and(|found| found.value == part)
+}
+
+/// The light of a node.
+fn light_of(node: At<'_>) -> Option<At<'_>> {
+    node.get("extensions")?
+        .get(extensions::LIGHTS)?
+        .get("light")
+}
+
+impl<'a> Reader<'a> {
+    fn new(
+        container: &'a Container<'a>,
+        root: At<'a>,
+        tree: Vec<Placed>,
+        source: &Source,
+    ) -> Result<Self> {
+        let mut children: Vec<u32> = vec_with_room(tree.len())?;
+        children.resize(tree.len(), 0);
+        for parent in tree.iter().filter_map(|placed| placed.parent) {
+            children[parent] += 1;
+        }
+        let file = source.folder.as_ref().map(|_| {
+            let file = Path::new(&source.name);
+            absolute(file).unwrap_or_else(|_| file.to_owned())
+        });
+        let source = file.map(|file| mesh_source(&file.display().to_string(), &source.bytes));
+        Ok(Self {
+            container,
+            root,
+            nodes: vec_with_room(tree.len())?,
+            became: vec_with_room(tree.len())?,
+            tree,
+            children,
+            moved: motion::moved(root)?,
+            names: Names::default(),
+            objects: HashMap::new(),
+            source,
+            room: Room::of(container),
+            users: Users::default(),
+            sheared: 0,
+            skins: 0,
+            clamped: 0,
+            flat: 0,
+        })
+    }
+
+    fn at(&self, placed: usize) -> Result<At<'a>> {
+        self.root.need("nodes")?.element(self.tree[placed].node)
+    }
+
+    /// The only child of a node that is a part of it.
+    fn part(&self, placed: usize, part: &str) -> Result<Option<usize>> {
+        let mut found = None;
+        // Children stand somewhere behind it.
+        if self.children[placed] == 0 {
+            return Ok(None);
+        }
+        let node = self.at(placed)?;
+        for child in node.need("children")?.list()? {
+            let Some(number) = child.value.as_u64() else {
+                continue;
+            };
+            let child = self.root.need("nodes")?.element(number as usize)?;
+            if part_of(child, part) && !self.moved.contains(&(number as usize)) {
+                if found.is_some() {
+                    return Ok(None);
+                }
+                found = Some(number as usize);
+            }
+        }
+        Ok(found)
+    }
+
+    /// A pivot that we wrote as a child, and the number of that child.
+    fn pivot(&self, placed: usize) -> Result<Option<(DVec3, usize)>> {
+        let node = self.at(placed)?;
+        let Some(pivot) = ours(node).and_then(|vides| vides.get("pivot")) else {
+            return Ok(None);
+        };
+        let Ok(pivot) = pivot.numbers::<3>() else {
+            return Ok(None);
+        };
+        if self.children[placed] != 1 {
+            return Ok(None);
+        }
+        let pivot = DVec3::from(pivot);
+        let Some(child) = self.part(placed, "pivot")? else {
+            return Ok(None);
+        };
+        let back = match self.container.local(child).map_err(wrong)? {
+            Local::Parts {
+                translation,
+                rotation,
+                scale,
+            } => {
+                rotation == DQuat::IDENTITY
+                    && scale == DVec3::ONE
+                    && translation.as_vec3() == -pivot.as_vec3()
+            }
+            _ => false,
+        };
+        Ok(back.then_some((pivot, child)))
+    }
+
+    /// A camera or light that we wrote as a child: the number of that child.
+    fn view(&self, placed: usize) -> Result<Option<usize>> {
+        let Some(child) = self.part(placed, "view")? else {
+            return Ok(None);
+        };
+        let own = self.at(placed)?;
+        if own.get("mesh").is_some() || own.get("camera").is_some() || light_of(own).is_some() {
+            return Ok(None);
+        }
+        let at = self.root.need("nodes")?.element(child)?;
+        let turned = match self.container.local(child).map_err(wrong)? {
+            Local::Parts {
+                translation,
+                rotation,
+                scale,
+            } => {
+                translation == DVec3::ZERO
+                    && scale == DVec3::ONE
+                    && rotation.dot(TURNED).abs() > 1.0 - NEARLY
+            }
+            _ => false,
+        };
+        let plain = at.get("mesh").is_none() && at.get("children").is_none();
+        let looks = at.get("camera").is_some() != light_of(at).is_some();
+        Ok((turned && plain && looks).then_some(child))
+    }
+
+    /// One node of the file.
+    fn node(&mut self, placed: usize) -> Result<()> {
+        let Placed { node, parent, .. } = self.tree[placed];
+        let at = self.at(placed)?;
+        let above = parent.map(|parent| self.became[parent]);
+        if let Some(above) = above
+            && above.parts.contains(&Some(node))
+        {
+            // Children and mesh are those of the node above.
+            self.became.push(Became {
+                absorbed: true,
+                turned: false,
+                parts: [None; 2],
+                ..above
+            });
+            return Ok(());
+        }
+        let pivoted = self.pivot(placed)?;
+        let (pivot, inner) = match pivoted {
+            Some((pivot, child)) => (pivot, self.root.need("nodes")?.element(child)?),
+            None => (DVec3::ZERO, at),
+        };
+        let view = self.view(placed)?;
+        let seen = match view {
+            Some(child) => self.root.need("nodes")?.element(child)?,
+            None => at,
+        };
+        self.skins += usize::from(inner.get("skin").is_some());
+        let (mesh, camera, light) = (inner.get("mesh"), seen.get("camera"), light_of(seen));
+        let free = self.children[placed] == 0 && mesh.is_none();
+        let both = camera.is_some() && light.is_some();
+        let alone = !both && (view.is_some() || free);
+        let turned = alone && view.is_none() && (camera.is_some() || light.is_some());
+        let kind = match (mesh, camera, light) {
+            (Some(mesh), _, _) => Kind::Object(self.object(inner, mesh)?),
+            _ => Kind::Group,
+        };
+        let name = at.get("name").and_then(|name| name.value.as_str());
+        let wanted = match (name, mesh, camera, light) {
+            (Some(name), ..) if !name.is_empty() => name.to_owned(),
+            (_, Some(_), ..) => format!("object {node}"),
+            (_, _, Some(_), _) => format!("camera {node}"),
+            (_, _, _, Some(_)) => format!("light {node}"),
+            _ => format!("node {node}"),
+        };
+        let mut own = Node::new(&self.names.unique(&wanted)?, kind);
+        own.parent = above.map(|above| above.node);
+        own.pivot = pivot;
+        self.place(node, at, &mut own, turned)?;
+        own.rest.visible = at
+            .get("extensions")
+            .and_then(|all| all.get(extensions::VISIBILITY)?.get("visible"))
+            .is_none_or(|visible| visible.value != false);
+        let number = self.nodes.len();
+        self.became.push(Became {
+            node: number,
+            turned,
+            pivot,
+            absorbed: false,
+            parts: [pivoted.map(|(_, child)| child), view],
+        });
+        if let Some(mesh) = mesh
+            && let Some(material) = looks::material(self.root, mesh)?
+        {
+            own.rest.colour = looks::base_colour(self.root, material)?;
+            self.users.material(material, number)?;
+        }
+        self.push(own)?;
+        let parts = [(camera, true), (light, false)];
+        for (found, is_camera) in parts {
+            let Some(found) = found else { continue };
+            let number = if alone {
+                number
+            } else {
+                let name = self.names.unique(&format!("{wanted} view"))?;
+                let mut child = Node::new(&name, Kind::Group);
+                child.parent = Some(number);
+                child.rest.rotation = TURNED.inverse();
+                self.push(child)?;
+                self.nodes.len() - 1
+            };
+            self.look(number, found, is_camera)?;
+        }
+        Ok(())
+    }
+
+    fn push(&mut self, node: Node) -> Result<()> {
+        self.nodes.try_reserve(1)?;
+        self.nodes.push(node);
+        Ok(())
+    }
+
+    /// Where it stands in its parent.
+    fn place(&mut self, node: usize, at: At<'a>, own: &mut Node, turned: bool) -> Result<()> {
+        let (position, rotation, scale) = match self.container.local(node).map_err(wrong)? {
+            Local::Matrix(matrix) => {
+                let parts = convention::parts(matrix);
+                self.sheared += usize::from(parts.sheared);
+                (parts.position, parts.rotation, parts.scale)
+            }
+            Local::Parts {
+                translation,
+                rotation,
+                scale,
+            } => {
+                let length = rotation.length();
+                if !(length > 1e-12) {
+                    return Err(at.wrong(Cause::NoRotation));
+                }
+                (translation, rotation / length, scale)
+            }
+        };
+        own.rest.position = position - own.pivot;
+        own.rest.rotation = match turned {
+            true => rotation * TURNED.inverse(),
+            false => rotation,
+        };
+        own.rest.scale = scale;
+        Ok(())
+    }
+
+    /// Makes a node a camera or light.
+    fn look(&mut self, number: usize, found: At<'a>, is_camera: bool) -> Result<()> {
+        let node = &mut self.nodes[number];
+        let index = found.index()?;
+        if is_camera {
+            let read = looks::camera(self.root, index)?;
+            self.clamped += usize::from(read.clamped);
+            self.flat += usize::from(read.flat);
+            node.kind = Kind::Camera(read.camera);
+            node.rest.zoom = read.zoom;
+            self.users.camera(index, number)
+        } else {
+            let light = looks::light(self.root, index, &mut node.rest)?;
+            node.kind = Kind::Light(light);
+            self.users.light(index, number)
+        }
+    }
+
+    /// An object with the mesh of this number; objects of one mesh share it.
+    fn object(&mut self, node: At<'a>, mesh: At<'a>) -> Result<Object> {
+        let number = mesh.index()?;
+        let mesh = self.root.need("meshes")?.element(number)?;
+        let mut object = match self.objects.get(&number) {
+            Some(known) => known.clone(),
+            None => {
+                let object = self.new_object(number, mesh)?;
+                self.objects.try_reserve(1)?;
+                self.objects.insert(number, object.clone());
+                object
+            }
+        };
+        let weights = node.get("weights").or_else(|| mesh.get("weights"));
+        if let Some(weights) = weights {
+            let count = object.shapes().len();
+            let list = weights.list()?;
+            if list.len() != count {
+                return Err(weights.wrong(Cause::NumberCount {
+                    wanted: count,
+                    found: list.len(),
+                }));
+            }
+            let numbers: Vec<f64> = list.map(At::number).collect::<Result<_>>()?;
+            object.set_weights(&numbers)?;
+        }
+        Ok(object)
+    }
+
+    fn new_object(&mut self, number: usize, mesh: At<'a>) -> Result<Object> {
+        let part = self
+            .container
+            .part(number, &mut self.room, &mut |_| true)
+            .map_err(wrong)?;
+        let names = mesh
+            .get("extras")
+            .and_then(|extras| extras.get("targetNames")?.value.as_array());
+        let mut object = Object::default();
+        object.set_mesh(part.mesh)?;
+        if !object.mesh().points.is_empty()
+            && let Some(source) = &self.source
+        {
+            object.set_source(Some(MeshSource {
+                part: u32::try_from(number).ok(),
+                ..source.clone()
+            }))?;
+        }
+        let mut shapes = Names::default();
+        for (at, points) in part.targets.into_iter().enumerate() {
+            let name = names.and_then(|names| names.get(at)?.as_str());
+            let name = name.map_or_else(|| format!("shape {at}"), ToOwned::to_owned);
+            object.add_shape(Shape {
+                name: shapes.unique(&name)?,
+                points,
+                colours: Vec::new(),
+            })?;
+        }
+        Ok(object)
+    }
+
+    /// The first animation; others are told.
+    fn animate(&mut self, fps: f64, report: &mut Report) -> Result<()> {
+        let Some(animations) = self.root.get("animations") else {
+            return Ok(());
+        };
+        let mut all = animations.list()?;
+        let Some(first) = all.next() else {
+            return Ok(());
+        };
+        report.count(all.len(), Loss::OtherAnimations);
+        let nodes = self
+            .root
+            .get("nodes")
+            .and_then(|nodes| nodes.value.as_array());
+        let mut became: Vec<Option<Became>> = vec_with_room(nodes.map_or(0, Vec::len))?;
+        became.resize(nodes.map_or(0, Vec::len), None);
+        for (placed, own) in self.tree.iter().zip(&self.became) {
+            became[placed.node] = Some(*own);
+        }
+        let mut motion = motion::Reader {
+            container: self.container,
+            fps,
+            nodes: &mut self.nodes,
+            became: &became,
+            users: &self.users,
+            clamped: 0,
+            left_out: 0,
+            room: motion::room(),
+        };
+        motion.animation(first)?;
+        self.clamped += motion.clamped;
+        if motion.left_out > 0 {
+            report.add(Loss::NotTaken {
+                what: "the animation of another property".into(),
+                count: motion.left_out,
+            });
+        }
+        Ok(())
+    }
+}
+
+/// Whether a file's text is one of this format.
+pub(super) fn is_text(bytes: &[u8]) -> bool {
+    let begins =
+        |bytes: &[u8]| bytes.iter().find(|byte| !byte.is_ascii_whitespace()) == Some(&b'{');
+    let holds = |word: &[u8]| bytes.windows(word.len()).any(|window| window == word);
+    begins(bytes) && holds(b"\"asset\"") && holds(b"\"version\"")
+}
