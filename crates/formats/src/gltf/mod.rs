@@ -5,16 +5,20 @@
 //! and has no place in the format stands in `extras.vides`.
 
 mod binary;
+mod channels;
 mod compact;
 mod keys;
 mod lights;
 mod looks;
 mod meshes;
 mod motion;
+mod place;
 mod read;
 mod space;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod tests_read;
 mod write;
 
 use std::io::{self, Write};

@@ -4,7 +4,7 @@ use std::fmt::Write;
 
 use super::*;
 use crate::tests::{SIDES, corner, is_cube, volume};
-use crate::{Format, read, read_with};
+use crate::{Format, Opened, read, read_with};
 
 /// Corners of the cube as floats, then its triangles as numbers of 16 bits.
 fn cube() -> Vec<u8> {
@@ -329,4 +329,134 @@ fn what_is_not_read_says_what_helps() {
     // No scene, and no node to begin with.
     let round = r#"{"asset": {"version": "2.0"}, "nodes": [{"children": [1]}, {"children": [0]}]}"#;
     assert!(refused(round.as_bytes()).contains("below itself"));
+}
+
+/// Three points in each type of number, in steps of 16 bytes.
+#[test]
+fn quantised_places_are_read() {
+    let types: [(u64, bool, fn(f64) -> Vec<u8>, f64); 8] = [
+        (5120, false, |v| vec![v as i8 as u8], 1.0),
+        (5120, true, |v| vec![v as i8 as u8], 127.0),
+        (5121, false, |v| vec![v as u8], 1.0),
+        (5121, true, |v| vec![v as u8], 255.0),
+        (5122, false, |v| (v as i16).to_le_bytes().to_vec(), 1.0),
+        (5122, true, |v| (v as i16).to_le_bytes().to_vec(), 32767.0),
+        (5123, true, |v| (v as u16).to_le_bytes().to_vec(), 65535.0),
+        (5126, false, |v| (v as f32).to_le_bytes().to_vec(), 1.0),
+    ];
+    for (component, normalized, bytes, one) in types {
+        let signed = matches!(component, 5120 | 5122 | 5126);
+        let places = [
+            [0.0, 1.0, 2.0],
+            [100.0, 5.0, 7.0],
+            [if signed { -120.0 } else { 9.0 }, 3.0, 4.0],
+        ];
+        let mut data = vec![0; 4];
+        for place in places {
+            let start = data.len();
+            data.extend(place.into_iter().flat_map(bytes));
+            data.resize(start + 16, 0xee);
+        }
+        let json = format!(
+            r#"{{"asset": {{"version": "2.0"}}, "extensionsRequired": ["KHR_mesh_quantization"],
+            "nodes": [{{"mesh": 0, "scale": [2, 2, 2]}}],
+            "meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0}}}}]}}],
+            "accessors": [{{"bufferView": 0, "byteOffset": 4, "componentType": {component},
+              "normalized": {normalized}, "count": 3, "type": "VEC3"}}],
+            "bufferViews": [{{"buffer": 0, "byteLength": 52, "byteStride": 16}}],
+            "buffers": [{{"byteLength": 52}}]}}"#
+        );
+        let mesh = mesh(&glb(&json, &data));
+        for (found, place) in mesh.points.iter().zip(places) {
+            let wanted = place.map(|v| 2.0 * v / one);
+            assert_eq!(found.to_array(), wanted, "{component} {normalized}");
+        }
+    }
+}
+
+/// Two of four points moved, on points of a buffer and on none.
+#[test]
+fn sparse_accessors_are_read() {
+    let file = |view: &str, indices: [u8; 2]| {
+        let mut data: Vec<u8> = (0..12).flat_map(|n| (n as f32).to_le_bytes()).collect();
+        data.extend(indices);
+        data.extend([0; 2]);
+        data.extend(
+            [50.0_f32, 51.0, 52.0, 60.0, 61.0, 62.0]
+                .iter()
+                .flat_map(|n| n.to_le_bytes()),
+        );
+        let json = format!(
+            r#"{{"asset": {{"version": "2.0"}}, "nodes": [{{"mesh": 0}}],
+            "meshes": [{{"primitives": [{{"attributes": {{"POSITION": 0}}, "mode": 0}}]}}],
+            "accessors": [{{{view} "componentType": 5126, "count": 4, "type": "VEC3",
+              "sparse": {{"count": 2, "indices": {{"bufferView": 1, "componentType": 5121}},
+                "values": {{"bufferView": 2}}}}}}],
+            "bufferViews": [{{"buffer": 0, "byteLength": 48}},
+              {{"buffer": 0, "byteOffset": 48, "byteLength": 2}},
+              {{"buffer": 0, "byteOffset": 52, "byteLength": 24}}],
+            "buffers": [{{"byteLength": 76}}]}}"#
+        );
+        glb(&json, &data)
+    };
+    let xs = |file: &[u8]| mesh(file).points.iter().map(|p| p.x).collect::<Vec<_>>();
+    let view = r#""bufferView": 0,"#;
+    assert_eq!(xs(&file(view, [1, 3])), [0.0, 50.0, 6.0, 60.0]);
+    assert_eq!(xs(&file("", [0, 2])), [50.0, 0.0, 60.0, 0.0]);
+    // Not in order, beyond the end.
+    for wrong in [[3, 1], [1, 1], [1, 4]] {
+        assert!(refused(&file(view, wrong)).contains("expected numbers"));
+    }
+    // A number alone says how many: no memory for what is not there.
+    let many = file("", [0, 2]);
+    let json = String::from_utf8_lossy(&many[20..]).into_owned();
+    let json = json[..json.rfind('}').unwrap() + 1].replace("\"count\": 4", "\"count\": 400000000");
+    assert!(refused(&glb(&json, &many[many.len() - 76..])).contains("more than"));
+}
+
+/// A square of two triangles whose seam is doubled; one of the doubles moves in the target.
+#[test]
+fn points_stay_apart_where_targets_differ() {
+    let corners = [
+        [0.0, 0.0],
+        [1.0, 0.0],
+        [1.0, 1.0],
+        [0.0, 0.0],
+        [1.0, 1.0],
+        [0.0, 1.0_f32],
+    ];
+    let moved = [0.0, 0.0, 0.0, 0.0, 5.0, 0.0_f32];
+    let mut data: Vec<u8> = Vec::new();
+    for [x, y] in corners {
+        data.extend([x, y, 0.0].iter().flat_map(|n| n.to_le_bytes()));
+    }
+    for z in moved {
+        data.extend([0.0, 0.0, z].iter().flat_map(|n| n.to_le_bytes()));
+    }
+    let json = r#"{"asset": {"version": "2.0"}, "nodes": [{"mesh": 0, "translation": [9, 9, 9]}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "targets": [{"POSITION": 1}, {}]}]}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 6, "type": "VEC3"},
+          {"bufferView": 0, "byteOffset": 72, "componentType": 5126, "count": 6, "type": "VEC3"}],
+        "bufferViews": [{"buffer": 0, "byteLength": 144}],
+        "buffers": [{"byteLength": 144}]}"#;
+    let file = glb(json, &data);
+    let mut opened = Opened::new(Format::Gltf, file.clone(), &mut |_| None).unwrap();
+    let (mesh, targets) = opened.part(0, &mut |_| true).unwrap();
+    // (0, 0) is one, (1, 1) two.
+    assert_eq!((mesh.points.len(), targets.len()), (5, 2));
+    assert_eq!(mesh.triangles, [[0, 1, 2], [0, 3, 4]]);
+    assert_eq!(targets[0][3], glam::DVec3::new(1.0, 1.0, 5.0));
+    assert_eq!(targets[1], mesh.points);
+    // Without targets and in place, where all is one.
+    let whole = opened.whole(&mut |_| true).unwrap();
+    assert_eq!(whole.triangles, [[0, 1, 2], [0, 2, 3]]);
+    assert_eq!(whole.points[0], glam::DVec3::splat(9.0));
+    let none = opened.part(1, &mut |_| true).unwrap_err();
+    assert!(none.to_string().contains("expected numbers"));
+    // All parts together are bounded: the same again and again ends.
+    let again = (0..100_000).find_map(|_| opened.part(0, &mut |_| true).err());
+    assert!(again.unwrap().to_string().contains("more than"));
+    let mut other = Opened::new(Format::Obj, b"v 1 2 3".to_vec(), &mut |_| None).unwrap();
+    let error = other.part(0, &mut |_| true).unwrap_err();
+    assert_eq!(error.to_string(), "this file has no such part");
 }

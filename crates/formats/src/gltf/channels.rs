@@ -1,0 +1,144 @@
+//! What changes of nodes beside their place.
+
+use glam::DQuat;
+use serde_json::json;
+use vides_document::error::vec_with_room;
+use vides_engine::scene::{Channel, Kind, Motion, Node, Values, Warnings};
+
+use super::extensions;
+use super::keys::{self, Target};
+use super::place::path_poses;
+use super::write::{BLOCK, Writer};
+use crate::convention;
+use crate::error::Result;
+
+/// What holds at a frame of a node's own values.
+pub(super) fn values(node: &Node, frame: f64, warnings: &mut Warnings) -> Result<Values> {
+    let mut values = node.rest;
+    if let Some(path) = node.path() {
+        path.at(frame, &mut values, warnings)?;
+    }
+    node.keys().at(frame, &mut values, warnings)?;
+    Ok(values)
+}
+
+pub(super) fn aims(node: &Node) -> bool {
+    node.aim.is_some()
+        && (node.rest.aim_weight > 0.0 || node.keys().track(&Channel::AimWeight).is_some())
+}
+
+/// A camera's roll goes into its rotation.
+pub(super) fn rolls(node: &Node) -> bool {
+    matches!(node.kind, Kind::Camera(_))
+        && (node.rest.roll != 0.0 || node.keys().track(&Channel::Roll).is_some())
+}
+
+pub(super) fn rolled(node: &Node, values: &Values) -> DQuat {
+    if rolls(node) {
+        values.rotation.normalize() * DQuat::from_rotation_z(values.roll.to_radians())
+    } else {
+        values.rotation.normalize()
+    }
+}
+
+impl Writer<'_, '_> {
+    /// The field of view at the first frame; its keys where it changes.
+    pub(super) fn zoom(&mut self, node: &Node, camera: usize) -> Result<f32> {
+        let pointer = || format!("/cameras/{camera}/perspective/yfov");
+        let moves = node.path().is_some() || node.keys().track(&Channel::Zoom).is_some();
+        let fields = self.channel(node, moves, |values| {
+            [convention::field_of_view(values.zoom) as f32]
+        })?;
+        self.pointer(pointer, &fields)?;
+        Ok(fields[0][0])
+    }
+
+    /// Something of a node's values in each frame, or in the first alone if nothing moves it.
+    pub(super) fn channel<const N: usize>(
+        &self,
+        node: &Node,
+        moves: bool,
+        take: impl Fn(&Values) -> [f32; N],
+    ) -> Result<Vec<[f32; N]>> {
+        let count = if moves { self.flight.count() } else { 1 };
+        let mut all = vec_with_room(count)?;
+        let mut warnings = Warnings::default();
+        for from in (0..count).step_by(BLOCK) {
+            let block = BLOCK.min(count - from);
+            let poses = path_poses(self.flight, node, from, block)?;
+            for index in 0..block {
+                if let Some(pose) = poses.get(index) {
+                    let zoom = pose.zoom;
+                    all.push(take(&Values { zoom, ..node.rest }));
+                } else {
+                    let frame = self.flight.frame(from + index);
+                    all.push(take(&values(node, frame, &mut warnings)?));
+                }
+            }
+        }
+        self.told(warnings, node)?;
+        Ok(all)
+    }
+
+    /// A key a frame for what a pointer says, where it changes.
+    pub(super) fn pointer<const N: usize>(
+        &mut self,
+        pointer: impl FnOnce() -> String,
+        all: &[[f32; N]],
+    ) -> Result<()> {
+        if all.iter().all(|one| *one == all[0]) {
+            return Ok(());
+        }
+        let target = Target::Pointer(pointer());
+        let numbers = all.as_flattened();
+        self.animation
+            .a_key_a_frame(self.flight, &mut self.binary, target, numbers, N)
+    }
+
+    pub(super) fn weights(&mut self, own: usize, node: &Node) -> Result<()> {
+        let Some(track) = node.keys().track(&Channel::Weights) else {
+            return Ok(());
+        };
+        let (flight, width) = (self.flight, track.width());
+        let target = Target::Node(own, "weights");
+        if let Some(keys) = keys::numbers(flight, track) {
+            return self.animation.keys(&mut self.binary, target, &keys, width);
+        }
+        let mut all: Vec<f32> = vec_with_room(width * flight.count())?;
+        let mut numbers = vec![0.0; width];
+        let mut warnings = Warnings::default();
+        for at in 0..flight.count() {
+            track.numbers(flight.frame(at), &mut numbers, &mut warnings);
+            all.extend(numbers.iter().map(|&number| number as f32));
+        }
+        self.told(warnings, node)?;
+        self.animation
+            .a_key_a_frame(flight, &mut self.binary, target, &all, width)
+    }
+
+    pub(super) fn visible(&mut self, own: usize, node: &Node, frame: f64) -> Result<()> {
+        let track = node.keys().track(&Channel::Visible);
+        let mut warnings = Warnings::default();
+        let seen = values(node, frame, &mut warnings)?.visible;
+        if seen && track.is_none() {
+            return Ok(());
+        }
+        self.hides = true;
+        self.extend(own, extensions::VISIBILITY, json!({"visible": seen}));
+        let Some(track) = track else { return Ok(()) };
+        let pointer = format!("/nodes/{own}/extensions/{}/visible", extensions::VISIBILITY);
+        let target = Target::Pointer(pointer);
+        let (flight, binary) = (self.flight, &mut self.binary);
+        if let Some(keys) = keys::numbers(flight, track) {
+            return self.animation.keys(binary, target, &keys, 1);
+        }
+        let mut switches: Vec<u8> = vec_with_room(flight.count())?;
+        for at in 0..flight.count() {
+            let mut seen = [0.0];
+            track.numbers(flight.frame(at), &mut seen, &mut warnings);
+            switches.push(u8::from(seen != [0.0]));
+        }
+        self.animation
+            .a_switch_a_frame(flight, binary, target, &switches)
+    }
+}
