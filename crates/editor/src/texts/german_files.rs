@@ -61,6 +61,7 @@ german! {
         Line { line, problem } => "Zeile {line}: {}", German(problem);
         File(problem) => "{}", German(problem);
         Ply(said) => "der PLY-Leser sagt: {said}";
+        Extension(name) => "die Datei verlangt die Erweiterung {name}, die nicht gelesen wird";
         Memory => "der Speicher reicht nicht";
         Stopped => "das Lesen wurde abgebrochen";
         UnknownFormat => "die Namen von Dateien mit Netzen enden auf .obj, .ply, .stl, .gltf oder .glb";
@@ -78,8 +79,7 @@ german! {
         Long => "in dieser Datei ist mehr, als genommen wird";
         Draco => "ein mit Draco gepacktes Netz (KHR_draco_mesh_compression) wird nicht gelesen; ungepackt exportieren";
         Meshopt => "ein mit meshoptimizer gepacktes Netz (EXT_meshopt_compression) wird nicht gelesen; ungepackt exportieren";
-        Quantised => "ein Netz mit quantisierten Orten (KHR_mesh_quantization) wird nicht gelesen; mit Gleitkommazahlen exportieren";
-        Sparse => "ein Netz mit dünn besetzten Feldern (sparse) wird nicht gelesen; mit einfachen exportieren";
+        NoPart => "diese Datei hat keinen solchen Teil";
         Cycle => "ein Knoten dieser Datei liegt unter sich selbst oder an zwei Stellen; jeder darf an einer stehen";
         Format => "das ist keine Datei dieses Formats";
     }
@@ -133,7 +133,7 @@ german! {
             "{keys} Schlüssel brauchen ebenso viele Werte, nicht {values}";
         NoDeformationKind => "diese Verformung hat keine Art (kind)";
         Checksum => "eine Prüfsumme hat bis zu 16 Ziffern 0 bis 9, a bis f";
-        MeshFile => "ein Netz hat eigene Punkte, oder eine Datei: allein, oder mit Länge (bytes) und Prüfsumme (checksum)";
+        MeshFile => "ein Netz hat eigene Punkte, oder eine Datei: allein, oder mit Länge (bytes) und Prüfsumme (checksum), und mit der Nummer ihres Teils (part), wo sie Teile hat";
         PolylinesAndMesh => "ein Objekt hat entweder polylines oder ein eigenes Netz";
         Pin => "zum Anheften gehören ein Punkt (point) und eine Marke (marker)";
         Track => "eine Spur hat channel, interpolation, frames und values";

@@ -22,6 +22,11 @@ pub(super) fn values(node: &Node, frame: f64, warnings: &mut Warnings) -> Result
     Ok(values)
 }
 
+/// The vertical field of view in radians.
+pub(super) fn field(zoom: f64) -> [f32; 1] {
+    [convention::field_of_view(zoom) as f32]
+}
+
 pub(super) fn aims(node: &Node) -> bool {
     node.aim.is_some()
         && (node.rest.aim_weight > 0.0 || node.keys().track(&Channel::AimWeight).is_some())
@@ -46,9 +51,11 @@ impl Writer<'_, '_> {
     pub(super) fn zoom(&mut self, node: &Node, camera: usize) -> Result<f32> {
         let pointer = || format!("/cameras/{camera}/perspective/yfov");
         let moves = node.path().is_some() || node.keys().track(&Channel::Zoom).is_some();
-        let fields = self.channel(node, moves, |values| {
-            [convention::field_of_view(values.zoom) as f32]
-        })?;
+        // What moves along a path has been sampled with its place.
+        let mut fields = std::mem::take(&mut self.fields);
+        if fields.is_empty() {
+            fields = self.channel(node, moves, |values| field(values.zoom))?;
+        }
         self.pointer(pointer, &fields)?;
         Ok(fields[0][0])
     }

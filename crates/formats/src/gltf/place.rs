@@ -2,9 +2,9 @@
 
 use glam::{DAffine3, DQuat, DVec3};
 use vides_document::error::{Place as ScenePlace, vec_with_room};
-use vides_engine::scene::{Channel, Node, NodeState, Track, Values, Warnings};
+use vides_engine::scene::{Channel, Kind, Node, NodeState, Track, Values, Warnings};
 
-use super::channels::{aims, rolled, rolls, values};
+use super::channels::{self, aims, rolled, rolls, values};
 use super::keys::{self, Continued, Keys, Place, Target, stored};
 use super::write::{BLOCK, Writer};
 use crate::convention;
@@ -20,6 +20,15 @@ pub(super) struct Sample {
     positions: bool,
     rotations: bool,
     scales: bool,
+}
+
+/// Where a node is in its parent, in the file's coordinates.
+#[derive(Clone, Copy)]
+pub(super) struct Local {
+    position: DVec3,
+    rotation: DQuat,
+    scale: DVec3,
+    zoom: f64,
 }
 
 /// The poses of a node whose place is a path's alone, at whole frames of it; else none.
@@ -135,9 +144,9 @@ impl Writer<'_, '_> {
         let first = self.locals(at, node, &place, 0, 1, sample)?[0];
         self.set_place(
             own,
-            first.0,
-            first.1,
-            if scales { first.2 } else { DVec3::ONE },
+            first.position,
+            first.rotation,
+            if scales { first.scale } else { DVec3::ONE },
         );
         let target = |path| Target::Node(own, path);
         for (keys, path, width) in [
@@ -172,18 +181,23 @@ impl Writer<'_, '_> {
         let mut positions: Vec<[f64; 3]> = vec_with_room(room(sample.positions))?;
         let mut rotations: Vec<[f64; 4]> = vec_with_room(room(sample.rotations))?;
         let mut scales: Vec<f32> = vec_with_room(3 * room(sample.scales))?;
+        let zooms = matches!(node.kind, Kind::Camera(_)) && node.path().is_some();
+        self.fields = vec_with_room(room(zooms))?;
         let mut continued = Continued::default();
         for from in (0..count).step_by(BLOCK) {
             let block = BLOCK.min(count - from);
-            for (position, rotation, scale) in self.locals(at, node, place, from, block, sample)? {
+            for local in self.locals(at, node, place, from, block, sample)? {
+                if zooms {
+                    self.fields.push(channels::field(local.zoom));
+                }
                 if sample.positions {
-                    positions.push(position.to_array());
+                    positions.push(local.position.to_array());
                 }
                 if sample.rotations {
-                    rotations.push(continued.next(rotation).to_array());
+                    rotations.push(continued.next(local.rotation).to_array());
                 }
                 if sample.scales {
-                    scales.extend(scale.as_vec3().to_array());
+                    scales.extend(local.scale.as_vec3().to_array());
                 }
             }
         }
@@ -210,7 +224,7 @@ impl Writer<'_, '_> {
         from: usize,
         count: usize,
         sample: Sample,
-    ) -> Result<Vec<(DVec3, DQuat, DVec3)>> {
+    ) -> Result<Vec<Local>> {
         let flight = self.flight;
         let mut locals = vec_with_room(count)?;
         let mut warnings = Warnings::default();
@@ -234,15 +248,21 @@ impl Writer<'_, '_> {
                     ..node.rest
                 };
                 let rotation = place.rotation(rolled(node, &values));
-                locals.push((place.position(pose.position()), rotation, node.rest.scale));
+                locals.push(Local {
+                    position: place.position(pose.position()),
+                    rotation,
+                    scale: node.rest.scale,
+                    zoom: pose.zoom,
+                });
                 continue;
             }
             let values = values(node, frame, &mut warnings)?;
-            let mut local = (
-                place.position(values.position),
-                place.rotation(rolled(node, &values)),
-                values.scale,
-            );
+            let mut local = Local {
+                position: place.position(values.position),
+                rotation: place.rotation(rolled(node, &values)),
+                scale: values.scale,
+                zoom: values.zoom,
+            };
             if let Some(state) = own.get(index) {
                 let parent = above
                     .get(index)
@@ -251,11 +271,12 @@ impl Writer<'_, '_> {
                 let parts = convention::parts(inside);
                 self.counts.sheared +=
                     usize::from(parts.sheared && sample.scales && from + index == 0);
-                local = (
-                    place.position(parts.position),
-                    place.rotation(parts.rotation),
-                    parts.scale,
-                );
+                local = Local {
+                    position: place.position(parts.position),
+                    rotation: place.rotation(parts.rotation),
+                    scale: parts.scale,
+                    zoom: values.zoom,
+                };
             }
             locals.push(local);
         }

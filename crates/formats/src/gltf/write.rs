@@ -57,6 +57,8 @@ pub(super) struct Writer<'f, 'd> {
     meshes: Meshes,
     pub(super) animation: Animation,
     pub(super) counts: Counts,
+    /// Fields of view of the camera that was sampled last.
+    pub(super) fields: Vec<[f32; 1]>,
     pub(super) hides: bool,
 }
 
@@ -73,6 +75,7 @@ impl<'f, 'd> Writer<'f, 'd> {
             meshes: Meshes::default(),
             animation: Animation::default(),
             counts: Counts::default(),
+            fields: Vec::new(),
             hides: false,
         })
     }
