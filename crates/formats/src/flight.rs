@@ -48,7 +48,8 @@ impl<'a> Flight<'a> {
         let scene = &document.scene;
         let node = match &options.node {
             Some(name) => scene.find(name),
-            None => scene.shown_camera(),
+            // Nothing of a whole scene is seen through it.
+            None => scene.shown_camera().or(row.whole.then_some(0)),
         };
         let node = node.ok_or_else(|| match &options.node {
             Some(name) => Error::NoNode(name.as_str().into()),
@@ -118,7 +119,7 @@ impl<'a> Flight<'a> {
         self.options
     }
 
-    /// The number of the node that is written.
+    /// The number of the node that is written; 0 for a whole scene without a camera.
     #[must_use]
     pub const fn node(&self) -> usize {
         self.node
@@ -223,6 +224,16 @@ impl<'a> Flight<'a> {
     pub fn path_alone(&self) -> Option<&'a FollowPath> {
         self.document.path_alone()?;
         self.scene().nodes()[0].path()
+    }
+
+    /// Calls for progress while the flight itself is read; [`Flight::give_progress`] puts it back.
+    pub(super) fn take_progress(&mut self) -> Option<Progress<'a>> {
+        self.progress.take()
+    }
+
+    /// Gives back what [`Flight::take_progress`] took.
+    pub(super) fn give_progress(&mut self, progress: Option<Progress<'a>>) {
+        self.progress = progress;
     }
 
     /// Whether the node has poses: cameras and lights do.

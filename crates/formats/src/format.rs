@@ -27,6 +27,8 @@ pub struct Row {
     pub up: Option<Up>,
     /// The files of a format that is a folder.
     pub parts: &'static [&'static str],
+    /// Whether all of a scene is written, with or without a camera.
+    pub whole: bool,
     /// Whether it can be read.
     pub reads: bool,
     /// Whether it can be written.
@@ -42,6 +44,7 @@ impl Row {
         file_names: &[],
         up: None,
         parts: &[],
+        whole: false,
         reads: true,
         writes: true,
     };

@@ -18,6 +18,7 @@ const ROW: Row = Row {
     name: "vid",
     title: "VIDES",
     endings: &["vid"],
+    whole: true,
     ..Row::PLAIN
 };
 

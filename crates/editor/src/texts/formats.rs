@@ -106,6 +106,8 @@ german! {
         Distortion(count) => "die Verzeichnung bleibt weg, Kameras: {count}";
         OffCentre(count) => "Bilder, deren Achse neben der Mitte liegt, wie in ihr: {count}";
         Skins(count) => "Netze mit Skelett wie in Ruhe: {count}";
+        Sheared(count) => "Knoten ohne ihre Scherung: {count}";
+        OtherAnimations(count) => "andere Animationen bleiben weg: {count}";
         OwnSpline => "der Betrachter verbindet die Schlüssel durch eine eigene Kurve";
         Fitted { points, off, turned } =>
             "eine Bahn mit {points} Punkten, höchstens {} und {} Grad von den Posen",

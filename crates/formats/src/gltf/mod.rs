@@ -56,6 +56,7 @@ const GLTF: Row = Row {
     title: "glTF, text",
     endings: &["gltf"],
     up: Some(Up::Y),
+    whole: true,
     ..Row::PLAIN
 };
 
@@ -162,10 +163,20 @@ fn written(
     flight: &mut Flight<'_>,
     report: &mut Report,
 ) -> Result<(serde_json::Map<String, serde_json::Value>, Vec<u8>)> {
-    let mut writer = write::Writer::new(flight)?;
-    writer.document()?;
-    writer.tell(report);
-    Ok(writer.finish())
+    let mut progress = flight.take_progress();
+    let mut write = || {
+        let mut writer = write::Writer::new(flight)?;
+        writer.document(&mut |done, all| {
+            if let Some(progress) = &mut progress {
+                progress(done, all);
+            }
+        })?;
+        writer.tell(report);
+        Ok(writer.finish())
+    };
+    let done = write();
+    flight.give_progress(progress);
+    done
 }
 
 /// RFC 4648.

@@ -160,6 +160,15 @@ pub(super) fn read(
     };
     scene.set_space(space)?;
     let text = |key| vides.and_then(|vides| vides.get(key)?.value.as_str());
+    // What does not fit is as if it were not there.
+    let shown = text("camera").and_then(|name| scene.find(name));
+    if shown != scene.shown_camera() {
+        let _ = scene.set_camera(shown);
+    }
+    let range = number("frames").map(|frames| (1.0, frames));
+    if range.is_some_and(|range| range != scene.frame_range()) {
+        let _ = scene.set_range(range);
+    }
     let comment = text("comment").filter(|text| text.len() <= MAX_COMMENT_BYTES);
     let info = Info {
         title: one_line(text("title").unwrap_or("")),

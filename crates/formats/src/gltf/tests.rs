@@ -174,6 +174,34 @@ fn what_goes_out_comes_in_again() {
     }
 }
 
+/// The range and the shown camera, where they are not what they would be without a word.
+#[test]
+fn range_and_camera_come_back() {
+    let mut before = everything();
+    let watcher = before.scene.find("watcher");
+    assert_ne!(before.scene.shown_camera(), watcher);
+    before.scene.set_camera(watcher).unwrap();
+    before.scene.set_range(Some((-3.0, 40.0))).unwrap();
+    let (file, _) = written(&before, "glb", &Options::default());
+    let after = read(file).unwrap().document;
+    assert_eq!(after.scene.shown_camera(), after.scene.find("watcher"));
+    assert_eq!(after.scene.frame_range(), (1.0, 44.0));
+    is_the_same(&before, &after, &Options::default());
+    // Without cameras too.
+    let mut scene = vides_engine::scene::Scene::new();
+    scene
+        .add(vides_engine::scene::Node::new("alone", Kind::Group))
+        .unwrap();
+    let document = SceneDocument::new(scene, vides_document::Info::default()).unwrap();
+    for format in ["gltf", "glb"] {
+        let (file, _) = written(&document, format, &Options::default());
+        assert_eq!(read(file).unwrap().document.scene.nodes()[0].name, "alone");
+    }
+    let nothing = SceneDocument::new(Default::default(), vides_document::Info::default()).unwrap();
+    let (file, _) = written(&nothing, "glb", &Options::default());
+    assert!(read(file).is_err());
+}
+
 #[test]
 fn nodes_come_back_as_they_were() {
     let before = everything();
@@ -301,6 +329,35 @@ fn a_camera_looks_along_minus_z() {
         json["animations"][0]["samplers"][0]["interpolation"],
         "LINEAR"
     );
+}
+
+/// The longer way round would be another motion in programs that do not look for the shorter.
+#[test]
+fn neighbouring_rotations_lie_in_one_hemisphere() {
+    for document in [example("pyramid.vid"), example("car.vid"), everything()] {
+        let (file, _) = written(&document, "glb", &Options::default());
+        let word = |at: usize| u32::from_le_bytes(file[at..at + 4].try_into().unwrap()) as usize;
+        let json: serde_json::Value = serde_json::from_slice(&file[20..20 + word(12)]).unwrap();
+        let data = &file[28 + word(12)..];
+        let mut seen = 0;
+        for sampler in json["animations"][0]["samplers"].as_array().unwrap() {
+            let accessor = &json["accessors"][sampler["output"].as_u64().unwrap() as usize];
+            if accessor["type"] != "VEC4" || sampler["interpolation"] == "CUBICSPLINE" {
+                continue;
+            }
+            let view = &json["bufferViews"][accessor["bufferView"].as_u64().unwrap() as usize];
+            let start = view["byteOffset"].as_u64().unwrap() as usize;
+            let numbers: Vec<f32> = (0..4 * accessor["count"].as_u64().unwrap() as usize)
+                .map(|at| f32::from_le_bytes(data[start + 4 * at..][..4].try_into().unwrap()))
+                .collect();
+            for pair in numbers.chunks(4).collect::<Vec<_>>().windows(2) {
+                let dot: f32 = pair[0].iter().zip(pair[1]).map(|(a, b)| a * b).sum();
+                assert!(dot > -1e-6, "{pair:?}");
+                seen += 1;
+            }
+        }
+        assert!(seen > 50);
+    }
 }
 
 /// Few keys, yet within what was asked for.

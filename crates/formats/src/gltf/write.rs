@@ -14,6 +14,7 @@ use super::channels::aims;
 use super::keys::{self, Animation};
 use super::meshes::Meshes;
 use super::{TURNED, extensions};
+use crate::blocks::Progress;
 use crate::convention;
 use crate::error::Result;
 use crate::flight::Flight;
@@ -81,7 +82,7 @@ impl<'f, 'd> Writer<'f, 'd> {
     }
 
     /// All of the document.
-    pub(super) fn document(&mut self) -> Result<()> {
+    pub(super) fn document(&mut self, progress: Progress<'_>) -> Result<()> {
         let nodes = self.flight.scene().nodes();
         let mut has_children: Vec<bool> = vec_with_room(nodes.len())?;
         has_children.resize(nodes.len(), false);
@@ -91,7 +92,7 @@ impl<'f, 'd> Writer<'f, 'd> {
         // The shown camera is the first, which importers look through.
         let shown = self.flight.node();
         let mut order: Vec<usize> = vec_with_room(nodes.len())?;
-        order.push(shown);
+        order.extend((0..nodes.len()).filter(|&at| at == shown));
         order.extend((0..nodes.len()).filter(|&at| at != shown));
         let mut became: Vec<Became> = vec_with_room(nodes.len())?;
         became.resize(
@@ -101,9 +102,11 @@ impl<'f, 'd> Writer<'f, 'd> {
                 inner: None,
             },
         );
-        for at in order {
+        for (done, at) in order.into_iter().enumerate() {
+            progress(done, nodes.len());
             became[at] = self.node(at, has_children[at])?;
         }
+        progress(nodes.len(), nodes.len());
         for (at, node) in nodes.iter().enumerate() {
             let Some(own) = became[at].node else { continue };
             match node.parent.and_then(|parent| became[parent].inner) {
@@ -365,7 +368,11 @@ fn asset(flight: &Flight<'_>) -> Value {
         "first_frame": flight.number(0),
         "centre": centre,
         "half_size": space.half_size * flight.options().scale,
+        "frames": flight.count(),
     });
+    if let Some(shown) = flight.scene().nodes().get(flight.node()) {
+        vides["camera"] = shown.name.as_str().into();
+    }
     for (key, text) in [
         ("title", &info.title),
         ("comment", &info.comment),
