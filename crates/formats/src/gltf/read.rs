@@ -478,7 +478,7 @@ impl<'a> Reader<'a> {
             }
         };
         let weights = node.get("weights").or_else(|| mesh.get("weights"));
-        if let Some(weights) = weights {
+        if let Some(weights) = weights.filter(|_| !object.mesh().points.is_empty()) {
             let count = object.shapes().len();
             let list = weights.list()?;
             if list.len() != count {
@@ -502,10 +502,11 @@ impl<'a> Reader<'a> {
             .get("extras")
             .and_then(|extras| extras.get("targetNames")?.value.as_array());
         let mut object = Object::default();
+        if part.mesh.points.is_empty() {
+            return Ok(object);
+        }
         object.set_mesh(part.mesh)?;
-        if !object.mesh().points.is_empty()
-            && let Some(source) = &self.source
-        {
+        if let Some(source) = &self.source {
             object.set_source(Some(MeshSource {
                 part: u32::try_from(number).ok(),
                 ..source.clone()

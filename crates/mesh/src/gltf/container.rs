@@ -26,7 +26,12 @@ const KNOWN: [&str; 5] = [
 ];
 
 /// Beginnings of extensions that are about materials and pictures, which are not read.
-const LOOKS: [&str; 4] = ["KHR_materials_", "KHR_technique", "KHR_texture_", "EXT_texture_"];
+const LOOKS: [&str; 4] = [
+    "KHR_materials_",
+    "KHR_technique",
+    "KHR_texture_",
+    "EXT_texture_",
+];
 
 /// Extensions that compress what is read, each with what helps.
 const COMPRESSED: [(&str, Problem); 3] = [

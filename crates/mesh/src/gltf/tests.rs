@@ -334,7 +334,8 @@ fn what_is_not_read_says_what_helps() {
 /// Three points in each type of number, in steps of 16 bytes.
 #[test]
 fn quantised_places_are_read() {
-    let types: [(u64, bool, fn(f64) -> Vec<u8>, f64); 8] = [
+    type Row = (u64, bool, fn(f64) -> Vec<u8>, f64);
+    let types: [Row; 8] = [
         (5120, false, |v| vec![v as i8 as u8], 1.0),
         (5120, true, |v| vec![v as i8 as u8], 127.0),
         (5121, false, |v| vec![v as u8], 1.0),
