@@ -53,7 +53,7 @@ fn main() -> window::Result<()> {
         ..HostView::default()
     };
     let window = window::open(options)?;
-    window::command(window, |editor| editor.set_ghost(Some(&camera))).transpose()?;
+    window::command(window.id(), |editor| editor.set_ghost(Some(&camera))).transpose()?;
     window::main_loop()?;
     Ok(())
 }

@@ -60,7 +60,7 @@
 //! }
 //!
 //! # fn main() -> window::Result<()> {
-//! window::open(Options::new(Document::new(), Rc::new(Picture)))?;
+//! let _window = window::open(Options::new(Document::new(), Rc::new(Picture)))?;
 //! window::main_loop()?;
 //! # Ok(())
 //! # }

@@ -358,7 +358,8 @@ fn open(editor: Beginning, host: Callbacks) -> Answer<*mut V_EDITOR> {
         transient_for: editor.transient_for,
         warnings: editor.warnings,
         host: Rc::<Callbacks>::clone(&host),
-    })?;
+    })?
+    .keep();
     let handle = EDITORS.insert(Opened {
         window,
         thread: instance::own_thread(),

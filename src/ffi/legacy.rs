@@ -131,7 +131,8 @@ fn open(
         transient_for: None,
         warnings: warnings.clone(),
         host: Rc::new(host),
-    })?;
+    })?
+    .keep();
     Ok(())
 }
 

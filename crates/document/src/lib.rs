@@ -6,8 +6,6 @@
 
 #![forbid(unsafe_code)]
 
-pub mod ascii;
-mod blocks;
 mod cage;
 mod change;
 mod check;
@@ -17,8 +15,6 @@ mod edit;
 mod edited_scene;
 mod editing;
 pub mod error;
-pub mod export;
-mod export_node;
 mod fingerprint;
 mod history;
 mod info;
@@ -28,7 +24,6 @@ mod mesh_file;
 mod not_a_file;
 mod notes;
 mod place;
-mod poses;
 mod prepare;
 mod property;
 mod remedy;
@@ -45,7 +40,6 @@ pub use edit::Edit;
 pub use edited_scene::{EditedScene, Poses};
 pub use editing::{Document, Selection};
 pub use error::{Error, Result};
-pub use export_node::write_node;
 pub use fingerprint::Fingerprint;
 pub use info::{Info, Object, ObjectPoint};
 pub use keys_to_path::KeysToPath;
@@ -55,10 +49,11 @@ pub use not_a_file::NotAFile;
 pub use notes::Note;
 pub use wireframe::features;
 
-pub use poses::{Recorded, load_poses, load_poses_from, poses_of_text};
 pub use prepare::no_longer_ahead;
 pub use scene::SceneDocument;
 pub use step_name::StepName;
+#[doc(hidden)]
+pub use vid::read_bytes;
 
 pub use vides_mesh as mesh;
 

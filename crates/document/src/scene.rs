@@ -44,6 +44,16 @@ impl SceneDocument {
         Ok(Self::of(scene, Info::default()))
     }
 
+    /// A scene with an info that fits it.
+    ///
+    /// # Errors
+    /// What is wrong with the info: `ErrorKind::Argument`, `Range` or `Limit`.
+    pub fn new(scene: Scene, mut info: Info) -> Result<Self> {
+        info.check(scene.space())?;
+        info.normalise();
+        Ok(Self::of(scene, info))
+    }
+
     pub(crate) fn of(scene: Scene, info: Info) -> Self {
         Self {
             scene,
@@ -101,6 +111,14 @@ impl SceneDocument {
             comments,
             ..Self::of(scene, info)
         })
+    }
+
+    /// As [`SceneDocument::from_toml`]; mesh files named in it are read, relative to `folder`.
+    ///
+    /// # Errors
+    /// As [`SceneDocument::load`], without the file's name.
+    pub fn from_toml_in(text: &str, folder: &Path) -> Result<Self> {
+        Self::from_toml(text)?.with_meshes(folder)
     }
 
     /// The text of a `.vid` file. Loading it gives the same scene, bit by bit.

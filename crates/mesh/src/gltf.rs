@@ -8,7 +8,7 @@ use serde_json::Value;
 use vides_engine::limits::{MAX_FILE_BYTES, MAX_MESH_CORNERS, MAX_MESH_POINTS};
 use vides_engine::scene::Mesh;
 
-use super::{Error, Problem, Result};
+use super::{Beside, Error, Problem, Result};
 
 /// Bytes that serde_json takes for an object and its tree node, and per value in it or in a list.
 const OBJECT: usize = 700;
@@ -31,9 +31,6 @@ const BYTE: u64 = 5121;
 const SHORT: u64 = 5123;
 const INT: u64 = 5125;
 const FLOAT: u64 = 5126;
-
-/// Gives an external buffer by the name in the file.
-pub type Beside<'a> = &'a mut dyn FnMut(&str) -> Option<Vec<u8>>;
 
 const FORMAT: Error = Error::File(Problem::Format);
 const END: Error = Error::File(Problem::End);

@@ -6,13 +6,15 @@
 
 #![forbid(unsafe_code)]
 
+#[cfg(feature = "gltf")]
 mod gltf;
-#[cfg(test)]
+#[cfg(all(test, feature = "gltf"))]
 mod gltf_tests;
 mod obj;
+#[cfg(feature = "ply")]
 mod ply;
 mod stl;
-#[cfg(test)]
+#[cfg(all(test, feature = "gltf", feature = "ply"))]
 mod tests;
 
 use std::ffi::OsStr;
@@ -77,6 +79,9 @@ pub enum Error {
     /// The file's extension is none of [`Format`]'s.
     #[error("the names of files with meshes end in .obj, .ply, .stl, .gltf or .glb")]
     UnknownFormat,
+    /// This build reads no files of this format: PLY and glTF are features.
+    #[error("this program is built without meshes of this format")]
+    LeftOut,
     /// A warning: the file has changed since the scene was saved.
     #[error("the mesh has changed since the scene was saved")]
     Changed,
@@ -141,7 +146,8 @@ impl From<std::collections::TryReserveError> for Error {
     }
 }
 
-pub use gltf::Beside;
+/// Gives an external buffer by the name in the file.
+pub type Beside<'a> = &'a mut dyn FnMut(&str) -> Option<Vec<u8>>;
 
 type Result<T> = std::result::Result<T, Error>;
 
@@ -165,9 +171,16 @@ pub fn read_with(
 ) -> Result<Mesh> {
     let mesh = match format {
         Format::Obj => obj::read(bytes, go_on),
+        #[cfg(feature = "ply")]
         Format::Ply => ply::read(bytes, go_on),
         Format::Stl => stl::read(bytes, go_on),
+        #[cfg(feature = "gltf")]
         Format::Gltf => gltf::read(bytes, beside, go_on),
+        #[allow(unreachable_patterns)]
+        _ => {
+            let _ = beside;
+            Err(Error::LeftOut)
+        }
     }?;
     if mesh.points.is_empty() {
         return Err(Error::File(Problem::Empty));

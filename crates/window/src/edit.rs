@@ -20,7 +20,7 @@ pub fn edit(file: Option<&Path>, object: Option<&Path>) -> Result<()> {
     let (document, warnings) = beginning(file, object)?;
     let mut about_meshes = Warnings::default();
     about_meshes.add_meshes(warnings);
-    open(Options {
+    let _window = open(Options {
         editor: editor::Options {
             document,
             file: file.map(Path::to_path_buf),

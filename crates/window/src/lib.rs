@@ -9,6 +9,7 @@ mod descriptors;
 mod edit;
 mod ending;
 mod error;
+mod handle;
 mod hint;
 mod live;
 mod lookout;
@@ -44,6 +45,7 @@ use crate::path::Pose;
 pub use edit::edit;
 pub use editor::Reason;
 pub use error::{Error, Result};
+pub use handle::Handle;
 pub use program::{host_program, own_program};
 pub use pump::{close_all, dispatch, main_loop};
 pub use registry::{Lost, is_open, within_a_call};
@@ -184,12 +186,12 @@ const SIZE: [f32; 2] = [1200.0, 800.0];
 /// The smallest inner size in which one can work: it fits small screens of high density, too.
 const SMALLEST: [f32; 2] = [640.0, 440.0];
 
-/// Opens a window, and returns before anything is drawn.
+/// Opens a window, and returns before anything is drawn. It closes when the handle is dropped.
 ///
 /// # Errors
 /// `ErrorKind::Display` without an X server, `ErrorKind::Argument` if a window of the host's does
 /// not exist, `ErrorKind::Memory`, `ErrorKind::Limit` without descriptors.
-pub fn open(options: Options) -> Result<Id> {
+pub fn open(options: Options) -> Result<Handle> {
     let mut editor = Editor::new(options.editor)?;
     editor.warn(&options.warnings);
     let title = editor.window_title();
@@ -203,14 +205,14 @@ pub fn open(options: Options) -> Result<Id> {
         transient_for: options.transient_for,
     })?;
     let window = window::Window::new(Box::new(screen), editor, title);
-    let id = registry::insert(Box::new(window), options.host)?;
+    let handle = Handle::new(registry::insert(Box::new(window), options.host)?);
     let descriptor = registry::descriptor()?;
     xt::watch_in_all_contexts(descriptor);
     hint::opened();
     if xt::thread_is_watched() {
         lookout::begin(descriptor);
     }
-    Ok(id)
+    Ok(handle)
 }
 
 /// Loads a path or scene, with what was wrong with its meshes; a new path if the file is missing.

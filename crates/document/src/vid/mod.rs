@@ -92,7 +92,8 @@ pub fn read_text(file: &Path, most: u64) -> Result<String> {
 }
 
 /// The bytes of a regular file of at most `most`; only `ErrorKind::Io` errors name the file.
-pub(crate) fn read_bytes(file: &Path, most: u64) -> Result<Vec<u8>> {
+#[doc(hidden)]
+pub fn read_bytes(file: &Path, most: u64) -> Result<Vec<u8>> {
     can_allocate(ROOM)?;
     let place = file.display().to_string();
     let io = |source| Error::Io {

@@ -64,6 +64,7 @@ german! {
         Memory => "der Speicher reicht nicht";
         Stopped => "das Lesen wurde abgebrochen";
         UnknownFormat => "die Namen von Dateien mit Netzen enden auf .obj, .ply, .stl, .gltf oder .glb";
+        LeftOut => "dieses Programm ist ohne Netze dieses Formats gebaut";
         Changed => "das Netz hat sich geändert, seit die Szene gespeichert wurde";
         Mesh(error) => "{}", German(error);
     }

@@ -226,8 +226,16 @@ impl SupportPoint {
     /// # Errors
     /// [`crate::Error::Memory`].
     pub fn try_new(position: DVec3) -> Result<Self> {
+        Self::try_new_in(position, Space::default())
+    }
+
+    /// As [`SupportPoint::try_new`], looking as a new orientation in a space does.
+    ///
+    /// # Errors
+    /// [`crate::Error::Memory`].
+    pub fn try_new_in(position: DVec3, space: Space) -> Result<Self> {
         let mut orientations = vec_with_room(1)?;
-        orientations.push(Orientation::default());
+        orientations.push(Orientation::new_in(space));
         Ok(Self {
             position,
             orientations,
@@ -336,7 +344,7 @@ const FIRST_POSITIONS: [DVec3; 2] = [DVec3::new(-0.6, 0.2, 0.8), DVec3::new(0.6,
 impl Default for CameraPath {
     /// The path that a new window begins with.
     fn default() -> Self {
-        Self::through(FIRST_POSITIONS.map(SupportPoint::new).into())
+        Self::of_points(FIRST_POSITIONS.map(SupportPoint::new).into())
     }
 }
 
@@ -350,10 +358,10 @@ impl CameraPath {
         for position in FIRST_POSITIONS {
             points.push(SupportPoint::try_new(position)?);
         }
-        Ok(Self::through(points))
+        Ok(Self::of_points(points))
     }
 
-    fn through(points: Vec<SupportPoint>) -> Self {
+    pub(super) fn of_points(points: Vec<SupportPoint>) -> Self {
         Self {
             points,
             presets: DEFAULT_PRESETS,

@@ -17,6 +17,7 @@ pub mod ambiguity;
 pub mod arc_length;
 mod arcs;
 pub mod bezier;
+pub mod builder;
 pub mod camera_path;
 pub mod catmull_rom;
 mod chain;
@@ -52,6 +53,7 @@ pub mod up_vector;
 pub(crate) mod test_support;
 
 pub use ambiguity::{Ambiguity, ambiguity, half_turn};
+pub use builder::Builder;
 pub use camera_path::{
     BaseFrames, CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, SupportPoint,
     Target, Tcb, ZoomMode,
@@ -62,7 +64,7 @@ pub use own::{
 };
 pub use plan::Plan;
 pub use pose::Pose;
-pub use sampling::Sampler;
+pub use sampling::{Poses, Sampler};
 pub use section_sampler::Motion;
 pub use space::{Space, Up};
 pub use timeline::{Change, Section, Timeline};

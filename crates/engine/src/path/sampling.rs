@@ -169,6 +169,16 @@ impl Sampler {
         })
     }
 
+    /// All poses in order; [`crate::Error::Memory`] in place of the first that cannot be had ends it.
+    #[must_use]
+    pub fn iter(&self) -> Poses<'_> {
+        Poses {
+            sampler: self,
+            block: [Pose::default(); BLOCK],
+            next: 0,
+        }
+    }
+
     pub(super) fn sections(&self) -> &[SectionSampler] {
         &self.sections
     }
@@ -392,6 +402,57 @@ fn limited_slope(own: f64, zoom: f64, steps: [Option<f64>; 2]) -> f64 {
     let most = (up / after).min(down / before);
     let least = (down / after).min(up / before);
     own.clamp(-least, most)
+}
+
+/// The poses of a path, one after the other ([`Sampler::iter`]).
+#[derive(Debug, Clone)]
+pub struct Poses<'a> {
+    sampler: &'a Sampler,
+    /// Those of the frames that are filled with the next one.
+    block: [Pose; BLOCK],
+    next: usize,
+}
+
+/// Poses filled at once: enough to be fast, few enough for the stack.
+const BLOCK: usize = 32;
+
+impl Iterator for Poses<'_> {
+    type Item = Result<Pose>;
+
+    fn next(&mut self) -> Option<Result<Pose>> {
+        let (at, left) = (self.next % BLOCK, self.len());
+        if left == 0 {
+            return None;
+        }
+        if at == 0
+            && let Err(error) = self
+                .sampler
+                .sample(self.next + 1, &mut self.block[..left.min(BLOCK)])
+        {
+            self.next = self.sampler.frames;
+            return Some(Err(error));
+        }
+        self.next += 1;
+        Some(Ok(self.block[at]))
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        let left = self.sampler.frames - self.next;
+        (left, Some(left))
+    }
+}
+
+impl ExactSizeIterator for Poses<'_> {}
+
+impl std::iter::FusedIterator for Poses<'_> {}
+
+impl<'a> IntoIterator for &'a Sampler {
+    type Item = Result<Pose>;
+    type IntoIter = Poses<'a>;
+
+    fn into_iter(self) -> Poses<'a> {
+        self.iter()
+    }
 }
 
 #[cfg(test)]

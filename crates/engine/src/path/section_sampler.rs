@@ -22,6 +22,7 @@ const STEP: f64 = 1.0 / 4096.0;
 
 /// How a camera moves at a frame ([`super::Sampler::motion`]).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Motion {
     /// Length of the way since the first frame.
     pub distance: f64,

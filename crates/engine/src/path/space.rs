@@ -13,6 +13,7 @@ use crate::math::orientation;
 
 /// The axis of the world that stands upright.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum Up {
     /// y.
     #[default]
@@ -82,6 +83,7 @@ impl Up {
 
 /// The movement space: a cube in the user's world.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Space {
     /// Its centre, each coordinate at most [`limits::MAX_COORDINATE`] half sizes.
     pub centre: DVec3,

@@ -3,7 +3,10 @@
 
 use std::io::{self, Write};
 
-use crate::error::{Error, Result, vec_with_room};
+use vides_document::Error as DocumentError;
+use vides_document::error::vec_with_room;
+
+use super::error::{Error, Result};
 
 /// Called now and then with the number of poses written and the total.
 pub type Progress<'a> = &'a mut dyn FnMut(usize, usize);
@@ -45,8 +48,9 @@ pub(super) fn write<T: Clone + Default>(
 
 /// An error of a writer that has no name.
 pub(super) fn failed(source: io::Error) -> Error {
-    Error::Io {
+    DocumentError::Io {
         place: "the output".to_owned(),
         source,
     }
+    .into()
 }

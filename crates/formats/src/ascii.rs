@@ -4,15 +4,73 @@
 use std::io::Write;
 use std::path::Path;
 
+use vides_engine::scene::NodeState;
+
 use super::blocks;
-use super::save;
-use crate::error::Result;
+use super::content::Content;
+use super::error::Result;
+use super::flight::Flight;
+use super::format::{Format, Row};
+use super::loss::Report;
+use super::options::Options;
+use super::rows;
+use super::source::Source;
 use crate::path::{Pose, Sampler};
+
+/// Lines of numbers.
+pub(super) struct Ascii;
+
+const ROW: Row = Row {
+    name: "ascii",
+    title: "ASCII",
+    endings: &["txt"],
+    ..Row::PLAIN
+};
+
+/// The most decimals of a line: what is worth writing in the smallest spaces that are used.
+pub const MAX_DECIMALS: usize = 30;
+
+impl Format for Ascii {
+    fn row(&self) -> &'static Row {
+        &ROW
+    }
+
+    fn recognises(&self, source: &Source) -> bool {
+        rows::is_poses(source.beginning(), false)
+    }
+
+    fn read(&self, source: &Source, _: &Options, _: &mut Report) -> Result<Content> {
+        rows::poses_of_text(source.text()?).map(Content::Poses)
+    }
+
+    /// Of what has no poses the matrices to world coordinates, column by column as in OpenGL.
+    fn write(
+        &self,
+        flight: &mut Flight<'_>,
+        _: usize,
+        out: &mut dyn Write,
+        _: &mut Report,
+    ) -> Result<()> {
+        let decimals = flight.options().digits.unwrap_or(DECIMALS);
+        if flight.looks() {
+            return flight.write_poses(Vec::new(), out, |_, text, _, pose| {
+                push_line(text, pose, decimals);
+            });
+        }
+        flight.write_states(Vec::new(), out, |_, text, _, state: &NodeState| {
+            for (at, number) in state.matrix.iter().enumerate() {
+                text.extend_from_slice(if at == 0 { b"" } else { b" " });
+                push_number(text, *number, decimals);
+            }
+            text.push(b'\n');
+        })
+    }
+}
 
 /// Writes all poses, one per line, as VRP, VPN and VUP (x y z each) and zoom.
 ///
 /// # Errors
-/// `ErrorKind::Io` if `out` fails, `ErrorKind::Memory`.
+/// [`super::Error::Document`] if `out` fails or memory runs out.
 pub fn write_ascii(sampler: &Sampler, out: &mut dyn Write) -> Result<()> {
     blocks::write(
         Vec::new(),
@@ -24,12 +82,12 @@ pub fn write_ascii(sampler: &Sampler, out: &mut dyn Write) -> Result<()> {
     )
 }
 
-/// As [`write_ascii`], into a file that is replaced only when all is written ([`save::save_with`]).
+/// As [`write_ascii`], into a file that is replaced only when all is written ([`vides_document::save`]).
 ///
 /// # Errors
-/// `ErrorKind::Io` naming the file, `ErrorKind::Memory`.
+/// As [`write_ascii`], naming the file.
 pub fn write_ascii_file(sampler: &Sampler, file: &Path) -> Result<()> {
-    save::save_with(file, &mut |out| write_ascii(sampler, out))
+    super::doors::save_with(file, &mut |out| write_ascii(sampler, out))
 }
 
 pub(super) fn push_line(text: &mut Vec<u8>, pose: &Pose, decimals: usize) {

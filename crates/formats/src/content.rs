@@ -1,0 +1,285 @@
+//! What is read: a scene, or a list of poses that becomes one.
+
+use glam::{DQuat, DVec3};
+use vides_document::error::{TooMany, vec_with_room};
+use vides_document::{Info, SceneDocument};
+use vides_engine::error::{Invalid, Place as EnginePlace};
+use vides_engine::scene::{Camera, Channel, Interpolation, Kind, Node, Scene, Track};
+use vides_engine::tools::fit::{self, Tolerance};
+
+use super::error::{Cause, Place, Result};
+use super::loss::{Loss, Report};
+use super::options::{As, Options};
+use crate::limits::{MAX_FPS, MAX_FRAMES, MAX_NAME_BYTES};
+use crate::math::quaternion::{angle, continue_sign};
+use crate::path::{CameraPath, Plan, Pose, Space, Up};
+
+/// The zoom of poses without a field of view: that of a new path.
+pub(super) const DEFAULT_ZOOM: f64 = 24.0;
+
+/// Frames per second where neither file nor user says.
+const DEFAULT_FPS: f64 = 25.0;
+
+/// What a file holds.
+#[derive(Debug)]
+pub enum Content {
+    /// Nodes that keep their keys.
+    Scene(Box<SceneDocument>),
+    /// A camera's poses, one after the other.
+    Poses(Recording),
+}
+
+/// Poses of one camera, and what belongs to them.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Recording {
+    /// In order.
+    pub poses: Vec<Pose>,
+    /// Their frames, if each has one.
+    pub frames: Option<Vec<f64>>,
+    /// Their times in seconds, if each has one; frames count before them.
+    pub seconds: Option<Vec<f64>>,
+    /// Frames per second, if the file says.
+    pub fps: Option<f64>,
+    /// The number of the first frame, if the file says.
+    pub first_frame: Option<f64>,
+    /// Which axis stands upright, if the file says.
+    pub up: Option<Up>,
+    /// A title, may be empty.
+    pub title: String,
+    /// The name of the world's unit, may be empty.
+    pub unit: String,
+    /// Places that belong to it beside the positions, to be shown as points.
+    pub points: Vec<DVec3>,
+}
+
+impl Recording {
+    /// Appends a pose.
+    ///
+    /// # Errors
+    /// [`super::Error::Document`] for too many or if memory runs out.
+    pub fn push(&mut self, pose: Pose) -> Result<()> {
+        if self.poses.len() >= MAX_FRAMES {
+            return Err(super::Error::Document(TooMany::SceneFrames.into()));
+        }
+        self.poses.try_reserve(1)?;
+        self.poses.push(pose);
+        Ok(())
+    }
+
+    /// Frames per second by the user, the file, or none of them.
+    fn rate(&self, options: &Options) -> f64 {
+        let sane = |fps: &f64| *fps > 0.0 && *fps <= MAX_FPS;
+        let fps = options.fps.or(self.fps.filter(sane));
+        fps.unwrap_or(DEFAULT_FPS)
+    }
+
+    /// The times of the poses in frames from the first, or none if there is one a frame.
+    fn times(&self, fps: f64) -> Option<Vec<f64>> {
+        let from_first = |times: &Vec<f64>, unit: f64| {
+            let first = times.first().copied().unwrap_or(0.0);
+            times.iter().map(|time| (time - first) * unit).collect()
+        };
+        let by_seconds = || Some(from_first(self.seconds.as_ref()?, fps));
+        let by_frames = self.frames.as_ref().map(|frames| from_first(frames, 1.0));
+        by_frames.or_else(by_seconds)
+    }
+
+    /// A scene of one camera, on a path or by keys, as the options say.
+    ///
+    /// # Errors
+    /// [`Cause::Empty`], [`Cause::Order`]; those of the fit and of scenes.
+    pub(super) fn into_scene(
+        self,
+        options: &Options,
+        report: &mut Report,
+    ) -> Result<SceneDocument> {
+        if self.poses.is_empty() {
+            return Err(Place::Whole.wrong(Cause::Empty));
+        }
+        let fps = self.rate(options);
+        let times = self.times(fps);
+        if let Some(times) = &times
+            && !times.is_sorted_by(|a, b| a < b)
+        {
+            return Err(Place::Whole.wrong(Cause::Order));
+        }
+        self.compare(fps, report);
+        let up = options.up.or(self.up).unwrap_or_default();
+        let scene = match options.as_ {
+            As::Path => self.fitted(times.as_deref(), fps, up, options, report)?,
+            As::Keys => self.keyed(times, up)?,
+        };
+        let first = self
+            .frames
+            .as_ref()
+            .and_then(|frames| frames.first().copied());
+        let first = first.or(self.first_frame).unwrap_or(1.0);
+        let info = Info {
+            title: one_line(&self.title),
+            unit: one_line(&self.unit),
+            fps,
+            first_frame: first.round() as i32,
+            ..Info::default()
+        };
+        Ok(SceneDocument::new(scene, info)?)
+    }
+
+    /// Tells where the seconds of poses are not those of their frames, which count.
+    fn compare(&self, fps: f64, report: &mut Report) {
+        let (Some(frames), Some(seconds)) = (&self.frames, &self.seconds) else {
+            return;
+        };
+        let times = frames.iter().zip(seconds).map(|(frame, second)| {
+            let by_frame = (frame - frames[0]) / fps;
+            (second - seconds[0], by_frame)
+        });
+        for (pose, (seconds, by_frame)) in times.enumerate() {
+            if !(((seconds - by_frame) * fps).abs() <= 0.5) {
+                report.add(Loss::Seconds {
+                    pose,
+                    seconds,
+                    by_frame,
+                });
+                return;
+            }
+        }
+    }
+
+    /// The smallest space round positions and points.
+    fn space(&self, up: Up) -> Result<Space> {
+        let places = || {
+            let positions = self.poses.iter().map(Pose::position);
+            positions.chain(self.points.iter().copied())
+        };
+        let first = places().next().unwrap_or_default();
+        if places().all(|place| place == first) {
+            // A camera on one spot: a space about it of the size of its distance, else 1.
+            let half_size = first.abs().max_element();
+            let half_size = if half_size > 0.0 { half_size } else { 1.0 };
+            return Ok(Space {
+                centre: first,
+                half_size,
+                up,
+            });
+        }
+        Ok(Space::around(places(), up)?)
+    }
+
+    fn keyed(&self, times: Option<Vec<f64>>, up: Up) -> Result<Scene> {
+        let count = self.poses.len();
+        let numbers = |width: usize| vec_with_room::<f64>(width * count);
+        let (mut positions, mut rotations, mut zooms) = (numbers(3)?, numbers(4)?, numbers(1)?);
+        let mut before: Option<DQuat> = None;
+        for (at, pose) in self.poses.iter().enumerate() {
+            check(pose).map_err(|error| error.at(EnginePlace::Pose(at)))?;
+            let turn = pose.rotation();
+            let turn = before.map_or(turn, |before| continue_sign(before, turn).0);
+            before = Some(turn);
+            positions.extend(pose.vrp);
+            rotations.extend([turn.w, turn.x, turn.y, turn.z]);
+            zooms.push(pose.zoom);
+        }
+        let frames = match times {
+            Some(times) => times.iter().map(|time| time + 1.0).collect(),
+            None => (1..=count).map(|frame| frame as f64).collect::<Vec<_>>(),
+        };
+        let mut camera = Node::new("camera", Kind::Camera(Camera::default()));
+        for (channel, values) in [
+            (Channel::Position, positions),
+            (Channel::Rotation, rotations),
+            (Channel::Zoom, zooms),
+        ] {
+            let by = Interpolation::Linear;
+            camera.set_track(Track::new(channel, by, frames.clone(), values, Vec::new())?)?;
+        }
+        let mut scene = Scene::new();
+        scene.set_space(self.space(up)?)?;
+        scene.add(camera)?;
+        Ok(scene)
+    }
+
+    fn fitted(
+        &self,
+        times: Option<&[f64]>,
+        fps: f64,
+        up: Up,
+        options: &Options,
+        report: &mut Report,
+    ) -> Result<Scene> {
+        let space = self.space(up)?;
+        let tolerance = Tolerance {
+            position: options.tolerance.unwrap_or(1e-3 * self.diagonal()),
+            angle: options.angle,
+        };
+        let choice = fit::Options {
+            space: (!self.points.is_empty()).then_some(space),
+            up,
+            ..tolerance.into()
+        };
+        let seconds: Option<Vec<f64>> =
+            times.map(|times| times.iter().map(|time| time / fps).collect());
+        let made = fit::fit(
+            &self.poses,
+            seconds.as_deref(),
+            fps,
+            &choice,
+            &mut |_, _| true,
+        )?;
+        let (off, turned) = missed(&made.path, &self.poses, times)?;
+        report.add(Loss::Fitted {
+            points: made.path.points.len(),
+            off,
+            turned,
+        });
+        Ok(Scene::of_path(made.path)?)
+    }
+
+    /// Of the bounds of the positions.
+    fn diagonal(&self) -> f64 {
+        let positions = || self.poses.iter().map(Pose::position);
+        let low = positions().fold(DVec3::INFINITY, DVec3::min);
+        let high = positions().fold(DVec3::NEG_INFINITY, DVec3::max);
+        low.distance(high)
+    }
+}
+
+fn check(pose: &Pose) -> Result<(), vides_engine::Error> {
+    crate::path::camera_path::check_zoom(pose.zoom)?;
+    let finite = [pose.position(), pose.view(), pose.up()];
+    if !finite.iter().all(|vector| vector.is_finite())
+        || !(pose.view().cross(pose.up()).length() > 1e-9)
+    {
+        return Err(Invalid::RotationZero.into());
+    }
+    Ok(())
+}
+
+/// A text of a file as the title of a document: its first line, as far as it may be long.
+pub(super) fn one_line(text: &str) -> String {
+    let line = text.lines().next().unwrap_or("");
+    let plain = |c: &char| !c.is_control();
+    let mut title = String::new();
+    for c in line.trim().chars().filter(plain) {
+        if title.len() + c.len_utf8() > MAX_NAME_BYTES {
+            break;
+        }
+        title.push(c);
+    }
+    title
+}
+
+/// How far a path is at most from poses at their times: a length, and an angle in degrees.
+fn missed(path: &CameraPath, poses: &[Pose], times: Option<&[f64]>) -> Result<(f64, f64)> {
+    let plan = Plan::new();
+    let sampler = plan.sampler(path)?;
+    let last = sampler.frame_count() as f64;
+    let (mut off, mut turned): (f64, f64) = (0.0, 0.0);
+    for (at, pose) in poses.iter().enumerate() {
+        let time = times.map_or(at as f64, |times| times[at]);
+        let made = sampler.pose((time + 1.0).min(last))?;
+        off = off.max(made.position().distance(pose.position()));
+        let (a, b) = (pose.rotation(), made.rotation());
+        turned = turned.max(2.0 * angle(a, continue_sign(a, b).0).to_degrees());
+    }
+    Ok((off, turned))
+}

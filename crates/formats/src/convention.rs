@@ -1,0 +1,237 @@
+//! How others lay out cameras, angles, times and axes; converted here and nowhere else.
+//!
+//! Ours: right-handed, y or z upright, the camera looks along its view with its up; its quaternion
+//! takes (0, 0, 1) to the view and (0, 1, 0) to up.
+
+use glam::{DMat3, DQuat, DVec3};
+
+use super::error::{Cause, Place, Result, Wanted};
+use crate::limits::{MAX_ZOOM, MIN_ZOOM};
+use crate::math::camera::CameraAxes;
+use crate::math::orientation::quaternion_from_view;
+use crate::path::{Pose, Up};
+
+/// Half the height of the film in mm (36 × 24 mm).
+const HALF_FILM: f64 = 12.0;
+
+/// A matrix whose columns are farther than this from perpendicular unit vectors is no rotation.
+/// Files hold six digits, and some programs let rounding grow.
+const NEARLY: f64 = 1e-2;
+
+/// The vertical field of view of a zoom, in radians.
+#[must_use]
+pub fn field_of_view(zoom: f64) -> f64 {
+    2.0 * (HALF_FILM / zoom).atan()
+}
+
+/// The zoom of a vertical field of view in radians, and whether it lies in the range; one beyond it
+/// is clamped.
+#[must_use]
+pub fn zoom_of_field(radians: f64) -> (f64, bool) {
+    within(HALF_FILM / (0.5 * radians).tan())
+}
+
+/// The focal length in pixels of a zoom, for a picture so many pixels high.
+#[must_use]
+pub fn focal_pixels(zoom: f64, height: f64) -> f64 {
+    zoom * height / (2.0 * HALF_FILM)
+}
+
+/// The zoom of a focal length in pixels; see [`zoom_of_field`].
+#[must_use]
+pub fn zoom_of_focal(pixels: f64, height: f64) -> (f64, bool) {
+    within(pixels * 2.0 * HALF_FILM / height)
+}
+
+/// The focal length in pixels of a horizontal field of view in radians.
+#[must_use]
+pub fn focal_of_width(radians: f64, width: f64) -> f64 {
+    0.5 * width / (0.5 * radians).tan()
+}
+
+fn within(zoom: f64) -> (f64, bool) {
+    // Rounding alone leaves no range.
+    let slack = 1e-9;
+    let inside = zoom >= MIN_ZOOM * (1.0 - slack) && zoom <= MAX_ZOOM * (1.0 + slack);
+    // NaN, of an angle that is none, counts as the widest.
+    let zoom = if zoom.is_nan() { MIN_ZOOM } else { zoom };
+    (zoom.clamp(MIN_ZOOM, MAX_ZOOM), inside)
+}
+
+/// The quaternion of a camera with these axes: what takes them to the world's.
+#[must_use]
+pub fn rotation(pose: &Pose, axes: CameraAxes) -> DQuat {
+    (pose.rotation() * to_ours(axes)).normalize()
+}
+
+/// Takes the axes of a camera to ours.
+fn to_ours(axes: CameraAxes) -> DQuat {
+    match axes {
+        CameraAxes::Vides => DQuat::IDENTITY,
+        // By half a turn about up: (w, x, y, z) = (0, 0, 1, 0).
+        CameraAxes::OpenGl => DQuat::from_xyzw(0.0, 1.0, 0.0, 0.0),
+        // By half a turn about the view: (0, 0, 0, 1).
+        CameraAxes::OpenCv => DQuat::from_xyzw(0.0, 0.0, 1.0, 0.0),
+        // Its x is our z, its y our x, its z our y.
+        CameraAxes::Ros => DQuat::from_mat3(&DMat3::from_cols(DVec3::Z, DVec3::X, DVec3::Y)),
+    }
+}
+
+/// The pose of a camera with these axes at a place, turned by `rotation` from them to the world's.
+///
+/// # Errors
+/// [`Cause::NotFinite`], [`Cause::NoRotation`]; the caller knows the place.
+pub fn pose(position: DVec3, rotation: DQuat, axes: CameraAxes, zoom: f64) -> Result<Pose, Cause> {
+    if !position.is_finite() || !rotation.is_finite() {
+        return Err(Cause::NotFinite);
+    }
+    let length = rotation.length();
+    if !(length > 1e-12 && length.is_finite()) {
+        return Err(Cause::NoRotation);
+    }
+    let ours = (rotation / length) * to_ours(axes).inverse();
+    Ok(Pose::new(position, ours.normalize(), zoom))
+}
+
+/// The rotation in a matrix: nearly perpendicular columns of one length, made exact.
+///
+/// # Errors
+/// [`Wanted::Rotation`] if it mirrors or shears.
+pub fn rotation_of(matrix: DMat3) -> Result<DQuat, Cause> {
+    let wrong = || Cause::Expected(Wanted::Rotation);
+    if !matrix.is_finite() {
+        return Err(Cause::NotFinite);
+    }
+    let length = matrix.determinant().abs().cbrt();
+    if !(length > 1e-12) {
+        return Err(wrong());
+    }
+    let unit = matrix * length.recip();
+    let square = unit.transpose() * unit;
+    if unit.determinant() < 0.0 || !square.abs_diff_eq(DMat3::IDENTITY, NEARLY) {
+        return Err(wrong());
+    }
+    // View and up, made perpendicular; the third axis follows.
+    let view = unit.z_axis.normalize();
+    let up = (unit.y_axis - view * unit.y_axis.dot(view)).normalize();
+    Ok(quaternion_from_view(view, up))
+}
+
+/// Turns a world with one axis upright so that the other is: y to z is (x, −z, y).
+#[must_use]
+pub fn turn(from: Up, to: Up) -> DQuat {
+    // By a quarter about x, exact in both vectors and matrices.
+    let quarter = std::f64::consts::FRAC_1_SQRT_2;
+    match (from, to) {
+        (Up::Y, Up::Z) => DQuat::from_xyzw(quarter, 0.0, 0.0, quarter),
+        (Up::Z, Up::Y) => DQuat::from_xyzw(-quarter, 0.0, 0.0, quarter),
+        _ => DQuat::IDENTITY,
+    }
+}
+
+/// A vector in a world turned as by [`turn`], without rounding.
+#[must_use]
+pub fn turned(v: DVec3, from: Up, to: Up) -> DVec3 {
+    match (from, to) {
+        (Up::Y, Up::Z) => DVec3::new(v.x, -v.z, v.y),
+        (Up::Z, Up::Y) => DVec3::new(v.x, v.z, -v.y),
+        _ => v,
+    }
+}
+
+/// The index of a whole frame count at a rate: pose n of a range is at (n − 1)/fps seconds.
+#[must_use]
+pub fn seconds(index: usize, fps: f64) -> f64 {
+    index as f64 / fps
+}
+
+impl Place {
+    /// The pose that [`pose`] makes, its error at this place.
+    ///
+    /// # Errors
+    /// As [`pose`].
+    pub fn pose(
+        self,
+        position: DVec3,
+        rotation: DQuat,
+        axes: CameraAxes,
+        zoom: f64,
+    ) -> Result<Pose> {
+        pose(position, rotation, axes, zoom).map_err(|cause| self.wrong(cause))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ALL: [CameraAxes; 4] = [
+        CameraAxes::OpenGl,
+        CameraAxes::OpenCv,
+        CameraAxes::Ros,
+        CameraAxes::Vides,
+    ];
+
+    /// Held against the matrices of the engine, which C hosts test.
+    #[test]
+    fn quaternions_are_those_of_the_matrices() {
+        let turn = DQuat::from_xyzw(0.3, -0.5, 0.1, 0.7).normalize();
+        let ours = Pose::new(DVec3::new(1.0, 2.0, 3.0), turn, 35.0);
+        for axes in ALL {
+            let matrix = DMat3::from_mat4(ours.to_world(axes).unwrap());
+            let by_quaternion = DMat3::from_quat(rotation(&ours, axes));
+            assert!(matrix.abs_diff_eq(by_quaternion, 1e-15), "{axes:?}");
+            let again = rotation_of(matrix).unwrap();
+            let back = pose(ours.position(), again, axes, 35.0).unwrap();
+            for (a, b) in [(back.vpn, ours.vpn), (back.vup, ours.vup)] {
+                assert!((DVec3::from(a) - DVec3::from(b)).length() < 1e-15);
+            }
+        }
+        let gl = rotation(&ours, CameraAxes::OpenGl);
+        assert!((gl - turn * DQuat::from_xyzw(0.0, 1.0, 0.0, 0.0)).length() < 1e-15);
+    }
+
+    #[test]
+    fn fields_of_view_beyond_the_range_are_clamped() {
+        for zoom in [1.0, 24.0, 2000.0] {
+            let (again, inside) = zoom_of_field(field_of_view(zoom));
+            assert!((again - zoom).abs() < 1e-9 * zoom && inside);
+            assert!(
+                (zoom_of_focal(focal_pixels(zoom, 1080.0), 1080.0).0 - zoom).abs() < 1e-9 * zoom
+            );
+        }
+        assert_eq!(zoom_of_field(3.1), (1.0, false));
+        assert_eq!(zoom_of_field(1e-6), (2000.0, false));
+        assert_eq!(zoom_of_field(f64::NAN), (1.0, false));
+        // 90° wide on a square picture are 90° high.
+        let (zoom, _) = zoom_of_focal(focal_of_width(std::f64::consts::FRAC_PI_2, 500.0), 500.0);
+        assert!((zoom - 12.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn worlds_turn_about_x() {
+        let v = DVec3::new(1.0, 2.0, 3.0);
+        assert_eq!(turned(v, Up::Y, Up::Z), DVec3::new(1.0, -3.0, 2.0));
+        for (from, to) in [(Up::Y, Up::Z), (Up::Z, Up::Y), (Up::Z, Up::Z)] {
+            assert!((turn(from, to) * v - turned(v, from, to)).length() < 1e-15);
+            assert_eq!(turned(turned(v, from, to), to, from), v);
+        }
+    }
+
+    #[test]
+    fn what_is_no_rotation_is_refused() {
+        let mirror = DMat3::from_diagonal(DVec3::new(1.0, 1.0, -1.0));
+        let shear = DMat3::from_cols(DVec3::X, DVec3::new(0.5, 1.0, 0.0), DVec3::Z);
+        for matrix in [DMat3::ZERO, mirror, shear, DMat3::NAN] {
+            assert!(rotation_of(matrix).is_err());
+        }
+        let scaled = DMat3::from_quat(DQuat::from_rotation_y(1.0)) * 3.0;
+        assert!(
+            rotation_of(scaled)
+                .unwrap()
+                .dot(DQuat::from_rotation_y(1.0))
+                .abs()
+                > 1.0 - 1e-15
+        );
+    }
+}

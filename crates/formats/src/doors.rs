@@ -1,0 +1,206 @@
+//! Out of a document into a file, and back: what command, window and C call.
+
+use std::io::{self, Write};
+use std::path::Path;
+
+use vides_document::error::{EngineError, Refused};
+use vides_document::{Error as DocumentError, SceneDocument, save};
+
+use super::blocks::Progress;
+use super::content::{Content, Recording};
+use super::error::{Error, Result};
+use super::flight::Flight;
+use super::format::{Format, formats};
+use super::loss::Report;
+use super::options::Options;
+use super::source::Source;
+
+/// A scene that was read.
+#[derive(Debug)]
+pub struct Imported {
+    /// The scene.
+    pub document: SceneDocument,
+    /// The name of the format that it was in.
+    pub format: &'static str,
+    /// What was lost, and how well a path was fitted.
+    pub report: Report,
+}
+
+/// Writes into a file, or the files of a folder, each replaced only when it is whole.
+///
+/// # Errors
+/// Those of [`Flight::new`], [`Format::write`] and the system, with the file's name.
+pub fn export(
+    document: &SceneDocument,
+    file: &Path,
+    format: &dyn Format,
+    options: &Options,
+    progress: Progress<'_>,
+) -> Result<Report> {
+    let mut report = Report::default();
+    let mut flight = Flight::new(document, options, format.row(), progress)?;
+    let parts = format.row().parts;
+    if parts.is_empty() {
+        save_with(file, &mut |out| {
+            format.write(&mut flight, 0, out, &mut report)
+        })?;
+        return Ok(report);
+    }
+    // A file of the folder may stand for it.
+    let named = file
+        .file_name()
+        .is_some_and(|name| parts.iter().any(|part| name == *part));
+    let folder = if named {
+        file.parent().unwrap_or(Path::new(""))
+    } else {
+        file
+    };
+    format.check_folder(folder)?;
+    if !folder.as_os_str().is_empty() {
+        std::fs::create_dir_all(folder).map_err(|source| DocumentError::Io {
+            place: folder.display().to_string(),
+            source,
+        })?;
+    }
+    for (part, name) in parts.iter().enumerate() {
+        let write = &mut |out: &mut dyn Write| format.write(&mut flight, part, out, &mut report);
+        save_with(&folder.join(name), write)?;
+    }
+    Ok(report)
+}
+
+/// Writes onto a stream.
+///
+/// # Errors
+/// As [`export`]; [`Error::Folder`] for a format of several files.
+pub fn export_to(
+    document: &SceneDocument,
+    out: &mut dyn Write,
+    format: &dyn Format,
+    options: &Options,
+    progress: Progress<'_>,
+) -> Result<Report> {
+    if !format.row().parts.is_empty() {
+        return Err(Error::Folder(format.row().name));
+    }
+    let mut report = Report::default();
+    let mut flight = Flight::new(document, options, format.row(), progress)?;
+    format.write(&mut flight, 0, out, &mut report)?;
+    Ok(report)
+}
+
+/// What would be lost: all is written to nowhere.
+///
+/// # Errors
+/// As [`export`].
+pub fn losses(document: &SceneDocument, format: &dyn Format, options: &Options) -> Result<Report> {
+    let mut report = Report::default();
+    let mut ignored = |_, _| {};
+    let mut flight = Flight::new(document, options, format.row(), &mut ignored)?;
+    for part in 0..format.row().parts.len().max(1) {
+        format.write(&mut flight, part, &mut io::sink(), &mut report)?;
+    }
+    Ok(report)
+}
+
+/// What a file holds, in its format or the one that its content shows.
+///
+/// # Errors
+/// [`Error::NotRecognised`], [`Error::Ambiguous`]; those of the format; each with the file's name.
+pub fn read(
+    source: &Source,
+    format: Option<&dyn Format>,
+    options: &Options,
+    report: &mut Report,
+) -> Result<(&'static str, Content)> {
+    let mut whole = || {
+        let format = match format {
+            Some(format) => format,
+            None => recognised(source)?,
+        };
+        let content = format.read(source, options, report)?;
+        Ok((format.row().name, content))
+    };
+    whole().map_err(|error: Error| error.at(&source.name))
+}
+
+fn recognised(source: &Source) -> Result<&'static dyn Format> {
+    let fits = |format: &&&dyn Format| format.row().reads && format.recognises(source);
+    let found: Vec<_> = formats().iter().filter(fits).copied().collect();
+    match *found {
+        [] => Err(Error::NotRecognised),
+        [one] => Ok(one),
+        _ => Err(Error::Ambiguous(
+            found.iter().map(|format| format.row().name).collect(),
+        )),
+    }
+}
+
+/// The scene in a file: poses become a path or keys, as the options say.
+///
+/// # Errors
+/// As [`read`]; those of the fit.
+pub fn import(source: &Source, format: Option<&dyn Format>, options: &Options) -> Result<Imported> {
+    let mut report = Report::default();
+    let (format, content) = read(source, format, options, &mut report)?;
+    let document = match content {
+        Content::Scene(document) => Ok(*document),
+        Content::Poses(recording) => recording.into_scene(options, &mut report),
+    };
+    Ok(Imported {
+        document: document.map_err(|error| error.at(&source.name))?,
+        format,
+        report,
+    })
+}
+
+/// The poses in a file, of a scene those of its shown camera.
+///
+/// # Errors
+/// As [`read`]; those of sampling.
+pub fn recording(
+    source: &Source,
+    format: Option<&dyn Format>,
+    options: &Options,
+    report: &mut Report,
+) -> Result<Recording> {
+    match read(source, format, options, report)?.1 {
+        Content::Poses(recording) => Ok(recording),
+        Content::Scene(document) => {
+            let mut ignored = |_, _| {};
+            let row = super::Row::PLAIN;
+            let flight = Flight::new(&document, options, &row, &mut ignored)?;
+            if !flight.looks() {
+                return Err(DocumentError::from(Refused::NoCamera).into());
+            }
+            Ok(Recording {
+                poses: flight.all_poses()?,
+                fps: Some(flight.fps()),
+                first_frame: Some(flight.number(0)),
+                up: Some(flight.up()),
+                ..Recording::default()
+            })
+        }
+    }
+}
+
+/// [`save::save_with`] for what writes with our errors.
+pub(super) fn save_with(
+    file: &Path,
+    write: &mut dyn FnMut(&mut dyn Write) -> Result<()>,
+) -> Result<()> {
+    let mut failure = None;
+    let saved = save::save_with(file, &mut |out| {
+        write(out).map_err(|error| match error {
+            Error::Document(error) => error,
+            other => {
+                failure = Some(other);
+                EngineError::Memory.into()
+            }
+        })
+    });
+    match failure {
+        Some(error) => Err(error.at(&file.display().to_string())),
+        None => Ok(saved?),
+    }
+}

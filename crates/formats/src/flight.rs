@@ -1,0 +1,378 @@
+//! What is written: a document, the node and the frames of it, in the axes of the file.
+
+use std::io::Write;
+
+use glam::{DAffine3, DQuat, DVec3};
+use vides_document::error::{Place as ScenePlace, TooMany, vec_with_room};
+use vides_document::{Info, SceneDocument};
+use vides_engine::scene::{FollowPath, Kind, NodeState, Scene, Warnings};
+
+use super::blocks::{self, Progress};
+use super::convention::{self, focal_pixels};
+use super::error::{Error, Result};
+use super::format::Row;
+use super::loss::{Loss, Report};
+use super::options::Options;
+use crate::limits::MAX_FRAMES;
+use crate::path::{Pose, Up};
+
+/// A share of a frame that is rounding.
+const HAIR: f64 = 1e-6;
+
+/// A document and the frames that are written of it.
+pub struct Flight<'a> {
+    document: &'a SceneDocument,
+    options: &'a Options,
+    node: usize,
+    /// Scene frame of the first pose, and frames from one to the next.
+    first: f64,
+    step: f64,
+    count: usize,
+    fps: f64,
+    up: Up,
+    progress: Option<Progress<'a>>,
+}
+
+impl<'a> Flight<'a> {
+    /// The node and frames that the options choose, in the axes of a format.
+    ///
+    /// # Errors
+    /// [`Error::NoNode`], [`Error::NoFrames`], [`Error::OtherUp`]; [`Error::Document`] without a
+    /// camera, for too many frames and if a path cannot be prepared.
+    pub fn new(
+        document: &'a SceneDocument,
+        options: &'a Options,
+        row: &Row,
+        progress: Progress<'a>,
+    ) -> Result<Self> {
+        let scene = &document.scene;
+        let node = match &options.node {
+            Some(name) => scene.find(name),
+            None => scene.shown_camera(),
+        };
+        let node = node.ok_or_else(|| match &options.node {
+            Some(name) => Error::NoNode(name.as_str().into()),
+            None => Error::Document(vides_document::error::Refused::NoCamera.into()),
+        })?;
+        let (first, last) = scene.frame_range();
+        let to_scene = 1.0 - f64::from(document.info.first_frame);
+        let (from, to) = match options.frames {
+            Some((a, b)) => (a + to_scene, b + to_scene),
+            None => (first, last),
+        };
+        if from < first - HAIR || to > last + HAIR {
+            return Err(Error::NoFrames {
+                first: first - to_scene,
+                last: last - to_scene,
+            });
+        }
+        let fps = options.fps.unwrap_or(document.info.fps);
+        let step = document.info.fps / fps;
+        let frames = ((to - from) / step + HAIR).floor();
+        if frames >= MAX_FRAMES as f64 {
+            return Err(Error::Document(TooMany::SceneFrames.into()));
+        }
+        let up = options.up.or(row.up).unwrap_or(scene.space().up);
+        if let Some(fixed) = row.up.filter(|fixed| *fixed != up) {
+            return Err(Error::OtherUp {
+                format: row.name,
+                up: fixed.name(),
+            });
+        }
+        // Report what cannot be sampled before any file is touched.
+        scene.prepare(from)?;
+        Ok(Self {
+            document,
+            options,
+            node,
+            first: from,
+            step,
+            count: frames as usize + 1,
+            fps,
+            up,
+            progress: Some(progress),
+        })
+    }
+
+    /// The document.
+    #[must_use]
+    pub const fn document(&self) -> &'a SceneDocument {
+        self.document
+    }
+
+    /// Everything that moves.
+    #[must_use]
+    pub const fn scene(&self) -> &'a Scene {
+        &self.document.scene
+    }
+
+    /// Title, comment, object.
+    #[must_use]
+    pub const fn info(&self) -> &'a Info {
+        &self.document.info
+    }
+
+    /// What was chosen.
+    #[must_use]
+    pub const fn options(&self) -> &'a Options {
+        self.options
+    }
+
+    /// The number of the node that is written.
+    #[must_use]
+    pub const fn node(&self) -> usize {
+        self.node
+    }
+
+    /// How many frames there are; at least one.
+    #[must_use]
+    pub const fn count(&self) -> usize {
+        self.count
+    }
+
+    /// Frames per second of what is written.
+    #[must_use]
+    pub const fn fps(&self) -> f64 {
+        self.fps
+    }
+
+    /// The scene frame of a pose, counted from 0.
+    #[must_use]
+    pub fn frame(&self, index: usize) -> f64 {
+        self.first + self.step * index as f64
+    }
+
+    /// The scene frame of the first pose, and how many frames lie between two.
+    #[must_use]
+    pub const fn first_and_step(&self) -> (f64, f64) {
+        (self.first, self.step)
+    }
+
+    /// The frame of a pose in the numbers that people see.
+    #[must_use]
+    pub fn number(&self, index: usize) -> f64 {
+        self.frame(index) + f64::from(self.info().first_frame) - 1.0
+    }
+
+    /// The time of a pose in seconds, the first at 0.
+    #[must_use]
+    pub fn seconds(&self, index: usize) -> f64 {
+        convention::seconds(index, self.fps)
+    }
+
+    /// Width and height of a picture in pixels.
+    #[must_use]
+    pub fn size(&self) -> [f64; 2] {
+        self.options.size.map(f64::from)
+    }
+
+    /// The focal length of a zoom in pixels.
+    #[must_use]
+    pub fn focal_pixels(&self, zoom: f64) -> f64 {
+        focal_pixels(zoom, self.size()[1])
+    }
+
+    /// Which axis stands upright in the file.
+    #[must_use]
+    pub const fn up(&self) -> Up {
+        self.up
+    }
+
+    /// Which axis stands upright in the document.
+    #[must_use]
+    pub fn document_up(&self) -> Up {
+        self.scene().space().up
+    }
+
+    /// From the document's coordinates to the file's: turned upright, then scaled.
+    #[must_use]
+    pub fn to_file(&self) -> DAffine3 {
+        DAffine3::from_quat(convention::turn(self.document_up(), self.up))
+            * DAffine3::from_scale(DVec3::splat(self.options.scale))
+    }
+
+    /// A place of the document in the file's coordinates.
+    #[must_use]
+    pub fn place(&self, place: DVec3) -> DVec3 {
+        self.direction(place) * self.options.scale
+    }
+
+    /// A direction of the document in the file's coordinates.
+    #[must_use]
+    pub fn direction(&self, direction: DVec3) -> DVec3 {
+        convention::turned(direction, self.document_up(), self.up)
+    }
+
+    /// A rotation of the document in the file's coordinates.
+    #[must_use]
+    pub fn rotation(&self, rotation: DQuat) -> DQuat {
+        convention::turn(self.document_up(), self.up) * rotation
+    }
+
+    fn pose_in_file(&self, pose: &mut Pose) {
+        if self.up == self.document_up() && self.options.scale == 1.0 {
+            return;
+        }
+        pose.vrp = self.place(pose.vrp.into()).to_array();
+        pose.vpn = self.direction(pose.vpn.into()).to_array();
+        pose.vup = self.direction(pose.vup.into()).to_array();
+    }
+
+    /// The path, if the document is nothing but one camera on it.
+    #[must_use]
+    pub fn path_alone(&self) -> Option<&'a FollowPath> {
+        self.document.path_alone()?;
+        self.scene().nodes()[0].path()
+    }
+
+    /// Whether the node has poses: cameras and lights do.
+    #[must_use]
+    pub fn looks(&self) -> bool {
+        self.scene().nodes()[self.node].kind.looks()
+    }
+
+    /// Fails unless the node is a camera.
+    ///
+    /// # Errors
+    /// [`Error::NoCamera`].
+    pub fn needs_camera(&self) -> Result<()> {
+        let node = &self.scene().nodes()[self.node];
+        match node.kind {
+            Kind::Camera(_) => Ok(()),
+            _ => Err(Error::NoCamera(node.name.as_str().into())),
+        }
+    }
+
+    /// Tells what a list of one camera's poses leaves out: other nodes, the object, keys.
+    pub fn tell_poses_only(&self, report: &mut Report) {
+        let nodes = self.scene().nodes().iter().enumerate();
+        let mut others = [0, 0];
+        for (at, node) in nodes {
+            if at != self.node {
+                others[usize::from(matches!(node.kind, Kind::Camera(_)))] += 1;
+            }
+        }
+        report.count(others[0], Loss::OtherNodes);
+        report.count(others[1], Loss::OtherCameras);
+        if !self.info().object.is_empty() {
+            report.add(Loss::Object);
+        }
+        let node = &self.scene().nodes()[self.node];
+        if node.aim.is_some() {
+            report.add(Loss::Aims(1));
+        }
+        if node.path().is_some() {
+            report.add(Loss::Path);
+        }
+    }
+
+    /// The poses from an index on, in the file's coordinates.
+    ///
+    /// # Errors
+    /// Those of sampling; a host interpolation that is missing or fails.
+    pub fn poses(&self, from: usize, poses: &mut [Pose]) -> Result<()> {
+        if let Some(follow) = self.path_alone() {
+            let sampler = follow.sampler()?;
+            if self.step == 1.0 && self.first.fract() == 0.0 {
+                sampler.sample(self.frame(from) as usize, poses)?;
+            } else {
+                let last = sampler.frame_count() as f64;
+                for (at, pose) in poses.iter_mut().enumerate() {
+                    *pose = sampler.pose(self.frame(from + at).clamp(1.0, last))?;
+                }
+            }
+        } else {
+            let mut states = vec_with_room(poses.len())?;
+            states.resize(poses.len(), NodeState::default());
+            self.states(self.node, from, &mut states)?;
+            for (pose, state) in poses.iter_mut().zip(&states) {
+                *pose = state.pose;
+            }
+        }
+        for pose in poses {
+            self.pose_in_file(pose);
+        }
+        Ok(())
+    }
+
+    /// All poses, in the file's coordinates.
+    ///
+    /// # Errors
+    /// As [`Flight::poses`].
+    pub fn all_poses(&self) -> Result<Vec<Pose>> {
+        let mut poses = vec_with_room(self.count)?;
+        poses.resize(self.count, Pose::default());
+        self.poses(0, &mut poses)?;
+        Ok(poses)
+    }
+
+    /// The states of a node from an index on, in the document's coordinates.
+    ///
+    /// # Errors
+    /// As [`Flight::poses`].
+    pub fn states(&self, node: usize, from: usize, states: &mut [NodeState]) -> Result<()> {
+        let scene = self.scene();
+        let mut warnings = Warnings::default();
+        scene.sample(node, self.frame(from), self.step, states, &mut warnings)?;
+        let name = || ScenePlace::Node(scene.nodes()[node].name.as_str().into());
+        match warnings.into_error() {
+            Some(error) => Err(error.at(name()).into()),
+            None => Ok(()),
+        }
+    }
+
+    /// Writes `head`, then each pose as `push` appends it, in blocks.
+    ///
+    /// # Errors
+    /// As [`Flight::poses`]; [`Error::Document`] if `out` fails.
+    pub fn write_poses(
+        &mut self,
+        head: Vec<u8>,
+        out: &mut dyn Write,
+        push: impl Fn(&Self, &mut Vec<u8>, usize, &Pose),
+    ) -> Result<()> {
+        self.write_blocks(head, out, Self::poses, push)
+    }
+
+    /// As [`Flight::write_poses`], of the node's states in the document's coordinates.
+    ///
+    /// # Errors
+    /// As [`Flight::write_poses`].
+    pub fn write_states(
+        &mut self,
+        head: Vec<u8>,
+        out: &mut dyn Write,
+        push: impl Fn(&Self, &mut Vec<u8>, usize, &NodeState),
+    ) -> Result<()> {
+        let states = |flight: &Self, from, states: &mut [NodeState]| {
+            flight.states(flight.node, from, states)
+        };
+        self.write_blocks(head, out, states, push)
+    }
+
+    fn write_blocks<T: Clone + Default>(
+        &mut self,
+        head: Vec<u8>,
+        out: &mut dyn Write,
+        sample: impl Fn(&Self, usize, &mut [T]) -> Result<()>,
+        push: impl Fn(&Self, &mut Vec<u8>, usize, &T),
+    ) -> Result<()> {
+        // Taken out, so that the rest can be read meanwhile.
+        let mut progress = self.progress.take();
+        let flight = &*self;
+        let done = blocks::write(
+            head,
+            flight.count,
+            out,
+            &mut |done, all| {
+                if let Some(progress) = &mut progress {
+                    progress(done, all);
+                }
+            },
+            |done, block| sample(flight, done, block),
+            |text, index, one| push(flight, text, index, one),
+        );
+        self.progress = progress;
+        done
+    }
+}

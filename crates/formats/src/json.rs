@@ -1,0 +1,179 @@
+//! The JSON of `vides sample`: one object with what belongs to the document, then an array of
+//! poses, or of matrices for nodes that have none.
+
+use std::io::Write;
+
+use glam::DMat4;
+
+use super::blocks;
+use super::content::{Content, DEFAULT_ZOOM, Recording};
+use super::error::Result;
+use super::flight::Flight;
+use super::format::{Format, Row};
+use super::loss::{Loss, Report};
+use super::options::Options;
+use super::source::Source;
+use super::tree;
+use crate::math::camera::CameraAxes;
+use crate::path::{Pose, Space, Up};
+
+pub(super) struct Json;
+
+const ROW: Row = Row {
+    name: "json",
+    title: "JSON",
+    endings: &["json"],
+    ..Row::PLAIN
+};
+
+impl Format for Json {
+    fn row(&self) -> &'static Row {
+        &ROW
+    }
+
+    fn recognises(&self, source: &Source) -> bool {
+        let text = source.beginning();
+        text.trim_start().starts_with('{')
+            && text.contains("\"title\":")
+            && text.contains("\"frame_count\":")
+    }
+
+    fn read(&self, source: &Source, _: &Options, report: &mut Report) -> Result<Content> {
+        let document = tree::parse(&source.bytes)?;
+        let root = tree::At::root(&document);
+        let mut recording = Recording {
+            title: root
+                .get("title")
+                .and_then(|at| at.text().ok())
+                .unwrap_or("")
+                .to_owned(),
+            fps: root.get("fps").map(|at| at.positive()).transpose()?,
+            first_frame: root.get("first_frame").map(|at| at.number()).transpose()?,
+            ..Recording::default()
+        };
+        if let Some(up) = root.get("space").and_then(|space| space.get("up")) {
+            let name = up.text()?;
+            recording.up = [Up::Y, Up::Z].into_iter().find(|up| up.name() == name);
+        }
+        if let Some(states) = root.get("states") {
+            report.add(Loss::FieldOfView);
+            for state in states.list()? {
+                let at = state.need("matrix")?;
+                let matrix = DMat4::from_cols_array(&at.numbers()?);
+                recording.push(at.pose(matrix, CameraAxes::Vides, DEFAULT_ZOOM)?)?;
+            }
+            return Ok(Content::Poses(recording));
+        }
+        for pose in root.need("poses")?.list()? {
+            let vector = |name| pose.need(name)?.numbers::<3>();
+            recording.push(Pose {
+                vrp: vector("vrp")?,
+                vpn: vector("vpn")?,
+                vup: vector("vup")?,
+                zoom: pose.need("zoom")?.number()?,
+            })?;
+        }
+        Ok(Content::Poses(recording))
+    }
+
+    fn write(
+        &self,
+        flight: &mut Flight<'_>,
+        _: usize,
+        out: &mut dyn Write,
+        _: &mut Report,
+    ) -> Result<()> {
+        let head = match flight.path_alone() {
+            Some(_) => head(flight),
+            None => node_head(flight),
+        };
+        // Writing into a vector cannot fail.
+        if flight.looks() {
+            flight.write_poses(head, out, |_, text, index, pose| {
+                push_begin(text, index);
+                for (name, vector) in [("vrp", pose.vrp), ("vpn", pose.vpn), ("vup", pose.vup)] {
+                    let _ = write!(text, "\"{name}\": {vector:?}, ");
+                }
+                let _ = write!(text, "\"zoom\": {:?}}}", pose.zoom);
+            })?;
+        } else {
+            flight.write_states(head, out, |_, text, index, state| {
+                push_begin(text, index);
+                let (matrix, visible) = (state.matrix, state.visible != 0);
+                let _ = write!(text, "\"matrix\": {matrix:?}, \"visible\": {visible}}}");
+            })?;
+        }
+        out.write_all(b"\n  ]\n}\n").map_err(blocks::failed)
+    }
+}
+
+fn head(flight: &Flight<'_>) -> Vec<u8> {
+    let info = flight.info();
+    let mut head = Vec::new();
+    head.extend_from_slice(b"{\n  \"title\": ");
+    push_text(&mut head, &info.title);
+    head.extend_from_slice(b",\n  \"comment\": ");
+    push_text(&mut head, &info.comment);
+    let _ = write!(
+        head,
+        ",\n  \"fps\": {:?},\n  \"first_frame\": {},\n  \"frame_count\": {},\n  \"space\": ",
+        flight.fps(),
+        flight.number(0),
+        flight.count(),
+    );
+    let Space {
+        centre, half_size, ..
+    } = flight.scene().space();
+    let centre = flight.place(centre);
+    let half_size = half_size * flight.options().scale;
+    let _ = write!(
+        head,
+        "{{\"centre\": {:?}, \"half_size\": {half_size:?}, \"unit\": ",
+        centre.to_array()
+    );
+    push_text(&mut head, &info.unit);
+    let up = flight.up().name();
+    let _ = write!(head, ", \"up\": \"{up}\"}},\n  \"poses\": [");
+    head
+}
+
+fn node_head(flight: &Flight<'_>) -> Vec<u8> {
+    let node = &flight.scene().nodes()[flight.node()];
+    let mut head = Vec::new();
+    head.extend_from_slice(b"{\n  \"title\": ");
+    push_text(&mut head, &flight.info().title);
+    head.extend_from_slice(b",\n  \"node\": ");
+    push_text(&mut head, &node.name);
+    let _ = write!(
+        head,
+        ",\n  \"kind\": \"{}\",\n  \"fps\": {:?},\n  \"first_frame\": {:?},\n  \"frame_count\": {},\n  \"{}\": [",
+        node.kind.name(),
+        flight.fps(),
+        flight.number(0),
+        flight.count(),
+        if flight.looks() { "poses" } else { "states" },
+    );
+    head
+}
+
+/// Begins the `index`-th object from 0 of an array.
+fn push_begin(text: &mut Vec<u8>, index: usize) {
+    text.extend_from_slice(if index == 0 { b"\n    {" } else { b",\n    {" });
+}
+
+/// Appends a text in quotes, in one line.
+pub(super) fn push_text(out: &mut Vec<u8>, text: &str) {
+    out.push(b'"');
+    for character in text.chars() {
+        let _ = match character {
+            '"' => write!(out, "\\\""),
+            '\\' => write!(out, "\\\\"),
+            '\n' => write!(out, "\\n"),
+            '\r' => write!(out, "\\r"),
+            '\t' => write!(out, "\\t"),
+            control if control.is_control() => write!(out, "\\u{:04x}", u32::from(control)),
+            other => write!(out, "{other}"),
+        };
+    }
+    out.push(b'"');
+}

@@ -1,0 +1,43 @@
+//! Camera paths and scenes in the file formats of other programs, out and in.
+//!
+//! Each format is one file or folder: a [`Format`] with its [`Row`] in [`formats()`]. What is
+//! written is a [`Flight`], what is read a [`Content`]; [`export`] and [`import`] are the doors for
+//! command, window and C. What a format cannot hold is a [`Loss`], never silent. Axes, angles and
+//! times are converted in [`convention`] and nowhere else.
+//!
+//! Files are hostile ground: nothing is allocated because a header claims a number, and nothing
+//! that is read is ever run. The crate knows nothing of windows or of C.
+
+#![forbid(unsafe_code)]
+
+mod ascii;
+mod blocks;
+mod content;
+pub mod convention;
+mod csv;
+mod doors;
+mod error;
+mod flight;
+mod format;
+mod json;
+mod loss;
+mod options;
+mod rows;
+mod source;
+mod tree;
+mod tum;
+mod vid;
+
+pub use ascii::{MAX_DECIMALS, write_ascii, write_ascii_file};
+pub use blocks::Progress;
+pub use content::{Content, Recording};
+pub use doors::{Imported, export, export_to, import, losses, read, recording};
+pub use error::{Cause, Error, Place, Result, Wanted};
+pub use flight::Flight;
+pub use format::{Format, Row, by_name, by_target, formats};
+pub use loss::{Loss, Report};
+pub use options::{As, OPTIONS, OptionRow, Options};
+pub use source::Source;
+
+use vides_document as document;
+use vides_engine::{limits, math, path};

@@ -1,0 +1,151 @@
+//! What a format cannot hold, or what a file holds that is not taken.
+
+use std::fmt;
+
+use vides_document::error::Text;
+
+/// Something that is lost on the way, or worth a word.
+#[derive(Debug, Clone, PartialEq)]
+#[allow(missing_docs)]
+pub enum Loss {
+    /// Nodes of which the format knows nothing.
+    OtherNodes(usize),
+    /// Cameras beside the one that is written or read.
+    OtherCameras(usize),
+    /// The object that is shown with the path.
+    Object,
+    /// Points, speeds, holds: a path goes out as its poses.
+    Path,
+    /// Cameras and lights that aim: they go out turned, frame by frame.
+    Aims(usize),
+    /// Tracks whose interpolation the format lacks go out as a key a frame.
+    Interpolations(usize),
+    /// Deformed objects go out at rest.
+    Deformations(usize),
+    /// Channels of the host.
+    HostChannels(usize),
+    /// The camera's roll in so many poses.
+    Roll(usize),
+    /// The field of view, in a format without one.
+    FieldOfView,
+    /// Fields of view beyond the range, clamped.
+    FieldsClamped(usize),
+    /// Times, in a format without: a pose a frame.
+    Times,
+    /// Lens distortion of so many cameras.
+    Distortion(usize),
+    /// Principal points off the picture's centre.
+    OffCentre(usize),
+    /// Skinned meshes, taken at rest.
+    Skins(usize),
+    /// The viewer joins the keys by a spline of its own.
+    OwnSpline,
+    /// A path was fitted: points, the farthest position, the largest angle in degrees.
+    Fitted {
+        points: usize,
+        off: f64,
+        turned: f64,
+    },
+    /// Seconds that are not those of their frames, which count: the pose (from 0) and both.
+    Seconds {
+        pose: usize,
+        seconds: f64,
+        by_frame: f64,
+    },
+    /// Anything else that is not taken, by its name in the file.
+    NotTaken { what: Text, count: usize },
+}
+
+impl fmt::Display for Loss {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let several = |count: &usize| if *count == 1 { "" } else { "s" };
+        match self {
+            Self::OtherNodes(n) => write!(f, "{n} other node{} left out", several(n)),
+            Self::OtherCameras(n) => write!(f, "{n} other camera{} left out", several(n)),
+            Self::Object => write!(f, "the object is left out"),
+            Self::Path => write!(f, "points, speeds and holds become poses, one a frame"),
+            Self::Aims(n) => write!(f, "{n} aim{} become rotations, one a frame", several(n)),
+            Self::Interpolations(n) => write!(
+                f,
+                "{n} track{} of an interpolation that the format lacks become a key a frame",
+                several(n)
+            ),
+            Self::Deformations(n) => {
+                write!(f, "{n} deformed object{} as at rest", several(n))
+            }
+            Self::HostChannels(n) => write!(f, "{n} channel{} of the host left out", several(n)),
+            Self::Roll(n) => write!(f, "roll is left out, in {n} pose{}", several(n)),
+            Self::FieldOfView => write!(f, "the field of view is left out"),
+            Self::FieldsClamped(n) => write!(
+                f,
+                "{n} field{} of view beyond 0.69 to 170.5 degrees, clamped",
+                several(n)
+            ),
+            Self::Times => write!(f, "there are no times: a pose is a frame"),
+            Self::Distortion(n) => {
+                write!(f, "the distortion of {n} camera{} is left out", several(n))
+            }
+            Self::OffCentre(n) => write!(
+                f,
+                "{n} picture{} whose axis is off the centre: taken as in it",
+                several(n)
+            ),
+            Self::Skins(n) => write!(
+                f,
+                "{n} skinned mesh{} as at rest",
+                if *n == 1 { "" } else { "es" }
+            ),
+            Self::OwnSpline => write!(f, "its viewer joins the keys by a spline of its own"),
+            Self::Fitted {
+                points,
+                off,
+                turned,
+            } => write!(
+                f,
+                "a path of {points} points, at most {off:.3e} and {turned:.3} degrees from the poses"
+            ),
+            Self::Seconds {
+                pose,
+                seconds,
+                by_frame,
+            } => write!(
+                f,
+                "the times are those of the frames; by the seconds pose {} would be at {seconds} s, \
+                 by its frame it is at {by_frame} s",
+                pose + 1
+            ),
+            Self::NotTaken { what, count } => write!(f, "{what} is not taken, {count} of it"),
+        }
+    }
+}
+
+/// What is told of a file that was written or read.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Report {
+    losses: Vec<Loss>,
+}
+
+/// More are not told one by one.
+const MOST: usize = 100;
+
+impl Report {
+    /// Tells of a loss, once.
+    pub fn add(&mut self, loss: Loss) {
+        if self.losses.len() < MOST && !self.losses.contains(&loss) {
+            self.losses.push(loss);
+        }
+    }
+
+    /// Tells of as many as there are, if there are some.
+    pub fn count(&mut self, count: usize, loss: fn(usize) -> Loss) {
+        if count > 0 {
+            self.add(loss(count));
+        }
+    }
+
+    /// All, in order.
+    #[must_use]
+    pub fn losses(&self) -> &[Loss] {
+        &self.losses
+    }
+}

@@ -1,0 +1,156 @@
+//! Text of a row of numbers a line, separated by commas or blanks.
+
+use super::content::Recording;
+use super::error::{Cause, Place, Result, Wanted};
+use crate::path::Pose;
+
+/// The words of a line.
+pub(super) fn words(line: &str) -> impl Iterator<Item = &str> + Clone {
+    let words = line.split(|c: char| c == ',' || c.is_whitespace());
+    words.filter(|word| !word.is_empty())
+}
+
+/// The rows of a text that have words, with their lines; what begins with `#` is a comment.
+pub(super) fn rows(text: &str) -> impl Iterator<Item = (Place, &str)> + Clone {
+    let lines = text.lines().enumerate();
+    let lines = lines.map(|(line, text)| (Place::Line(line + 1), text.trim()));
+    lines.filter(|(_, text)| !text.is_empty() && !text.starts_with('#'))
+}
+
+/// Exactly so many finite numbers of a row.
+///
+/// # Errors
+/// [`Wanted::Number`], [`Cause::NumberCount`], [`Cause::NotFinite`], with the place.
+pub(super) fn numbers<const N: usize>(place: &Place, row: &str) -> Result<[f64; N]> {
+    let (mut numbers, mut found) = ([0.0; N], 0);
+    for word in words(row) {
+        let number: f64 = word
+            .parse()
+            .map_err(|_| place.clone().expected(Wanted::Number))?;
+        if !number.is_finite() {
+            return Err(place.clone().wrong(Cause::NotFinite));
+        }
+        if let Some(place) = numbers.get_mut(found) {
+            *place = number;
+        }
+        found += 1;
+    }
+    if found != N {
+        return Err(place.clone().wrong(Cause::NumberCount { wanted: N, found }));
+    }
+    Ok(numbers)
+}
+
+/// How many numbers the first row of numbers has; a heading may come before it.
+pub(super) fn width(beginning: &str) -> Option<usize> {
+    let is_row = |row: &&str| words(row).all(|word| word.parse::<f64>().is_ok());
+    // The last row may be cut off.
+    let mut rows = rows(beginning).map(|(_, row)| row).take(2);
+    rows.find(is_row).map(|row| words(row).count())
+}
+
+const POSE: usize = 10;
+
+/// Whether this begins like poses, with commas or without.
+pub(super) fn is_poses(beginning: &str, commas: bool) -> bool {
+    let wide = matches!(width(beginning), Some(POSE..=12));
+    wide && beginning.contains(',') == commas
+}
+
+/// The poses in a text, with or without frame numbers before and seconds behind; a heading on line
+/// 1 is skipped.
+///
+/// # Errors
+/// [`Wanted::Number`], [`Cause::NumberCount`] with the line.
+pub(super) fn poses_of_text(text: &str) -> Result<Recording> {
+    let mut recording = Recording::default();
+    let (mut frames, mut seconds): (Vec<f64>, Vec<f64>) = (Vec::new(), Vec::new());
+    for (line, row) in text.lines().enumerate() {
+        let place = Place::Line(line + 1);
+        let (mut numbers, mut found, mut read) = ([0.0; POSE + 2], 0, true);
+        for word in words(row) {
+            let number = word.parse();
+            read &= number.is_ok();
+            if let (Ok(number), Some(place)) = (number, numbers.get_mut(found)) {
+                *place = number;
+            }
+            found += 1;
+        }
+        match (read, found) {
+            (_, 0) => continue,
+            (false, _) if line == 0 => continue,
+            (false, _) => return Err(place.expected(Wanted::Number)),
+            (true, POSE) => {}
+            (true, found) if found == POSE + 1 || found == POSE + 2 => {
+                frames.try_reserve(1)?;
+                frames.push(numbers[0]);
+                if found == POSE + 2 {
+                    seconds.try_reserve(1)?;
+                    seconds.push(numbers[POSE + 1]);
+                }
+                numbers.rotate_left(1);
+            }
+            (true, found) => {
+                let wanted = POSE;
+                return Err(place.wrong(Cause::NumberCount { wanted, found }));
+            }
+        }
+        let vector = |at: usize| [numbers[at], numbers[at + 1], numbers[at + 2]];
+        recording.push(Pose {
+            vrp: vector(0),
+            vpn: vector(3),
+            vup: vector(6),
+            zoom: numbers[9],
+        })?;
+    }
+    let all = [&frames, &seconds].map(|column| column.len() == recording.poses.len());
+    recording.frames = all[0].then_some(frames);
+    recording.seconds = all[1].then_some(seconds);
+    Ok(recording)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_with_and_without_frames_are_poses() {
+        let text = "frame,x\n1,0,0,0,0,0,-1,0,1,0,24\n\n3 1 2 3 0 0 -1 0 1 0 35\n";
+        let Recording {
+            poses,
+            frames,
+            seconds,
+            ..
+        } = poses_of_text(text).unwrap();
+        assert_eq!((frames, seconds), (Some(vec![1.0, 3.0]), None));
+        assert_eq!(poses[1].vrp, [1.0, 2.0, 3.0]);
+        assert_eq!(poses[1].zoom, 35.0);
+        let text = "frame,zoom,seconds\n1,1,2,3,0,0,-1,0,1,0,35,0.0\n2,0,0,0,0,0,-1,0,1,0,24,0.04";
+        let Recording {
+            poses,
+            frames,
+            seconds,
+            ..
+        } = poses_of_text(text).unwrap();
+        assert_eq!(
+            (frames, seconds),
+            (Some(vec![1.0, 2.0]), Some(vec![0.0, 0.04]))
+        );
+        assert_eq!((poses[0].vrp, poses[0].zoom), ([1.0, 2.0, 3.0], 35.0));
+        let Recording { poses, frames, .. } = poses_of_text("0 0 0 0 0 -1 0 1 0 24").unwrap();
+        assert_eq!((poses.len(), frames), (1, None));
+        for (text, said) in [
+            ("1 2 3", "line 1: expected 10 numbers, found 3"),
+            (
+                "1 2 3 4 5 6 7 8 9 10 11 12 13",
+                "line 1: expected 10 numbers, found 13",
+            ),
+            (
+                "0 0 0 0 0 -1 0 1 0 24\n0 a 0 0 0 -1 0 1 0 24",
+                "line 2: expected a number",
+            ),
+        ] {
+            assert_eq!(poses_of_text(text).unwrap_err().to_string(), said);
+        }
+    }
+}

@@ -1,0 +1,106 @@
+//! A file that is read, and the files beside it.
+
+use std::path::{Component, Path, PathBuf};
+
+use vides_document::read_bytes;
+
+use super::error::{Cause, Error, Place, Result};
+use crate::limits::MAX_FILE_BYTES;
+
+/// The content of a file, or a folder.
+#[derive(Debug, Default)]
+pub struct Source {
+    /// As messages call it.
+    pub name: String,
+    /// The content; empty for a folder.
+    pub bytes: Vec<u8>,
+    /// Where files that it names lie, or the folder itself; none if it is no file.
+    pub folder: Option<PathBuf>,
+    /// Whether it is a folder.
+    pub is_folder: bool,
+}
+
+impl Source {
+    /// Reads a file, or names a folder.
+    ///
+    /// # Errors
+    /// Those of the system; [`Error::Document`] if it is too large.
+    pub fn open(file: &Path) -> Result<Self> {
+        let name = file.display().to_string();
+        if file.is_dir() {
+            return Ok(Self {
+                name,
+                folder: Some(file.to_owned()),
+                is_folder: true,
+                ..Self::default()
+            });
+        }
+        let folder = file.parent().unwrap_or(Path::new("")).to_owned();
+        let bytes = read_bytes(file, MAX_FILE_BYTES).map_err(|error| error.at(&name))?;
+        Ok(Self {
+            name,
+            bytes,
+            folder: Some(folder),
+            is_folder: false,
+        })
+    }
+
+    /// What was read of a stream.
+    #[must_use]
+    pub fn of_bytes(name: &str, bytes: Vec<u8>) -> Self {
+        Self {
+            name: name.to_owned(),
+            bytes,
+            ..Self::default()
+        }
+    }
+
+    /// The content as text.
+    ///
+    /// # Errors
+    /// [`Cause::NotUtf8`] with the line.
+    pub fn text(&self) -> Result<&str> {
+        std::str::from_utf8(&self.bytes).map_err(|error| {
+            let before = &self.bytes[..error.valid_up_to()];
+            let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
+            Place::Line(line).wrong(Cause::NotUtf8)
+        })
+    }
+
+    /// The beginning as text, as far as it is some: for [`super::Format::recognises`].
+    #[must_use]
+    pub fn beginning(&self) -> &str {
+        let start = &self.bytes[..self.bytes.len().min(4096)];
+        match std::str::from_utf8(start) {
+            Ok(text) => text,
+            Err(error) => std::str::from_utf8(&start[..error.valid_up_to()]).unwrap_or(""),
+        }
+    }
+
+    /// Where a file lies that the content names: in the folder of the file or below it.
+    ///
+    /// # Errors
+    /// [`Cause::Outside`] for any other place; [`Cause::Missing`] without a folder.
+    pub fn place_beside(&self, name: &str) -> Result<PathBuf> {
+        let inside = Path::new(name)
+            .components()
+            .all(|part| matches!(part, Component::Normal(_) | Component::CurDir));
+        if !inside || name.is_empty() {
+            return Err(Place::Whole.wrong(Cause::Outside(name.into())));
+        }
+        match &self.folder {
+            Some(folder) => Ok(folder.join(name)),
+            None => Err(Place::Whole.wrong(Cause::Missing(name.into()))),
+        }
+    }
+
+    /// The content of a file that the content names, at most `most` bytes.
+    ///
+    /// # Errors
+    /// As [`Source::place_beside`]; those of the system.
+    pub fn beside(&self, name: &str, most: u64) -> Result<Vec<u8>> {
+        let place = self.place_beside(name)?;
+        let read = read_bytes(&place, most.min(MAX_FILE_BYTES));
+        read.map_err(|error| Error::from(error.at(place.display())))
+    }
+}
