@@ -57,7 +57,7 @@ function seen(matrix, [x, y, z], width, height) {
 function readFlight(data) {
   const poses = floats(data.poses);
   const count = Math.floor(poses.length / POSE);
-  const { center, half } = data.space;
+  const { centre, half } = data.space;
 
   /// At frame `at`, counted from 0; between two frames on the straight way from one to the other.
   function pose(at) {
@@ -104,16 +104,16 @@ function readFlight(data) {
     lines: indices(object.lines),
     triangles: indices(object.triangles),
     colours: object.colours ? bytes(object.colours) : null,
-    colour: object.colour || null,
-    matrices: object.matrices ? floats(object.matrices) : null,
+    colour: object.colour,
+    dots: object.dots,
+    matrices: floats(object.matrices),
   }));
 
-  /// The place of an object that moves; null: it is not seen then.
-  function placed(object, at) {
-    if (!object.matrices) return [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
-    const low = clamp(Math.floor(at), 0, count - 1) * MATRIX;
-    let high = clamp(Math.ceil(at), 0, count - 1) * MATRIX;
-    const { matrices } = object;
+  /// The place of an object; null: it is not seen then.
+  function placed({ matrices }, at) {
+    const last = matrices.length / MATRIX - 1; // 0: it rests
+    const low = clamp(Math.floor(at), 0, last) * MATRIX;
+    let high = clamp(Math.ceil(at), 0, last) * MATRIX;
     if (Number.isNaN(matrices[low])) return null;
     if (Number.isNaN(matrices[high])) high = low;
     const part = at - Math.floor(at);
@@ -132,8 +132,7 @@ function readFlight(data) {
     for (let at = 0; at + 2 < object.points.length; at += 3) {
       farthest = Math.max(farthest, Math.hypot(object.points[at], object.points[at + 1], object.points[at + 2]));
     }
-    if (!object.matrices) reach = Math.max(reach, farthest);
-    for (let at = 0; object.matrices && at < object.matrices.length; at += MATRIX) {
+    for (let at = 0; at < object.matrices.length; at += MATRIX) {
       const matrix = object.matrices.subarray(at, at + MATRIX);
       const size = Math.max(...[0, 3, 6].map((k) => Math.hypot(...matrix.subarray(k, k + 3)))) * Math.sqrt(3);
       const far = Math.hypot(...matrix.subarray(9, 12)) + size * farthest;
@@ -153,7 +152,7 @@ function readFlight(data) {
 
   return {
     title: String(data.title || ""), comment: String(data.comment || ""), unit: String(data.unit || ""),
-    fps: data.fps, first: data.first_frame, zUp: data.up === "z", center, half, reach,
+    fps: data.fps, first: data.first_frame, step: data.frame_step, zUp: data.up === "z", centre, half, reach,
     aspect: data.size[0] / data.size[1], points: data.points, objects, poses, count, speeds, turns,
     pose, placed, camera,
   };

@@ -26,18 +26,19 @@ function makeGraph(flight, canvas) {
     for (let column = 0; column < count; column++) {
       const from = Math.round(column / Math.max(count - 1, 1) * (flight.count - 1));
       const to = Math.max(from + 1, Math.round((column + 1) / Math.max(count - 1, 1) * (flight.count - 1)));
-      let [speed, turning] = [0, 0];
+      const most = { speed: from, turning: from }; // the frames that stand for the column
       for (let at = from; at < Math.min(to, flight.count); at++) {
-        speed = Math.max(speed, flight.speeds[at]);
-        turning = Math.max(turning, flight.turns[at]);
+        if (flight.speeds[at] > flight.speeds[most.speed]) most.speed = at;
+        if (flight.turns[at] > flight.turns[most.turning]) most.turning = at;
       }
-      columns.push({ at: from, speed, turning });
+      columns.push(most);
     }
   };
 
-  function curve(value, most, top, bottom) {
+  function curve(what, most, top, bottom) {
+    const values = what === "speed" ? flight.speeds : flight.turns;
     pen.beginPath();
-    for (const column of columns) pen.lineTo(x(column.at), bottom - column[value] / (most * 1.08) * (bottom - top));
+    for (const { [what]: at } of columns) pen.lineTo(x(at), bottom - values[at] / (most * 1.08) * (bottom - top));
   }
 
   function seconds(colours, top, bottom) {
@@ -57,19 +58,18 @@ function makeGraph(flight, canvas) {
   function points(colours, top, bottom) {
     let free = -Infinity;
     pen.textAlign = "center";
-    flight.points.forEach((point, index) => {
-      if (!Number.isFinite(point.frame)) return;
+    for (const point of flight.points) {
       const place = x(clamp(point.frame, 0, flight.count - 1));
       pen.fillStyle = colours.weak;
       pen.globalAlpha = 0.5;
       pen.fillRect(Math.round(place) - 0.5, top - 4, 1, bottom - top + 4);
       pen.globalAlpha = 1;
-      const text = String(index + 1);
+      const text = String(point.number);
       const half = pen.measureText(text).width / 2;
-      if (place - half < free) return;
+      if (place - half < free) continue;
       free = place + half + 6;
       pen.fillText(text, clamp(place, half + 1, width - half - 1), 6);
-    });
+    }
   }
 
   /// `label`: what stands beside the hovered frame.

@@ -43,6 +43,8 @@ function start() {
     return `${short(flight.speeds[at])} ${unit}/s`;
   }
   const turningText = (at) => `${short(flight.turns[at])} °/s`;
+  /// The number of a frame that people see: not whole where others are written than there are.
+  const frameText = (at) => (flight.first + flight.step * at).toLocaleString(language, { maximumFractionDigits: 2 });
   const secondText = (at) => number(at / flight.fps, 2);
 
   const set = (id, text) => {
@@ -50,7 +52,7 @@ function start() {
   };
   function write(at) {
     const frame = Math.round(at);
-    set("frame", group(flight.first + frame));
+    set("frame", frameText(frame));
     set("second", secondText(frame));
     set("speed", speedText(frame));
     set("turning", turningText(frame));
@@ -58,7 +60,7 @@ function start() {
     set("lens", `${number(zoom, 1)} mm · ${number(2 * Math.atan(12 / zoom) * 180 / Math.PI, 1)}°`);
     if (scrub.valueAsNumber !== frame) scrub.value = frame;
     scrub.style.setProperty("--done", `calc(${INSET}px + (100% - ${2 * INSET}px) * ${last ? at / last : 0})`);
-    scrub.setAttribute("aria-valuetext", `${words().frame} ${flight.first + frame}, ${secondText(frame)} s`);
+    scrub.setAttribute("aria-valuetext", `${words().frame} ${frameText(frame)}, ${secondText(frame)} s`);
   }
 
   function rectOf(pane) {
@@ -112,7 +114,7 @@ function start() {
     ask();
   }
   function jump(way) {
-    const frames = flight.points.map((point) => point.frame).filter(Number.isFinite).map(Math.round);
+    const frames = flight.points.map((point) => Math.round(point.frame));
     const ahead = frames.filter((frame) => (frame - Math.round(state.at)) * way > 0);
     seek(ahead.length ? (way > 0 ? Math.min(...ahead) : Math.max(...ahead)) : way > 0 ? last : 0);
   }
@@ -152,7 +154,7 @@ function start() {
     $("comment").textContent = flight.comment;
     $("language").textContent = said.other;
     $("facts").textContent = `${said.frames(flight.count)} · ${secondText(last)} s · ${number(flight.fps, Number.isInteger(flight.fps) ? 0 : 2)} ${said.perSecond}`;
-    $("frames").textContent = `/ ${group(flight.first + last)}`;
+    $("frames").textContent = `/ ${frameText(last)}`;
     $("seconds").textContent = `/ ${secondText(last)} s`;
     for (const option of $("rate").options) option.textContent = `${group(Number(option.value))} ×`;
     $("keys").replaceChildren(...said.keys.flatMap(([keys, meaning]) => ["dt", "dd"].map((kind, at) => {
@@ -289,7 +291,7 @@ function start() {
     pose() {
       const at = Math.round(state.at);
       const { place, quaternion, view, up, zoom } = flight.pose(at);
-      return { pose: at + 1, frame: flight.first + at, seconds: at / flight.fps, position: place.map((value, k) => value + flight.center[k]), quaternion, view, up, zoom };
+      return { pose: at + 1, frame: flight.first + flight.step * at, seconds: at / flight.fps, position: place.map((value, k) => value + flight.centre[k]), quaternion, view, up, zoom };
     },
     /// Where the camera's picture lies in the window, in CSS pixels.
     picture() {
@@ -300,7 +302,7 @@ function start() {
     /// A place of the world in that picture: from its upper left; null behind the camera.
     project(x, y, z) {
       const { width, height } = views.picture(rectOf($("camera")));
-      const place = seen(flight.camera(Math.round(state.at), width / height).matrix, less([x, y, z], flight.center), width, height);
+      const place = seen(flight.camera(Math.round(state.at), width / height).matrix, less([x, y, z], flight.centre), width, height);
       return place && { x: place.x, y: place.y };
     },
     play: () => play(true),

@@ -43,7 +43,7 @@ function makeViews(flight, canvas, labels) {
   const ticks = [];
   const every = [1, 2, 5, 10, 30, 60, 300, 600].find((seconds) => flight.count / flight.fps / seconds <= 120) || 3600;
   for (let second = every; second * flight.fps < flight.count - 1; second += every) ticks.push(...flight.pose(second * flight.fps).place);
-  const keys = flight.points.map((point) => less(point.position, flight.center));
+  const keys = flight.points.map((point) => less(point.position, flight.centre));
 
   function build(object) {
     const count = object.points.length / 3;
@@ -59,7 +59,7 @@ function makeViews(flight, canvas, labels) {
     });
     const [alone, aloneColours] = [[], []];
     for (let at = 0; at < count; at++) {
-      if (joined[at]) continue;
+      if (joined[at] || !object.dots) continue;
       for (let k = 3 * at; k < 3 * at + 3; k++) {
         alone.push(points[k]);
         if (colours) aloneColours.push(colours[k]);
@@ -231,8 +231,8 @@ function makeViews(flight, canvas, labels) {
     keys.slice(0, 500).forEach((key, at) => {
       const place = seen(matrix, key, width, height);
       if (!place) return;
-      const { name } = flight.points[at];
-      const text = String(name ? `${at + 1}  ${name}` : at + 1).slice(0, 60);
+      const point = flight.points[at];
+      const text = `${point.number}  ${point.name}`.trim().slice(0, 60);
       const wide = pen.measureText(text).width;
       const boxes = BESIDE.map(([x, y]) => ({ x: place.x + x * (9 + wide / 2) - wide / 2, y: place.y + y * 14 - 8, width: wide, height: 16 }));
       const crowd = (box) => 100 * taken.filter((other) => meet(box, other)).length + spots.filter((spot) => meet(box, spot)).length;
