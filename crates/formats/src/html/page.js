@@ -296,12 +296,12 @@ function start() {
     /// Where the camera's picture lies in the window, in CSS pixels.
     picture() {
       const { left, top } = stage.getBoundingClientRect();
-      const rect = views.picture(rectOf($("camera")));
+      const rect = views.picture(rectOf($("camera")), ratio());
       return { ...rect, left: rect.left + left, top: rect.top + top };
     },
     /// A place of the world in that picture: from its upper left; null behind the camera.
     project(x, y, z) {
-      const { width, height } = views.picture(rectOf($("camera")));
+      const { width, height } = views.picture(rectOf($("camera")), ratio());
       const place = seen(flight.camera(Math.round(state.at), width / height).matrix, less([x, y, z], flight.centre), width, height);
       return place && { x: place.x, y: place.y };
     },

@@ -111,13 +111,15 @@ function makeViews(flight, canvas, labels) {
     const [s, c, v, h] = [Math.sin(a), Math.cos(a), Math.sin(b), Math.cos(b)];
     return { right: upright(c, 0, -s), up: upright(-s * v, h, -c * v), back: upright(s * h, v, c * h) };
   }
-  /// How far the eye is for the whole cube to be seen, however it is turned about its upright axis.
+  // The cube and the way, where that leaves it.
+  const extent = way.reduce((far, value) => Math.max(far, Math.abs(value)), half);
+  /// How far the eye is for all of it to be seen, however it is turned about its upright axis.
   function fitting(aspect) {
     let distance = 0;
     for (const turn of [START.turn, 45]) {
       const { right, up, back } = axesOf({ ...START, turn });
       for (let at = 0; at < 8; at++) {
-        const corner = [1, 2, 4].map((bit) => (at & bit ? half : -half));
+        const corner = [1, 2, 4].map((bit) => (at & bit ? extent : -extent));
         const wide = Math.max(Math.abs(dot(right, corner)) / aspect, Math.abs(dot(up, corner)));
         distance = Math.max(distance, dot(back, corner) + wide * FOCAL / 0.94);
       }
@@ -190,21 +192,24 @@ function makeViews(flight, canvas, labels) {
     drawNames(rect, camera);
   };
 
-  /// The largest picture of the flight's shape within a rectangle.
-  views.picture = (rect) => {
-    const width = Math.min(rect.width, rect.height * flight.aspect);
-    const height = width / flight.aspect;
-    return { left: rect.left + (rect.width - width) / 2, top: rect.top + (rect.height - height) / 2, width, height };
+  /// The largest picture of the flight's shape within a rectangle, of whole pixels of the screen.
+  views.picture = (rect, ratio) => {
+    const whole = (value) => Math.round(value * ratio) / ratio;
+    const width = Math.max(whole(Math.min(rect.width, rect.height * flight.aspect)), 1);
+    const height = Math.max(whole(width / flight.aspect), 1);
+    const [left, top] = [rect.left + (rect.width - width) / 2, rect.top + (rect.height - height) / 2];
+    return { left: whole(left), top: whole(top), width, height };
   };
   /// What the camera sees.
   views.drawPicture = (rect, ratio, frame) => {
     painter.begin(rect, ratio, colours.fieldGl);
-    const pane = painter.begin(views.picture(rect), ratio, colours.pictureGl);
+    const picture = views.picture(rect, ratio);
+    const pane = painter.begin(picture, ratio, colours.pictureGl);
     const camera = flight.camera(frame, pane.width / pane.height);
     painter.drawLines(drawn.grid, camera.matrix, { colour: solid("grid"), width: 1 });
     painter.drawLines(drawn.edges, camera.matrix, { colour: solid("cube", 0.6), width: 1 });
     drawObjects(camera, frame, 1.8);
-    const { left, top, width, height } = views.picture(rect);
+    const { left, top, width, height } = picture;
     pen.strokeStyle = colours.line;
     pen.lineWidth = 1;
     pen.strokeRect(left + 0.5, top + 0.5, width - 1, height - 1);
@@ -232,10 +237,11 @@ function makeViews(flight, canvas, labels) {
       const place = seen(matrix, key, width, height);
       if (!place) return;
       const point = flight.points[at];
-      const text = `${point.number}  ${point.name}`.trim().slice(0, 60);
+      const text = `${point.number}  ${point.name ?? ""}`.trim().slice(0, 60);
       const wide = pen.measureText(text).width;
       const boxes = BESIDE.map(([x, y]) => ({ x: place.x + x * (9 + wide / 2) - wide / 2, y: place.y + y * 14 - 8, width: wide, height: 16 }));
-      const crowd = (box) => 100 * taken.filter((other) => meet(box, other)).length + spots.filter((spot) => meet(box, spot)).length;
+      const within = (box) => box.x >= 0 && box.x + box.width <= width && box.y >= 0 && box.y + box.height <= height;
+      const crowd = (box) => (within(box) ? 0 : 50) + 100 * taken.filter((other) => meet(box, other)).length + spots.filter((spot) => meet(box, spot)).length;
       const crowds = boxes.map(crowd);
       const fewest = Math.min(...crowds);
       if (fewest >= 100) return;
