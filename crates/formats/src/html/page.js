@@ -27,6 +27,7 @@ function start() {
   const last = flight.count - 1;
   const state = { at: 0, playing: false, loop: false, rate: 1, then: 0, asked: false };
   scrub.max = last;
+  for (const element of [scrub, $("play"), $("loop"), $("rate")]) element.disabled = !last;
   for (const rate of [0.25, 0.5, 1, 2, 4]) $("rate").add(new Option("", rate, rate === 1, rate === 1));
 
   const ratio = () => clamp(window.devicePixelRatio || 1, 1, 3);
