@@ -423,13 +423,14 @@ def look_at_loss(browser):
     """The graphics card goes away and comes back."""
     browser.run("vides.seek(10)")
     browser.settle()
-    before = browser.picture()
+    stage = browser.run("const b = document.getElementById('stage').getBoundingClientRect(); return {x: b.x, y: b.y, width: b.width, height: b.height}")
+    before = browser.picture(**stage)
     browser.run("window.lost = document.getElementById('scene').getContext('webgl2').getExtension('WEBGL_lose_context'); lost.loseContext()")
     time.sleep(0.3)
     browser.run("lost.restoreContext()")
     time.sleep(0.5)
     browser.settle()
-    check("pictures after a lost context", before == browser.picture())
+    check("pictures after a lost context", before == browser.picture(**stage))
 
 
 def look_at_requests(browser, server, pages, file):

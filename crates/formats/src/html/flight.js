@@ -57,6 +57,7 @@ function seen(matrix, [x, y, z], width, height) {
 function readFlight(data) {
   const poses = floats(data.poses);
   const count = Math.floor(poses.length / POSE);
+  if (!count) throw new Error("no poses");
   const { centre, half } = data.space;
 
   /// At frame `at`, counted from 0; between two frames on the straight way from one to the other.

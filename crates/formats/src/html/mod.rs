@@ -37,6 +37,8 @@ const SCRIPT: &str = concat!(
     include_str!("flight.js"),
     include_str!("texts.js"),
     include_str!("draw.js"),
+    include_str!("things.js"),
+    include_str!("names.js"),
     include_str!("space.js"),
     include_str!("graph.js"),
     include_str!("page.js"),
