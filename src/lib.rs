@@ -7,6 +7,7 @@
 //! | feature | brings |
 //! |---|---|
 //! | – | the engine and the document |
+//! | `formats` | [`formats`]: files of other programs, out and in |
 //! | `window` | [`window`]: the editor in a window of its own |
 //! | `capi` | the functions of `include/libvides.h` |
 //! | `cli` | the command `vides` |
@@ -76,6 +77,8 @@ mod ffi;
 pub use glam;
 pub use vides_document::{self as document, Error, Result, error};
 pub use vides_engine::{deform, limits, math, path, property, scene, tools};
+#[cfg(feature = "formats")]
+pub use vides_formats as formats;
 #[cfg(feature = "window")]
 pub use vides_window as window;
 

@@ -8,8 +8,8 @@ use std::io::Write;
 
 use glam::{DVec3, dvec3};
 use vides::Error;
-use vides::document::export::{self, Format};
-use vides::document::{Document, Edit, Info, ascii};
+use vides::document::{Document, Edit, Info};
+use vides::formats::{self, Options, Progress, by_name};
 use vides::path::{BaseFrames, CameraPath, Pose, Space, SupportPoint, Up};
 
 /// What C's printf makes of a number, minus zero excepted, with a point for
@@ -66,9 +66,24 @@ fn numbers(pose: &Pose) -> Vec<f64> {
     numbers
 }
 
-fn written(document: &Document, format: Format) -> String {
+/// What `vides sample` writes.
+const ALL: [&str; 3] = ["ascii", "csv", "json"];
+
+fn write(
+    document: &Document,
+    format: &str,
+    out: &mut dyn Write,
+    progress: Progress<'_>,
+) -> formats::Result<()> {
+    let scene = document.scene_document()?;
+    let report = formats::export_to(&scene, out, by_name(format)?, &Options::default(), progress)?;
+    assert_eq!(report.losses(), []);
+    Ok(())
+}
+
+fn written(document: &Document, format: &str) -> String {
     let mut out = Vec::new();
-    export::write(document, format, &mut out, &mut |_, _| {}).unwrap();
+    write(document, format, &mut out, &mut |_, _| {}).unwrap();
     String::from_utf8(out).unwrap()
 }
 
@@ -105,7 +120,7 @@ fn ascii_is_what_c_prints() {
     for (pose, position) in poses.iter().zip(&positions) {
         assert_eq!(pose.vrp, position.to_array());
     }
-    let text = written(&document, Format::Ascii);
+    let text = written(&document, "ascii");
     let mut lines = text.lines();
     for pose in &poses {
         let expected: Vec<_> = numbers(pose).into_iter().map(c_prints).collect();
@@ -139,7 +154,7 @@ fn same_bits(a: f64, b: f64) -> bool {
 #[test]
 fn csv_has_a_header_and_every_bit() {
     let document = described();
-    let text = written(&document, Format::Csv);
+    let text = written(&document, "csv");
     let mut lines = text.lines();
     assert_eq!(
         lines.next().unwrap(),
@@ -173,7 +188,7 @@ fn json_is_json_with_every_bit() {
         .apply(Edit::SetSpace { space, fit: false })
         .unwrap();
     let info = document.info();
-    let text = written(&document, Format::Json);
+    let text = written(&document, "json");
     let json: serde_json::Value = serde_json::from_str(&text).unwrap();
     assert_eq!(json["title"], info.title.as_str());
     assert_eq!(json["comment"], info.comment.as_str());
@@ -207,21 +222,21 @@ fn files_hold_the_same_and_progress_reaches_the_end() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("poses.txt");
     let document = described();
-    for format in [Format::Ascii, Format::Csv, Format::Json] {
+    for format in ALL {
         let mut seen = Vec::new();
-        export::write_file(&document, format, &file, &mut |done, all| {
-            seen.push((done, all));
-        })
-        .unwrap();
+        let (scene, options) = (document.scene_document().unwrap(), Options::default());
+        let mut see = |done, all| seen.push((done, all));
+        let by_its_name = by_name(format).unwrap();
+        formats::export(&scene, &file, by_its_name, &options, &mut see).unwrap();
         let text = std::fs::read_to_string(&file).unwrap();
         assert_eq!(text, written(&document, format));
         assert!(seen.is_sorted());
         assert_eq!(seen.last(), Some(&(2_000, 2_000)));
     }
     let sampler = document.sampler().unwrap();
-    ascii::write_ascii_file(sampler, &file).unwrap();
+    formats::write_ascii_file(sampler, &file).unwrap();
     let text = std::fs::read_to_string(&file).unwrap();
-    assert_eq!(text, written(&document, Format::Ascii));
+    assert_eq!(text, written(&document, "ascii"));
 }
 
 /// A writer that takes so many bytes and then fails.
@@ -245,11 +260,11 @@ impl Write for Full {
 #[test]
 fn a_full_output_is_told() {
     let document = described();
-    for format in [Format::Ascii, Format::Csv, Format::Json] {
+    for format in ALL {
         for room in [0, 1, 100, 100_000] {
-            let error = export::write(&document, format, &mut Full(room), &mut |_, _| {});
+            let error = write(&document, format, &mut Full(room), &mut |_, _| {});
             let error = error.unwrap_err();
-            assert!(matches!(error, Error::Io { .. }));
+            assert!(matches!(error, formats::Error::Document(Error::Io { .. })));
             assert_eq!(error.to_string(), "the output: No space left on device");
         }
     }

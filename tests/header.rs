@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 /// The files with exports, in the order in which the header shows them.
-const SOURCES: [&str; 28] = [
+const SOURCES: [&str; 29] = [
     "status",
     "types",
     "legacy",
@@ -27,6 +27,7 @@ const SOURCES: [&str; 28] = [
     "scene_space",
     "scene_tracks",
     "scene_states",
+    "exchange",
     "checks",
     "editor",
     "live",

@@ -9,11 +9,20 @@ const ARROWS: &[(&str, &[&str])] = &[
     ("vides-engine", &[]),
     ("vides-document", &["vides-engine", "vides-mesh"]),
     ("vides-mesh", &["vides-engine"]),
+    (
+        "vides-formats",
+        &["vides-document", "vides-engine", "vides-mesh"],
+    ),
     ("vides-raster", &[]),
     ("vides-x11", &["vides-engine", "vides-raster"]),
     (
         "vides-editor",
-        &["vides-document", "vides-engine", "vides-raster"],
+        &[
+            "vides-document",
+            "vides-engine",
+            "vides-formats",
+            "vides-raster",
+        ],
     ),
     (
         "vides-window",
@@ -31,6 +40,7 @@ const ARROWS: &[(&str, &[&str])] = &[
         &[
             "vides-document",
             "vides-engine",
+            "vides-formats",
             "vides-raster",
             "vides-window",
         ],

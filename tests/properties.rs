@@ -5,8 +5,8 @@ mod common;
 use common::{Random, all_poses, prepared, set_speeds};
 use glam::{DQuat, DVec3};
 use proptest::prelude::*;
-use vides::document::export::{self, Format};
 use vides::document::{Document, Info};
+use vides::formats::{Options, by_name, export_to};
 use vides::path::arc_length::ArcLength;
 use vides::path::hermite::Cubic;
 use vides::path::speed_curve::SpeedCurve;
@@ -343,9 +343,18 @@ fn every_count_of_frames_is_the_same() {
         let counted = timeline.frame_count().unwrap();
         assert_eq!((counted, sampler.frame_count()), (poses.len(), poses.len()));
         let document = Document::from_parts(path, Info::default()).unwrap();
-        for (format, heading) in [(Format::Ascii, 0), (Format::Csv, 1)] {
+        for (format, heading) in [("ascii", 0), ("csv", 1)] {
             let mut text = Vec::new();
-            export::write(&document, format, &mut text, &mut |_, _| {}).unwrap();
+            let scene = document.scene_document().unwrap();
+            let format = by_name(format).unwrap();
+            export_to(
+                &scene,
+                &mut text,
+                format,
+                &Options::default(),
+                &mut |_, _| {},
+            )
+            .unwrap();
             let lines = text.iter().filter(|&&byte| byte == b'\n').count();
             assert_eq!(lines, heading + poses.len());
             assert_eq!(text.last(), Some(&b'\n'));

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use clap::Args;
 use vides::document::{Document, Info};
+use vides::formats::{self, Recording, Report};
 use vides::path::{Space, Up};
 use vides::tools::fit::{Options, Tolerance, fit};
 
@@ -107,7 +108,17 @@ const LISTED: usize = 50;
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let name = input::name(&arguments.file);
     let object = arguments.object.as_deref().map(input::object).transpose()?;
-    let (poses, frames, seconds) = input::poses(&arguments.file)?;
+    let Recording {
+        poses,
+        frames,
+        seconds,
+        ..
+    } = formats::recording(
+        &input::source(&arguments.file)?,
+        None,
+        &formats::Options::default(),
+        &mut Report::default(),
+    )?;
     let times = |frames: &Vec<f64>| frames.iter().map(|frame| frame / arguments.fps).collect();
     let times: Option<Vec<f64>> = frames.as_ref().map(times);
     let options = Options {

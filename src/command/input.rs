@@ -6,10 +6,10 @@ use std::os::unix::fs::{FileTypeExt, MetadataExt};
 use std::path::Path;
 
 use vides::document::mesh::Format;
-use vides::document::{
-    Document, Edit, Object, Recorded, SceneDocument, load_object, load_poses, load_poses_from,
-};
+use vides::document::{Document, Edit, Object, SceneDocument, load_object};
 use vides::error::reason;
+use vides::formats::Source;
+use vides::limits::MAX_FILE_BYTES;
 
 use super::{Failure, complain, one_line};
 
@@ -20,11 +20,20 @@ pub(super) fn load(file: &Path) -> Result<Document, Failure> {
     }
 }
 
-pub(super) fn poses(file: &Path) -> Result<Recorded, Failure> {
-    match stream(file)? {
-        Some(mut stream) => Ok(load_poses_from(&mut stream, &name(file))?),
-        None => Ok(load_poses(file)?),
+/// A file of another program, or a folder of files.
+pub(super) fn source(file: &Path) -> Result<Source, Failure> {
+    let Some(stream) = stream(file)? else {
+        return Ok(Source::open(file)?);
+    };
+    let mut bytes = Vec::new();
+    let read = stream.take(MAX_FILE_BYTES + 1).read_to_end(&mut bytes);
+    read.map_err(|error| Failure::Input(format!("{}: {}", name(file), reason(&error))))?;
+    if bytes.len() as u64 > MAX_FILE_BYTES {
+        return Err(vides::Error::FileTooLarge(MAX_FILE_BYTES >> 20)
+            .at(name(file))
+            .into());
     }
+    Ok(Source::of_bytes(&name(file), bytes))
 }
 
 /// Loads a path, or of a scene the shown camera's path; what is missing then is among
@@ -39,7 +48,8 @@ pub(super) fn load_shown(file: &Path) -> Result<Document, Failure> {
     Ok(document)
 }
 
-fn load_whole(file: &Path) -> Result<Document, Failure> {
+/// Loads a path or a scene.
+pub(super) fn load_whole(file: &Path) -> Result<Document, Failure> {
     let name = name(file);
     let (document, warnings) = match stream(file)? {
         Some(mut stream) => Document::load_scene_from(&mut stream, &name)?,

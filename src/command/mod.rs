@@ -5,6 +5,7 @@
 //! read or written; 2 bad usage; 3 a check found something.
 
 mod check;
+mod convert;
 mod edit;
 mod fit;
 mod info;
@@ -57,6 +58,8 @@ enum Command {
     },
     /// Writes every camera pose of a path
     Sample(sample::Arguments),
+    /// Writes a path or scene in the format of another program, and back
+    Convert(convert::Arguments),
     /// Shows points, sections, lengths, frames and seconds of a path; of a
     /// scene its nodes and what moves them
     Info {
@@ -107,6 +110,12 @@ impl From<vides::Error> for Failure {
     }
 }
 
+impl From<vides::formats::Error> for Failure {
+    fn from(error: vides::formats::Error) -> Self {
+        Self::Input(error.to_string())
+    }
+}
+
 impl From<vides::window::Error> for Failure {
     fn from(error: vides::window::Error) -> Self {
         Self::Input(error.to_string())
@@ -124,6 +133,7 @@ pub(crate) fn run() -> ExitCode {
     conclude(match cli.command {
         Command::Edit { file, object } => edit::run(file.as_deref(), object.as_deref()),
         Command::Sample(arguments) => sample::run(&arguments),
+        Command::Convert(arguments) => convert::run(&arguments),
         Command::Info { file, json } => info::run(&file, json),
         Command::Get(arguments) => properties::get(&arguments),
         Command::Set(arguments) => properties::set(&arguments),

@@ -5,9 +5,8 @@ use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use vides::document::export::{self, MAX_DECIMALS, Progress};
-use vides::document::save::save_with;
-use vides::document::{Document, Edit, write_node};
+use vides::document::{Document, Edit, SceneDocument};
+use vides::formats::{self, Flight, MAX_DECIMALS, Options, Report, export, export_to};
 
 use super::progress::Bar;
 use super::{Failure, input, output_failed, scene};
@@ -63,16 +62,18 @@ fn decimals(text: &str) -> Result<usize, String> {
 }
 
 impl Arguments {
-    fn format(&self) -> Result<export::Format, Failure> {
-        match (self.format, self.digits) {
-            (Format::Ascii, None) => Ok(export::Format::Ascii),
-            (Format::Ascii, Some(digits)) => Ok(export::Format::Decimals(digits)),
-            (Format::Csv, None) => Ok(export::Format::Csv),
-            (Format::Json, None) => Ok(export::Format::Json),
-            (_, Some(_)) => Err(Failure::Usage(
+    fn format(&self) -> Result<&'static dyn formats::Format, Failure> {
+        let name = match self.format {
+            Format::Ascii => "ascii",
+            Format::Csv => "csv",
+            Format::Json => "json",
+        };
+        if self.digits.is_some() && name != "ascii" {
+            return Err(Failure::Usage(
                 "--digits goes with the format ascii; csv and json have all digits".to_owned(),
-            )),
+            ));
         }
+        Ok(formats::by_name(name)?)
     }
 }
 
@@ -145,42 +146,42 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     for interpolation in &arguments.interpolation {
         scene::register(interpolation)?;
     }
-    let place = |error: vides::Error| Failure::from(error.at(input::name(file)));
-    if let Some(name) = &arguments.node {
-        if arguments.speeds.are_given() {
+    let mut document = input::load_whole(file)?.without_history();
+    if arguments.speeds.are_given() {
+        if arguments.node.is_some() || document.edited_scene().is_some() {
             let reason = "base speeds are those of a path, not of a node of a scene";
             return Err(Failure::Usage(reason.to_owned()));
         }
-        let document = input::load_scene(file)?;
-        let Some(node) = document.scene.find(name) else {
-            let file = input::name(file);
-            return Err(Failure::Input(format!(
-                "{file}: there is no node \"{name}\""
-            )));
-        };
-        // Report what cannot be evaluated before any file is touched.
-        document
-            .scene
-            .prepare(document.scene.frame_range().0)
-            .map_err(|error| place(error.into()))?;
-        return write_out(out, &mut |out, progress| {
-            let name = input::name(file);
-            write_node(&document, node, format, out, progress).map_err(|error| error.at(name))
-        });
+        arguments
+            .speeds
+            .apply(&mut document)
+            .map_err(|error| error.at(input::name(file)))?;
     }
-    let mut document = input::load(file)?.without_history();
-    arguments.speeds.apply(&mut document).map_err(place)?;
-    // Report too many frames before any file is touched.
-    document.sampler().map_err(place)?;
-    write_out(out, &mut |out, progress| {
-        export::write(&document, format, out, progress)
-    })
+    let options = Options {
+        node: arguments.node.clone(),
+        digits: arguments.digits,
+        ..Options::default()
+    };
+    write_out(
+        &document.scene_document()?,
+        &input::name(file),
+        out,
+        format,
+        &options,
+    )
+    .map(drop)
 }
 
-type Writer<'a> = &'a mut dyn FnMut(&mut dyn Write, Progress<'_>) -> vides::Result<()>;
-
-/// Writes to standard output, a pipe or a file, with a progress bar on a terminal.
-fn write_out(out: &Path, write: Writer<'_>) -> Result<(), Failure> {
+/// Writes to standard output, a pipe or a file, with a progress bar on a terminal. What is wrong
+/// with the document is reported before any file is touched, with its `name`.
+pub(super) fn write_out(
+    document: &SceneDocument,
+    name: &str,
+    out: &Path,
+    format: &dyn formats::Format,
+    options: &Options,
+) -> Result<Report, Failure> {
+    Flight::new(document, options, format.row(), &mut |_, _| {}).map_err(|error| error.at(name))?;
     let to_standard_output = input::is_standard_stream(out);
     // Poses printed on a terminal are progress enough.
     let shown = io::stderr().is_terminal() && !(to_standard_output && io::stdout().is_terminal());
@@ -191,37 +192,35 @@ fn write_out(out: &Path, write: Writer<'_>) -> Result<(), Failure> {
         }
     };
     if to_standard_output {
-        write_to_standard_output(write, &mut progress)
-    } else if fs::metadata(out).is_ok_and(|metadata| input::is_stream(&metadata)) {
-        Ok(write_to_stream(write, out, &mut progress)?)
-    } else {
-        Ok(save_with(out, &mut |out| write(out, &mut progress))?)
+        // Locked once, and without the line buffering of standard output.
+        let mut stream = BufWriter::with_capacity(BUFFER, io::stdout().lock());
+        let report = export_to(document, &mut stream, format, options, &mut progress);
+        let report = report.map_err(|error| match error {
+            formats::Error::Document(vides::Error::Io { source, .. }) => output_failed(&source),
+            other => other.into(),
+        })?;
+        stream.flush().map_err(|error| output_failed(&error))?;
+        return Ok(report);
     }
+    if !fs::metadata(out).is_ok_and(|metadata| input::is_stream(&metadata)) {
+        return Ok(export(document, out, format, options, &mut progress)?);
+    }
+    // A pipe or a device, which cannot be replaced like a file.
+    let named = |source| {
+        Failure::from(vides::Error::Io {
+            place: out.display().to_string(),
+            source,
+        })
+    };
+    let opened = OpenOptions::new().write(true).open(out).map_err(named)?;
+    let mut stream = BufWriter::with_capacity(BUFFER, opened);
+    let report = export_to(document, &mut stream, format, options, &mut progress);
+    let report = report.map_err(|error| match error {
+        formats::Error::Document(vides::Error::Io { source, .. }) => named(source),
+        other => other.into(),
+    })?;
+    stream.flush().map_err(named)?;
+    Ok(report)
 }
 
 const BUFFER: usize = 1 << 16;
-
-fn write_to_standard_output(write: Writer<'_>, progress: Progress<'_>) -> Result<(), Failure> {
-    // Locked once, and without the line buffering of standard output.
-    let mut out = BufWriter::with_capacity(BUFFER, io::stdout().lock());
-    write(&mut out, progress).map_err(|error| match error {
-        vides::Error::Io { source, .. } => output_failed(&source),
-        other => other.into(),
-    })?;
-    out.flush().map_err(|error| output_failed(&error))
-}
-
-/// Writes to a pipe or a device, which cannot be replaced like a file.
-fn write_to_stream(write: Writer<'_>, file: &Path, progress: Progress<'_>) -> vides::Result<()> {
-    let named = |source| vides::Error::Io {
-        place: file.display().to_string(),
-        source,
-    };
-    let opened = OpenOptions::new().write(true).open(file).map_err(named)?;
-    let mut out = BufWriter::with_capacity(BUFFER, opened);
-    write(&mut out, progress).map_err(|error| match error {
-        vides::Error::Io { source, .. } => named(source),
-        other => other,
-    })?;
-    out.flush().map_err(named)
-}

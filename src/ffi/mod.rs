@@ -29,6 +29,7 @@ mod enter;
 mod callbacks;
 mod editor;
 mod editor_scene;
+mod exchange;
 mod handles;
 mod host_loop;
 mod legacy;

@@ -9,8 +9,8 @@ use super::path::read;
 use super::pointers::{ArrayOut, Out, TextOut, check, file_name, index, slice, slice_mut};
 use super::status::{Answer, Failure, Name, V_ERR_INTERNAL, V_OK};
 use super::types::{V_KAMERAPAR, V_PATH, V_POSE};
-use crate::document::ascii;
 use crate::error::{EngineError, vec_with_room};
+use crate::formats;
 use crate::path::Pose;
 
 /// ==== Sections and poses ====
@@ -255,7 +255,7 @@ pub unsafe extern "C" fn v_path_write_ascii(path: *const V_PATH, file: *const c_
         let file = unsafe { file_name(file, "file") }?;
         read(path, |document| {
             let sampler = document.sampler()?;
-            ascii::write_ascii_file(sampler, file)?;
+            formats::write_ascii_file(sampler, file)?;
             Ok(V_OK)
         })
     })
@@ -278,7 +278,8 @@ pub unsafe extern "C" fn v_path_write_ascii_to_memory(
         let out = TextOut::new(text, capacity, length, "text")?;
         read(path, |document| {
             let mut lines = Lines(Vec::new());
-            ascii::write_ascii(document.sampler()?, &mut lines).map_err(|_| EngineError::Memory)?;
+            formats::write_ascii(document.sampler()?, &mut lines)
+                .map_err(|_| EngineError::Memory)?;
             // SAFETY: room as the header says.
             unsafe { out.write(&lines.0) }
         })

@@ -10,6 +10,7 @@ use std::thread::LocalKey;
 use crate::error::{
     EngineError, ErrorKind, FromZero, Index, Invalid, OutOfRange, Refused, Text, TooMany,
 };
+use crate::formats;
 use crate::instance::Error;
 
 /// ==== Version of this header ====
@@ -90,6 +91,9 @@ pub(super) enum Failure {
     /// An error from the library.
     #[error(transparent)]
     Library(#[from] Error),
+    /// An error with a file of another program.
+    #[error(transparent)]
+    Format(#[from] formats::Error),
     #[error("{0} is NULL")]
     Null(Name),
     #[error("{0} is not a valid handle: freed, of another kind, or never made")]
@@ -193,15 +197,8 @@ impl Failure {
     pub(super) fn status(&self) -> c_int {
         match self {
             Self::Border(status, _) => *status,
-            Self::Library(error) => match error.kind() {
-                ErrorKind::Argument => V_ERR_ARGUMENT,
-                ErrorKind::Range => V_ERR_RANGE,
-                ErrorKind::Limit => V_ERR_LIMIT,
-                ErrorKind::Memory => V_ERR_MEMORY,
-                ErrorKind::Io => V_ERR_IO,
-                ErrorKind::Format => V_ERR_FORMAT,
-                ErrorKind::Display => V_ERR_DISPLAY,
-            },
+            Self::Library(error) => status_of(error.kind()),
+            Self::Format(error) => status_of(error.kind()),
             Self::Null(_) => V_ERR_NULL,
             Self::Handle(_) => V_ERR_HANDLE,
             Self::Unaligned(_)
@@ -233,6 +230,18 @@ impl Failure {
             Self::Handle(_) => Self::Handle(name.into()),
             other => other,
         }
+    }
+}
+
+const fn status_of(kind: ErrorKind) -> c_int {
+    match kind {
+        ErrorKind::Argument => V_ERR_ARGUMENT,
+        ErrorKind::Range => V_ERR_RANGE,
+        ErrorKind::Limit => V_ERR_LIMIT,
+        ErrorKind::Memory => V_ERR_MEMORY,
+        ErrorKind::Io => V_ERR_IO,
+        ErrorKind::Format => V_ERR_FORMAT,
+        ErrorKind::Display => V_ERR_DISPLAY,
     }
 }
 

@@ -3,7 +3,6 @@ use vides_engine::scene::{Camera, Extrapolation, Marker};
 use super::*;
 use crate::Edit;
 use crate::error::ErrorKind;
-use crate::export::Format;
 use crate::path::Space;
 use glam::DVec3;
 
@@ -144,23 +143,6 @@ fn poses_are_those_of_the_camera_that_is_shown() {
         document.shown_path().unwrap().path(),
         &CameraPath::default()
     );
-}
-
-/// A program that takes the poses wants the flight; a file has the frames that all else is at.
-#[test]
-fn poses_begin_with_the_path_and_files_with_the_scene() {
-    let document = document(&scene());
-    let poses = document.poses().unwrap();
-    let mut first = [Pose::default()];
-    poses.sample(1, &mut first).unwrap();
-    let mut text = Vec::new();
-    crate::export::write(&document, Format::Csv, &mut text, &mut |_, _| {}).unwrap();
-    let lines = String::from_utf8(text).unwrap();
-    // The car goes from frame 1 on, the camera from frame 11 to the last.
-    assert_eq!(lines.lines().count(), 1 + 10 + poses.frame_count());
-    let (written, frames, _) = crate::poses_of_text(&lines).unwrap();
-    assert_eq!(frames.unwrap()[10], 11.0);
-    assert_eq!(written[10], first[0]);
 }
 
 #[test]

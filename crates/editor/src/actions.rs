@@ -90,6 +90,9 @@ pub(super) enum Action {
     Dropped(Vec<PathBuf>),
     LoadObject,
     Export,
+    /// Write into this file, in the format of this name, whatever is lost.
+    WriteAs(PathBuf, &'static str),
+    Import,
     HandOver,
     /// Hand the poses over after each change, or no longer.
     SwitchHandsOver,
@@ -296,10 +299,7 @@ impl Action {
                 | Self::Copy
                 | Self::Paste
                 | Self::CopySpeeds(_)
-                | Self::FileChosen(
-                    Purpose::LoadBlock | Purpose::LoadPoses | Purpose::SaveBlock,
-                    _
-                )
+                | Self::FileChosen(Purpose::LoadBlock | Purpose::Import | Purpose::SaveBlock, _)
                 | Self::Say(_)
                 | Self::Complain(_)
         )
@@ -419,6 +419,12 @@ impl Editor {
             Action::Dropped(files) => self.dropped(&files, context),
             Action::LoadObject => self.choose_file(Purpose::LoadObject),
             Action::Export => self.choose_file(Purpose::Export),
+            Action::Import => self.choose_file(Purpose::Import),
+            Action::WriteAs(file, format) => {
+                if let Err(text) = self.write_as(&file, format) {
+                    self.complain(text);
+                }
+            }
             Action::HandOver if self.host_takes_poses => self.requests.push(Request::HandOver),
             Action::HandOver => self.complain(self.texts().menu.nobody_takes),
             Action::SwitchHandsOver => {

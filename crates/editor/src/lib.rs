@@ -41,6 +41,7 @@ mod tests;
 use vides_document as document;
 use vides_document::{Error, Result, error};
 use vides_engine::{limits, math, path, tools};
+use vides_formats as formats;
 use vides_raster as raster;
 
 pub use files::Folders;

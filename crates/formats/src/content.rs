@@ -69,8 +69,16 @@ impl Recording {
     /// Frames per second by the user, the file, or none of them.
     fn rate(&self, options: &Options) -> f64 {
         let sane = |fps: &f64| *fps > 0.0 && *fps <= MAX_FPS;
-        let fps = options.fps.or(self.fps.filter(sane));
+        let fps = self.fps.filter(sane).or(options.fps);
         fps.unwrap_or(DEFAULT_FPS)
+    }
+
+    /// The times of the poses in seconds from the first, at so many frames a second; none if there
+    /// is a pose a frame.
+    #[must_use]
+    pub fn seconds_at(&self, fps: f64) -> Option<Vec<f64>> {
+        let times = self.times(fps)?;
+        Some(times.iter().map(|time| time / fps).collect())
     }
 
     /// The times of the poses in frames from the first, or none if there is one a frame.

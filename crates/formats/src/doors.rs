@@ -124,15 +124,28 @@ pub fn read(
     whole().map_err(|error: Error| error.at(&source.name))
 }
 
+/// By the content; of several formats that it may be, or if it looks like none, by the name.
 fn recognised(source: &Source) -> Result<&'static dyn Format> {
-    let fits = |format: &&&dyn Format| format.row().reads && format.recognises(source);
-    let found: Vec<_> = formats().iter().filter(fits).copied().collect();
+    let read = || {
+        formats()
+            .iter()
+            .copied()
+            .filter(|format| format.row().reads)
+    };
+    let named = |format: &&dyn Format| format.row().is_named(Path::new(&source.name));
+    let found: Vec<_> = read().filter(|format| format.recognises(source)).collect();
     match *found {
-        [] => Err(Error::NotRecognised),
+        [] => read().find(named).ok_or(Error::NotRecognised),
         [one] => Ok(one),
-        _ => Err(Error::Ambiguous(
-            found.iter().map(|format| format.row().name).collect(),
-        )),
+        _ => {
+            let mut by_name = found.iter().copied().filter(named);
+            match (by_name.next(), by_name.next()) {
+                (Some(one), None) => Ok(one),
+                _ => Err(Error::Ambiguous(
+                    found.iter().map(|format| format.row().name).collect(),
+                )),
+            }
+        }
     }
 }
 
@@ -164,7 +177,14 @@ pub fn recording(
     options: &Options,
     report: &mut Report,
 ) -> Result<Recording> {
-    match read(source, format, options, report)?.1 {
+    let content = match read(source, format, options, report) {
+        // Lines of ten numbers: the reader says what is wrong with them.
+        Err(Error::In(_, error)) if matches!(*error, Error::NotRecognised) => {
+            read(source, Some(&super::ascii::Ascii), options, report)
+        }
+        content => content,
+    };
+    match content?.1 {
         Content::Poses(recording) => Ok(recording),
         Content::Scene(document) => {
             let mut ignored = |_, _| {};

@@ -45,6 +45,28 @@ impl Row {
         reads: true,
         writes: true,
     };
+
+    /// Whether a file of this name is of the format: by the whole name, or by the ending.
+    #[must_use]
+    pub fn is_named(&self, file: &Path) -> bool {
+        self.has_name(file) || self.has_ending(file)
+    }
+
+    fn has_name(&self, file: &Path) -> bool {
+        let name = file.file_name().unwrap_or_default();
+        let known = self.file_names.iter().chain(self.parts);
+        known
+            .into_iter()
+            .any(|known| name.eq_ignore_ascii_case(known))
+    }
+
+    fn has_ending(&self, file: &Path) -> bool {
+        let ending = file.extension().unwrap_or_default();
+        let known = self.endings.iter();
+        known
+            .into_iter()
+            .any(|known| ending.eq_ignore_ascii_case(known))
+    }
 }
 
 /// A file format.
@@ -118,29 +140,13 @@ pub fn by_name(name: &str) -> Result<&'static dyn Format> {
 /// # Errors
 /// [`Error::UnknownEnding`] with those that are known.
 pub fn by_target(file: &Path) -> Result<&'static dyn Format> {
-    let name = file.file_name().unwrap_or_default();
-    let ending = file.extension().unwrap_or_default();
     let written = || {
-        formats()
-            .iter()
-            .copied()
-            .filter(|format| format.row().writes)
-    };
-    let whole = |format: &&dyn Format| {
-        let names = format.row().file_names.iter();
-        names
-            .into_iter()
-            .any(|known| name.eq_ignore_ascii_case(known))
-    };
-    let by_ending = |format: &&dyn Format| {
-        let endings = format.row().endings.iter();
-        endings
-            .into_iter()
-            .any(|known| ending.eq_ignore_ascii_case(known))
+        let all = formats().iter().copied();
+        all.filter(|format| format.row().writes)
     };
     written()
-        .find(whole)
-        .or_else(|| written().find(by_ending))
+        .find(|format| format.row().has_name(file))
+        .or_else(|| written().find(|format| format.row().has_ending(file)))
         .or_else(|| written().find(|format| file.is_dir() && !format.row().parts.is_empty()))
         .ok_or_else(|| Error::UnknownEnding(file.display().to_string().as_str().into()))
 }

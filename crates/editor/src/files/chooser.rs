@@ -11,10 +11,11 @@ use egui::{Button, Context, Key, Label, Modifiers, RichText, ScrollArea, Sense, 
 
 use super::listing::{Folder, MAX_ENTRIES, fits, is_hidden};
 use crate::actions::Action;
-use crate::document::export::Format;
+use crate::files::exchange::DEFAULT;
 use crate::files::folders;
 use crate::files::picture::{self, Picture};
 use crate::files::{Purpose, readable, short};
+use crate::formats::{self, formats};
 use crate::state::Editor;
 use crate::texts::fill;
 use crate::texts::refusals::of_system;
@@ -38,6 +39,8 @@ pub(crate) struct FileWindow {
     /// The true name of what was chosen, which may be impossible to type.
     chosen: Option<OsString>,
     filter: String,
+    /// The name of the format that is written.
+    format: Option<&'static str>,
     hidden: bool,
     trouble: Option<String>,
     overwrite: Option<PathBuf>,
@@ -59,13 +62,15 @@ struct Done {
 impl FileWindow {
     pub(crate) fn open(editor: &Editor, purpose: Purpose) -> Self {
         let texts = &editor.texts().files;
+        let importable = filter_of(|row| row.reads);
+        let exported = filter_of(is_export);
         let (name, filter) = match purpose {
             Purpose::LoadPath | Purpose::LoadBlock => (String::new(), "*.vid"),
             Purpose::SaveBlock => (format!("{}.vid", texts.block), "*.vid"),
-            Purpose::LoadPoses => (String::new(), "*.csv *.txt"),
+            Purpose::Import => (String::new(), importable.as_str()),
             Purpose::SavePath(_) => (editor.proposal(texts.proposal, "vid"), "*.vid"),
             Purpose::LoadObject => (String::new(), "*.obj *.ply *.stl *.gltf *.glb"),
-            Purpose::Export => (editor.proposal(texts.poses, "txt"), "*.txt *.csv *.json"),
+            Purpose::Export => (editor.proposal(texts.poses, "txt"), exported.as_str()),
             Purpose::LoadSetup => (String::new(), "*.toml"),
             Purpose::SaveSetup => (folders::SETUP_NAME.to_owned(), "*.toml"),
         };
@@ -76,6 +81,7 @@ impl FileWindow {
             name,
             chosen: None,
             filter: filter.to_owned(),
+            format: (purpose == Purpose::Export).then_some(DEFAULT),
             hidden: false,
             trouble: None,
             overwrite: None,
@@ -108,7 +114,7 @@ impl FileWindow {
             Purpose::SaveSetup => texts.save_setup,
             Purpose::LoadBlock => texts.load_block,
             Purpose::SaveBlock => texts.save_block,
-            Purpose::LoadPoses => texts.load_poses,
+            Purpose::Import => texts.import,
         };
         let mut done = Done::default();
         let asks = self.overwrite.is_some();
@@ -174,7 +180,7 @@ impl FileWindow {
                 | Purpose::LoadObject
                 | Purpose::LoadSetup
                 | Purpose::LoadBlock
-                | Purpose::LoadPoses
+                | Purpose::Import
         )
     }
 
@@ -319,32 +325,61 @@ impl FileWindow {
         done.take |= taken.on_hover_text(texts.take_hint).clicked();
     }
 
-    /// The formats of poses; choosing one changes the name's ending.
+    /// The name of the chosen format.
+    pub(crate) fn format(&self) -> Option<&'static str> {
+        self.format
+    }
+
+    /// The formats that are written; choosing one changes the name's ending.
     fn show_formats(&mut self, editor: &Editor, ui: &mut Ui) {
         let texts = &editor.texts().files;
-        let current = Format::of_file(Path::new(self.name.trim()));
-        for format in Format::ALL {
-            let (name, hint) = match format {
-                Format::Ascii | Format::Decimals(_) => (texts.as_lines, texts.as_lines_hint),
-                Format::Csv => (texts.as_csv, texts.as_csv_hint),
-                Format::Json => (texts.as_json, texts.as_json_hint),
-            };
-            let choice = theme::choice(ui, format == current, name);
-            if choice.on_hover_text(hint).clicked() && format != current {
-                let stem = self.name.trim().to_owned();
-                let known = Path::new(&stem)
-                    .extension()
-                    .and_then(|ending| ending.to_str())
-                    .filter(|ending| {
-                        let is = |format: Format| ending.eq_ignore_ascii_case(format.ending());
-                        Format::ALL.into_iter().any(is)
-                    });
-                let cut = known.map_or(0, |ending| ending.len() + 1);
-                let stem = &stem[..stem.len() - cut];
-                self.name = format!("{stem}.{}", format.ending());
-                self.chosen = None;
-            }
+        let rows = || formats().iter().map(|format| format.row());
+        let typed = Path::new(self.name.trim());
+        // A name that is typed may tell another one.
+        let fits = |name| formats::by_name(name).is_ok_and(|format| format.row().is_named(typed));
+        if !self.format.is_some_and(fits)
+            && let Ok(told) = formats::by_target(typed)
+        {
+            self.format = Some(told.row().name);
         }
+        let current = formats::by_name(self.format.unwrap_or(DEFAULT));
+        let Ok(current) = current.map(|format| format.row()) else {
+            return;
+        };
+        let open = Button::new(described(current)).min_size(vec2(ui.available_width(), theme::ROW));
+        let open = ui.add(open);
+        open.widget_info(|| egui::WidgetInfo {
+            current_text_value: Some(current.title.to_owned()),
+            ..egui::WidgetInfo::labeled(egui::Role::ComboBox, true, texts.format)
+        });
+        egui::Popup::menu(&open).show(|ui| {
+            ScrollArea::vertical().max_height(300.0).show(ui, |ui| {
+                for row in rows().filter(|row| is_export(row)) {
+                    let chosen = row == current;
+                    if ui.add(Button::selectable(chosen, described(row))).clicked() && !chosen {
+                        self.choose_format(current, row);
+                    }
+                }
+            });
+        });
+        open.on_hover_text(texts.format_hint);
+    }
+
+    fn choose_format(&mut self, old: &formats::Row, new: &formats::Row) {
+        self.format = Some(new.name);
+        self.chosen = None;
+        let name = self.name.trim();
+        let ending = Path::new(name)
+            .extension()
+            .and_then(|ending| ending.to_str());
+        let known =
+            ending.filter(|ending| old.endings.iter().any(|of| ending.eq_ignore_ascii_case(of)));
+        let cut = known.map_or(0, |ending| ending.len() + 1);
+        let stem = &name[..name.len() - cut];
+        self.name = match new.endings {
+            [ending, ..] => format!("{stem}.{ending}"),
+            [] => stem.to_owned(),
+        };
     }
 
     /// The list, and beside it a picture of the path chosen there.
@@ -530,6 +565,32 @@ impl FileWindow {
     }
 }
 
+/// A format by what people call it and how its files end.
+fn described(row: &formats::Row) -> String {
+    let names = row.file_names.iter().map(|name| (*name).to_owned());
+    let endings = row.endings.iter().map(|ending| format!("*.{ending}"));
+    let files: Vec<_> = names.chain(endings).collect();
+    match files.as_slice() {
+        [] => row.title.to_owned(),
+        files => format!("{} ({})", row.title, files.join(", ")),
+    }
+}
+
+/// Whether poses or scenes are written in it; saving is another thing.
+fn is_export(row: &formats::Row) -> bool {
+    row.writes && row.name != "vid"
+}
+
+/// All endings of files of some formats.
+fn filter_of(which: impl Fn(&formats::Row) -> bool) -> String {
+    let rows = formats().iter().map(|format| format.row());
+    let endings = rows.filter(|row| which(row)).flat_map(|row| row.endings);
+    let mut endings: Vec<_> = endings.map(|ending| format!("*.{ending}")).collect();
+    endings.sort_unstable();
+    endings.dedup();
+    endings.join(" ")
+}
+
 /// Without `.` and, where that surely means the same, without `..`.
 fn tidy(path: &Path) -> PathBuf {
     let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
@@ -551,10 +612,10 @@ fn tidy(path: &Path) -> PathBuf {
 /// Adds the usual ending to a name without one.
 fn with_ending(path: PathBuf, purpose: Purpose) -> PathBuf {
     let ending = match purpose {
-        Purpose::Export => Format::default().ending(),
+        Purpose::Export => "txt",
         Purpose::LoadSetup | Purpose::SaveSetup => "toml",
         Purpose::LoadObject => "obj",
-        Purpose::LoadPoses => "csv",
+        Purpose::Import => "csv",
         Purpose::LoadPath | Purpose::SavePath(_) | Purpose::LoadBlock | Purpose::SaveBlock => "vid",
     };
     if path.extension().is_some() {

@@ -2,6 +2,7 @@
 
 mod autosave;
 mod chooser;
+mod exchange;
 pub(crate) mod folders;
 mod listing;
 mod picture;
@@ -30,7 +31,7 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use crate::document::tool::ToolInput;
-use crate::document::{Document, Edit, Fingerprint, export, load_object, load_poses, save};
+use crate::document::{Document, Edit, Fingerprint, load_object, save};
 use crate::error::{EngineError, Error, Result, TooMany};
 use crate::host::Warnings;
 use crate::limits;
@@ -53,8 +54,8 @@ pub(crate) enum Purpose {
     LoadBlock,
     /// Points to be saved as a path of their own.
     SaveBlock,
-    /// Recorded poses to make a path of.
-    LoadPoses,
+    /// Another program's file: a scene, or poses to make a path of.
+    Import,
 }
 
 /// What waits until unsaved work is saved or given up.
@@ -175,10 +176,14 @@ impl Editor {
                 }
             }),
             Purpose::LoadObject => self.load_object(file),
-            Purpose::Export => self.write_poses(file),
+            Purpose::Export => {
+                let chosen = window.as_ref().and_then(FileWindow::format);
+                self.export(file, chosen)
+            }
             Purpose::LoadSetup => self.load_setup(file),
             Purpose::SaveSetup => self.save_setup(file),
-            Purpose::LoadBlock | Purpose::LoadPoses => self.load_material(purpose, file),
+            Purpose::LoadBlock => self.load_block(file),
+            Purpose::Import => self.import(file),
             Purpose::SaveBlock => self.save_block(file),
         };
         match done {
@@ -273,23 +278,13 @@ impl Editor {
         Ok(())
     }
 
-    /// Begins with the tool that uses the file.
-    fn load_material(&mut self, purpose: Purpose, file: &Path) -> Result<(), String> {
-        let read = if purpose == Purpose::LoadBlock {
-            Document::load(file).map(|of_file| {
-                let (path, _) = of_file.into_parts();
-                ToolInput::Block(Box::new(path))
-            })
-        } else {
-            load_poses(file).map(|(poses, frames, _)| {
-                let fps = self.document.info().fps;
-                let seconds = |all: Vec<f64>| all.iter().map(|frame| frame / fps).collect();
-                ToolInput::Poses(poses, frames.map(seconds))
-            })
-        };
-        let material =
+    /// Begins with the tool that inserts the path of a file.
+    fn load_block(&mut self, file: &Path) -> Result<(), String> {
+        let read = Document::load(file);
+        let read =
             read.map_err(|error| self.refusal(self.texts().errors.cannot_load, file, &error))?;
-        self.begin_tool_with(material);
+        let (path, _) = read.into_parts();
+        self.begin_tool_with(ToolInput::Block(Box::new(path)));
         Ok(())
     }
 
@@ -304,17 +299,6 @@ impl Editor {
         self.windows.tool = None;
         let text = self.texts().tools.block_written;
         self.say(fill(text, &[&first, &last, &short(file)]));
-        Ok(())
-    }
-
-    /// Writes the poses as the file's name says: lines of ten numbers (thesis B.2.3), CSV or JSON.
-    pub(crate) fn write_poses(&mut self, file: &Path) -> Result<(), String> {
-        let texts = self.texts();
-        let mut count = 0;
-        let format = export::Format::of_file(file);
-        export::write_file(&self.document, format, file, &mut |done, _| count = done)
-            .map_err(|error| self.refusal(texts.errors.cannot_write, file, &error))?;
-        self.say(fill(texts.output.written, &[&count, &short(file)]));
         Ok(())
     }
 

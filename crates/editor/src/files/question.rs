@@ -1,5 +1,7 @@
 //! The questions before unsaved work is lost, or a file changed elsewhere since it was read here.
 
+use std::path::{Path, PathBuf};
+
 use egui::{Button, vec2};
 
 use crate::actions::Action;
@@ -15,12 +17,18 @@ pub(crate) struct Question {
     fresh: bool,
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 enum About {
     Unsaved(AfterSave),
     Changed(Option<AfterSave>),
     /// Another program has written the file.
     Newer,
+    /// Something would be lost in a file of this format.
+    Losses {
+        file: PathBuf,
+        format: &'static str,
+        lost: Vec<String>,
+    },
 }
 
 /// An answer: its words, its hint, what it does.
@@ -54,6 +62,16 @@ impl Question {
         Self { about, fresh: true }
     }
 
+    /// What is lost in a file of another program's format.
+    pub(crate) fn losses(file: &Path, format: &'static str, lost: Vec<String>) -> Self {
+        let about = About::Losses {
+            file: file.to_owned(),
+            format,
+            lost,
+        };
+        Self { about, fresh: true }
+    }
+
     pub(crate) fn show(
         &mut self,
         editor: &Editor,
@@ -72,8 +90,8 @@ impl Question {
         let name = editor.file.as_deref().map(short);
         let cancel = (texts.cancel, texts.cancel_hint, None);
         let reload = (texts.reload, texts.reload_hint, Some(Action::Reload));
-        Some(match self.about {
-            About::Unsaved(then) => {
+        Some(match &self.about {
+            &About::Unsaved(then) => {
                 let text = match then {
                     AfterSave::Close => texts.before_close,
                     AfterSave::Load | AfterSave::Recent(_) | AfterSave::Dropped => {
@@ -108,7 +126,7 @@ impl Question {
                     safe: usize::from(modified),
                 }
             }
-            About::Changed(then) => {
+            &About::Changed(then) => {
                 let (save_as, overwrite) = (Action::SaveAsBefore(then), Action::Overwrite(then));
                 Parts {
                     place: ("changed", texts.changed, 480.0, 112.0),
@@ -120,6 +138,19 @@ impl Question {
                         cancel,
                     ],
                     safe: 1,
+                }
+            }
+            About::Losses { file, format, lost } => {
+                let mut text = fill(texts.lossy, &[&short(file)]);
+                for loss in lost {
+                    text += &format!("\n•  {loss}");
+                }
+                let write = Action::WriteAs(file.clone(), format);
+                Parts {
+                    place: ("losses", texts.losses, 480.0, 112.0),
+                    text,
+                    answers: vec![(files.write, texts.write_hint, Some(write)), cancel],
+                    safe: 0,
                 }
             }
         })

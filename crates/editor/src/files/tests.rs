@@ -6,8 +6,6 @@ use std::os::unix::ffi::OsStrExt;
 use std::os::unix::fs::PermissionsExt;
 use std::path::Path;
 
-use egui_kittest::kittest::NodeT;
-
 use crate::document::Object;
 use crate::document::ObjectPoint;
 use crate::tests::*;
@@ -350,20 +348,24 @@ fn the_file_window_offers_all_formats_of_poses() {
         ] {
             assert_eq!(window.query_by_label(file).is_some(), seen, "{file}");
         }
-        let chosen = |window: &Window, format: &str| {
-            let node = window.get_by_role_and_label(Role::RadioButton, format);
-            node.accesskit_node().toggled() == Some(egui::accesskit::Toggled::True)
+        let shown = |window: &Window| {
+            let button = window.get_by_role_and_label(Role::ComboBox, texts.format);
+            button.value().expect("a format")
         };
-        assert!(chosen(&window, texts.as_lines));
+        assert_eq!(shown(&window), "ASCII");
         let place = |window: &Window| window.get_by_label(texts.name).value();
-        for (format, ending) in [
-            (texts.as_csv, "csv"),
-            (texts.as_json, "json"),
-            (texts.as_lines, "txt"),
-            (texts.as_json, "json"),
+        for (format, entry, ending) in [
+            ("CSV", "CSV (*.csv)", "csv"),
+            ("JSON", "JSON (*.json)", "json"),
+            ("ASCII", "ASCII (*.txt)", "txt"),
+            ("TUM", "TUM (*.tum)", "tum"),
         ] {
-            click(&mut window, format);
-            assert!(chosen(&window, format));
+            window
+                .get_by_role_and_label(Role::ComboBox, texts.format)
+                .click();
+            window.run();
+            click(&mut window, entry);
+            assert_eq!(shown(&window), format);
             let name = format!("{}.{ending}", texts.poses);
             assert_eq!(place(&window).as_deref(), Some(&*name));
         }

@@ -141,6 +141,7 @@ fn file(editor: &Editor) -> Vec<Entry> {
     let mut file = vec![
         Entry::new(texts.load, hints.load, Action::Load).letter(Key::L),
         Entry::new(texts.load_object, hints.load_object, Action::LoadObject).letter(Key::O),
+        Entry::new(texts.import, hints.import, Action::Import).letter(Key::I),
         Entry::new(texts.save, hints.save, Action::Save).apart(),
         Entry::new(texts.save_as, hints.save_as, Action::SaveAs).letter(Key::S),
     ];

@@ -12,7 +12,7 @@ texts! {
         save_setup: "Save setup", "Speicher Setup";
         load_block: "Insert a block", "Baustein einfügen";
         save_block: "Save points as a block", "Punkte als Baustein speichern";
-        load_poses: "Fit recorded poses", "Aufgezeichnete Posen annähern";
+        import: "Import a scene or recorded poses", "Szene oder aufgezeichnete Posen importieren";
         block: "block", "Baustein";
         one_file: "One file can be dropped at a time", "Ablegen lässt sich nur eine Datei auf einmal";
         not_here: "{0} is no file of this machine", "{0} ist keine Datei dieses Rechners";
@@ -34,15 +34,7 @@ texts! {
         filter_hint: "Files to be shown: * stands for any letters, ? for one",
             "Dateien, die gezeigt werden: * steht für beliebige Zeichen, ? für eines";
         format: "Format", "Format";
-        as_lines: "Lines", "Zeilen";
-        as_lines_hint: "Ten numbers a line, four decimals (*.txt)",
-            "Zehn Zahlen je Zeile, vier Nachkommastellen (*.txt)";
-        as_csv: "CSV", "CSV";
-        as_csv_hint: "A table for other programs, with frame numbers and all digits (*.csv)",
-            "Eine Tabelle für andere Programme, mit Bildnummern und allen Stellen (*.csv)";
-        as_json: "JSON", "JSON";
-        as_json_hint: "For programs: title, frames per second and all poses, all digits (*.json)",
-            "Für Programme: Titel, Bilder je Sekunde und alle Posen, mit allen Stellen (*.json)";
+        format_hint: "How it is written; the name's ending follows", "Wie geschrieben wird; die Endung des Namens folgt";
         hidden: "Hidden files", "Versteckte Dateien";
         hidden_hint: "Show files, too, whose names begin with a full stop",
             "Auch Dateien zeigen, deren Namen mit einem Punkt beginnen";

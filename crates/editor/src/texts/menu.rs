@@ -14,6 +14,7 @@ texts! {
         save: "Save", "Speichern";
         save_as: "Save curve …", "Speicher Kurve …";
         load_object: "Load object …", "Lade Objekt …";
+        import: "Import …", "Importieren …";
         quit: "Quit", "Beenden";
 
         undo: "Undo", "Rückgängig";

@@ -5,6 +5,8 @@ use super::texts;
 texts! {
     MenuHints {
         load: "Open a path in place of this one", "Eine Bahn an Stelle dieser öffnen";
+        import: "Take over a scene or recorded poses of another program; poses become a path",
+            "Eine Szene oder aufgezeichnete Posen eines anderen Programms übernehmen; aus Posen wird eine Bahn";
         load_object: "Show a mesh or a point cloud (OBJ, PLY, STL, glTF) in the movement window",
             "Ein Netz oder eine Punktwolke (OBJ, PLY, STL, glTF) im Bewegungsfenster zeigen";
         save: "Save the path under its name", "Die Bahn unter ihrem Namen speichern";

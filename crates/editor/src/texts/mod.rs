@@ -25,6 +25,7 @@ mod curve;
 mod display;
 mod errors;
 mod files;
+pub(crate) mod formats;
 mod german;
 mod german_files;
 mod help;

@@ -34,5 +34,10 @@ texts! {
         save_hint: "Save, then go on", "Speichern und dann fortfahren";
         discard_hint: "Go on; the changes are lost", "Fortfahren; die Änderungen gehen verloren";
         cancel_hint: "Stay here; nothing happens (Esc)", "Hier bleiben; es geschieht nichts (Esc)";
+
+        losses: "What the file cannot hold", "Was die Datei nicht fasst";
+        lossy: "In {0} something is left out or taken otherwise:",
+            "In {0} bleibt etwas weg oder wird anders übernommen:";
+        write_hint: "Write it all the same", "Trotzdem schreiben";
     }
 }

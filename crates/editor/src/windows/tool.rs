@@ -142,7 +142,7 @@ impl ToolWindow {
     }
 
     /// Whether it waits for a file.
-    pub(super) fn waits(&self) -> bool {
+    pub(crate) fn waits(&self) -> bool {
         let material = matches!(self.tool.needs(), Needs::Block | Needs::Poses);
         material && matches!(self.material, ToolInput::None)
     }
@@ -383,11 +383,26 @@ fn reason(language: Language, error: &Error) -> String {
 impl Editor {
     /// Begins with a tool, or first asks for the file that it needs.
     pub(crate) fn open_tool(&mut self, tool: Tool) {
+        if !self.prepare_tool(tool) {
+            return;
+        }
+        match tool.needs() {
+            Needs::Block => self.choose_file(Purpose::LoadBlock),
+            Needs::Poses => self.choose_file(Purpose::Import),
+            Needs::Nothing | Needs::Output | Needs::Stroke => self.preview_tool(),
+        }
+    }
+
+    /// Opens the window of a tool that does nothing yet; false, and a sentence, if it cannot.
+    pub(crate) fn prepare_tool(&mut self, tool: Tool) -> bool {
         self.cancel_tool();
         self.document.end_step();
         let mut numbers = match tool.defaults(&self.document) {
             Ok(numbers) => numbers,
-            Err(error) => return self.complain_of(&error),
+            Err(error) => {
+                self.complain_of(&error);
+                return false;
+            }
         };
         if let Some([first, .., last]) = self.several() {
             // From the first selected point to the last one.
@@ -411,11 +426,7 @@ impl Editor {
             stood: (self.playing.frame(), self.document.selection()),
             fresh: true,
         });
-        match tool.needs() {
-            Needs::Block => self.choose_file(Purpose::LoadBlock),
-            Needs::Poses => self.choose_file(Purpose::LoadPoses),
-            Needs::Nothing | Needs::Output | Needs::Stroke => self.preview_tool(),
-        }
+        true
     }
 
     /// Gives the tool what it works on.

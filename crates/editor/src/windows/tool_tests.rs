@@ -334,10 +334,10 @@ fn recorded_poses_become_a_path() {
     let folder = tempfile::tempdir().expect("a folder");
     let file = folder.path().join("poses.csv");
     let mut window = fresh(Language::German);
-    window.state_mut().write_poses(&file).expect("written");
+    window.state_mut().export(&file, None).expect("written");
     let recorded = poses(window.state());
     pick(&mut window, "fit");
-    window.state_mut().file_chosen(Purpose::LoadPoses, &file);
+    window.state_mut().file_chosen(Purpose::Import, &file);
     window.run();
     let fitted = poses(window.state());
     assert_eq!(fitted.len(), recorded.len());
@@ -349,7 +349,7 @@ fn recorded_poses_become_a_path() {
     assert_eq!(undo_name(&window), Some("fit"));
     std::fs::write(&file, "1 2 3").expect("written");
     pick(&mut window, "fit");
-    window.state_mut().file_chosen(Purpose::LoadPoses, &file);
+    window.state_mut().file_chosen(Purpose::Import, &file);
     window.run();
     let told = said(&window).expect("a sentence");
     assert!(told.contains("10 Zahlen erwartet"), "{told}");

@@ -1,0 +1,110 @@
+//! Files of other programs: poses and scenes written and taken over.
+
+use std::path::Path;
+
+use crate::document::tool::{Needs, ToolInput, tools};
+use crate::document::{Edit, SceneDocument};
+use crate::files::{Question, short};
+use crate::formats::{self, Content, Flight, Format, Options, Report, Source};
+use crate::state::Editor;
+use crate::texts::fill;
+use crate::texts::formats::{losses_of, reason_of};
+
+/// The format of a file whose name tells none: the thesis's (B.2.3).
+pub(super) const DEFAULT: &str = "ascii";
+
+impl Editor {
+    /// Writes into a file of the chosen format, or of the one its name tells; asks first if
+    /// something would be lost.
+    pub(crate) fn export(&mut self, file: &Path, chosen: Option<&str>) -> Result<(), String> {
+        let written = |error| self.not_written(file, &error);
+        let format = self.format_of(file, chosen).map_err(written)?;
+        let document = self
+            .document
+            .scene_document()
+            .map_err(|error| self.not_written(file, &error.into()))?;
+        let report = formats::losses(&document, format, &Options::default());
+        let report = report.map_err(|error| self.not_written(file, &error))?;
+        let lost = losses_of(self.language(), &report);
+        if lost.is_empty() {
+            return self.write_as(file, format.row().name);
+        }
+        self.windows.question = Some(Question::losses(file, format.row().name, lost));
+        Ok(())
+    }
+
+    fn format_of(&self, file: &Path, chosen: Option<&str>) -> formats::Result<&'static dyn Format> {
+        let chosen = formats::by_name(chosen.unwrap_or(DEFAULT))?;
+        if chosen.row().is_named(file) {
+            return Ok(chosen);
+        }
+        Ok(formats::by_target(file).unwrap_or(chosen))
+    }
+
+    /// The same, whatever is lost.
+    pub(crate) fn write_as(&mut self, file: &Path, format: &str) -> Result<(), String> {
+        let mut count = 0;
+        let mut written = || -> formats::Result<()> {
+            let document = self.document.scene_document()?;
+            let (format, options) = (formats::by_name(format)?, Options::default());
+            let mut ignored = |_, _| {};
+            count = Flight::new(&document, &options, format.row(), &mut ignored)?.count();
+            formats::export(&document, file, format, &options, &mut |_, _| {}).map(drop)
+        };
+        written().map_err(|error| self.not_written(file, &error))?;
+        let text = self.texts().output.written;
+        self.say(fill(text, &[&count, &short(file)]));
+        Ok(())
+    }
+
+    fn not_written(&self, file: &Path, error: &formats::Error) -> String {
+        let text = self.texts().errors.cannot_write;
+        fill(text, &[&short(file), &reason_of(self, error)])
+    }
+
+    /// Takes over a file of another program: a scene in place of the document, in one step; of
+    /// poses a path, by the tool that fits it.
+    pub(super) fn import(&mut self, file: &Path) -> Result<(), String> {
+        let mut report = Report::default();
+        let read = |report: &mut Report| {
+            let source = Source::open(file)?;
+            formats::read(&source, None, &Options::default(), report)
+        };
+        let (_, content) = read(&mut report).map_err(|error| {
+            let text = self.texts().errors.cannot_load;
+            fill(text, &[&short(file), &reason_of(self, &error)])
+        })?;
+        match content {
+            Content::Poses(recording) => {
+                let fps = recording.fps.unwrap_or(self.document.info().fps);
+                let seconds = recording.seconds_at(fps);
+                let poses = ToolInput::Poses(recording.poses, seconds);
+                let waits = self
+                    .windows
+                    .tool
+                    .as_ref()
+                    .is_some_and(|window| window.waits());
+                let fit = tools().find(|tool| tool.needs() == Needs::Poses);
+                if waits || fit.is_some_and(|fit| self.prepare_tool(fit)) {
+                    self.begin_tool_with(poses);
+                }
+            }
+            Content::Scene(document) => {
+                let SceneDocument { scene, info, .. } = *document;
+                let edits = [
+                    Edit::SetInfo(Box::new(info)),
+                    Edit::ReplaceScene(Box::new(scene)),
+                ];
+                let done = self.document.apply_all(edits);
+                done.map_err(|error| self.refusal(self.texts().errors.cannot_load, file, &error))?;
+                self.windows.path_replaced();
+                let mut text = fill(self.texts().output.loaded, &[&short(file)]);
+                for loss in losses_of(self.language(), &report) {
+                    text += &format!(" · {loss}");
+                }
+                self.say(text);
+            }
+        }
+        Ok(())
+    }
+}

@@ -1,0 +1,116 @@
+//! What the files of other programs say: why they are refused, and what is lost in them.
+
+use super::german::{German, german, number};
+use super::{Language, fill, refusals};
+use crate::document::error::one_of;
+use crate::error::{EngineError, TooMany};
+use crate::formats::{Cause, Error, Loss, Place, Report, Wanted};
+use crate::limits::MAX_FRAMES;
+use crate::state::Editor;
+
+/// Why a file could not be read or written, without its name.
+pub(crate) fn reason_of(editor: &Editor, error: &Error) -> String {
+    let language = editor.language();
+    match error {
+        Error::In(_, error) => reason_of(editor, error),
+        Error::Document(crate::Error::Engine(EngineError::Limit(
+            TooMany::Frames | TooMany::SceneFrames,
+        ))) => fill(editor.texts().errors.frames, &[&MAX_FRAMES]),
+        Error::Document(error) => editor.without_name(error),
+        _ if language == Language::German => German(error).to_string(),
+        _ => error.to_string(),
+    }
+}
+
+/// What is lost, a sentence each.
+pub(crate) fn losses_of(language: Language, report: &Report) -> Vec<String> {
+    let losses = report.losses().iter();
+    let said = |loss: &Loss| match language {
+        Language::German => German(loss).to_string(),
+        Language::English => loss.to_string(),
+    };
+    losses.map(said).collect()
+}
+
+german! {
+    Error {
+        Document(error) => "{}", refusals::reason_of(Language::German, error);
+        Content { place, cause } => "{}{}", German(place), German(cause);
+        NoNode(name) => "den Knoten „{name}“ gibt es nicht";
+        NoCamera(name) => "der Knoten „{name}“ ist keine Kamera; von anderen hält dieses Format nichts";
+        NoFrames { first, last } => "die Bilder gehen von {} bis {}", number(*first), number(*last);
+        NoOption(name) => "die Einstellung „{name}“ gibt es nicht";
+        Value { name, wanted, given } => "{name}: {wanted} ist gefragt, nicht „{given}“";
+        UnknownFormat(name) => "das Format „{name}“ gibt es nicht";
+        UnknownEnding(file) => "{file}: kein Format hat diese Endung";
+        NotRecognised => "das ist keine Datei eines Formats, das gelesen wird";
+        Ambiguous(names) => "das kann {} sein; die Endung des Namens entscheidet", one_of(names, "oder");
+        NotRead(name) => "das Format {name} wird geschrieben, nicht gelesen";
+        NotWritten(name) => "das Format {name} wird gelesen, nicht geschrieben";
+        Folder(name) => "das Format {name} ist ein Verzeichnis mit Dateien: bitte eines nennen";
+        OtherUp { format, up } => "im Format {format} steht die Achse {up} senkrecht";
+        Stopped => "es wurde angehalten";
+        In(file, error) => "{file}: {}", German::<Error>(error);
+    }
+    Place {
+        Whole => "";
+        Line(line) => "Zeile {line}: ";
+        Key(key) => "{key}: ";
+        Byte(byte) => "Byte {byte}: ";
+    }
+    Cause {
+        Expected(wanted) => "{} erwartet", German(wanted);
+        NumberCount { wanted, found } => "{wanted} Zahlen erwartet, {found} gefunden";
+        NotFinite => "die Zahl muss endlich sein";
+        TooLarge => "die Zahl ist zu groß";
+        NoRotation => "die Drehung ist null";
+        Index { index, count } => "die Nummer {index} gibt es nicht: es sind {count}";
+        Order => "die Zeiten müssen wachsen";
+        Syntax(text) => "{text}";
+        NotUtf8 => "das ist kein UTF-8-Text";
+        End => "die Datei endet zu früh";
+        Empty => "in dieser Datei sind keine Posen";
+        Long => "das ist mehr, als gelesen wird";
+        Deep => "das liegt tiefer, als gelesen wird";
+        Cycle(name) => "{name} liegt in sich selbst";
+        Missing(name) => "{name} fehlt";
+        Outside(name) => "{name} liegt außerhalb des Verzeichnisses der Datei, wo nichts gelesen wird";
+        Unsupported { name, help } => "{name} wird nicht gelesen{help}";
+    }
+    Wanted {
+        Number => "Zahl";
+        WholeNumber => "ganze Zahl";
+        PositiveNumber => "Zahl größer als 0";
+        Text => "Text";
+        List => "Liste";
+        Object => "Objekt";
+        Numbers(count) => "{count} Zahlen";
+        Matrix => "Matrix mit 4 × 4 Zahlen";
+        Rotation => "Matrix, die dreht und nicht spiegelt,";
+    }
+    Loss {
+        OtherNodes(count) => "andere Knoten bleiben weg: {count}";
+        OtherCameras(count) => "andere Kameras bleiben weg: {count}";
+        Object => "das Objekt bleibt weg";
+        Path => "aus Punkten, Zeitkurven und Pausen werden Posen, eine je Bild";
+        Aims(count) => "aus Zielen werden Drehungen, eine je Bild: {count}";
+        Interpolations(count) => "Spuren, deren Interpolation dem Format fehlt, bekommen einen Schlüssel je Bild: {count}";
+        Deformations(count) => "verformte Objekte wie in Ruhe: {count}";
+        HostChannels(count) => "Kanäle des Programms bleiben weg: {count}";
+        Roll(count) => "der Winkel bleibt weg, Posen: {count}";
+        FieldOfView => "der Blickwinkel bleibt weg";
+        FieldsClamped(count) => "Blickwinkel außerhalb von 0,69 bis 170,5 Grad, begrenzt: {count}";
+        Times => "es gibt keine Zeiten: eine Pose ist ein Bild";
+        Distortion(count) => "die Verzeichnung bleibt weg, Kameras: {count}";
+        OffCentre(count) => "Bilder, deren Achse neben der Mitte liegt, wie in ihr: {count}";
+        Skins(count) => "Netze mit Skelett wie in Ruhe: {count}";
+        OwnSpline => "der Betrachter verbindet die Schlüssel durch eine eigene Kurve";
+        Fitted { points, off, turned } =>
+            "eine Bahn mit {points} Punkten, höchstens {} und {} Grad von den Posen",
+            Language::German.written(format!("{off:.3e}")), Language::German.written(format!("{turned:.3}"));
+        Seconds { pose, seconds, by_frame } =>
+            "es gelten die Zeiten der Bilder; nach den Sekunden wäre Pose {} bei {} s, nach ihrem Bild ist sie bei {} s",
+            pose + 1, number(*seconds), number(*by_frame);
+        NotTaken { what, count } => "{what} wird nicht übernommen: {count}";
+    }
+}

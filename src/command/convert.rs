@@ -1,0 +1,139 @@
+//! `vides convert`: from one program's file to another's.
+
+use std::path::PathBuf;
+
+use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
+use vides::formats::{self, Format, OPTIONS, Options, Report};
+
+use super::sample::write_out;
+use super::{Failure, complain, input, one_line, scene};
+
+#[derive(Args)]
+#[command(after_help = after_help())]
+pub(super) struct Arguments {
+    /// The file that is read, or a folder of files; - is standard input
+    #[arg(value_name = "IN")]
+    from_file: PathBuf,
+    /// The file that is written, or a folder; - is standard output
+    #[arg(value_name = "OUT")]
+    to_file: PathBuf,
+    /// The format of IN [default: as its content shows]
+    #[arg(long, value_name = "FORMAT")]
+    from: Option<String>,
+    /// The format of OUT [default: as its name says]
+    #[arg(long, value_name = "FORMAT")]
+    to: Option<String>,
+    /// A function of the type V_INTERPOLATE for the interpolation "host:NAME" of a scene's tracks
+    #[arg(long, value_name = "NAME=FILE.so:SYMBOL")]
+    interpolation: Vec<String>,
+    #[command(flatten)]
+    choices: Choices,
+}
+
+/// The options of all formats, as their table has them.
+struct Choices(Options);
+
+impl FromArgMatches for Choices {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
+        let mut options = Options::default();
+        for row in OPTIONS {
+            if let Some(value) = matches.get_one::<String>(row.name) {
+                options.set(row.name, value).map_err(|error| {
+                    let kind = clap::error::ErrorKind::ValueValidation;
+                    clap::Error::raw(kind, format!("--{error}\n"))
+                })?;
+            }
+        }
+        Ok(Self(options))
+    }
+
+    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
+        *self = Self::from_arg_matches(matches)?;
+        Ok(())
+    }
+}
+
+impl Args for Choices {
+    fn augment_args(command: Command) -> Command {
+        command.args(OPTIONS.iter().map(|row| {
+            Arg::new(row.name)
+                .long(row.name)
+                .value_name(row.value)
+                .help(row.help)
+                .allow_negative_numbers(true)
+        }))
+    }
+
+    fn augment_args_for_update(command: Command) -> Command {
+        Self::augment_args(command)
+    }
+}
+
+/// The names of all formats, by what they can do.
+fn after_help() -> String {
+    let list = |what: &str, fits: fn(&dyn Format) -> bool| {
+        let all = formats::formats().iter();
+        let names: Vec<_> = all
+            .filter(|format| fits(**format))
+            .map(|format| format.row().name)
+            .collect();
+        if names.is_empty() {
+            return String::new();
+        }
+        format!("{what}: {}.\n", names.join(", "))
+    };
+    list("Read and written", |format| {
+        format.row().reads && format.row().writes
+    }) + &list("Written only", |format| !format.row().reads)
+        + &list("Read only", |format| !format.row().writes)
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let (file, out) = (&arguments.from_file, &arguments.to_file);
+    let streams = [file, out].map(|file| input::is_standard_stream(file));
+    if streams == [false; 2] && input::is_same_file(file, out) {
+        return Err(Failure::Usage(format!(
+            "{}: the file would be replaced by what is made of it",
+            out.display()
+        )));
+    }
+    let named = |name: &Option<String>| -> Result<_, Failure> {
+        let format = name.as_deref().map(formats::by_name).transpose();
+        format.map_err(|error| Failure::Usage(error.to_string()))
+    };
+    let (from, to) = (named(&arguments.from)?, named(&arguments.to)?);
+    let to = match to {
+        Some(to) => to,
+        None if streams[1] => {
+            let reason = "standard output has no name that tells a format: give --to";
+            return Err(Failure::Usage(reason.to_owned()));
+        }
+        None => formats::by_target(out).map_err(|error| Failure::Usage(error.to_string()))?,
+    };
+    for interpolation in &arguments.interpolation {
+        scene::register(interpolation)?;
+    }
+    let options = &arguments.choices.0;
+    let source = input::source(file)?;
+    let imported = formats::import(&source, from, options)?;
+    let name = &source.name;
+    for warning in imported.document.warnings() {
+        complain(&one_line(&format!("{name}: {warning}")));
+    }
+    tell(name, &imported.report);
+    let report = write_out(&imported.document, name, out, to, options)?;
+    let out = if streams[1] {
+        "standard output".to_owned()
+    } else {
+        out.display().to_string()
+    };
+    tell(&out, &report);
+    Ok(())
+}
+
+/// Says what is lost.
+fn tell(name: &str, report: &Report) {
+    for loss in report.losses() {
+        complain(&one_line(&format!("{name}: {loss}")));
+    }
+}
