@@ -90,36 +90,26 @@ const DOTS = [`#version 300 es
     pixel = vec4(tint.rgb, tint.a * cover);
   }`];
 
-function makePainter(canvas) {
-  const gl = canvas.getContext("webgl2", { alpha: false, antialias: true, preserveDrawingBuffer: false });
-  if (!gl) return null;
-
-  function program([vertex, fragment]) {
-    const made = gl.createProgram();
-    for (const [kind, source] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
-      const shader = gl.createShader(kind);
-      gl.shaderSource(shader, source);
-      gl.compileShader(shader);
-      gl.attachShader(made, shader);
-    }
-    gl.linkProgram(made);
-    const places = {};
-    const count = gl.getProgramParameter(made, gl.ACTIVE_UNIFORMS) || 0;
-    for (let at = 0; at < count; at++) {
-      const { name } = gl.getActiveUniform(made, at);
-      places[name] = gl.getUniformLocation(made, name);
-    }
-    return { made, places };
+function program(gl, [vertex, fragment]) {
+  const made = gl.createProgram();
+  for (const [kind, source] of [[gl.VERTEX_SHADER, vertex], [gl.FRAGMENT_SHADER, fragment]]) {
+    const shader = gl.createShader(kind);
+    gl.shaderSource(shader, source);
+    gl.compileShader(shader);
+    gl.attachShader(made, shader);
   }
-  const [lines, faces, dots] = [LINES, FACES, DOTS].map(program);
-  gl.enable(gl.DEPTH_TEST);
-  gl.depthFunc(gl.LEQUAL);
-  gl.enable(gl.BLEND);
-  gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
-  gl.enable(gl.SCISSOR_TEST);
+  gl.linkProgram(made);
+  const places = {};
+  const count = gl.getProgramParameter(made, gl.ACTIVE_UNIFORMS) || 0;
+  for (let at = 0; at < count; at++) {
+    const { name } = gl.getActiveUniform(made, at);
+    places[name] = gl.getUniformLocation(made, name);
+  }
+  return { made, places };
+}
 
-  let pane = { width: 1, height: 1, ratio: 1 };
-
+/// What makes buffers of numbers.
+function makeBuffers(gl) {
   function buffer(numbers, target = gl.ARRAY_BUFFER, use = gl.STATIC_DRAW) {
     const made = gl.createBuffer();
     gl.bindBuffer(target, made);
@@ -138,10 +128,9 @@ function makePainter(canvas) {
     gl.bindVertexArray(null);
     return made;
   }
-  const painter = { lost: () => gl.isContextLost() };
-
+  const buffers = {};
   /// Lines with two ends each, six numbers a line; `joined`: each end is the next line's start.
-  painter.lines = (numbers, joined = false, colours = null) => {
+  buffers.lines = (numbers, joined = false, colours = null) => {
     let data = null;
     const stride = joined ? 12 : 24;
     const array = vertices(() => {
@@ -156,7 +145,7 @@ function makePainter(canvas) {
     const count = joined ? Math.max(numbers.length / 3 - 1, 0) : numbers.length / 6;
     return { array, data, count, own: Boolean(colours) };
   };
-  painter.dots = (numbers, colours = null) => {
+  buffers.dots = (numbers, colours = null) => {
     const array = vertices(() => {
       buffer(numbers);
       attribute(0, 3, 12, 0, 0);
@@ -166,7 +155,7 @@ function makePainter(canvas) {
     });
     return { array, count: numbers.length / 3, own: Boolean(colours) };
   };
-  painter.faces = (points, triangles, colours = null) => {
+  buffers.faces = (points, triangles, colours = null) => {
     const array = vertices(() => {
       buffer(points);
       attribute(0, 3, 12, 0, 0);
@@ -177,11 +166,26 @@ function makePainter(canvas) {
     });
     return { array, count: triangles.length, own: Boolean(colours) };
   };
-  painter.change = (made, numbers) => {
+  buffers.change = (made, numbers) => {
     gl.bindBuffer(gl.ARRAY_BUFFER, made.data);
     gl.bufferData(gl.ARRAY_BUFFER, numbers, gl.DYNAMIC_DRAW);
     made.count = numbers.length / 6;
   };
+  return buffers;
+}
+
+function makePainter(canvas) {
+  const gl = canvas.getContext("webgl2", { alpha: false, antialias: true, preserveDrawingBuffer: false });
+  if (!gl) return null;
+  const [lines, faces, dots] = [LINES, FACES, DOTS].map((sources) => program(gl, sources));
+  gl.enable(gl.DEPTH_TEST);
+  gl.depthFunc(gl.LEQUAL);
+  gl.enable(gl.BLEND);
+  gl.blendFunc(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA);
+  gl.enable(gl.SCISSOR_TEST);
+
+  let pane = { width: 1, height: 1, ratio: 1 };
+  const painter = { lost: () => gl.isContextLost(), ...makeBuffers(gl) };
 
   /// What is drawn from here on lies in this rectangle (CSS pixels from the canvas's upper left).
   painter.begin = ({ left, top, width, height }, ratio, ground) => {

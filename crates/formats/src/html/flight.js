@@ -54,6 +54,61 @@ function seen(matrix, [x, y, z], width, height) {
   return { x: (row(0) / w + 1) * width / 2, y: (1 - row(1) / w) * height / 2, w };
 }
 
+/// The place of an object; null: it is not seen then.
+function placed({ matrices }, at) {
+  const last = matrices.length / MATRIX - 1; // 0: it rests
+  const low = clamp(Math.floor(at), 0, last) * MATRIX;
+  let high = clamp(Math.ceil(at), 0, last) * MATRIX;
+  if (Number.isNaN(matrices[low])) return null;
+  if (Number.isNaN(matrices[high])) high = low;
+  const part = at - Math.floor(at);
+  const matrix = [];
+  for (let k = 0; k < MATRIX; k++) {
+    matrix.push(mix(matrices[low + k], matrices[high + k], part));
+    if (k % 3 === 2) matrix.push(k === MATRIX - 1 ? 1 : 0);
+  }
+  return matrix;
+}
+
+/// Space and degrees a second, at each frame: over both neighbours, at the ends over one.
+function speedsOf(poses, count, fps) {
+  const speeds = new Float32Array(count);
+  const turns = new Float32Array(count);
+  for (let at = 0; at < count; at++) {
+    const [a, b] = [Math.max(at - 1, 0), Math.min(at + 1, count - 1)];
+    if (a === b) continue;
+    const rate = fps / (b - a);
+    const [p, q] = [a * POSE, b * POSE];
+    speeds[at] = Math.hypot(poses[q] - poses[p], poses[q + 1] - poses[p + 1], poses[q + 2] - poses[p + 2]) * rate;
+    let [same, other] = [0, 0];
+    for (let k = 3; k < 7; k++) {
+      same += (poses[q + k] - poses[p + k]) ** 2;
+      other += (poses[q + k] + poses[p + k]) ** 2;
+    }
+    const angle = 4 * Math.atan2(Math.sqrt(Math.min(same, other)), Math.sqrt(Math.max(same, other)));
+    turns[at] = angle * rate * 180 / Math.PI;
+  }
+  return { speeds, turns };
+}
+
+/// How far the outermost point of all objects is from the middle.
+function reachOf(objects, half) {
+  let reach = half * Math.sqrt(3);
+  for (const object of objects) {
+    let farthest = 0;
+    for (let at = 0; at + 2 < object.points.length; at += 3) {
+      farthest = Math.max(farthest, Math.hypot(object.points[at], object.points[at + 1], object.points[at + 2]));
+    }
+    for (let at = 0; at < object.matrices.length; at += MATRIX) {
+      const matrix = object.matrices.subarray(at, at + MATRIX);
+      const size = Math.max(...[0, 3, 6].map((k) => Math.hypot(...matrix.subarray(k, k + 3)))) * Math.sqrt(3);
+      const far = Math.hypot(...matrix.subarray(9, 12)) + size * farthest;
+      if (far > reach) reach = far; // not for NaN: hidden
+    }
+  }
+  return reach;
+}
+
 function readFlight(data) {
   const poses = floats(data.poses);
   const count = Math.floor(poses.length / POSE);
@@ -82,24 +137,6 @@ function readFlight(data) {
     };
   }
 
-  /// Space and degrees a second, at each frame: over both neighbours, at the ends over one.
-  const speeds = new Float32Array(count);
-  const turns = new Float32Array(count);
-  for (let at = 0; at < count; at++) {
-    const [a, b] = [Math.max(at - 1, 0), Math.min(at + 1, count - 1)];
-    if (a === b) continue;
-    const rate = data.fps / (b - a);
-    const [p, q] = [a * POSE, b * POSE];
-    speeds[at] = Math.hypot(poses[q] - poses[p], poses[q + 1] - poses[p + 1], poses[q + 2] - poses[p + 2]) * rate;
-    let [same, other] = [0, 0];
-    for (let k = 3; k < 7; k++) {
-      same += (poses[q + k] - poses[p + k]) ** 2;
-      other += (poses[q + k] + poses[p + k]) ** 2;
-    }
-    const angle = 4 * Math.atan2(Math.sqrt(Math.min(same, other)), Math.sqrt(Math.max(same, other)));
-    turns[at] = angle * rate * 180 / Math.PI;
-  }
-
   const objects = data.objects.map((object) => ({
     points: floats(object.points),
     lines: indices(object.lines),
@@ -110,42 +147,13 @@ function readFlight(data) {
     matrices: floats(object.matrices),
   }));
 
-  /// The place of an object; null: it is not seen then.
-  function placed({ matrices }, at) {
-    const last = matrices.length / MATRIX - 1; // 0: it rests
-    const low = clamp(Math.floor(at), 0, last) * MATRIX;
-    let high = clamp(Math.ceil(at), 0, last) * MATRIX;
-    if (Number.isNaN(matrices[low])) return null;
-    if (Number.isNaN(matrices[high])) high = low;
-    const part = at - Math.floor(at);
-    const matrix = [];
-    for (let k = 0; k < MATRIX; k++) {
-      matrix.push(mix(matrices[low + k], matrices[high + k], part));
-      if (k % 3 === 2) matrix.push(k === MATRIX - 1 ? 1 : 0);
-    }
-    return matrix;
-  }
-
-  /// How far the outermost point of all objects is from the middle.
-  let reach = half * Math.sqrt(3);
-  for (const object of objects) {
-    let farthest = 0;
-    for (let at = 0; at + 2 < object.points.length; at += 3) {
-      farthest = Math.max(farthest, Math.hypot(object.points[at], object.points[at + 1], object.points[at + 2]));
-    }
-    for (let at = 0; at < object.matrices.length; at += MATRIX) {
-      const matrix = object.matrices.subarray(at, at + MATRIX);
-      const size = Math.max(...[0, 3, 6].map((k) => Math.hypot(...matrix.subarray(k, k + 3)))) * Math.sqrt(3);
-      const far = Math.hypot(...matrix.subarray(9, 12)) + size * farthest;
-      if (far > reach) reach = far; // not for NaN: hidden
-    }
-  }
+  const reach = reachOf(objects, half);
 
   /// The camera's matrix for a picture of this shape.
   function camera(at, aspect) {
     const { place, left, up, view, zoom } = pose(at);
     const far = Math.hypot(...place) + reach * 1.01;
-    const project = perspective(zoom / 12, aspect, Math.min(half, reach) / 2000, far);
+    const project = perspective(zoom / 12, aspect, half / 2000, far);
     const [right, back] = [left, view].map((axis) => axis.map((value) => -value));
     const eye = looking(place, right, up, back);
     return { project, eye, matrix: multiply(project, eye) };
@@ -154,7 +162,6 @@ function readFlight(data) {
   return {
     title: String(data.title || ""), comment: String(data.comment || ""), unit: String(data.unit || ""),
     fps: data.fps, first: data.first_frame, step: data.frame_step, zUp: data.up === "z", centre, half, reach,
-    aspect: data.size[0] / data.size[1], points: data.points, objects, poses, count, speeds, turns,
-    pose, placed, camera,
+    aspect: data.size[0] / data.size[1], points: data.points, objects, poses, count, pose, camera, ...speedsOf(poses, count, data.fps),
   };
 }

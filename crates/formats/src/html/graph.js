@@ -2,6 +2,23 @@
 
 const INSET = 8; // half the scrub bar's thumb, so that both run over the same way
 
+/// What stands beside a place of the graph.
+function drawLabel(pen, colours, label, place, width, top, bottom) {
+  pen.globalAlpha = 0.6;
+  pen.fillRect(place - 0.5, top, 1, bottom - top);
+  pen.globalAlpha = 1;
+  const wide = pen.measureText(label).width + 12;
+  const left = place + wide + 8 < width ? place + 6 : place - wide - 6;
+  pen.fillStyle = colours.panel;
+  pen.fillRect(left, top + 4, wide, 18);
+  pen.strokeStyle = colours.line;
+  pen.lineWidth = 1;
+  pen.strokeRect(left + 0.5, top + 4.5, wide - 1, 17);
+  pen.fillStyle = colours.text;
+  pen.textAlign = "left";
+  pen.fillText(label, left + 6, top + 13.5);
+}
+
 function makeGraph(flight, canvas) {
   const pen = canvas.getContext("2d");
   const last = Math.max(flight.count - 1, 1);
@@ -118,21 +135,7 @@ function makeGraph(flight, canvas) {
     points(colours, top, bottom);
     pen.fillStyle = colours.text;
     pen.fillRect(x(frame) - 0.75, top - 4, 1.5, bottom - top + 22);
-    if (graph.hovered === null) return;
-    const place = x(graph.hovered);
-    pen.globalAlpha = 0.6;
-    pen.fillRect(place - 0.5, top, 1, bottom - top);
-    pen.globalAlpha = 1;
-    const wide = pen.measureText(label).width + 12;
-    const left = place + wide + 8 < width ? place + 6 : place - wide - 6;
-    pen.fillStyle = colours.panel;
-    pen.fillRect(left, top + 4, wide, 18);
-    pen.strokeStyle = colours.line;
-    pen.lineWidth = 1;
-    pen.strokeRect(left + 0.5, top + 4.5, wide - 1, 17);
-    pen.fillStyle = colours.text;
-    pen.textAlign = "left";
-    pen.fillText(label, left + 6, top + 13.5);
+    if (graph.hovered !== null) drawLabel(pen, colours, label, x(graph.hovered), width, top, bottom);
   };
   return graph;
 }

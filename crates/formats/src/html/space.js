@@ -92,7 +92,7 @@ function makeViews(flight, canvas, labels) {
   function drawObjects({ project, matrix, eye }, frame, width) {
     const lift = 0.002 * project[14];
     for (const { object, lines, dots, faces } of things.objects) {
-      const place = flight.placed(object, frame);
+      const place = placed(object, frame);
       if (!place) continue;
       const all = multiply(matrix, place);
       const own = object.colour ? [...object.colour.map((value) => value / 255), 1] : null;
