@@ -19,6 +19,7 @@ mod doors;
 mod error;
 mod flight;
 mod format;
+mod html;
 mod json;
 mod loss;
 mod options;
