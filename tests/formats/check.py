@@ -2,8 +2,8 @@
 """Holds what `vides convert` writes against the programs that others read it with.
 
     check.py VIDES [--large] [--paths N] [--only FORMAT,...]   all formats (the large importers too)
-    check.py --self VIDES [...]       files of plain_writers.py in place of VIDES's: tries the checkers
-    check.py --self --fault KIND ...  the same with a fault, which every checker must find
+    check.py VIDES --checkers [--large]   tries the checkers: with files of plain_writers.py in place of
+                                          VIDES's, right ones and ones with a fault that must be found
 
 Every file is written from a random path (paths.py) or from examples/car.vid, read by the real importer,
 and each frame is compared with what `vides sample` says; then it comes in again with
@@ -11,6 +11,7 @@ and each frame is compared with what `vides sample` says; then it comes in again
 """
 
 import argparse
+import contextlib
 import json
 import os
 import re
@@ -139,6 +140,9 @@ def degrees_between(a, b):
     """By the tangent of half the angle, which is exact for small ones."""
     a, b = turns.unit(a), turns.unit(b)
     return np.degrees(2 * np.arctan2(np.linalg.norm(a - b, axis=-1), np.linalg.norm(a + b, axis=-1)))
+
+
+FAULTS = ("position", "view", "up", "fov", "frame", "count", "axis")
 
 
 @dataclass
@@ -421,7 +425,7 @@ def check(form, options, everything, write, count, scratch):
             count.note(through(form, program, written, scratch).say(what, form.fov))
         except (RuntimeError, OSError, ValueError) as error:
             count.failure(what, error)
-    if form.back and not options.self:
+    if form.back and isinstance(write, Writer):
         count.note(back_again(form, options.vides, written).say(f"{form.name} back"))
 
 
@@ -431,20 +435,36 @@ def main():
     parser.add_argument("--large", action="store_true")
     parser.add_argument("--paths", type=int, default=40)
     parser.add_argument("--only", default="")
-    parser.add_argument("--self", action="store_true")
-    parser.add_argument("--fault", choices=["position", "view", "up", "fov", "frame", "count", "axis"])
+    parser.add_argument("--checkers", action="store_true")
     options = parser.parse_args()
-    scratch = TARGET / ("self" if options.self else "files")
+    only = {name for name in options.only.split(",") if name}
+    chosen = [form for form in formats() if not only or form.name in only]
+    scratch = TARGET / ("plain" if options.checkers else "files")
     scratch.mkdir(parents=True, exist_ok=True)
     everything = flights(options.vides, options.paths, scratch)
-    write = PlainWriter(options.fault) if options.self else Writer(options.vides)
     count = Count()
-    only = {name for name in options.only.split(",") if name}
-    for form in formats():
-        if not only or form.name in only:
-            check(form, options, everything, write, count, scratch)
+    for form in chosen:
+        check(form, options, everything, PlainWriter(None) if options.checkers else Writer(options.vides), count, scratch)
+    for fault in FAULTS if options.checkers else ():
+        find(fault, chosen, options, everything[:2], count, scratch)
     print(f"{count.passed} passed, {count.failed} failed")
     return 1 if count.failed or not count.passed else 0
+
+
+def find(fault, chosen, options, some, count, scratch):
+    """Every importer must say that a file with a fault is wrong."""
+    overlooked = []
+    for form in chosen:
+        if form.name not in plain_writers.WRITERS or (fault == "fov" and not form.fov):
+            continue
+        each = Count()
+        with open(os.devnull, "w") as nowhere, contextlib.redirect_stdout(nowhere):
+            check(form, options, some, PlainWriter(fault), each, scratch / fault)
+        # The validator does not see where a camera is.
+        if each.passed - (form.name in ("glb", "gltf")):
+            overlooked.append(form.name)
+    count.note(not overlooked)
+    print(f"a fault of {fault:<15}{'OVERLOOKED by ' + ', '.join(overlooked) if overlooked else 'found'}", flush=True)
 
 
 if __name__ == "__main__":
