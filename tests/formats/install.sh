@@ -2,7 +2,8 @@
 # Fetches the programs that check.py asks, each once: install.sh FOLDER [large]
 #
 # What is in FOLDER with the same versions stays. Sizes are of the downloads:
-#   small: 130 MB, half a minute (usd-core 29, pycolmap 38, scipy 35, numpy 17, three 5 MB, …)
+#   small: 185 MB, a minute (pycolmap 38, scipy 35, gradio 31, usd-core 29, models of Debian 21,
+#          numpy 17, three 5 MB, …)
 #   large: 890 MB besides (bpy twice 374, vtk 140, nerfstudio 60 MB, …), and of Debian
 #          paraview and torch, 298 MB, two minutes
 set -eu
@@ -53,6 +54,27 @@ if ! fetched node "$here/node/package.json" "$here/node/package-lock.json"; then
 fi
 # node looks for modules from where a program lies.
 cp "$here"/importers/*.mjs "$out/node"
+
+# glTF files that others made (others.json), out of their packages.
+if ! fetched others "$here/others.json"; then
+    echo 'Fetching others'
+    rm -rf "$out/others"
+    mkdir -p "$out/others/fetched"
+    (
+        cd "$out/others/fetched"
+        npm pack --silent networked-aframe@0.14.3 >/dev/null
+        "$out/small/bin/python" -m pip download --quiet --disable-pip-version-check --no-deps gradio==6.31.0
+        # As a user of its own apt cannot write here; without lists it finds nothing.
+        get() { apt-get download -q -o APT::Sandbox::User=root assimp-testmodels >/dev/null 2>&1; }
+        get || { apt-get update -q >/dev/null && get; }
+        tar xzf networked-aframe-*.tgz -C ..
+        dpkg -x assimp-testmodels_*.deb ..
+        "$out/small/bin/python" -m zipfile -e gradio-*.whl .
+        mv gradio ..
+    )
+    rm -rf "$out/others/fetched"
+    cp "$here/others.json" "$out/others/made-of"
+fi
 [ "${2:-}" = large ] || exit 0
 
 lib=/usr/lib/$(gcc -print-multiarch)
