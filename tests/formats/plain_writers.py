@@ -273,10 +273,11 @@ for n, row in enumerate(POSES):
 PARAVIEW = """
 from paraview.simple import *
 view = GetActiveViewOrCreate("RenderView")
+view.ViewSize = [1920, 1080]
 scene = GetAnimationScene()
 scene.PlayMode = "Sequence"
 scene.NumberOfFrames = len(POSES)
-scene.StartTime, scene.EndTime = 0.0, (len(POSES) - 1) / FPS
+scene.StartTime, scene.EndTime = 0.0, len(POSES) - 1.0
 cue = GetCameraTrack(view=view)
 cue.Mode = "Interpolate Camera"
 frames = []

@@ -24,8 +24,11 @@ def work(job):
         view.ViewSize = [max(1, width // 10), max(1, height // 10)]
     frames = []
     scene.GoToFirst()
-    for n in range(scene.NumberOfFrames):
-        if n:
+    count = scene.NumberOfFrames
+    for n in job.get("frames", range(count)):
+        if "frames" in job:
+            scene.AnimationTime = scene.StartTime + n * (scene.EndTime - scene.StartTime) / (count - 1)
+        elif n:
             scene.GoToNext()
         camera = view.GetActiveCamera()
         matrix = camera.GetModelViewTransformMatrix()
