@@ -80,7 +80,7 @@ class Importer:
         path = scratch / f"{self.name}.jobs.json"
         path.write_text(json.dumps(jobs))
         environment = os.environ | {"PYTHONDONTWRITEBYTECODE": "1"} | self.environment
-        done = subprocess.run([*map(str, self.command), str(path)], capture_output=True, text=True, env=environment)
+        done = subprocess.run([*map(str, self.command), str(path)], capture_output=True, text=True, env=environment, timeout=3600)
         (scratch / f"{self.name}.log").write_text(done.stderr)
         if done.returncode:
             raise RuntimeError(f"ended with {done.returncode}: {done.stderr.strip()[-400:]}")
@@ -423,7 +423,7 @@ def check(form, options, everything, write, count, scratch):
         what = f"{form.name} by {program.name}"
         try:
             count.note(through(form, program, written, scratch).say(what, form.fov))
-        except (RuntimeError, OSError, ValueError) as error:
+        except (RuntimeError, OSError, ValueError, subprocess.TimeoutExpired) as error:
             count.failure(what, error)
     if form.back and isinstance(write, Writer):
         count.note(back_again(form, options.vides, written).say(f"{form.name} back"))

@@ -13,4 +13,10 @@ status=0
 "$python" "$here/check.py" "$vides" --checkers --paths 4 "$@" || status=1
 "$python" "$here/check.py" "$vides" "$@" || status=1
 "$python" "$here/others.py" "$vides" || status=1
+case " $* " in
+*' --large '*)
+    "$python" "$here/picture.py" "$vides" || status=1
+    "$python" "$here/speed.py" "$vides" || status=1
+    ;;
+esac
 exit $status
