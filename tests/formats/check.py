@@ -56,7 +56,7 @@ class Format:
     file: str
     upright: str = ""  # the axis that is upright in every such file; "" as in the document
     fov: bool = True
-    rate: bool = True  # whether times or a rate are in it
+    rate: bool = True  # whether a rate is in it, or what comes to one
     back: bool = True  # whether VIDES reads it
     importers: list = field(default_factory=list)  # pairs of a name and how it is called
     options: tuple = ()
@@ -122,10 +122,10 @@ def formats():
         Format("nerfstudio", "camera_path.json", "z", importers=[nerfstudio]),
         Format("transforms", "transforms.json", "z", rate=False, importers=[plain]),
         Format("cameras", "cameras.json", rate=False, importers=[plain]),
-        Format("tum", "flight.tum", fov=False, importers=[evo], options=("--to", "tum")),
+        Format("tum", "flight.tum", fov=False, rate=False, importers=[evo], options=("--to", "tum")),
         Format("kitti", "flight.kitti", fov=False, rate=False, importers=[evo], options=("--to", "kitti")),
         Format("colmap", "model", rate=False, importers=[colmap], options=("--to", "colmap")),
-        Format("osg", "flight.path", fov=False, importers=[plain], options=("--to", "osg")),
+        Format("osg", "flight.path", fov=False, rate=False, importers=[plain], options=("--to", "osg")),
         Format("chan", "flight.chan", rate=False, importers=[plain]),
         Format("csv", "flight.csv", importers=[plain]),
         Format("json", "flight.json", importers=[plain]),
