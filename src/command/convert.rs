@@ -38,10 +38,8 @@ impl FromArgMatches for Choices {
         let mut options = Options::default();
         for row in OPTIONS {
             if let Some(value) = matches.get_one::<String>(row.name) {
-                options.set(row.name, value).map_err(|error| {
-                    let kind = clap::error::ErrorKind::ValueValidation;
-                    clap::Error::raw(kind, format!("--{error}\n"))
-                })?;
+                // It has passed the same check before.
+                let _ = options.set(row.name, value);
             }
         }
         Ok(Self(options))
@@ -60,6 +58,7 @@ impl Args for Choices {
                 .long(row.name)
                 .value_name(row.value)
                 .help(row.help)
+                .value_parser(|text: &str| row.check(text).map(|()| text.to_owned()))
                 .allow_negative_numbers(true)
         }))
     }

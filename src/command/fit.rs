@@ -115,7 +115,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         ..
     } = formats::recording(
         &input::source(&arguments.file)?,
-        None,
         &formats::Options::default(),
         &mut Report::default(),
     )?;

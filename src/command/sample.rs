@@ -162,14 +162,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         digits: arguments.digits,
         ..Options::default()
     };
-    write_out(
-        &document.scene_document()?,
-        &input::name(file),
-        out,
-        format,
-        &options,
-    )
-    .map(drop)
+    let name = input::name(file);
+    let scene = document.scene_document().map_err(|error| error.at(&name))?;
+    write_out(&scene, &name, out, format, &options).map(drop)
 }
 
 /// Writes to standard output, a pipe or a file, with a progress bar on a terminal. What is wrong
@@ -181,7 +176,8 @@ pub(super) fn write_out(
     format: &dyn formats::Format,
     options: &Options,
 ) -> Result<Report, Failure> {
-    Flight::new(document, options, format.row(), &mut |_, _| {}).map_err(|error| error.at(name))?;
+    let named = |error: formats::Error| Failure::from(error.at(name));
+    Flight::new(document, options, format.row(), &mut |_, _| {}).map_err(named)?;
     let to_standard_output = input::is_standard_stream(out);
     // Poses printed on a terminal are progress enough.
     let shown = io::stderr().is_terminal() && !(to_standard_output && io::stdout().is_terminal());
@@ -197,29 +193,29 @@ pub(super) fn write_out(
         let report = export_to(document, &mut stream, format, options, &mut progress);
         let report = report.map_err(|error| match error {
             formats::Error::Document(vides::Error::Io { source, .. }) => output_failed(&source),
-            other => other.into(),
+            other => named(other),
         })?;
         stream.flush().map_err(|error| output_failed(&error))?;
         return Ok(report);
     }
     if !fs::metadata(out).is_ok_and(|metadata| input::is_stream(&metadata)) {
-        return Ok(export(document, out, format, options, &mut progress)?);
+        return export(document, out, format, options, &mut progress).map_err(named);
     }
     // A pipe or a device, which cannot be replaced like a file.
-    let named = |source| {
+    let failed = |source| {
         Failure::from(vides::Error::Io {
             place: out.display().to_string(),
             source,
         })
     };
-    let opened = OpenOptions::new().write(true).open(out).map_err(named)?;
+    let opened = OpenOptions::new().write(true).open(out).map_err(failed)?;
     let mut stream = BufWriter::with_capacity(BUFFER, opened);
     let report = export_to(document, &mut stream, format, options, &mut progress);
     let report = report.map_err(|error| match error {
-        formats::Error::Document(vides::Error::Io { source, .. }) => named(source),
-        other => other.into(),
+        formats::Error::Document(vides::Error::Io { source, .. }) => failed(source),
+        other => named(other),
     })?;
-    stream.flush().map_err(named)?;
+    stream.flush().map_err(failed)?;
     Ok(report)
 }
 

@@ -3,7 +3,7 @@
 use std::io::{self, Write};
 use std::path::Path;
 
-use vides_document::error::{EngineError, Refused};
+use vides_document::error::EngineError;
 use vides_document::{Error as DocumentError, SceneDocument, save};
 
 use super::blocks::Progress;
@@ -167,18 +167,13 @@ pub fn import(source: &Source, format: Option<&dyn Format>, options: &Options) -
     })
 }
 
-/// The poses in a file, of a scene those of its shown camera.
+/// The poses in a file; lines of ten numbers where the content looks like nothing known.
 ///
 /// # Errors
-/// As [`read`]; those of sampling.
-pub fn recording(
-    source: &Source,
-    format: Option<&dyn Format>,
-    options: &Options,
-    report: &mut Report,
-) -> Result<Recording> {
-    let content = match read(source, format, options, report) {
-        // Lines of ten numbers: the reader says what is wrong with them.
+/// As [`read`]; [`Error::NotPoses`] for a scene.
+pub fn recording(source: &Source, options: &Options, report: &mut Report) -> Result<Recording> {
+    let content = match read(source, None, options, report) {
+        // The reader of lines says what is wrong with them.
         Err(Error::In(_, error)) if matches!(*error, Error::NotRecognised) => {
             read(source, Some(&super::ascii::Ascii), options, report)
         }
@@ -186,21 +181,7 @@ pub fn recording(
     };
     match content?.1 {
         Content::Poses(recording) => Ok(recording),
-        Content::Scene(document) => {
-            let mut ignored = |_, _| {};
-            let row = super::Row::PLAIN;
-            let flight = Flight::new(&document, options, &row, &mut ignored)?;
-            if !flight.looks() {
-                return Err(DocumentError::from(Refused::NoCamera).into());
-            }
-            Ok(Recording {
-                poses: flight.all_poses()?,
-                fps: Some(flight.fps()),
-                first_frame: Some(flight.number(0)),
-                up: Some(flight.up()),
-                ..Recording::default()
-            })
-        }
+        Content::Scene(_) => Err(Error::NotPoses.at(&source.name)),
     }
 }
 
@@ -220,7 +201,7 @@ pub(super) fn save_with(
         })
     });
     match failure {
-        Some(error) => Err(error.at(&file.display().to_string())),
+        Some(error) => Err(error),
         None => Ok(saved?),
     }
 }

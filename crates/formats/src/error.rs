@@ -57,6 +57,9 @@ pub enum Error {
     /// No format reads this content.
     #[error("this is no file of a format that is read: name it, with --from in the command")]
     NotRecognised,
+    /// A list of poses is wanted.
+    #[error("this is a path or a scene, not a list of poses")]
+    NotPoses,
     /// Several formats could read this content.
     #[error("this may be {}: name it, with --from in the command", or_names(.0))]
     Ambiguous(Vec<&'static str>),

@@ -75,6 +75,17 @@ pub struct OptionRow {
     set: fn(&mut Options, &str) -> Option<()>,
 }
 
+impl OptionRow {
+    /// Whether it takes this value.
+    ///
+    /// # Errors
+    /// What it takes, as a sentence.
+    pub fn check(&self, value: &str) -> Result<(), String> {
+        let may = (self.set)(&mut Options::default(), value);
+        may.ok_or_else(|| format!("{} is wanted", self.wanted))
+    }
+}
+
 /// All options, in the order of the manual.
 pub const OPTIONS: &[OptionRow] = &[
     OptionRow {

@@ -44,6 +44,7 @@ german! {
         UnknownFormat(name) => "das Format „{name}“ gibt es nicht";
         UnknownEnding(file) => "{file}: kein Format hat diese Endung";
         NotRecognised => "das ist keine Datei eines Formats, das gelesen wird";
+        NotPoses => "das ist eine Bahn oder eine Szene, keine Liste von Posen";
         Ambiguous(names) => "das kann {} sein; die Endung des Namens entscheidet", one_of(names, "oder");
         NotRead(name) => "das Format {name} wird geschrieben, nicht gelesen";
         NotWritten(name) => "das Format {name} wird gelesen, nicht geschrieben";
