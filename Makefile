@@ -5,6 +5,7 @@
 #   make test        every check there is
 #   make check       format, lints and Rust tests: what one runs while working
 #   make check-hosts the window beside hosts of many toolkits; large packages
+#   make check-formats what VIDES writes, read by Blender, ParaView and others; large packages
 #   make bench       speed, beside other libraries
 #   make soak        the random checks again, with many more cases, and fuzz
 #   make coverage    which share of the branches the tests take, by folder
@@ -61,7 +62,7 @@ LINT = -D warnings
 .PHONY: all libs demo test check bench soak soak-calls soak-x fuzz coverage miri threads install uninstall header clean side-by-side FORCE \
 	toolchain check-format check-lints check-rust check-c check-linking \
 	check-calls check-x check-demo check-install check-docs check-dependencies \
-	check-hosts soak-hosts
+	check-hosts soak-hosts check-formats check-formats-small
 
 all: libs $(RELEASE)/vides
 
@@ -141,7 +142,7 @@ check: toolchain check-format check-lints check-rust
 # Beside what compiles runs what waits. The window from outside comes last and alone:
 # some of its checks look at the clock.
 side-by-side: check-lints all check-calls check-rust check-c \
-	check-linking check-demo check-install check-docs check-dependencies
+	check-linking check-demo check-install check-formats-small check-docs check-dependencies
 
 check-format:
 	@command -v cargo-fmt >/dev/null || mk/component.sh rustfmt
@@ -216,6 +217,16 @@ check-hosts: all
 	@pkg-config --exists Qt5Widgets || mk/need.sh /no/Qt5=qtbase5-dev
 	@pkg-config --exists Qt6Widgets || mk/need.sh /no/Qt6=qt6-base-dev
 	tests/hosts/run.sh $(LIB)
+
+# What VIDES writes, read by the programs of others; those that are small, and all.
+FORMATS = $(CARGO_TARGET_DIR)/formats
+check-formats-small: all
+	tests/formats/install.sh $(FORMATS)
+	$(ONCE)formats $(RELEASE)/vides tests/formats examples -- tests/formats/run.sh $(FORMATS) $(RELEASE)/vides
+
+check-formats: all
+	tests/formats/install.sh $(FORMATS) large
+	tests/formats/run.sh $(FORMATS) $(RELEASE)/vides --large
 
 bench: libs
 	@mk/need.sh python3=python3 python3:ensurepip=python3-venv

@@ -9,7 +9,7 @@ use super::flight::Flight;
 use super::loss::Report;
 use super::options::Options;
 use super::source::Source;
-use super::{ascii, csv, gltf, json, tum, vid};
+use super::{ascii, csv, gltf, html, json, tum, vid};
 use crate::path::Up;
 
 /// The names of a format and what it can do.
@@ -125,6 +125,7 @@ pub fn formats() -> &'static [&'static dyn Format] {
         &ascii::Ascii,
         &csv::Csv,
         &json::Json,
+        &html::Html,
     ]
 }
 

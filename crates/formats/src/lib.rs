@@ -20,6 +20,7 @@ mod error;
 mod flight;
 mod format;
 mod gltf;
+mod html;
 mod json;
 mod loss;
 mod options;

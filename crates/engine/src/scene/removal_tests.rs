@@ -125,7 +125,11 @@ fn a_shape_goes_and_the_others_keep_their_weights() {
         [1.5, 2.5, 3.5],
         [0.5, -0.0, 1e-9],
     ];
-    for (by, tangents) in [("hermite", &tangents[..]), ("linear", &[])] {
+    let ways = [("hermite", &tangents[..]), ("linear", &[])];
+    for (order, (by, tangents)) in [[1, 1, 0], [2, 0, 0], [0, 1, 0]]
+        .into_iter()
+        .flat_map(|order| ways.map(|way| (order, way)))
+    {
         let mut scene = Scene::new();
         let object = Node::new("sheet", Kind::Object(Object::default()));
         scene.add(object).unwrap();
@@ -153,7 +157,14 @@ fn a_shape_goes_and_the_others_keep_their_weights() {
             "there is no shape 3 among 3, counted from 0"
         );
         assert_eq!(scene, untouched);
-        for (which, gone, names) in [(1, &[1][..], "ac"), (1, &[1, 2], "a"), (0, &[0, 1, 2], "")] {
+        let mut gone = Vec::new();
+        for which in order {
+            let left: Vec<usize> = (0..3).filter(|at| !gone.contains(at)).collect();
+            gone.push(left[which]);
+            let names: String = (0..3)
+                .filter(|at| !gone.contains(at))
+                .map(|at| ["a", "b", "c"][at])
+                .collect();
             scene.remove_shape(0, which).unwrap();
             let node = &scene.nodes()[0];
             let Kind::Object(object) = &node.kind else {
@@ -161,13 +172,13 @@ fn a_shape_goes_and_the_others_keep_their_weights() {
             };
             let left: String = object.shapes().iter().map(|s| &*s.name).collect();
             assert_eq!(left, names);
-            let weights = rows(&[[10.0, 20.0, 30.0]], gone);
+            let weights = rows(&[[10.0, 20.0, 30.0]], &gone);
             assert_eq!(object.weights(), weights);
             let track = node.keys().track(&Channel::Weights);
             assert_eq!(track.is_none(), gone.len() == 3);
             if let Some(track) = track {
-                assert_eq!(track.values(), rows(&values, gone));
-                assert_eq!(track.shape(), rows(tangents, gone));
+                assert_eq!(track.values(), rows(&values, &gone));
+                assert_eq!(track.shape(), rows(tangents, &gone));
                 assert_eq!(
                     track.extrapolation(),
                     (Extrapolation::PingPong, Extrapolation::Repeat)
