@@ -124,20 +124,16 @@ impl Writer<'_, '_> {
     }
 
     pub(super) fn visible(&mut self, own: usize, node: &Node, frame: f64) -> Result<()> {
-        let track = node.keys().track(&Channel::Visible);
+        let flight = self.flight;
         let mut warnings = Warnings::default();
-        let seen = values(node, frame, &mut warnings)?.visible;
-        if seen && track.is_none() {
-            return Ok(());
-        }
-        self.hides = true;
-        self.extend(own, extensions::VISIBILITY, json!({"visible": seen}));
-        let Some(track) = track else { return Ok(()) };
-        let pointer = format!("/nodes/{own}/extensions/{}/visible", extensions::VISIBILITY);
-        let target = Target::Pointer(pointer);
-        let (flight, binary) = (self.flight, &mut self.binary);
+        let Some(track) = node.keys().track(&Channel::Visible) else {
+            return self.seen(own, &[u8::from(node.rest.visible)]);
+        };
         if let Some(keys) = keys::numbers(flight, track) {
-            return self.animation.keys(binary, target, &keys, 1);
+            let seen = values(node, frame, &mut warnings)?.visible;
+            self.hides = true;
+            self.extend(own, extensions::VISIBILITY, json!({"visible": seen}));
+            return self.animation.keys(&mut self.binary, switch(own), &keys, 1);
         }
         let mut switches: Vec<u8> = vec_with_room(flight.count())?;
         for at in 0..flight.count() {
@@ -145,7 +141,29 @@ impl Writer<'_, '_> {
             track.numbers(flight.frame(at), &mut seen, &mut warnings);
             switches.push(u8::from(seen != [0.0]));
         }
-        self.animation
-            .a_switch_a_frame(flight, binary, target, &switches)
+        self.seen(own, &switches)
     }
+
+    /// Whether a node is seen in each frame, or all the time.
+    pub(super) fn seen(&mut self, own: usize, switches: &[u8]) -> Result<()> {
+        if switches.iter().all(|&seen| seen == 1) {
+            return Ok(());
+        }
+        self.hides = true;
+        let first = json!({"visible": switches[0] == 1});
+        self.extend(own, extensions::VISIBILITY, first);
+        if switches.iter().all(|&seen| seen == 0) {
+            return Ok(());
+        }
+        let target = switch(own);
+        let (flight, binary) = (self.flight, &mut self.binary);
+        self.animation
+            .a_switch_a_frame(flight, binary, target, switches)
+    }
+}
+
+/// What hides and shows a node.
+fn switch(own: usize) -> Target {
+    let name = extensions::VISIBILITY;
+    Target::Pointer(format!("/nodes/{own}/extensions/{name}/visible"))
 }

@@ -305,6 +305,7 @@ impl Writer<'_, '_> {
         let (flight, count) = (self.flight, self.flight.count());
         let mut positions: Vec<[f64; 3]> = vec_with_room(count)?;
         let mut rotations: Vec<[f64; 4]> = vec_with_room(count)?;
+        let mut seen: Vec<u8> = vec_with_room(count)?;
         let mut continued = Continued::default();
         for from in (0..count).step_by(BLOCK) {
             for state in self.states(at, from, BLOCK.min(count - from))? {
@@ -315,6 +316,7 @@ impl Writer<'_, '_> {
                     zoom: state.pose.zoom,
                 };
                 let turn = convention::rotation(&pose, CameraAxes::OpenGl);
+                seen.push(u8::from(state.visible != 0));
                 positions.push(pose.vrp);
                 rotations.push(continued.next(turn).to_array());
             }
@@ -331,6 +333,10 @@ impl Writer<'_, '_> {
         if rotations.iter().any(|other| *other != rotations[0]) {
             self.animation
                 .sampled(flight, &mut self.binary, top, &rotations)?;
+        }
+        if matches!(node.kind, Kind::Light(_)) {
+            // What hides it stands elsewhere.
+            self.seen(top, &seen)?;
         }
         self.roots.push(top);
         self.view(node, top)

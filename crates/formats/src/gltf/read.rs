@@ -141,6 +141,8 @@ pub(super) fn read(
     let scenes = root
         .get("scenes")
         .map_or(Ok(0), |list| Ok::<_, Error>(list.list()?.len()))?;
+    let textures = root.get("textures").and_then(|list| list.value.as_array());
+    told(report, "a texture", textures.map_or(0, Vec::len));
     told(report, "another scene", scenes.saturating_sub(1));
     let mut scene = Scene::from_nodes(reader.nodes).map_err(|(_, error)| error)?;
     let up = options.up.unwrap_or_default();

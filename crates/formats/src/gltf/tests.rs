@@ -102,6 +102,7 @@ fn is_the_same(before: &SceneDocument, after: &SceneDocument, options: &Options)
                     points_are_the_same(before, after, &node.name, index, &flight);
                 }
                 Kind::Light(_) => {
+                    assert_eq!(new.visible, old.visible, "{place}");
                     let light = |state: &NodeState| DVec3::from(state.colour) * state.intensity;
                     let [new, old] = [new, old].map(light);
                     assert!(
