@@ -9,7 +9,7 @@ use super::flight::Flight;
 use super::loss::Report;
 use super::options::Options;
 use super::source::Source;
-use super::{ascii, csv, json, tum, vid};
+use super::{ascii, csv, json, tum, usd, vid};
 use crate::path::Up;
 
 /// The names of a format and what it can do.
@@ -114,7 +114,14 @@ pub trait Format: Sync {
 /// All formats, in the order in which they are offered.
 #[must_use]
 pub fn formats() -> &'static [&'static dyn Format] {
-    &[&vid::Vid, &tum::Tum, &ascii::Ascii, &csv::Csv, &json::Json]
+    &[
+        &vid::Vid,
+        &usd::Usda,
+        &tum::Tum,
+        &ascii::Ascii,
+        &csv::Csv,
+        &json::Json,
+    ]
 }
 
 /// The format of this name.
