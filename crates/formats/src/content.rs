@@ -154,7 +154,7 @@ impl Recording {
     }
 
     /// The smallest space round positions and points.
-    fn space(&self, up: Up) -> Result<Space> {
+    pub(super) fn space(&self, up: Up) -> Result<Space> {
         let places = || {
             let positions = self.poses.iter().map(Pose::position);
             positions.chain(self.points.iter().copied())

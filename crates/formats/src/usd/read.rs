@@ -1,0 +1,569 @@
+//! The prims of a file as a scene.
+
+use std::collections::{BTreeMap, HashMap};
+
+use glam::DVec3;
+use vides_document::error::{Place as ScenePlace, vec_with_room};
+use vides_document::{Info, SceneDocument};
+use vides_engine::scene::{
+    Camera, Channel, Interpolation, Kind, Light, Node, NodeState, Object, Scene, Track, Warnings,
+};
+
+use super::super::content::{Content, Recording, one_line};
+use super::super::convention::zoom_of_focal;
+use super::super::error::{Cause, Error, Result};
+use super::super::loss::{Loss, Report};
+use super::super::options::Options;
+use super::curve::{Curve, all_times, quaternion};
+use super::geometry_in::{self, Geometry};
+use super::ops::Room;
+use super::stage::{Prim, Stage};
+use super::write::FLIP;
+use super::{role, unit};
+use crate::limits::{MAX_COMMENT_BYTES, MAX_COORDINATE, MAX_FPS};
+use crate::path::Up;
+
+/// Keys that may be computed between those of a file, beside one for each byte of it.
+const ROOM: usize = 100_000;
+
+/// Lenses and rates of a file that does not say (UsdGeomCamera, UsdStage).
+const FOCAL: f64 = 50.0;
+const APERTURE: f64 = 15.2908;
+const RATE: f64 = 24.0;
+
+/// States that are looked at for the space round everything.
+const LOOKED_AT: usize = 100_000;
+
+/// Reads all of a file.
+///
+/// # Errors
+/// What is wrong in it, with the line; the node that is out of range.
+pub(super) fn read(text: &str, options: &Options, report: &mut Report) -> Result<Content> {
+    let stage = Stage::parse(text)?;
+    let start = first_frame(&stage)?;
+    let mut reader = Reader {
+        stage: &stage,
+        start: start.into(),
+        room: Room(text.len() + ROOM),
+        names: HashMap::new(),
+        nodes: Vec::new(),
+        wireframe: Vec::new(),
+        told: BTreeMap::new(),
+        counts: Counts::default(),
+    };
+    reader.all()?;
+    let Reader {
+        nodes,
+        wireframe,
+        told,
+        counts,
+        ..
+    } = reader;
+    counts.tell(report);
+    for (what, count) in stage.told.iter().chain(&told) {
+        let (what, count) = ((*what).into(), *count);
+        report.add(Loss::NotTaken { what, count });
+    }
+    let names: Vec<String> = nodes.iter().map(|node| node.name.clone()).collect();
+    let mut scene = Scene::from_nodes(nodes).map_err(|(at, error)| {
+        let name = names.get(at).map_or("", String::as_str);
+        Error::from(error.at(ScenePlace::Node(name.into())))
+    })?;
+    let up = match stage.up.as_str() {
+        "Z" | "z" => Up::Z,
+        _ => Up::Y,
+    };
+    let places = wireframe
+        .iter()
+        .map(|point: &vides_document::ObjectPoint| point.position);
+    let points = places_of(&scene, places)?;
+    let space = Recording {
+        points,
+        ..Recording::default()
+    };
+    scene.set_space(space.space(options.up.unwrap_or(up))?)?;
+    let info = Info {
+        title: one_line(&stage.title),
+        comment: shortened(&stage.doc),
+        fps: rate(&stage, options),
+        first_frame: start,
+        unit: one_line(&stage.unit.clone().unwrap_or_else(|| {
+            let metres = stage.metres.filter(|metres| *metres > 0.0);
+            metres.map(unit::name).unwrap_or_default()
+        })),
+        object: wireframe.into(),
+        ..Info::default()
+    };
+    Ok(Content::Scene(Box::new(SceneDocument::new(scene, info)?)))
+}
+
+fn first_frame(stage: &Stage<'_>) -> Result<i32> {
+    let start = stage.start.unwrap_or(1.0).round();
+    if start.abs() > MAX_COORDINATE {
+        return Err(stage.lexer.line(0).wrong(Cause::TooLarge));
+    }
+    Ok(start as i32)
+}
+
+fn rate(stage: &Stage<'_>, options: &Options) -> f64 {
+    let sane = |fps: &f64| *fps > 0.0 && *fps <= MAX_FPS;
+    let said = [options.fps, stage.codes_per_second, stage.frames_per_second];
+    let said = said.into_iter().flatten().find(sane);
+    said.unwrap_or(RATE)
+}
+
+fn shortened(comment: &str) -> String {
+    let mut end = comment.len().min(MAX_COMMENT_BYTES);
+    while !comment.is_char_boundary(end) {
+        end -= 1;
+    }
+    comment[..end].to_owned()
+}
+
+#[derive(Default)]
+struct Counts {
+    sampled: usize,
+    fields: usize,
+    off_centre: usize,
+    skins: usize,
+}
+
+impl Counts {
+    fn tell(&self, report: &mut Report) {
+        report.count(self.sampled, Loss::Interpolations);
+        report.count(self.fields, Loss::FieldsClamped);
+        report.count(self.off_centre, Loss::OffCentre);
+        report.count(self.skins, Loss::Skins);
+    }
+}
+
+struct Reader<'s, 'a> {
+    stage: &'s Stage<'a>,
+    /// The time code of frame 1.
+    start: f64,
+    room: Room,
+    /// Names that are taken, and the number that the next of the same name gets.
+    names: HashMap<String, usize>,
+    nodes: Vec<Node>,
+    wireframe: Vec<vides_document::ObjectPoint>,
+    told: BTreeMap<&'a str, usize>,
+    counts: Counts,
+}
+
+/// What a type of prim is to us.
+#[derive(Clone, Copy, PartialEq)]
+enum Type {
+    Place,
+    /// Holds others, and has no place of its own.
+    Scope,
+    Camera,
+    Light(Light),
+    Geometry,
+    Unknown,
+}
+
+fn type_of(prim: &Prim<'_>, spot: bool) -> Type {
+    match prim.kind {
+        "Xform" | "SkelRoot" => Type::Place,
+        "Scope" | "" => Type::Scope,
+        "Camera" => Type::Camera,
+        "DistantLight" => Type::Light(Light::Directional),
+        "SphereLight" if spot => Type::Light(Light::Spot),
+        "SphereLight" => Type::Light(Light::Point),
+        "Mesh" | "Points" | "BasisCurves" => Type::Geometry,
+        _ => Type::Unknown,
+    }
+}
+
+impl<'a> Reader<'_, 'a> {
+    fn all(&mut self) -> Result<()> {
+        let prims = &self.stage.prims;
+        // Which prims become nodes: what is known, and what holds such.
+        let mut wanted = vec_with_room(prims.len())?;
+        wanted.resize(prims.len(), false);
+        let mut inside = wanted.clone();
+        for (at, prim) in prims.iter().enumerate().rev() {
+            if prim.out {
+                continue;
+            }
+            let known = !matches!(self.kind(prim), Type::Scope | Type::Unknown);
+            wanted[at] =
+                known || inside[at] || self.stage.attribute(prim, "xformOpOrder").is_some();
+            let part = matches!(prim.role.as_str(), role::PART | role::LOOKS);
+            if let Some(parent) = prim.parent {
+                inside[parent] |= wanted[at] && !part;
+            }
+        }
+        let mut numbers: Vec<Option<usize>> = vec_with_room(prims.len())?;
+        for (at, prim) in prims.iter().enumerate() {
+            let parent = prim.parent.and_then(|parent| numbers[parent]);
+            if !prim.out && self.kind(prim) == Type::Unknown {
+                *self.told.entry(prim.kind).or_default() += 1;
+            }
+            let number = match prim.role.as_str() {
+                role::WORLD if prim.parent.is_none() && prim.attributes.is_empty() => None,
+                role::WIREFRAME if wanted[at] => {
+                    geometry_in::wireframe(self.stage, prim, &mut self.wireframe)?;
+                    None
+                }
+                role::PART | role::LOOKS if wanted[at] && !inside[at] && self.takes(parent) => {
+                    self.part(prim, parent)?;
+                    None
+                }
+                _ if wanted[at] => Some(self.node(prim, parent, inside[at])?),
+                _ => None,
+            };
+            numbers.push(number);
+        }
+        Ok(())
+    }
+
+    fn kind(&self, prim: &Prim<'a>) -> Type {
+        let spot = self.stage.attribute(prim, "inputs:shaping:cone:angle");
+        type_of(prim, spot.is_some())
+    }
+
+    /// Whether a node can take the lens, light or geometry of a prim in it.
+    fn takes(&self, parent: Option<usize>) -> bool {
+        let parent = parent.map(|parent| &self.nodes[parent].kind);
+        matches!(parent, Some(Kind::Group | Kind::Object(_)))
+    }
+
+    /// A camera, light or geometry as what the node is that it is in.
+    fn part(&mut self, prim: &Prim<'a>, parent: Option<usize>) -> Result<()> {
+        let Some(parent) = parent else {
+            return Ok(());
+        };
+        let mut node = std::mem::take(&mut self.nodes[parent]);
+        if node.kind == Kind::Group {
+            node.kind = self.kind_of(prim)?;
+        }
+        self.fill(prim, &mut node)?;
+        self.nodes[parent] = node;
+        Ok(())
+    }
+
+    fn kind_of(&self, prim: &Prim<'a>) -> Result<Kind> {
+        Ok(match self.kind(prim) {
+            Type::Camera => Kind::Camera(self.planes(prim)?),
+            Type::Light(light) => Kind::Light(light),
+            Type::Geometry => Kind::Object(Object::default()),
+            _ => Kind::Group,
+        })
+    }
+
+    /// The number of the node that a prim becomes. What looks and has others in it becomes two, since
+    /// it looks the other way.
+    fn node(&mut self, prim: &Prim<'a>, parent: Option<usize>, inside: bool) -> Result<usize> {
+        let kind = self.kind_of(prim)?;
+        let looks = kind.looks() && !inside;
+        let name = if prim.display_name.is_empty() {
+            prim.name
+        } else {
+            &prim.display_name
+        };
+        let name = self.name(name);
+        let group = if kind.looks() && inside {
+            Kind::Group
+        } else {
+            kind.clone()
+        };
+        let mut node = Node::new(&name, group);
+        node.parent = parent;
+        if self.kind(prim) != Type::Scope || !prim.attributes.is_empty() {
+            self.place(prim, &mut node, looks)?;
+        }
+        self.visible(prim, &mut node)?;
+        let at = self.nodes.len();
+        self.nodes.try_reserve(2)?;
+        if kind.looks() && inside {
+            self.nodes.push(node);
+            let name = self.name(&format!("{name} {}", kind.name()));
+            let mut looking = Node::new(&name, kind);
+            looking.parent = Some(at);
+            looking.rest.rotation = FLIP;
+            self.fill(prim, &mut looking)?;
+            self.nodes.push(looking);
+        } else {
+            self.fill(prim, &mut node)?;
+            self.nodes.push(node);
+        }
+        Ok(at)
+    }
+
+    /// A name that no other node has.
+    fn name(&mut self, name: &str) -> String {
+        let mut plain = one_line(name);
+        if plain.is_empty() {
+            plain.push_str("node");
+        }
+        let mut number = self.names.get(&plain).copied().unwrap_or(1);
+        let mut given = plain.clone();
+        while self.names.contains_key(&given) {
+            number += 1;
+            given = format!("{plain} {number}");
+        }
+        self.names.insert(plain, number);
+        self.names.entry(given.clone()).or_insert(1);
+        given
+    }
+
+    fn place(&mut self, prim: &Prim<'a>, node: &mut Node, looks: bool) -> Result<()> {
+        let mut placed = self.stage.placed(prim, looks, &mut self.room)?;
+        self.counts.sampled += usize::from(placed.sampled);
+        if placed.sheared {
+            *self.told.entry("shear").or_default() += 1;
+        }
+        if placed.in_world {
+            node.parent = None;
+            *self.told.entry("!resetXformStack!").or_default() += 1;
+        }
+        node.pivot = placed.pivot;
+        if let Some(curve) = placed
+            .rotation
+            .as_mut()
+            .filter(|curve| looks && curve.width == 4)
+        {
+            curve.map(|turn| {
+                let q = quaternion(turn) * FLIP.conjugate();
+                turn.copy_from_slice(&[q.w, q.x, q.y, q.z]);
+            });
+        } else if looks {
+            placed.rotation = Some(Curve::constant(&[0.0, 0.0, -1.0, 0.0]));
+        }
+        if let Some(curve) = self.moving(node, Channel::Position, placed.position)? {
+            node.rest.position = DVec3::from_slice(curve.first());
+        }
+        if let Some(curve) = self.moving(node, Channel::Scale, placed.scale)? {
+            node.rest.scale = DVec3::from_slice(curve.first());
+        }
+        match placed.rotation {
+            // Yaw, pitch and roll.
+            Some(mut curve) if curve.width == 3 => {
+                for time in &mut curve.times {
+                    *time += 1.0 - self.start;
+                }
+                let by = Interpolation::EulerLinear;
+                let Curve { times, values, .. } = curve;
+                self.set(
+                    node,
+                    Track::new(Channel::Rotation, by, times, values, vec![]),
+                )?;
+            }
+            rotation => {
+                if let Some(curve) = self.moving(node, Channel::Rotation, rotation)? {
+                    node.rest.rotation = quaternion(curve.first());
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Makes a track of a curve with times; gives back one without.
+    fn moving(
+        &self,
+        node: &mut Node,
+        channel: Channel,
+        curve: Option<Curve>,
+    ) -> Result<Option<Curve>> {
+        match curve {
+            Some(curve) if !curve.rests() => {
+                self.set(node, curve.into_track(channel, self.start))?;
+                Ok(None)
+            }
+            rests => Ok(rests),
+        }
+    }
+
+    fn set(&self, node: &mut Node, track: Result<Track, vides_engine::Error>) -> Result<()> {
+        let set = track.and_then(|track| node.set_track(track));
+        set.map_err(|error| error.at(ScenePlace::Node(node.name.as_str().into())).into())
+    }
+
+    fn visible(&self, prim: &Prim<'a>, node: &mut Node) -> Result<()> {
+        let curve = self.stage.switch(prim, "visibility", "invisible")?;
+        if let Some(curve) = self.moving(node, Channel::Visible, curve)? {
+            node.rest.visible = curve.first() != [0.0];
+        }
+        Ok(())
+    }
+
+    /// What a node has of its kind.
+    fn fill(&mut self, prim: &Prim<'a>, node: &mut Node) -> Result<()> {
+        match &mut node.kind {
+            Kind::Camera(_) => self.lens(prim, node),
+            Kind::Light(_) => self.light(prim, node),
+            Kind::Object(object) => {
+                self.counts.skins += usize::from(prim.skinned);
+                let Geometry { mesh, colour, told } =
+                    geometry_in::read(self.stage, prim, object.mesh())?;
+                let done = object.set_mesh(mesh);
+                done.map_err(|error| error.at(ScenePlace::Node(node.name.as_str().into())))?;
+                for what in told {
+                    *self.told.entry(what).or_default() += 1;
+                }
+                let colour = colour.map(|curve| clamped(curve, MAX_COORDINATE));
+                if let Some(curve) = self.moving(node, Channel::Colour, colour)? {
+                    node.rest.colour = curve.at(0.0);
+                }
+                Ok(())
+            }
+            Kind::Group => Ok(()),
+        }
+    }
+
+    fn planes(&self, prim: &Prim<'a>) -> Result<Camera> {
+        let planes = self.stage.curve(prim, "clippingRange", 2)?;
+        let Some([near, far]) = planes.map(|curve| curve.at(f64::NEG_INFINITY)) else {
+            return Ok(Camera::default());
+        };
+        let sane = 0.0 < near && near < far && far <= MAX_COORDINATE;
+        Ok(if sane {
+            Camera { near, far }
+        } else {
+            Camera::default()
+        })
+    }
+
+    fn lens(&mut self, prim: &Prim<'a>, node: &mut Node) -> Result<()> {
+        let stage = self.stage;
+        for name in ["horizontalApertureOffset", "verticalApertureOffset"] {
+            let offset = stage.curve(prim, name, 1)?;
+            let off = offset.is_some_and(|curve| curve.values.iter().any(|value| *value != 0.0));
+            self.counts.off_centre += usize::from(off);
+        }
+        let depth = stage.curve(prim, "fStop", 1)?;
+        if depth.is_some_and(|curve| curve.values.iter().any(|value| *value != 0.0)) {
+            *self.told.entry("fStop").or_default() += 1;
+        }
+        if stage.token(prim, "projection")? == Some("orthographic") {
+            *self.told.entry("orthographic projection").or_default() += 1;
+            return Ok(());
+        }
+        let focal = stage.curve(prim, "focalLength", 1)?;
+        let high = stage.curve(prim, "verticalAperture", 1)?;
+        if focal.is_none() && high.is_none() {
+            // As the schema has it.
+            node.rest.zoom = zoom_of_focal(FOCAL, APERTURE).0;
+            return Ok(());
+        }
+        let focal = focal.unwrap_or_else(|| Curve::constant(&[FOCAL]));
+        let high = high.unwrap_or_else(|| Curve::constant(&[APERTURE]));
+        let mut clamped = 0;
+        let zoom = together([&focal, &high], |[focal, high]| {
+            let (zoom, inside) = zoom_of_focal(focal, high);
+            clamped += usize::from(!inside);
+            [zoom]
+        })?;
+        self.counts.fields += clamped;
+        if let Some(curve) = self.moving(node, Channel::Zoom, Some(zoom))? {
+            node.rest.zoom = curve.first()[0];
+        }
+        Ok(())
+    }
+
+    fn light(&mut self, prim: &Prim<'a>, node: &mut Node) -> Result<()> {
+        let stage = self.stage;
+        let colour = stage.curve(prim, "inputs:color", 3)?;
+        let colour = colour.map(|curve| clamped(curve, MAX_COORDINATE));
+        if let Some(curve) = self.moving(node, Channel::Colour, colour)? {
+            node.rest.colour = curve.at(0.0);
+        }
+        let number = |name: &str, rest: f64| -> Result<Curve> {
+            let curve = stage.curve(prim, name, 1)?;
+            Ok(curve.unwrap_or_else(|| Curve::constant(&[rest])))
+        };
+        let directional = node.kind == Kind::Light(Light::Directional);
+        // The schemas' own: a sun in nits.
+        let intensity = number("inputs:intensity", if directional { 50_000.0 } else { 1.0 })?;
+        let exposure = number("inputs:exposure", 0.0)?;
+        let bright = together([&intensity, &exposure], |[intensity, exposure]| {
+            [(intensity * exposure.exp2()).clamp(0.0, MAX_COORDINATE)]
+        })?;
+        if let Some(curve) = self.moving(node, Channel::Intensity, Some(bright))? {
+            node.rest.intensity = curve.first()[0];
+        }
+        if node.kind != Kind::Light(Light::Spot) {
+            return Ok(());
+        }
+        let angle = number("inputs:shaping:cone:angle", 90.0)?;
+        let softness = number("inputs:shaping:cone:softness", 0.0)?;
+        let cone = together([&angle, &softness], |[angle, softness]| {
+            let outer = angle.clamp(0.0, 90.0);
+            [outer * (1.0 - softness.clamp(0.0, 1.0)), outer]
+        })?;
+        if let Some(curve) = self.moving(node, Channel::Cone, Some(cone))? {
+            node.rest.cone = curve.at(0.0);
+        }
+        Ok(())
+    }
+}
+
+/// A curve of one number each as one of `M` numbers, at the times of all.
+fn together<const N: usize, const M: usize>(
+    curves: [&Curve; N],
+    mut make: impl FnMut([f64; N]) -> [f64; M],
+) -> Result<Curve> {
+    let times = all_times(curves.into_iter())?;
+    let mut values = vec_with_room(M * times.len().max(1))?;
+    let rest = [0.0];
+    let at = if times.is_empty() { &rest[..] } else { &times };
+    for &time in at {
+        let all = curves.map(|curve| curve.at::<1>(time)[0]);
+        values.extend(make(all));
+    }
+    Ok(Curve {
+        times,
+        values,
+        width: M,
+    })
+}
+
+fn clamped(mut curve: Curve, most: f64) -> Curve {
+    let numbers = curve.values.iter_mut();
+    numbers.for_each(|number| *number = number.clamp(0.0, most));
+    curve
+}
+
+/// Where everything is: corners of objects, cameras and lights, at frames all over the scene's.
+fn places_of(scene: &Scene, others: impl Iterator<Item = DVec3>) -> Result<Vec<DVec3>> {
+    let mut places = Vec::new();
+    let mut push = |place: DVec3| -> Result<()> {
+        places.try_reserve(1)?;
+        places.push(place);
+        Ok(())
+    };
+    for place in others {
+        push(place)?;
+    }
+    let nodes = scene.nodes();
+    let mut states = vec_with_room(nodes.len())?;
+    states.resize(nodes.len(), NodeState::default());
+    let bounds: Vec<Option<[DVec3; 2]>> = nodes.iter().map(geometry_in::bounds).collect();
+    let (first, last) = scene.frame_range();
+    let most = (LOOKED_AT / nodes.len().max(1)).clamp(1, 1000);
+    let steps = ((last - first).ceil() as usize).clamp(1, most);
+    for step in 0..=steps {
+        let frame = first + (last - first) * step as f64 / steps as f64;
+        scene.evaluate(frame, &mut states, &mut Warnings::default())?;
+        for ((node, state), bounds) in nodes.iter().zip(&states).zip(&bounds) {
+            let world = state.world();
+            match (&node.kind, bounds) {
+                (Kind::Camera(_) | Kind::Light(Light::Point | Light::Spot), _) => {
+                    push(world.translation)?;
+                }
+                (_, Some(ends)) => {
+                    for corner in 0..8 {
+                        let part = |axis: usize| ends[corner >> axis & 1][axis];
+                        push(world.transform_point3(DVec3::new(part(0), part(1), part(2))))?;
+                    }
+                }
+                _ => {}
+            }
+        }
+        if first == last {
+            break;
+        }
+    }
+    Ok(places)
+}
