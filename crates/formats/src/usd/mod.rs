@@ -6,6 +6,7 @@ mod curve;
 mod geometry_in;
 mod geometry_out;
 mod lexer;
+mod looks_in;
 mod motion_out;
 mod ops;
 mod read;
@@ -13,6 +14,11 @@ mod stage;
 mod text;
 mod unit;
 mod write;
+
+#[cfg(test)]
+mod hostile_tests;
+#[cfg(test)]
+mod tests;
 
 use std::io::Write;
 

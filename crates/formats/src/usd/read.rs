@@ -6,16 +6,16 @@ use glam::DVec3;
 use vides_document::error::{Place as ScenePlace, vec_with_room};
 use vides_document::{Info, SceneDocument};
 use vides_engine::scene::{
-    Camera, Channel, Interpolation, Kind, Light, Node, NodeState, Object, Scene, Track, Warnings,
+    Channel, Interpolation, Kind, Light, Node, NodeState, Object, Scene, Track, Warnings,
 };
 
 use super::super::content::{Content, Recording, one_line};
-use super::super::convention::zoom_of_focal;
 use super::super::error::{Cause, Error, Result};
 use super::super::loss::{Loss, Report};
 use super::super::options::Options;
-use super::curve::{Curve, all_times, quaternion};
+use super::curve::{Curve, quaternion};
 use super::geometry_in::{self, Geometry};
+use super::looks_in::clamped;
 use super::ops::Room;
 use super::stage::{Prim, Stage};
 use super::write::FLIP;
@@ -26,9 +26,10 @@ use crate::path::Up;
 /// Keys that may be computed between those of a file, beside one for each byte of it.
 const ROOM: usize = 100_000;
 
-/// Lenses and rates of a file that does not say (UsdGeomCamera, UsdStage).
-const FOCAL: f64 = 50.0;
-const APERTURE: f64 = 15.2908;
+/// Prims that one node is made of: triangles, lines, points.
+const MAX_PARTS: usize = 3;
+
+/// Time codes a second of a file that does not say (UsdStage).
 const RATE: f64 = 24.0;
 
 /// States that are looked at for the space round everything.
@@ -50,15 +51,17 @@ pub(super) fn read(text: &str, options: &Options, report: &mut Report) -> Result
         wireframe: Vec::new(),
         told: BTreeMap::new(),
         counts: Counts::default(),
+        parts: 0,
     };
     reader.all()?;
     let Reader {
-        nodes,
+        mut nodes,
         wireframe,
         told,
         counts,
         ..
     } = reader;
+    show(&mut nodes, &stage.camera);
     counts.tell(report);
     for (what, count) in stage.told.iter().chain(&told) {
         let (what, count) = ((*what).into(), *count);
@@ -97,6 +100,21 @@ pub(super) fn read(text: &str, options: &Options, report: &mut Report) -> Result
     Ok(Content::Scene(Box::new(SceneDocument::new(scene, info)?)))
 }
 
+/// Puts the camera with this name first: of several it is the one that is shown.
+fn show(nodes: &mut [Node], camera: &str) {
+    let Some(shown) = nodes.iter().position(|node| node.name == camera) else {
+        return;
+    };
+    nodes[..=shown].rotate_right(1);
+    for parent in nodes.iter_mut().filter_map(|node| node.parent.as_mut()) {
+        *parent = match *parent {
+            at if at == shown => 0,
+            at if at < shown => at + 1,
+            at => at,
+        };
+    }
+}
+
 fn first_frame(stage: &Stage<'_>) -> Result<i32> {
     let start = stage.start.unwrap_or(1.0).round();
     if start.abs() > MAX_COORDINATE {
@@ -121,10 +139,10 @@ fn shortened(comment: &str) -> String {
 }
 
 #[derive(Default)]
-struct Counts {
+pub(super) struct Counts {
     sampled: usize,
-    fields: usize,
-    off_centre: usize,
+    pub(super) fields: usize,
+    pub(super) off_centre: usize,
     skins: usize,
 }
 
@@ -137,8 +155,8 @@ impl Counts {
     }
 }
 
-struct Reader<'s, 'a> {
-    stage: &'s Stage<'a>,
+pub(super) struct Reader<'s, 'a> {
+    pub(super) stage: &'s Stage<'a>,
     /// The time code of frame 1.
     start: f64,
     room: Room,
@@ -146,8 +164,10 @@ struct Reader<'s, 'a> {
     names: HashMap<String, usize>,
     nodes: Vec<Node>,
     wireframe: Vec<vides_document::ObjectPoint>,
-    told: BTreeMap<&'a str, usize>,
-    counts: Counts,
+    pub(super) told: BTreeMap<&'a str, usize>,
+    pub(super) counts: Counts,
+    /// Prims that became part of the last node.
+    parts: usize,
 }
 
 /// What a type of prim is to us.
@@ -223,10 +243,12 @@ impl<'a> Reader<'_, 'a> {
         type_of(prim, spot.is_some())
     }
 
-    /// Whether a node can take the lens, light or geometry of a prim in it.
+    /// Whether a node can take the lens, light or geometry of a prim in it: as we write it, these
+    /// stand before other nodes, and are few.
     fn takes(&self, parent: Option<usize>) -> bool {
-        let parent = parent.map(|parent| &self.nodes[parent].kind);
-        matches!(parent, Some(Kind::Group | Kind::Object(_)))
+        let fits = |node: &Node| matches!(node.kind, Kind::Group | Kind::Object(_));
+        let last = self.nodes.len().checked_sub(1);
+        self.parts < MAX_PARTS && parent == last && self.nodes.last().is_some_and(fits)
     }
 
     /// A camera, light or geometry as what the node is that it is in.
@@ -234,6 +256,7 @@ impl<'a> Reader<'_, 'a> {
         let Some(parent) = parent else {
             return Ok(());
         };
+        self.parts += 1;
         let mut node = std::mem::take(&mut self.nodes[parent]);
         if node.kind == Kind::Group {
             node.kind = self.kind_of(prim)?;
@@ -275,6 +298,7 @@ impl<'a> Reader<'_, 'a> {
         }
         self.visible(prim, &mut node)?;
         let at = self.nodes.len();
+        self.parts = 0;
         self.nodes.try_reserve(2)?;
         if kind.looks() && inside {
             self.nodes.push(node);
@@ -360,7 +384,7 @@ impl<'a> Reader<'_, 'a> {
     }
 
     /// Makes a track of a curve with times; gives back one without.
-    fn moving(
+    pub(super) fn moving(
         &self,
         node: &mut Node,
         channel: Channel,
@@ -411,118 +435,6 @@ impl<'a> Reader<'_, 'a> {
             Kind::Group => Ok(()),
         }
     }
-
-    fn planes(&self, prim: &Prim<'a>) -> Result<Camera> {
-        let planes = self.stage.curve(prim, "clippingRange", 2)?;
-        let Some([near, far]) = planes.map(|curve| curve.at(f64::NEG_INFINITY)) else {
-            return Ok(Camera::default());
-        };
-        let sane = 0.0 < near && near < far && far <= MAX_COORDINATE;
-        Ok(if sane {
-            Camera { near, far }
-        } else {
-            Camera::default()
-        })
-    }
-
-    fn lens(&mut self, prim: &Prim<'a>, node: &mut Node) -> Result<()> {
-        let stage = self.stage;
-        for name in ["horizontalApertureOffset", "verticalApertureOffset"] {
-            let offset = stage.curve(prim, name, 1)?;
-            let off = offset.is_some_and(|curve| curve.values.iter().any(|value| *value != 0.0));
-            self.counts.off_centre += usize::from(off);
-        }
-        let depth = stage.curve(prim, "fStop", 1)?;
-        if depth.is_some_and(|curve| curve.values.iter().any(|value| *value != 0.0)) {
-            *self.told.entry("fStop").or_default() += 1;
-        }
-        if stage.token(prim, "projection")? == Some("orthographic") {
-            *self.told.entry("orthographic projection").or_default() += 1;
-            return Ok(());
-        }
-        let focal = stage.curve(prim, "focalLength", 1)?;
-        let high = stage.curve(prim, "verticalAperture", 1)?;
-        if focal.is_none() && high.is_none() {
-            // As the schema has it.
-            node.rest.zoom = zoom_of_focal(FOCAL, APERTURE).0;
-            return Ok(());
-        }
-        let focal = focal.unwrap_or_else(|| Curve::constant(&[FOCAL]));
-        let high = high.unwrap_or_else(|| Curve::constant(&[APERTURE]));
-        let mut clamped = 0;
-        let zoom = together([&focal, &high], |[focal, high]| {
-            let (zoom, inside) = zoom_of_focal(focal, high);
-            clamped += usize::from(!inside);
-            [zoom]
-        })?;
-        self.counts.fields += clamped;
-        if let Some(curve) = self.moving(node, Channel::Zoom, Some(zoom))? {
-            node.rest.zoom = curve.first()[0];
-        }
-        Ok(())
-    }
-
-    fn light(&mut self, prim: &Prim<'a>, node: &mut Node) -> Result<()> {
-        let stage = self.stage;
-        let colour = stage.curve(prim, "inputs:color", 3)?;
-        let colour = colour.map(|curve| clamped(curve, MAX_COORDINATE));
-        if let Some(curve) = self.moving(node, Channel::Colour, colour)? {
-            node.rest.colour = curve.at(0.0);
-        }
-        let number = |name: &str, rest: f64| -> Result<Curve> {
-            let curve = stage.curve(prim, name, 1)?;
-            Ok(curve.unwrap_or_else(|| Curve::constant(&[rest])))
-        };
-        let directional = node.kind == Kind::Light(Light::Directional);
-        // The schemas' own: a sun in nits.
-        let intensity = number("inputs:intensity", if directional { 50_000.0 } else { 1.0 })?;
-        let exposure = number("inputs:exposure", 0.0)?;
-        let bright = together([&intensity, &exposure], |[intensity, exposure]| {
-            [(intensity * exposure.exp2()).clamp(0.0, MAX_COORDINATE)]
-        })?;
-        if let Some(curve) = self.moving(node, Channel::Intensity, Some(bright))? {
-            node.rest.intensity = curve.first()[0];
-        }
-        if node.kind != Kind::Light(Light::Spot) {
-            return Ok(());
-        }
-        let angle = number("inputs:shaping:cone:angle", 90.0)?;
-        let softness = number("inputs:shaping:cone:softness", 0.0)?;
-        let cone = together([&angle, &softness], |[angle, softness]| {
-            let outer = angle.clamp(0.0, 90.0);
-            [outer * (1.0 - softness.clamp(0.0, 1.0)), outer]
-        })?;
-        if let Some(curve) = self.moving(node, Channel::Cone, Some(cone))? {
-            node.rest.cone = curve.at(0.0);
-        }
-        Ok(())
-    }
-}
-
-/// A curve of one number each as one of `M` numbers, at the times of all.
-fn together<const N: usize, const M: usize>(
-    curves: [&Curve; N],
-    mut make: impl FnMut([f64; N]) -> [f64; M],
-) -> Result<Curve> {
-    let times = all_times(curves.into_iter())?;
-    let mut values = vec_with_room(M * times.len().max(1))?;
-    let rest = [0.0];
-    let at = if times.is_empty() { &rest[..] } else { &times };
-    for &time in at {
-        let all = curves.map(|curve| curve.at::<1>(time)[0]);
-        values.extend(make(all));
-    }
-    Ok(Curve {
-        times,
-        values,
-        width: M,
-    })
-}
-
-fn clamped(mut curve: Curve, most: f64) -> Curve {
-    let numbers = curve.values.iter_mut();
-    numbers.for_each(|number| *number = number.clamp(0.0, most));
-    curve
 }
 
 /// Where everything is: corners of objects, cameras and lights, at frames all over the scene's.

@@ -47,6 +47,8 @@ pub(super) struct Stage<'a> {
     pub(super) title: String,
     /// The unit of a file of ours, which may be empty.
     pub(super) unit: Option<String>,
+    /// The name of the camera that was shown in a file of ours.
+    pub(super) camera: String,
     pub(super) up: String,
     pub(super) metres: Option<f64>,
     pub(super) start: Option<f64>,
@@ -104,6 +106,7 @@ impl<'a> Stage<'a> {
             doc: String::new(),
             title: String::new(),
             unit: None,
+            camera: String::new(),
             up: String::new(),
             metres: None,
             start: None,
@@ -164,7 +167,11 @@ impl<'a> Stage<'a> {
             _ => return Err(before.expected(Wanted::Name)),
         };
         let parent = open.last().copied();
-        let inherited = parent.is_some_and(|parent| self.prims[parent].out);
+        // What an instancer repeats does not stand where it is.
+        let inherited = parent.is_some_and(|parent| {
+            let parent = &self.prims[parent];
+            parent.out || parent.kind == "PointInstancer"
+        });
         if specifier != "def" && !inherited {
             self.tell(specifier);
         }
@@ -248,13 +255,14 @@ impl<'a> Stage<'a> {
                 "timeCodesPerSecond" => stage.codes_per_second = Some(stage.lexer.number()?),
                 "framesPerSecond" => stage.frames_per_second = Some(stage.lexer.number()?),
                 "customLayerData" => {
-                    let (mut title, mut unit) = (String::new(), None);
+                    let (mut title, mut camera, mut unit) = (String::new(), String::new(), None);
                     stage.dictionary(&mut |name, text| match name {
                         "title" => title = unescaped(text),
+                        "camera" => camera = unescaped(text),
                         "unit" => unit = Some(unescaped(text)),
                         _ => {}
                     })?;
-                    (stage.title, stage.unit) = (title, unit);
+                    (stage.title, stage.camera, stage.unit) = (title, camera, unit);
                 }
                 _ if ARCS.contains(&key) => {
                     stage.lexer.skip_value()?;

@@ -137,6 +137,8 @@ impl<'d> Writer<'_, '_, 'd> {
         }
         put!(self, 1, "customLayerData = {{")?;
         put!(self, 2, "string title = {}", Quoted(&info.title))?;
+        let shown = Quoted(&self.of(self.flight.node()).name);
+        put!(self, 2, "string camera = {shown}")?;
         if self.flight.options().scale == 1.0 {
             put!(self, 2, "string unit = {}", Quoted(&info.unit))?;
         }
@@ -356,7 +358,7 @@ impl<'d> Writer<'_, '_, 'd> {
         self.report
             .count(self.flight.scene().markers().len(), |count| {
                 Loss::NotTaken {
-                    what: "a marker".into(),
+                    what: "marker".into(),
                     count,
                 }
             });

@@ -1,0 +1,590 @@
+use glam::{DAffine3, DMat4, DQuat, DVec3};
+use vides_document::SceneDocument;
+use vides_engine::scene::{Channel, Interpolation, Kind, Light, NodeState, Warnings};
+
+use super::Usda;
+use crate::{Imported, Loss, Options, Report, Source, export_to, import};
+
+const CAR: &str = include_str!("../../../../examples/car.vid");
+const PYRAMID: &str = include_str!("../../../../examples/pyramid.vid");
+
+pub(super) fn document(text: &str) -> SceneDocument {
+    SceneDocument::from_toml(text).unwrap()
+}
+
+fn written_with(document: &SceneDocument, options: &Options) -> (String, Report) {
+    let mut out = Vec::new();
+    let report = export_to(document, &mut out, &Usda, options, &mut |_, _| {}).unwrap();
+    (String::from_utf8(out).unwrap(), report)
+}
+
+pub(super) fn written(document: &SceneDocument) -> String {
+    written_with(document, &Options::default()).0
+}
+
+pub(super) fn read(text: &str) -> Imported {
+    let source = Source::of_bytes("a.usda", text.as_bytes().to_vec());
+    import(&source, None, &Options::default()).unwrap()
+}
+
+fn states(document: &SceneDocument, frame: f64) -> Vec<(String, NodeState)> {
+    let nodes = document.scene.nodes();
+    let mut states = vec![NodeState::default(); nodes.len()];
+    let warnings = &mut Warnings::default();
+    document
+        .scene
+        .evaluate(frame, &mut states, warnings)
+        .unwrap();
+    nodes
+        .iter()
+        .map(|node| node.name.clone())
+        .zip(states)
+        .collect()
+}
+
+pub(super) fn matrix(document: &SceneDocument, name: &str, frame: f64) -> DAffine3 {
+    let all = states(document, frame);
+    all.iter()
+        .find(|(other, _)| other == name)
+        .unwrap()
+        .1
+        .world()
+}
+
+/// A stage of one prim with these lines in it.
+pub(super) fn prim(kind: &str, lines: &str) -> String {
+    format!("#usda 1.0\ndef {kind} \"it\"\n{{\n{lines}\n}}\ndef Camera \"seen\" {{}}\n")
+}
+
+fn not_taken(report: &Report) -> Vec<(String, usize)> {
+    let losses = report.losses().iter();
+    let told = losses.filter_map(|loss| match loss {
+        Loss::NotTaken { what, count } => Some((what.to_string(), *count)),
+        _ => None,
+    });
+    told.collect()
+}
+
+#[test]
+fn a_scene_comes_back_as_it_was() {
+    for text in [CAR, PYRAMID] {
+        let was = document(text);
+        let is = read(&written(&was)).document;
+        assert_eq!(is.info.title, was.info.title);
+        assert_eq!(is.info.comment, was.info.comment);
+        assert_eq!(
+            (is.info.fps, is.info.first_frame),
+            (was.info.fps, was.info.first_frame)
+        );
+        assert_eq!(is.scene.frame_range(), was.scene.frame_range());
+        let (first, last) = was.scene.frame_range();
+        let mut frame = first;
+        while frame <= last {
+            let back = states(&is, frame);
+            for (name, was) in states(&was, frame) {
+                let (_, is) = back.iter().find(|(other, _)| *other == name).unwrap();
+                let turn =
+                    |state: &NodeState| (DVec3::from(state.pose.vpn), DVec3::from(state.pose.vup));
+                assert!(
+                    is.world().abs_diff_eq(was.world(), 1e-12),
+                    "{name} at {frame}"
+                );
+                assert!(
+                    turn(is).0.abs_diff_eq(turn(&was).0, 1e-12),
+                    "{name} at {frame}"
+                );
+                assert!(
+                    turn(is).1.abs_diff_eq(turn(&was).1, 1e-12),
+                    "{name} at {frame}"
+                );
+                // Lenses and colours are of 32 bits.
+                assert!((is.pose.zoom - was.pose.zoom).abs() <= 2e-7 * was.pose.zoom);
+                for (a, b) in is
+                    .colour
+                    .iter()
+                    .chain(&is.cone)
+                    .zip(was.colour.iter().chain(&was.cone))
+                {
+                    assert!((a - b).abs() <= 1e-6 * b.abs(), "{name} at {frame}");
+                }
+            }
+            frame += 1.0;
+        }
+        let kinds = |document: &SceneDocument| {
+            let mut kinds: Vec<_> = document
+                .scene
+                .nodes()
+                .iter()
+                .map(|node| (node.name.clone(), node.kind.name(), node.pivot.to_string()))
+                .collect();
+            kinds.sort();
+            kinds
+        };
+        assert_eq!(kinds(&is), kinds(&was));
+        for (a, b) in is.info.object.iter().zip(was.info.object.iter()) {
+            assert!(a.draw == b.draw && a.position.abs_diff_eq(b.position, 1e-6));
+        }
+        assert_eq!(is.info.object.len(), was.info.object.len());
+    }
+}
+
+pub(super) const KEYS: &str = r#"
+version = 1
+first_frame = 101
+[[node]]
+name = "camera"
+kind = "camera"
+roll_degrees = 90.0
+[[node.track]]
+channel = "position"
+interpolation = "step"
+frames = [1.0, 4.0, 9.5]
+values = [[0.0, 0.0, 0.0], [1.0, 2.0, 3.0], [1.0, 0.0, 0.0]]
+[[node.track]]
+channel = "rotation"
+interpolation = "linear"
+frames = [2.0, 7.0]
+values = [[1.0, 0.0, 0.0, 0.0], [0.0, 0.0, 2.0, 0.0]]
+[[node.track]]
+channel = "visible"
+interpolation = "step"
+frames = [3.0, 5.0]
+values = [[0.0], [1.0]]
+[[node.track]]
+channel = "zoom"
+interpolation = "linear"
+frames = [1.0, 12.0]
+values = [[24.0], [48.0]]
+"#;
+
+#[test]
+fn keys_stay_keys() {
+    let was = document(KEYS);
+    let (text, report) = written_with(&was, &Options::default());
+    assert_eq!(report.losses(), []);
+    // A step is held to just before the next key, in time codes that people see.
+    for line in [
+        "101: (0.0, 0.0, 0.0),",
+        "103.999999: (0.0, 0.0, 0.0),",
+        "104: (1.0, 2.0, 3.0),",
+        "103: \"invisible\",",
+        "startTimeCode = 101",
+        "endTimeCode = 112",
+        "112: 0.48,",
+    ] {
+        assert!(text.contains(line), "{line}\n{text}");
+    }
+    let is = read(&text).document;
+    let (was, is) = (&was.scene.nodes()[0], &is.scene.nodes()[0]);
+    for track in was.keys().tracks() {
+        let back = is.keys().track(track.channel()).unwrap();
+        assert_eq!(back.interpolation(), track.interpolation());
+        assert_eq!(back.frames(), track.frames());
+        if *track.channel() == Channel::Rotation {
+            continue; // Of any length there, and with the roll in it here.
+        }
+        for (a, b) in back.values().iter().zip(track.values()) {
+            assert!((a - b).abs() <= 2e-7 * b, "{}", track.channel());
+        }
+    }
+}
+
+#[test]
+fn between_keys_it_is_the_same() {
+    let was = document(KEYS);
+    let is = read(&written(&was)).document;
+    for step in 0..110 {
+        let frame = 1.0 + f64::from(step) / 10.0;
+        let (was, is) = (&states(&was, frame)[0].1, &states(&is, frame)[0].1);
+        for (a, b) in [
+            (was.pose.vrp, is.pose.vrp),
+            (was.pose.vpn, is.pose.vpn),
+            (was.pose.vup, is.pose.vup),
+        ] {
+            assert!(DVec3::from(a).abs_diff_eq(b.into(), 1e-12), "{frame}");
+        }
+        assert_eq!(was.visible, is.visible, "{frame}");
+    }
+}
+
+#[test]
+fn options_turn_scale_and_choose_frames() {
+    let was = document(KEYS);
+    let lines = "up=z\nscale=100\nframes=103..105\nfps=50\nsize=1000x500";
+    let (text, _) = written_with(&was, &Options::parse(lines).unwrap());
+    for line in [
+        "upAxis = \"Z\"",
+        "startTimeCode = 103",
+        "endTimeCode = 107",
+        "timeCodesPerSecond = 50",
+        "(100.0, -300.0, 200.0)",
+        "float horizontalAperture = 0.48",
+        "float verticalAperture = 0.24",
+        "float2 clippingRange = (1.0, 100000.0)",
+        "metersPerUnit = 1.0",
+    ] {
+        assert!(text.contains(line), "{line}\n{text}");
+    }
+    let metre = document(&KEYS.replace("first_frame = 101", "space = { unit = \"m\" }"));
+    let (text, _) = written_with(&metre, &Options::parse("scale=100").unwrap());
+    assert!(text.contains("metersPerUnit = 0.01\n"), "{text}");
+    assert!(text.contains("float verticalAperture = 24.0\n"), "{text}");
+    assert_eq!(read(&text).document.info.unit, "cm");
+}
+
+#[test]
+fn a_camera_with_others_in_it_comes_back_as_one() {
+    let text = "version = 1\n[[node]]\nname = \"a \\\"b\\\"\\\\\"\nkind = \"camera\"\nzoom_mm = 35.0\n\
+                rotation = [0.9, 0.1, 0.2, 0.3]\n[[node]]\nname = \"1\"\nkind = \"light\"\n\
+                light = \"spot\"\nparent = \"a \\\"b\\\"\\\\\"\nposition = [1.0, 2.0, 3.0]\n";
+    let was = document(text);
+    let (text, _) = written_with(&was, &Options::default());
+    assert!(text.contains("displayName = \"a \\\"b\\\"\\\\\""), "{text}");
+    let is = read(&text).document;
+    assert_eq!(is.scene.nodes().len(), 2);
+    for ((a, was), (b, is)) in states(&was, 1.0).iter().zip(states(&is, 1.0)) {
+        assert_eq!(*a, b);
+        assert!(was.world().abs_diff_eq(is.world(), 1e-15));
+    }
+    assert!(matches!(is.scene.nodes()[1].kind, Kind::Light(Light::Spot)));
+}
+
+#[test]
+fn the_shown_camera_stays_it() {
+    let text = "version = 1\n[[node]]\nname = \"a\"\nkind = \"camera\"\nparent = \"b\"\n\
+                [[node]]\nname = \"b\"\nkind = \"group\"\n[[node]]\nname = \"c\"\nkind = \"camera\"\n\
+                parent = \"b\"\nposition = [1.0, 2.0, 3.0]\n";
+    let was = document(text);
+    for shown in ["a", "c"] {
+        let options = Options::parse(&format!("node={shown}")).unwrap();
+        let is = read(&written_with(&was, &options).0).document.scene;
+        let name = |at: usize| is.nodes()[at].name.as_str();
+        assert_eq!(name(is.shown_camera().unwrap()), shown);
+        for node in is.nodes().iter().filter(|node| node.name != "b") {
+            assert_eq!(node.parent.map(name), Some("b"));
+        }
+    }
+}
+
+#[test]
+fn texts_are_data() {
+    let mut was = document(KEYS);
+    was.info.title = "\"\"\" ) { </script>".to_owned();
+    was.info.comment = "\"\n\\ #usda\t'''".to_owned();
+    let is = read(&written(&was)).document;
+    assert_eq!(is.info.title, was.info.title);
+    assert_eq!(is.info.comment, was.info.comment);
+}
+
+/// Each operation by its definition: column vectors, the first operation outermost.
+#[test]
+fn operations_by_their_definition() {
+    let [x, y, z] = [30.0_f64, 40.0, 50.0].map(f64::to_radians);
+    let turn = |axis, angle| DAffine3::from_quat(DQuat::from_axis_angle(axis, angle));
+    let (rx, ry, rz) = (turn(DVec3::X, x), turn(DVec3::Y, y), turn(DVec3::Z, z));
+    let t = DAffine3::from_translation(DVec3::new(1.0, 2.0, 3.0));
+    let s = DAffine3::from_scale(DVec3::new(-2.0, 3.0, 0.5));
+    let angles = "(30, 40, 50)";
+    let half = std::f64::consts::FRAC_1_SQRT_2;
+    let cases = [
+        (
+            "double3 xformOp:translate = (1, 2, 3)",
+            r#""xformOp:translate""#,
+            t,
+        ),
+        (
+            "float3 xformOp:rotateXYZ = ANGLES",
+            r#""xformOp:rotateXYZ""#,
+            rz * ry * rx,
+        ),
+        (
+            "float3 xformOp:rotateXZY = ANGLES",
+            r#""xformOp:rotateXZY""#,
+            ry * rz * rx,
+        ),
+        (
+            "float3 xformOp:rotateYXZ = ANGLES",
+            r#""xformOp:rotateYXZ""#,
+            rz * rx * ry,
+        ),
+        (
+            "float3 xformOp:rotateYZX = ANGLES",
+            r#""xformOp:rotateYZX""#,
+            rx * rz * ry,
+        ),
+        (
+            "float3 xformOp:rotateZXY = ANGLES",
+            r#""xformOp:rotateZXY""#,
+            ry * rx * rz,
+        ),
+        (
+            "half3 xformOp:rotateZYX = ANGLES",
+            r#""xformOp:rotateZYX""#,
+            rx * ry * rz,
+        ),
+        ("float xformOp:rotateX = 30", r#""xformOp:rotateX""#, rx),
+        ("float xformOp:rotateY:a = 40", r#""xformOp:rotateY:a""#, ry),
+        (
+            "float xformOp:rotateZ = 50",
+            r#""!invert!xformOp:rotateZ""#,
+            rz.inverse(),
+        ),
+        (
+            "quatf xformOp:orient = (2, 2, 0, 0)",
+            r#""xformOp:orient""#,
+            turn(DVec3::X, 0.5 * std::f64::consts::PI),
+        ),
+        (
+            "double xformOp:translateY = 2\nfloat xformOp:scaleZ = 3",
+            r#""xformOp:translateY", "xformOp:scaleZ""#,
+            DAffine3::from_translation(DVec3::Y * 2.0)
+                * DAffine3::from_scale(DVec3::new(1.0, 1.0, 3.0)),
+        ),
+        (
+            "double3 xformOp:translate = (1, 2, 3)\nfloat3 xformOp:scale = (-2, 3, 0.5)\nfloat3 xformOp:rotateXYZ = ANGLES",
+            r#""xformOp:translate", "xformOp:rotateXYZ", "xformOp:scale""#,
+            t * rz * ry * rx * s,
+        ),
+        (
+            "double3 xformOp:translate:pivot = (1, 2, 3)\nfloat xformOp:rotateX = 30",
+            r#""xformOp:translate:pivot", "xformOp:rotateX", "!invert!xformOp:translate:pivot""#,
+            t * rx * t.inverse(),
+        ),
+        (
+            "matrix4d xformOp:transform = ((0, 2, 0, 0), (-3, 0, 0, 0), (0, 0, 4, 0), (5, 6, 7, 1))",
+            r#""xformOp:transform""#,
+            DAffine3::from_mat4(DMat4::from_cols_array(&[
+                0., 2., 0., 0., -3., 0., 0., 0., 0., 0., 4., 0., 5., 6., 7., 1.,
+            ])),
+        ),
+        // Half of it moves: keys are computed.
+        (
+            "float xformOp:rotateX.timeSamples = { 1: 30, 2: 30 }\ndouble3 xformOp:translate = (1, 2, 3)",
+            r#""xformOp:rotateX", "xformOp:translate""#,
+            rx * t,
+        ),
+    ];
+    for (lines, order, wanted) in cases {
+        let lines = format!(
+            "{}\nuniform token[] xformOpOrder = [{order}]",
+            lines.replace("ANGLES", angles)
+        );
+        let is = read(&prim("Xform", &lines)).document;
+        let is = matrix(&is, "it", 1.0);
+        assert!(is.abs_diff_eq(wanted, 1e-12), "{lines}\n{is}\n{wanted}");
+    }
+    // A camera looks along −z.
+    let is = read(&prim(
+        "Camera",
+        "quatf xformOp:orient = (1, 0, 1, 0)\nuniform token[] xformOpOrder = [\"xformOp:orient\"]",
+    ));
+    let (_, state) = &states(&is.document, 1.0)[0];
+    assert!(
+        DVec3::from(state.pose.vpn).abs_diff_eq(DVec3::NEG_X, 1e-15),
+        "{half}"
+    );
+    assert!(DVec3::from(state.pose.vup).abs_diff_eq(DVec3::Y, 1e-15));
+}
+
+#[test]
+fn turns_of_more_than_one_round_are_kept() {
+    let lines = "float xformOp:rotateY.timeSamples = { 1: 0, 11: 1440 }\nuniform token[] xformOpOrder = [\"xformOp:rotateY\"]";
+    for (kind, by) in [
+        ("Xform", Interpolation::EulerLinear),
+        ("Camera", Interpolation::Linear),
+    ] {
+        let Imported {
+            document, report, ..
+        } = read(&prim(kind, lines));
+        let track = document.scene.nodes()[0]
+            .keys()
+            .track(&Channel::Rotation)
+            .unwrap();
+        assert_eq!(*track.interpolation(), by);
+        assert_eq!(
+            report.losses().contains(&Loss::Interpolations(1)),
+            by == Interpolation::Linear
+        );
+        for (frame, degrees) in [(2.0, 144.0_f64), (5.0, 576.0)] {
+            let turn = DQuat::from_rotation_y(degrees.to_radians());
+            let wanted = if kind == "Camera" {
+                turn * super::write::FLIP
+            } else {
+                turn
+            };
+            assert!(matrix(&document, "it", frame).abs_diff_eq(DAffine3::from_quat(wanted), 1e-12));
+        }
+    }
+}
+
+/// A file with something of everything.
+pub(super) const ALL: &str = r#"#usda 1.0
+(
+    "a comment"
+    defaultPrim = "World"
+    doc = """Two
+lines"""
+    metersPerUnit = 0.01
+    upAxis = "Z"
+    startTimeCode = 10
+    endTimeCode = 20
+    timeCodesPerSecond = 30
+    subLayers = [@other.usda@ (offset = 1)]
+)
+
+class "_base" { float a = 1 }
+def Xform "World" (
+    kind = "component"
+    prepend references = [@a.usda@</A> (scale = 2), </B>]
+    variants = { string look = "red" }
+    prepend variantSets = "look"
+)
+{
+    variantSet "look" = {
+        "red" ( payload = None ) { def Mesh "no" {} }
+    }
+    reorder nameChildren = ["camera", "sun"]
+    rel material:binding = </World/Looks>
+    double3 xformOp:translate = (0, 0, 100)
+    uniform token[] xformOpOrder = ["xformOp:translate"]
+    def Camera "camera" ( displayName = "Kamera \"1\"" )
+    {
+        float focalLength.timeSamples = { 10: 50, 20: 100, }
+        float verticalAperture = 24
+        float horizontalApertureOffset = 1
+        float2 clippingRange = (1, 500)
+        token visibility.timeSamples = { 10: "inherited", 12: "invisible", }
+        custom string note = "x"; int after = 1
+        double3 xformOp:translate.timeSamples = { 10: (0, 0, 0), 15: None, 20: (0, 10, 0) }
+        uniform token[] xformOpOrder = ["!resetXformStack!", "xformOp:translate"]
+    }
+    def SphereLight "lamp" ( prepend apiSchemas = ["ShapingAPI"] )
+    {
+        color3f inputs:color = (1, 0.5, 0)
+        float inputs:intensity = 3
+        float inputs:exposure = 2
+        float inputs:shaping:cone:angle = 40
+        float inputs:shaping:cone:softness = 0.25
+    }
+    def DistantLight "sun" ( instanceable = true ) {}
+    def Mesh "mesh"
+    {
+        point3f[] points = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (2, 2, 2)]
+        int[] faceVertexCounts = [4, 3]
+        int[] faceVertexIndices = [0, 1, 2, 3, 2, 3, 4]
+        color3f[] primvars:displayColor = [(0, 0, 0), (1, 1, 1), (0.2, 0, 0), (0, 0, 0), (0, 0, 0)] (
+            interpolation = "vertex"
+        )
+        rel skel:skeleton = </World/Skeleton>
+    }
+    def BasisCurves "curves"
+    {
+        uniform token type = "linear"
+        uniform token wrap = "periodic"
+        int[] curveVertexCounts = [3, 2]
+        point3f[] points = [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (2, 2, 2)]
+        color3f[] primvars:displayColor = [(0.5, 0.25, 1)]
+    }
+    def Points "points" { point3f[] points = [(0, 0, 0), (1, 0, 0)] }
+    def Scope "Looks" { def Material "red" { def Shader "s" { asset inputs:file = @a.png@ } } }
+    def Cube "cube" ( active = false ) {}
+    over "other" {}
+}
+"#;
+
+#[test]
+fn everything_is_taken_or_told() {
+    let Imported {
+        document, report, ..
+    } = read(ALL);
+    let info = &document.info;
+    assert_eq!((info.fps, info.first_frame), (30.0, 10));
+    assert_eq!(
+        (info.unit.as_str(), info.comment.as_str()),
+        ("cm", "Two\nlines")
+    );
+    assert_eq!(document.scene.space().up, crate::path::Up::Z);
+    let names: Vec<_> = document
+        .scene
+        .nodes()
+        .iter()
+        .map(|node| node.name.as_str())
+        .collect();
+    assert_eq!(
+        names,
+        [
+            "World",
+            "Kamera \"1\"",
+            "lamp",
+            "sun",
+            "mesh",
+            "curves",
+            "points"
+        ]
+    );
+    // The camera lies in the world, not in what is raised by 100.
+    let camera = &document.scene.nodes()[1];
+    assert_eq!(camera.parent, None);
+    assert_eq!(
+        matrix(&document, "Kamera \"1\"", 6.0).translation,
+        DVec3::new(0.0, 5.0, 0.0)
+    );
+    let Kind::Camera(planes) = camera.kind else {
+        panic!()
+    };
+    assert_eq!((planes.near, planes.far), (1.0, 500.0));
+    let at = |frame| states(&document, frame)[1].1;
+    assert!((at(6.0).pose.zoom - 75.0).abs() < 1e-12);
+    assert_eq!((at(2.9).visible, at(3.0).visible), (1, 0));
+    let lamp = states(&document, 1.0)[2].1;
+    assert_eq!((lamp.intensity, lamp.cone), (12.0, [30.0, 40.0]));
+    assert_eq!(matrix(&document, "mesh", 1.0).translation, DVec3::Z * 100.0);
+    let object = |at: usize| match &document.scene.nodes()[at].kind {
+        Kind::Object(object) => object,
+        _ => panic!(),
+    };
+    assert_eq!(
+        object(4).mesh().triangles,
+        [[0, 1, 2], [0, 2, 3], [2, 3, 4]]
+    );
+    // 0.2 linear is 124 of sRGB (IEC 61966-2-1).
+    assert_eq!(object(4).mesh().colours[1..3], [[255; 3], [124, 0, 0]]);
+    assert_eq!(object(5).mesh().lines, [[0, 1], [1, 2], [2, 0], [3, 4]]);
+    assert_eq!(document.scene.nodes()[5].rest.colour, [0.5, 0.25, 1.0]);
+    assert_eq!(object(6).mesh().points.len(), 2);
+    let mut told = not_taken(&report);
+    told.sort();
+    let wanted = [
+        "!resetXformStack!",
+        "Material",
+        "Shader",
+        "class",
+        "instanceable",
+        "over",
+        "references",
+        "subLayers",
+        "subdivisionScheme",
+        "variantSets",
+    ];
+    assert_eq!(told, wanted.map(|what| (what.to_owned(), 1)));
+    for loss in [Loss::OffCentre(1), Loss::Skins(1)] {
+        assert!(report.losses().contains(&loss), "{loss}");
+    }
+}
+
+#[test]
+fn morphed_objects_go_out_point_by_point() {
+    let text = "version = 1\n[[node]]\nname = \"camera\"\nkind = \"camera\"\n[[node]]\nname = \"o\"\nkind = \"object\"\n\
+                weights = [0.0]\n[node.mesh]\npoints = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]\n\
+                triangles = [[0, 1, 2]]\n[[node.shape]]\nname = \"s\"\n\
+                points = [[0.0, 0.0, 2.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]\n\
+                [[node.track]]\nchannel = \"weights\"\ninterpolation = \"linear\"\nframes = [1.0, 3.0]\nvalues = [[0.0], [1.0]]\n";
+    let (text, report) = written_with(&document(text), &Options::default());
+    assert_eq!(report.losses(), [Loss::Forms(1)]);
+    assert!(
+        text.contains("2: [(0.0, 0.0, 1.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0)],"),
+        "{text}"
+    );
+    let told = not_taken(&read(&text).report);
+    assert_eq!(told, [("points.timeSamples".to_owned(), 1)]);
+}
