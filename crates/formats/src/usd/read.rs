@@ -125,7 +125,7 @@ fn first_frame(stage: &Stage<'_>) -> Result<i32> {
 
 fn rate(stage: &Stage<'_>, options: &Options) -> f64 {
     let sane = |fps: &f64| *fps > 0.0 && *fps <= MAX_FPS;
-    let said = [options.fps, stage.codes_per_second, stage.frames_per_second];
+    let said = [stage.codes_per_second, stage.frames_per_second, options.fps];
     let said = said.into_iter().flatten().find(sane);
     said.unwrap_or(RATE)
 }
