@@ -28,7 +28,7 @@ import paths  # noqa: E402
 ROOT = HERE.parents[1]
 
 POSITION, ANGLE, FOV = 1e-6, 0.01, 0.001
-worst = dict.fromkeys(("position", "angle", "fov", "matrix", "position back", "angle back", "fov back", "matrix in"), 0.0)
+worst = dict.fromkeys(("position", "angle", "fov", "lens", "matrix", "position back", "angle back", "fov back", "matrix in"), 0.0)
 faults = []
 
 
@@ -110,7 +110,7 @@ def prim_of(stage, name, kind):
     return found[0]
 
 
-def compare_pose(prim, code, pose, size, where, scale=1.0, turn=None):
+def compare_pose(prim, code, pose, size, where, scale=1.0, turn=None, ours=True):
     matrix = rows(UsdGeom.Xformable(prim).ComputeLocalToWorldTransform(code))
     place, view, up = (np.array(pose[k]) for k in ("vrp", "vpn", "vup"))
     if turn is not None:
@@ -122,6 +122,8 @@ def compare_pose(prim, code, pose, size, where, scale=1.0, turn=None):
         seen = UsdGeom.Camera(prim).GetCamera(code)
         fov = np.degrees(2 * np.arctan(12 / pose["zoom"]))
         note("fov", abs(seen.GetFieldOfView(Gf.Camera.FOVVertical) - fov), FOV, where)
+        tenths = 100 * UsdGeom.GetStageMetersPerUnit(prim.GetStage())
+        note("lens", abs(seen.focalLength * tenths / pose["zoom"] - 1) if scale == 1 and ours else 0, 1e-6, where)
         # What GfCamera itself makes of it.
         note("position", np.abs(rows(seen.transform)[:3, 3] - place * scale).max() / (size * scale), POSITION, where)
 
@@ -353,7 +355,7 @@ def comes_in(vides, seed):
                 continue
             compared += 1
             if "vrp" in state:
-                compare_pose(prim, code, state, 1.0, where)
+                compare_pose(prim, code, state, 1.0, where, ours=False)
                 continue
             matrix = rows(UsdGeom.Xformable(prim).ComputeLocalToWorldTransform(code))
             wanted = np.array(state["matrix"]).reshape(4, 4).T

@@ -22,6 +22,8 @@ pub enum Loss {
     Interpolations(usize),
     /// Deformed objects go out at rest.
     Deformations(usize),
+    /// Nodes whose motion was computed anew, a key a frame, since no track goes that way.
+    Resampled(usize),
     /// Deformed or morphed objects go out as their points, frame by frame where these move.
     Forms(usize),
     /// Cameras and lights in nodes that scale go out at the top, a pose a frame.
@@ -77,6 +79,11 @@ impl fmt::Display for Loss {
             Self::Deformations(n) => {
                 write!(f, "{n} deformed object{} as at rest", several(n))
             }
+            Self::Resampled(n) => write!(
+                f,
+                "the motion of {n} node{} is computed anew, a key a frame",
+                several(n)
+            ),
             Self::Forms(n) => write!(
                 f,
                 "{n} deformed or morphed object{} as points, frame by frame where they move",

@@ -148,7 +148,7 @@ pub(super) struct Counts {
 
 impl Counts {
     fn tell(&self, report: &mut Report) {
-        report.count(self.sampled, Loss::Interpolations);
+        report.count(self.sampled, Loss::Resampled);
         report.count(self.fields, Loss::FieldsClamped);
         report.count(self.off_centre, Loss::OffCentre);
         report.count(self.skins, Loss::Skins);

@@ -402,7 +402,7 @@ fn turns_of_more_than_one_round_are_kept() {
             .unwrap();
         assert_eq!(*track.interpolation(), by);
         assert_eq!(
-            report.losses().contains(&Loss::Interpolations(1)),
+            report.losses().contains(&Loss::Resampled(1)),
             by == Interpolation::Linear
         );
         for (frame, degrees) in [(2.0, 144.0_f64), (5.0, 576.0)] {
