@@ -18,6 +18,7 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
+import pxr
 from pxr import Gf, Sdf, Usd, UsdGeom, UsdLux, UsdValidation, Vt
 
 HERE = Path(__file__).resolve().parent
@@ -61,8 +62,11 @@ class Vides:
     def __init__(self, program, scratch):
         self.program, self.scratch = program, scratch
 
+    def run(self, source, target, *options):
+        return subprocess.run([*self.program, "convert", source, target, *options], capture_output=True, text=True)
+
     def convert(self, source, target, *options):
-        done = subprocess.run([*self.program, "convert", source, target, *options], capture_output=True, text=True)
+        done = self.run(source, target, *options)
         if done.returncode:
             raise SystemExit(f"{source} to {target} {options}: {done.stderr}")
         return done.stderr
@@ -201,6 +205,13 @@ def comes_back(vides, file, usda):
             else:
                 big = np.abs(a["matrix"]).max()
                 note("matrix", np.abs(np.subtract(a["matrix"], b["matrix"])).max() / big, 1e-6, at)
+
+
+def is_read(vides, file):
+    """Files that come with usd-core hold schemas, and no camera."""
+    done = vides.run(file, vides.scratch / "schema.vid")
+    if done.returncode and "has no camera" not in done.stderr:
+        faults.append(f"{file.name}: {done.stderr}")
 
 
 INTERPOLATIONS = ("step", "linear", "ramp", "catmull-rom", "cubic", "euler-linear")
@@ -391,7 +402,10 @@ def main():
             vides.convert(file, usda, "--fps", "60")
             frames_agree(vides, file, usda, ("--fps", "60"))
         compared = sum(comes_in(vides, seed) for seed in range(chosen.foreign))
-        print(f"{len(files)} documents out and back, {chosen.foreign} stages in ({compared} states); at most " + ", ".join(f"{k} {v:.1e}" for k, v in worst.items()))
+        schemas = list(Path(pxr.__file__).parent.rglob("*.usda"))
+        for file in schemas:
+            is_read(vides, file)
+        print(f"{len(files)} documents out and back, {chosen.foreign} stages in ({compared} states), {len(schemas)} schemas; at most " + ", ".join(f"{k} {v:.1e}" for k, v in worst.items()))
     for fault in faults[:20]:
         print(fault)
     if faults:

@@ -5,10 +5,10 @@ use glam::DQuat;
 use vides_document::error::{EngineError, vec_with_room};
 use vides_engine::scene::{Channel, Interpolation, Track};
 
-use super::super::error::{Cause, Result, Wanted};
 use super::lexer::{Lexer, Token, unescaped};
 use super::motion_out::JUST_BEFORE;
 use super::stage::{Attribute, Prim, Stage};
+use crate::error::{Cause, Result, Wanted};
 use crate::math::quaternion::slerp_shortest;
 
 /// Values of `width` numbers at times; without times one value for all.

@@ -5,11 +5,11 @@ use vides_document::ObjectPoint;
 use vides_document::error::{EngineError, vec_with_room};
 use vides_engine::scene::{Kind, Mesh, Node};
 
-use super::super::error::{Cause, Result, Wanted};
 use super::curve::Curve;
 use super::lexer::Lexer;
 use super::srgb;
 use super::stage::{Prim, Stage};
+use crate::error::{Cause, Result, Wanted};
 
 /// What a prim of geometry holds.
 pub(super) struct Geometry {

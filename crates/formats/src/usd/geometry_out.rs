@@ -8,11 +8,11 @@ use glam::{DQuat, DVec3};
 use vides_document::error::{Place as ScenePlace, vec_with_room};
 use vides_engine::scene::{Channel, Mesh, Object, Warnings};
 
-use super::super::blocks::failed;
-use super::super::error::Result;
 use super::text::{Float3, single};
 use super::write::{Writer, put};
 use super::{linear, role};
+use crate::blocks::failed;
+use crate::error::Result;
 
 /// The width of lines and dots, in diagonals of what they are part of.
 const WIDTH: f64 = 1.0 / 500.0;

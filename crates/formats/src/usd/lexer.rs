@@ -3,7 +3,7 @@
 use std::iter::Peekable;
 use std::str::Chars;
 
-use super::super::error::{Cause, Error, Place, Result, Wanted};
+use crate::error::{Cause, Error, Place, Result, Wanted};
 
 /// How deep brackets in a value may lie.
 const MAX_BRACKETS: usize = 64;

@@ -3,11 +3,11 @@
 use vides_document::error::vec_with_room;
 use vides_engine::scene::{Camera, Channel, Kind, Light, Node};
 
-use super::super::convention::zoom_of_focal;
-use super::super::error::Result;
 use super::curve::{Curve, all_times};
 use super::read::Reader;
 use super::stage::Prim;
+use crate::convention::zoom_of_focal;
+use crate::error::Result;
 use crate::limits::MAX_COORDINATE;
 
 /// The lens of a file that does not say (UsdGeomCamera).

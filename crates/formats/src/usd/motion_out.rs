@@ -7,10 +7,10 @@ use glam::{DAffine3, DMat4, DQuat, DVec3};
 use vides_document::error::Place as ScenePlace;
 use vides_engine::scene::{Channel, Interpolation, NodeState, Track, Warnings};
 
-use super::super::blocks::failed;
-use super::super::error::Result;
 use super::text::{Double3, Quat};
 use super::write::{FLIP, Writer, keeps_keys, put};
+use crate::blocks::failed;
+use crate::error::Result;
 use crate::math::orientation::quaternion_from_view;
 
 /// How long before a key of a step the value before it is told again, in frames: between the two

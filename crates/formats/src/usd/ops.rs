@@ -3,10 +3,10 @@
 
 use glam::{DAffine3, DMat4, DQuat, DVec3};
 
-use super::super::error::{Cause, Result, Wanted};
 use super::curve::{Curve, all_times, quaternion};
 use super::lexer::Lexer;
 use super::stage::{Prim, Stage};
+use crate::error::{Cause, Result, Wanted};
 use crate::math::orientation::quaternion_from_view;
 use vides_document::error::vec_with_room;
 

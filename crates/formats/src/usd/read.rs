@@ -9,10 +9,6 @@ use vides_engine::scene::{
     Channel, Interpolation, Kind, Light, Node, NodeState, Object, Scene, Track, Warnings,
 };
 
-use super::super::content::{Content, Recording, one_line};
-use super::super::error::{Cause, Error, Result};
-use super::super::loss::{Loss, Report};
-use super::super::options::Options;
 use super::curve::{Curve, quaternion};
 use super::geometry_in::{self, Geometry};
 use super::looks_in::clamped;
@@ -20,7 +16,11 @@ use super::ops::Room;
 use super::stage::{Prim, Stage};
 use super::write::FLIP;
 use super::{role, unit};
+use crate::content::{Content, Recording, one_line};
+use crate::error::{Cause, Error, Result};
 use crate::limits::{MAX_COMMENT_BYTES, MAX_COORDINATE, MAX_FPS};
+use crate::loss::{Loss, Report};
+use crate::options::Options;
 use crate::path::Up;
 
 /// Keys that may be computed between those of a file, beside one for each byte of it.

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 
 use vides_document::error::TooMany;
 
-use super::super::error::{Cause, Error, Result, Wanted};
 use super::lexer::{Lexer, Token, unescaped};
+use crate::error::{Cause, Error, Result, Wanted};
 use crate::limits::{MAX_LEVELS, MAX_NODES};
 
 /// An attribute that has a value.

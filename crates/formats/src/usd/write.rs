@@ -5,12 +5,12 @@ use std::io::{BufWriter, Write};
 use glam::DQuat;
 use vides_engine::scene::{Camera, Channel, Extrapolation, Interpolation, Kind, Light, Node};
 
-use super::super::blocks::failed;
-use super::super::error::Result;
-use super::super::flight::Flight;
-use super::super::loss::{Loss, Report};
 use super::text::{Names, Quoted, single};
 use super::{role, unit};
+use crate::blocks::failed;
+use crate::error::Result;
+use crate::flight::Flight;
+use crate::loss::{Loss, Report};
 use crate::path::Up;
 
 /// Half a turn about y: from a camera that looks along −z to ours, and back.
@@ -139,8 +139,12 @@ impl<'d> Writer<'_, '_, 'd> {
         put!(self, 2, "string title = {}", Quoted(&info.title))?;
         let shown = Quoted(&self.of(self.flight.node()).name);
         put!(self, 2, "string camera = {shown}")?;
-        if self.flight.options().scale == 1.0 {
-            put!(self, 2, "string unit = {}", Quoted(&info.unit))?;
+        // A scaled unit has another name, which `metersPerUnit` gives if the unit is known.
+        let known = unit::metres(&info.unit).is_some();
+        match self.flight.options().scale == 1.0 {
+            true => put!(self, 2, "string unit = {}", Quoted(&info.unit))?,
+            false if known => {}
+            false => put!(self, 2, "string unit = \"\"")?,
         }
         put!(self, 1, "}}")?;
         put!(self, 1, "metersPerUnit = {:?}", self.metres())?;
