@@ -154,6 +154,20 @@ proptest! {
     }
 
     #[test]
+    fn pieces_may_stand_elsewhere(pieces in prop::collection::vec((0.0..1.0, 0.0..1.0, 0_usize..60), 1..6)) {
+        let all = ALL.to_owned() + &written(&document(KEYS))["#usda 1.0".len()..];
+        let mut bytes = all.into_bytes();
+        for (from, to, length) in pieces {
+            let at = |share: f64| (share * bytes.len() as f64) as usize;
+            let (from, to) = (at(from), at(to));
+            let piece = bytes[from..(from + length).min(bytes.len())].to_vec();
+            let end = (to + piece.len()).min(bytes.len());
+            bytes.splice(to..end, piece);
+        }
+        tried(bytes);
+    }
+
+    #[test]
     fn any_place_comes_back(
         place in prop::array::uniform3(-1e6..1e6), pivot in prop::array::uniform3(-1e3..1e3),
         turn in prop::array::uniform4(-1.0..1.0), scale in prop::array::uniform3(-4.0..4.0),

@@ -170,6 +170,17 @@ pub(super) struct Reader<'s, 'a> {
     parts: usize,
 }
 
+/// What of a prim's children becomes the prim itself.
+#[derive(Clone, Copy, PartialEq)]
+enum Sole {
+    /// There is none.
+    None,
+    /// The only child, by its number.
+    One(usize),
+    /// There are several, or others.
+    Other,
+}
+
 /// What a type of prim is to us.
 #[derive(Clone, Copy, PartialEq)]
 enum Type {
@@ -202,6 +213,8 @@ impl<'a> Reader<'_, 'a> {
         let mut wanted = vec_with_room(prims.len())?;
         wanted.resize(prims.len(), false);
         let mut inside = wanted.clone();
+        let mut sole: Vec<Sole> = vec_with_room(prims.len())?;
+        sole.resize(prims.len(), Sole::None);
         for (at, prim) in prims.iter().enumerate().rev() {
             if prim.out {
                 continue;
@@ -210,8 +223,13 @@ impl<'a> Reader<'_, 'a> {
             wanted[at] =
                 known || inside[at] || self.stage.attribute(prim, "xformOpOrder").is_some();
             let part = matches!(prim.role.as_str(), role::PART | role::LOOKS);
-            if let Some(parent) = prim.parent {
-                inside[parent] |= wanted[at] && !part;
+            if let Some(parent) = prim.parent.filter(|_| wanted[at]) {
+                inside[parent] |= !part;
+                let plain = !inside[at] && self.may_be_its_parent(prim);
+                sole[parent] = match sole[parent] {
+                    Sole::None if plain => Sole::One(at),
+                    _ => Sole::Other,
+                };
             }
         }
         let mut numbers: Vec<Option<usize>> = vec_with_room(prims.len())?;
@@ -230,12 +248,35 @@ impl<'a> Reader<'_, 'a> {
                     self.part(prim, parent)?;
                     None
                 }
-                _ if wanted[at] => Some(self.node(prim, parent, inside[at])?),
+                _ if prim
+                    .parent
+                    .is_some_and(|above| sole[above] == Sole::One(at)) =>
+                {
+                    None
+                }
+                _ if wanted[at] => Some(match sole[at] {
+                    Sole::One(held) => self.node(prim, &prims[held], parent, false)?,
+                    _ => self.node(prim, prim, parent, inside[at])?,
+                }),
                 _ => None,
             };
             numbers.push(number);
         }
         Ok(())
+    }
+
+    /// Whether a prim is nothing but the lens, light or geometry of the `Xform` that it is in, as
+    /// many programs write them.
+    fn may_be_its_parent(&self, prim: &Prim<'a>) -> bool {
+        let held = |name: &str| self.stage.attribute(prim, name).is_some();
+        let parent = prim.parent.map(|parent| &self.stage.prims[parent]);
+        let holds = !matches!(self.kind(prim), Type::Place | Type::Scope | Type::Unknown);
+        let plain = |parent: &Prim<'_>| parent.kind == "Xform" && parent.role.is_empty();
+        holds
+            && prim.role.is_empty()
+            && parent.is_some_and(plain)
+            && !held("xformOpOrder")
+            && !held("visibility")
     }
 
     fn kind(&self, prim: &Prim<'a>) -> Type {
@@ -275,10 +316,16 @@ impl<'a> Reader<'_, 'a> {
         })
     }
 
-    /// The number of the node that a prim becomes. What looks and has others in it becomes two, since
+    /// The number of the node that a prim becomes, with what `held` holds, which is in it or itself. What looks and has others in it becomes two, since
     /// it looks the other way.
-    fn node(&mut self, prim: &Prim<'a>, parent: Option<usize>, inside: bool) -> Result<usize> {
-        let kind = self.kind_of(prim)?;
+    fn node(
+        &mut self,
+        prim: &Prim<'a>,
+        held: &Prim<'a>,
+        parent: Option<usize>,
+        inside: bool,
+    ) -> Result<usize> {
+        let kind = self.kind_of(held)?;
         let looks = kind.looks() && !inside;
         let name = if prim.display_name.is_empty() {
             prim.name
@@ -306,10 +353,10 @@ impl<'a> Reader<'_, 'a> {
             let mut looking = Node::new(&name, kind);
             looking.parent = Some(at);
             looking.rest.rotation = FLIP;
-            self.fill(prim, &mut looking)?;
+            self.fill(held, &mut looking)?;
             self.nodes.push(looking);
         } else {
-            self.fill(prim, &mut node)?;
+            self.fill(held, &mut node)?;
             self.nodes.push(node);
         }
         Ok(at)

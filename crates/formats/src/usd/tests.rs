@@ -267,6 +267,23 @@ fn the_shown_camera_stays_it() {
 }
 
 #[test]
+fn what_an_xform_is_for_becomes_one_node() {
+    let turned = "float xformOp:rotateY = 90\nuniform token[] xformOpOrder = [\"xformOp:rotateY\"]";
+    let text = prim(
+        "Xform",
+        &format!("{turned}\ndef Camera \"it\" {{ float focalLength = 20 }}"),
+    );
+    let document = read(&text).document;
+    let nodes = document.scene.nodes();
+    assert_eq!((nodes.len(), nodes[0].kind.name()), (2, "camera"));
+    let state = states(&document, 1.0)[0].1;
+    assert!(DVec3::from(state.pose.vpn).abs_diff_eq(DVec3::NEG_X, 1e-15));
+    // With another child each stays what it is.
+    let text = text.replace("{ float", "{ } def Camera \"b\" { float");
+    assert_eq!(read(&text).document.scene.nodes().len(), 4);
+}
+
+#[test]
 fn texts_are_data() {
     let mut was = document(KEYS);
     was.info.title = "\"\"\" ) { </script>".to_owned();
