@@ -1,8 +1,11 @@
+//! Broken files: a sentence or a scene, nothing else.
+
 use glam::DQuat;
 use proptest::prelude::*;
 
 use super::Usda;
-use super::tests::{ALL, KEYS, document, matrix, prim, read, written};
+use super::read_tests::ALL;
+use super::tests::{KEYS, document, matrix, prim, read, written};
 use crate::{Options, Source, import};
 
 fn refused(bytes: &[u8]) -> String {
