@@ -55,13 +55,12 @@ pub(super) fn read(text: &str, options: &Options, report: &mut Report) -> Result
     };
     reader.all()?;
     let Reader {
-        mut nodes,
+        nodes,
         wireframe,
         told,
         counts,
         ..
     } = reader;
-    show(&mut nodes, &stage.camera);
     counts.tell(report);
     for (what, count) in stage.told.iter().chain(&told) {
         let (what, count) = ((*what).into(), *count);
@@ -72,6 +71,7 @@ pub(super) fn read(text: &str, options: &Options, report: &mut Report) -> Result
         let name = names.get(at).map_or("", String::as_str);
         Error::from(error.at(ScenePlace::Node(name.into())))
     })?;
+    show(&mut scene, &stage, start)?;
     let up = match stage.up.as_str() {
         "Z" | "z" => Up::Z,
         _ => Up::Y,
@@ -100,19 +100,21 @@ pub(super) fn read(text: &str, options: &Options, report: &mut Report) -> Result
     Ok(Content::Scene(Box::new(SceneDocument::new(scene, info)?)))
 }
 
-/// Puts the camera with this name first: of several it is the one that is shown.
-fn show(nodes: &mut [Node], camera: &str) {
-    let Some(shown) = nodes.iter().position(|node| node.name == camera) else {
-        return;
-    };
-    nodes[..=shown].rotate_right(1);
-    for parent in nodes.iter_mut().filter_map(|node| node.parent.as_mut()) {
-        *parent = match *parent {
-            at if at == shown => 0,
-            at if at < shown => at + 1,
-            at => at,
-        };
+/// The camera and the frames that are shown, where they are not those that would be.
+fn show(scene: &mut Scene, stage: &Stage<'_>, start: i32) -> Result<()> {
+    let is_camera = |at: &usize| matches!(scene.nodes()[*at].kind, Kind::Camera(_));
+    let camera = scene.find(&stage.camera).filter(is_camera);
+    if camera.is_some() && camera != scene.shown_camera() {
+        scene.set_camera(camera)?;
     }
+    let (Some(first), Some(last)) = (stage.start, stage.end) else {
+        return Ok(());
+    };
+    let range = [first, last].map(|code| code - f64::from(start) + 1.0);
+    if range[0] <= range[1] && range != <[f64; 2]>::from(scene.frame_range()) {
+        scene.set_range(Some(range.into()))?;
+    }
+    Ok(())
 }
 
 fn first_frame(stage: &Stage<'_>) -> Result<i32> {

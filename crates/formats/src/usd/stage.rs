@@ -52,6 +52,7 @@ pub(super) struct Stage<'a> {
     pub(super) up: String,
     pub(super) metres: Option<f64>,
     pub(super) start: Option<f64>,
+    pub(super) end: Option<f64>,
     pub(super) codes_per_second: Option<f64>,
     pub(super) frames_per_second: Option<f64>,
 }
@@ -110,6 +111,7 @@ impl<'a> Stage<'a> {
             up: String::new(),
             metres: None,
             start: None,
+            end: None,
             codes_per_second: None,
             frames_per_second: None,
         };
@@ -252,6 +254,7 @@ impl<'a> Stage<'a> {
                 "upAxis" => stage.up = unescaped(stage.lexer.text()?),
                 "metersPerUnit" => stage.metres = Some(stage.lexer.number()?),
                 "startTimeCode" => stage.start = Some(stage.lexer.number()?),
+                "endTimeCode" => stage.end = Some(stage.lexer.number()?),
                 "timeCodesPerSecond" => stage.codes_per_second = Some(stage.lexer.number()?),
                 "framesPerSecond" => stage.frames_per_second = Some(stage.lexer.number()?),
                 "customLayerData" => {

@@ -269,6 +269,24 @@ fn the_shown_camera_stays_it() {
 }
 
 #[test]
+fn the_shown_frames_stay_them() {
+    let text = KEYS.replace("first_frame", "range = [3.0, 20.0]\nfirst_frame");
+    let (text, _) = written_with(&document(&text), &Options::default());
+    assert!(
+        text.contains("startTimeCode = 103\n    endTimeCode = 120\n"),
+        "{text}"
+    );
+    let is = read(&text).document;
+    assert_eq!(is.info.first_frame, 103);
+    assert_eq!(is.scene.range(), Some((1.0, 18.0)));
+    // Keys stay at the frames that people see.
+    let zoom = is.scene.nodes()[0].keys().track(&Channel::Zoom).unwrap();
+    assert_eq!(zoom.frames(), [-1.0, 10.0]);
+    // Where the frames are those of the keys none are chosen.
+    assert_eq!(read(&written(&document(KEYS))).document.scene.range(), None);
+}
+
+#[test]
 fn texts_are_data() {
     let mut was = document(KEYS);
     was.info.title = "\"\"\" ) { </script>".to_owned();
