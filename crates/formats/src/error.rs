@@ -230,6 +230,9 @@ pub enum Wanted {
     Numbers(usize),
     Matrix,
     Rotation,
+    Name,
+    Value,
+    Literal(&'static str),
 }
 
 impl fmt::Display for Wanted {
@@ -244,6 +247,9 @@ impl fmt::Display for Wanted {
             Self::Numbers(count) => return write!(f, "{count} numbers"),
             Self::Matrix => "a matrix of 4 × 4 numbers",
             Self::Rotation => "a matrix that turns and does not mirror",
+            Self::Name => "a name",
+            Self::Value => "a value",
+            Self::Literal(text) => return write!(f, "\"{text}\""),
         })
     }
 }

@@ -9,7 +9,7 @@ use super::flight::Flight;
 use super::loss::Report;
 use super::options::Options;
 use super::source::Source;
-use super::{ascii, csv, gltf, html, json, tum, vid};
+use super::{ascii, csv, gltf, html, json, tum, usd, vid};
 use crate::path::Up;
 
 /// The names of a format and what it can do.
@@ -121,6 +121,7 @@ pub fn formats() -> &'static [&'static dyn Format] {
         &vid::Vid,
         &gltf::Gltf,
         &gltf::Glb,
+        &usd::Usda,
         &tum::Tum,
         &ascii::Ascii,
         &csv::Csv,

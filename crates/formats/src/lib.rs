@@ -28,6 +28,7 @@ mod rows;
 mod source;
 mod tree;
 mod tum;
+mod usd;
 mod vid;
 
 pub use ascii::{MAX_DECIMALS, write_ascii, write_ascii_file};
