@@ -213,6 +213,8 @@ pub enum Cause {
     Missing(Text),
     #[error("{0} lies outside the file's folder, where nothing is read")]
     Outside(Text),
+    #[error("{0} lies there too and would be read first: move it away")]
+    Beside(Text),
     #[error("{name} is not read{help}")]
     Unsupported { name: Text, help: &'static str },
 }
@@ -233,6 +235,7 @@ pub enum Wanted {
     Name,
     Value,
     Literal(&'static str),
+    ImagePoints,
 }
 
 impl fmt::Display for Wanted {
@@ -246,6 +249,7 @@ impl fmt::Display for Wanted {
             Self::Object => "an object",
             Self::Numbers(count) => return write!(f, "{count} numbers"),
             Self::Matrix => "a matrix of 4 × 4 numbers",
+            Self::ImagePoints => "the points of the image before, or an empty line",
             Self::Rotation => "a matrix that turns and does not mirror",
             Self::Name => "a name",
             Self::Value => "a value",

@@ -9,7 +9,10 @@ use super::flight::Flight;
 use super::loss::Report;
 use super::options::Options;
 use super::source::Source;
-use super::{ascii, csv, gltf, html, json, tum, usd, vid};
+use super::{
+    ascii, cameras, chan, colmap, csv, gltf, html, json, kitti, nerfstudio, osg, transforms, tum,
+    usd, vid,
+};
 use crate::path::Up;
 
 /// The names of a format and what it can do.
@@ -55,7 +58,7 @@ impl Row {
         self.has_name(file) || self.has_ending(file)
     }
 
-    fn has_name(&self, file: &Path) -> bool {
+    pub(super) fn has_name(&self, file: &Path) -> bool {
         let name = file.file_name().unwrap_or_default();
         let known = self.file_names.iter().chain(self.parts);
         known
@@ -63,7 +66,7 @@ impl Row {
             .any(|known| name.eq_ignore_ascii_case(known))
     }
 
-    fn has_ending(&self, file: &Path) -> bool {
+    pub(super) fn has_ending(&self, file: &Path) -> bool {
         let ending = file.extension().unwrap_or_default();
         let known = self.endings.iter();
         known
@@ -117,15 +120,23 @@ pub trait Format: Sync {
 /// All formats, in the order in which they are offered.
 #[must_use]
 pub fn formats() -> &'static [&'static dyn Format] {
+    // Of those with one ending the first is written into files that have no name of their own.
     &[
         &vid::Vid,
         &gltf::Gltf,
         &gltf::Glb,
         &usd::Usda,
         &tum::Tum,
+        &kitti::Kitti,
+        &colmap::Colmap,
+        &osg::Osg,
+        &chan::Chan,
         &ascii::Ascii,
         &csv::Csv,
         &json::Json,
+        &nerfstudio::Nerfstudio,
+        &transforms::Transforms,
+        &cameras::Cameras,
         &html::Html,
     ]
 }

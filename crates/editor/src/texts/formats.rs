@@ -77,6 +77,7 @@ german! {
         Cycle(name) => "{name} liegt in sich selbst";
         Missing(name) => "{name} fehlt";
         Outside(name) => "{name} liegt außerhalb des Verzeichnisses der Datei, wo nichts gelesen wird";
+        Beside(name) => "auch {name} liegt dort und würde zuerst gelesen: verschieben";
         Unsupported { name, help } => "{name} wird nicht gelesen{help}";
     }
     Wanted {
@@ -92,6 +93,7 @@ german! {
         Name => "Name";
         Value => "Wert";
         Literal(text) => "„{text}“";
+        ImagePoints => "Punkte des Bildes davor oder eine leere Zeile";
     }
     Loss {
         OtherNodes(count) => "andere Knoten bleiben weg: {count}";
