@@ -9,7 +9,7 @@ use super::flight::Flight;
 use super::loss::Report;
 use super::options::Options;
 use super::source::Source;
-use super::{ascii, csv, json, tum, vid};
+use super::{ascii, csv, json, script, tum, vid};
 use crate::path::Up;
 
 /// The names of a format and what it can do.
@@ -114,7 +114,16 @@ pub trait Format: Sync {
 /// All formats, in the order in which they are offered.
 #[must_use]
 pub fn formats() -> &'static [&'static dyn Format] {
-    &[&vid::Vid, &tum::Tum, &ascii::Ascii, &csv::Csv, &json::Json]
+    &[
+        &vid::Vid,
+        &script::Blender,
+        &script::ParaView,
+        &script::Vtk,
+        &tum::Tum,
+        &ascii::Ascii,
+        &csv::Csv,
+        &json::Json,
+    ]
 }
 
 /// The format of this name.
@@ -131,15 +140,29 @@ pub fn by_name(name: &str) -> Result<&'static dyn Format> {
 /// The format that a file to be written has by its name: by the whole name, else by the ending.
 ///
 /// # Errors
-/// [`Error::UnknownEnding`] with those that are known.
+/// [`Error::UnknownEnding`] with those that are known; [`Error::SharedEnding`].
 pub fn by_target(file: &Path) -> Result<&'static dyn Format> {
     let written = || {
         let all = formats().iter().copied();
         all.filter(|format| format.row().writes)
     };
+    if let Some(named) = written().find(|format| format.row().has_name(file)) {
+        return Ok(named);
+    }
+    let fitting: Vec<_> = written()
+        .filter(|format| format.row().has_ending(file))
+        .collect();
+    match *fitting {
+        [] => {}
+        [one] => return Ok(one),
+        _ => {
+            return Err(Error::SharedEnding {
+                file: file.display().to_string().as_str().into(),
+                formats: fitting.iter().map(|format| format.row().name).collect(),
+            });
+        }
+    }
     written()
-        .find(|format| format.row().has_name(file))
-        .or_else(|| written().find(|format| format.row().has_ending(file)))
-        .or_else(|| written().find(|format| file.is_dir() && !format.row().parts.is_empty()))
+        .find(|format| file.is_dir() && !format.row().parts.is_empty())
         .ok_or_else(|| Error::UnknownEnding(file.display().to_string().as_str().into()))
 }

@@ -23,6 +23,7 @@ mod json;
 mod loss;
 mod options;
 mod rows;
+mod script;
 mod source;
 mod tree;
 mod tum;

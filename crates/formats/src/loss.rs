@@ -38,6 +38,8 @@ pub enum Loss {
     OffCentre(usize),
     /// Skinned meshes, taken at rest.
     Skins(usize),
+    /// The program has no frames of these numbers, only 0 to `last`: they are counted from 1.
+    FrameNumbers { number: f64, last: f64 },
     /// The viewer joins the keys by a spline of its own.
     OwnSpline,
     /// A path was fitted: points, the farthest position, the largest angle in degrees.
@@ -94,6 +96,10 @@ impl fmt::Display for Loss {
                 f,
                 "{n} skinned mesh{} as at rest",
                 if *n == 1 { "" } else { "es" }
+            ),
+            Self::FrameNumbers { number, last } => write!(
+                f,
+                "the first frame is 1 and not {number}: its frames are whole numbers from 0 to {last}"
             ),
             Self::OwnSpline => write!(f, "its viewer joins the keys by a spline of its own"),
             Self::Fitted {
