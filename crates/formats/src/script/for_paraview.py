@@ -23,8 +23,8 @@ DATA = r'''
 # With more frames a table does the same in less time and memory.
 MOST_KEYS = 1000
 
-# ParaView runs this beside the animation; ROWS and VIEW are filled in. Its names are
-# seen by all scripts, and those of numpy may stand before Python's.
+# ParaView runs this beside the animation, with ROWS and VIEW filled in. All its scripts share their
+# names, so max and min may be those of numpy.
 TABLE = """
 from paraview import simple as vides_simple
 

@@ -73,9 +73,11 @@ def actor(data, colour, width):
     mapper.SetInputData(data)
     result = vtk.vtkActor()
     result.SetMapper(mapper)
-    result.GetProperty().SetColor(colour)
-    result.GetProperty().SetLineWidth(width)
-    result.GetProperty().SetPointSize(2 * width)
+    look = result.GetProperty()
+    look.SetColor(colour)
+    look.SetAmbient(0.2)
+    look.SetLineWidth(width)
+    look.SetPointSize(2 * width)
     return result
 
 

@@ -58,7 +58,11 @@ impl Format for ParaView {
         if let Some(up) = root.get("up") {
             let name = up.text()?;
             let known = [Up::Y, Up::Z].into_iter().find(|up| up.name() == name);
-            recording.up = Some(known.ok_or_else(|| up.wrong(Cause::Missing("y or z".into())))?);
+            let unknown = || Cause::Unsupported {
+                name: name.into(),
+                help: ": y and z are",
+            };
+            recording.up = Some(known.ok_or_else(|| up.wrong(unknown()))?);
         }
         for frame in root.need("frames")?.list()? {
             let row = frame.numbers::<11>()?;
