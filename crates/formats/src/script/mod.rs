@@ -109,10 +109,13 @@ fn push_object(text: &mut Vec<u8>, flight: &Flight<'_>, report: &mut Report) {
         text.extend_from_slice(b"],\n\"triangles\": [");
     }
     text.extend_from_slice(b"]\n},\n");
-    let coloured = object
-        .lines()
-        .filter(|(_, colour)| colour.is_some())
-        .count();
+    let coloured = match object.mesh() {
+        Some(mesh) => mesh.colours.len(),
+        None => object
+            .lines()
+            .filter(|(_, colour)| colour.is_some())
+            .count(),
+    };
     if coloured > 0 {
         report.add(Loss::NotTaken {
             what: "colour of points".into(),
