@@ -54,6 +54,14 @@ pub enum Error {
     /// No format is written into files of this name.
     #[error("{0}: no format has this ending: name it, with --to in the command")]
     UnknownEnding(Text),
+    /// Several formats are written into files of this ending.
+    #[error("{file}: this may be {}: name it, with --to in the command", or_names(.formats))]
+    SharedEnding {
+        /// The file.
+        file: Text,
+        /// The formats.
+        formats: Vec<&'static str>,
+    },
     /// No format reads this content.
     #[error("this is no file of a format that is read: name it, with --from in the command")]
     NotRecognised,
@@ -108,7 +116,9 @@ impl Error {
     pub fn at(self, file: &str) -> Self {
         match self {
             Self::Document(error) => Self::Document(error.at(file)),
-            Self::In(..) | Self::UnknownEnding(_) | Self::Stopped => self,
+            Self::In(..) | Self::UnknownEnding(_) | Self::SharedEnding { .. } | Self::Stopped => {
+                self
+            }
             other => Self::In(file.into(), Box::new(other)),
         }
     }

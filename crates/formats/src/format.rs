@@ -10,8 +10,8 @@ use super::loss::Report;
 use super::options::Options;
 use super::source::Source;
 use super::{
-    ascii, cameras, chan, colmap, csv, gltf, html, json, kitti, nerfstudio, osg, transforms, tum,
-    usd, vid,
+    ascii, cameras, chan, colmap, csv, gltf, html, json, kitti, nerfstudio, osg, script,
+    transforms, tum, usd, vid,
 };
 use crate::path::Up;
 
@@ -123,21 +123,24 @@ pub fn formats() -> &'static [&'static dyn Format] {
     // Of those with one ending the first is written into files that have no name of their own.
     &[
         &vid::Vid,
+        &ascii::Ascii,
+        &csv::Csv,
+        &json::Json,
         &gltf::Gltf,
         &gltf::Glb,
         &usd::Usda,
+        &script::Blender,
+        &script::ParaView,
+        &script::Vtk,
+        &html::Html,
+        &nerfstudio::Nerfstudio,
+        &transforms::Transforms,
+        &cameras::Cameras,
         &tum::Tum,
         &kitti::Kitti,
         &colmap::Colmap,
         &osg::Osg,
         &chan::Chan,
-        &ascii::Ascii,
-        &csv::Csv,
-        &json::Json,
-        &nerfstudio::Nerfstudio,
-        &transforms::Transforms,
-        &cameras::Cameras,
-        &html::Html,
     ]
 }
 
@@ -155,15 +158,29 @@ pub fn by_name(name: &str) -> Result<&'static dyn Format> {
 /// The format that a file to be written has by its name: by the whole name, else by the ending.
 ///
 /// # Errors
-/// [`Error::UnknownEnding`] with those that are known.
+/// [`Error::UnknownEnding`] with those that are known; [`Error::SharedEnding`].
 pub fn by_target(file: &Path) -> Result<&'static dyn Format> {
     let written = || {
         let all = formats().iter().copied();
         all.filter(|format| format.row().writes)
     };
+    if let Some(named) = written().find(|format| format.row().has_name(file)) {
+        return Ok(named);
+    }
+    let fitting: Vec<_> = written()
+        .filter(|format| format.row().has_ending(file))
+        .collect();
+    match *fitting {
+        [] => {}
+        [one] => return Ok(one),
+        _ => {
+            return Err(Error::SharedEnding {
+                file: file.display().to_string().as_str().into(),
+                formats: fitting.iter().map(|format| format.row().name).collect(),
+            });
+        }
+    }
     written()
-        .find(|format| format.row().has_name(file))
-        .or_else(|| written().find(|format| format.row().has_ending(file)))
-        .or_else(|| written().find(|format| file.is_dir() && !format.row().parts.is_empty()))
+        .find(|format| file.is_dir() && !format.row().parts.is_empty())
         .ok_or_else(|| Error::UnknownEnding(file.display().to_string().as_str().into()))
 }

@@ -32,6 +32,7 @@ mod nerfstudio;
 mod options;
 mod osg;
 mod rows;
+mod script;
 mod source;
 mod transforms;
 mod tree;
