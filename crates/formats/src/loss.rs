@@ -49,7 +49,7 @@ pub enum Loss {
     /// Animations beside the first.
     OtherAnimations(usize),
     /// The program has no frames of these numbers, only 0 to `last`: they are counted from 1.
-    FrameNumbers { number: f64, last: f64 },
+    FrameNumbers { first: f64, last: f64 },
     /// The viewer joins the keys by a spline of its own.
     OwnSpline,
     /// A path was fitted: points, the farthest position, the largest angle in degrees.
@@ -128,9 +128,9 @@ impl fmt::Display for Loss {
             Self::OtherAnimations(n) => {
                 write!(f, "{n} other animation{} left out", several(n))
             }
-            Self::FrameNumbers { number, last } => write!(
+            Self::FrameNumbers { first, last } => write!(
                 f,
-                "the first frame is 1 and not {number}: its frames are whole numbers from 0 to {last}"
+                "the first frame is 1 and not {first}: its frames are whole numbers from 0 to {last}"
             ),
             Self::OwnSpline => write!(f, "its viewer joins the keys by a spline of its own"),
             Self::Fitted {

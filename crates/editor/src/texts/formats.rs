@@ -43,6 +43,8 @@ german! {
         Value { name, wanted, given } => "{name}: {wanted} ist gefragt, nicht „{given}“";
         UnknownFormat(name) => "das Format „{name}“ gibt es nicht";
         UnknownEnding(file) => "{file}: kein Format hat diese Endung";
+        SharedEnding { file, formats } =>
+            "{file}: das kann {} sein; bitte das Format wählen", one_of(formats, "oder");
         NotRecognised => "das ist keine Datei eines Formats, das gelesen wird";
         NotPoses => "das ist eine Bahn oder eine Szene, keine Liste von Posen";
         Ambiguous(names) => "das kann {} sein; die Endung des Namens entscheidet", one_of(names, "oder");
@@ -78,7 +80,8 @@ german! {
         Missing(name) => "{name} fehlt";
         Outside(name) => "{name} liegt außerhalb des Verzeichnisses der Datei, wo nichts gelesen wird";
         Beside(name) => "auch {name} liegt dort und würde zuerst gelesen: verschieben";
-        Unsupported { name, help } => "{name} wird nicht gelesen{help}";
+        Unsupported { name, help } => "{name} wird nicht gelesen{}",
+            if help.is_empty() { String::new() } else { format!(": Text wird daraus durch „{help}“") };
     }
     Wanted {
         Number => "Zahl";
@@ -116,6 +119,8 @@ german! {
         Skins(count) => "Netze mit Skelett wie in Ruhe: {count}";
         Sheared(count) => "Knoten ohne ihre Scherung: {count}";
         OtherAnimations(count) => "andere Animationen bleiben weg: {count}";
+        FrameNumbers { first, last } =>
+            "das erste Bild ist 1 und nicht {}: dort sind es ganze Zahlen von 0 bis {}", number(*first), number(*last);
         OwnSpline => "der Betrachter verbindet die Schlüssel durch eine eigene Kurve";
         Fitted { points, off, turned } =>
             "eine Bahn mit {points} Punkten, höchstens {} und {} Grad von den Posen",

@@ -65,7 +65,7 @@ fn first_frame(flight: &Flight<'_>, report: &mut Report) -> i64 {
         return first as i64;
     }
     report.add(Loss::FrameNumbers {
-        number,
+        first: number,
         last: LAST_FRAME,
     });
     1

@@ -54,7 +54,7 @@ impl Format for Usda {
         if let Some(name) = binary(source) {
             return Err(Place::Whole.wrong(Cause::Unsupported {
                 name: name.into(),
-                help: ": make text of it by `usdcat in.usdc -o out.usda`",
+                help: "usdcat in.usdc -o out.usda",
             }));
         }
         if !source.bytes.starts_with(TEXT) {
