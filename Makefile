@@ -9,7 +9,7 @@
 #   make bench       speed, beside other libraries
 #   make soak        the random checks again, with many more cases, and fuzz
 #   make coverage    which share of the branches the tests take, by folder
-#   make fuzz        tries broken files for FUZZ_SECONDS each of the four kinds
+#   make fuzz        tries broken files for FUZZ_SECONDS for each reader
 #   make miri        runs the unsafe code in an interpreter that sees what it may not
 #   make threads     looks for races between threads
 #   make install     PREFIX=/usr/local DESTDIR=

@@ -1,6 +1,9 @@
 #!/bin/bash
 # Fuzzes the readers of files, one after the other: fuzz.sh SECONDS [TARGET...]
 #
+# A target is vid, setup, recovery, mesh, or formats/NAME for the reader of one format; formats
+# stands for those of all.
+#
 # What was tried and brought the fuzzer further stays in $CARGO_TARGET_DIR/fuzz/
 # corpus, so that the next run goes on from there; a file that does harm lies in
 # artifacts beside it, and the run ends with an error. Such a file belongs into
@@ -11,7 +14,7 @@ seconds=$1
 shift
 cd "$(dirname "$0")/.."
 place=$(realpath -m "${CARGO_TARGET_DIR:-target}")/fuzz
-[ $# -gt 0 ] || set -- vid setup recovery mesh
+[ $# -gt 0 ] || set -- vid setup recovery mesh formats
 
 # The sanitizer and the coverage are switched on by flags that a stable compiler
 # keeps to itself, unless it is told that its users build compilers.
@@ -22,17 +25,29 @@ built=$place/$(rustc -vV | sed -n 's/^host: //p')/release
 # tests in C look for them.
 export ASAN_OPTIONS=detect_leaks=0
 
+targets=
 for target; do
-    corpus=$place/corpus/$target
-    mkdir -p "$corpus" "$place/artifacts/$target"
     case $target in
-    vid) seeds="tests/corpus tests/corpus/vid examples" ;;
+    formats) targets="$targets $("$built/formats" 2>&1 | sed 's|^|formats/|')" ;;
+    *) targets="$targets $target" ;;
+    esac
+done
+
+for target in $targets; do
+    case $target in
+    formats/*) export VIDES_FORMAT=${target#*/} ;;
+    esac
+    corpus=$place/corpus/$target
+    mkdir -p "$corpus" "$place/artifacts/$target" "$(dirname "$place/$target.log")"
+    case $target in
+    vid | formats/vid) seeds="tests/corpus tests/corpus/vid examples" ;;
+    formats/*) seeds=$([ ! -d "tests/corpus/$target" ] || echo "tests/corpus/$target") ;;
     *) seeds=tests/corpus/$target ;;
     esac
     # 32 KiB of text, each tried for five seconds at most. The memory that the
     # check itself allows (fuzz/src/lib.rs) is far less than these limits, which
     # have room for what the sanitizer keeps.
-    "$built/$target" "$corpus" $seeds -max_total_time="$seconds" -timeout=5 \
+    "$built/${target%%/*}" "$corpus" $seeds -max_total_time="$seconds" -timeout=5 \
         -max_len=32768 -rss_limit_mb=1024 -malloc_limit_mb=256 -print_final_stats=1 \
         -artifact_prefix="$place/artifacts/$target/" >"$place/$target.log" 2>&1 || {
         tail -n 40 "$place/$target.log"

@@ -2,7 +2,7 @@
 
 use glam::{DQuat, DVec3};
 use vides_document::error::{TooMany, vec_with_room};
-use vides_document::{Info, SceneDocument};
+use vides_document::{Info, ObjectPoint, SceneDocument};
 use vides_engine::error::{Invalid, Place as EnginePlace};
 use vides_engine::scene::{Camera, Channel, Interpolation, Kind, Node, Scene, Track};
 use vides_engine::tools::fit::{self, Tolerance};
@@ -10,7 +10,7 @@ use vides_engine::tools::fit::{self, Tolerance};
 use super::error::{Cause, Place, Result};
 use super::loss::{Loss, Report};
 use super::options::{As, Options};
-use crate::limits::{MAX_FPS, MAX_FRAMES, MAX_NAME_BYTES};
+use crate::limits::{MAX_FPS, MAX_FRAMES, MAX_NAME_BYTES, MAX_OBJECT_POINTS};
 use crate::math::quaternion::{angle, continue_sign};
 use crate::path::{CameraPath, Plan, Pose, Space, Up};
 
@@ -85,7 +85,18 @@ impl Recording {
     fn times(&self, fps: f64) -> Option<Vec<f64>> {
         let from_first = |times: &Vec<f64>, unit: f64| {
             let first = times.first().copied().unwrap_or(0.0);
-            times.iter().map(|time| (time - first) * unit).collect()
+            let frame = |time: &f64| {
+                let frame = (time - first) * unit;
+                // Seconds of today have seven decimals: what their rounding hides is a whole frame.
+                let slack = 4.0 * f64::EPSILON * (time.abs() + first.abs()) * unit;
+                let whole = frame.round();
+                if (frame - whole).abs() <= slack {
+                    whole
+                } else {
+                    frame
+                }
+            };
+            times.iter().map(frame).collect()
         };
         let by_seconds = || Some(from_first(self.seconds.as_ref()?, fps));
         let by_frames = self.frames.as_ref().map(|frames| from_first(frames, 1.0));
@@ -122,11 +133,18 @@ impl Recording {
             .as_ref()
             .and_then(|frames| frames.first().copied());
         let first = first.or(self.first_frame).unwrap_or(1.0);
+        let points = self.points.iter().take(MAX_OBJECT_POINTS);
+        let mut object = vec_with_room(points.len())?;
+        object.extend(points.map(|&position| ObjectPoint {
+            position,
+            draw: false,
+        }));
         let info = Info {
             title: one_line(&self.title),
             unit: one_line(&self.unit),
             fps,
             first_frame: first.round() as i32,
+            object: object.into(),
             ..Info::default()
         };
         Ok(SceneDocument::new(scene, info)?)

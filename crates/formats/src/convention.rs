@@ -3,7 +3,7 @@
 //! Ours: right-handed, y or z upright, the camera looks along its view with its up; its quaternion
 //! takes (0, 0, 1) to the view and (0, 1, 0) to up.
 
-use glam::{DAffine3, DMat3, DQuat, DVec3};
+use glam::{DAffine3, DMat3, DMat4, DQuat, DVec3};
 
 use super::error::{Cause, Place, Result, Wanted};
 use crate::limits::{MAX_ZOOM, MIN_ZOOM};
@@ -49,6 +49,12 @@ pub fn focal_of_width(radians: f64, width: f64) -> f64 {
     0.5 * width / (0.5 * radians).tan()
 }
 
+/// The horizontal field of view in radians of a focal length in pixels.
+#[must_use]
+pub fn width_of_focal(pixels: f64, width: f64) -> f64 {
+    2.0 * (0.5 * width / pixels).atan()
+}
+
 fn within(zoom: f64) -> (f64, bool) {
     // Rounding alone leaves no range.
     let slack = 1e-9;
@@ -62,6 +68,54 @@ fn within(zoom: f64) -> (f64, bool) {
 #[must_use]
 pub fn rotation(pose: &Pose, axes: CameraAxes) -> DQuat {
     (pose.rotation() * to_ours(axes)).normalize()
+}
+
+/// The matrix of a camera with these axes to the world's coordinates.
+#[must_use]
+pub fn matrix(pose: &Pose, axes: CameraAxes) -> DMat4 {
+    DMat4::from_rotation_translation(rotation(pose, axes), pose.position())
+}
+
+/// A rotation and what is added after it, the other way: camera to world to world to camera, and
+/// back.
+#[must_use]
+pub fn inverse(rotation: DQuat, translation: DVec3) -> (DQuat, DVec3) {
+    let back = rotation.conjugate();
+    (back, -(back * translation))
+}
+
+/// The angles about x, y and z in radians whose turns make a rotation, the axis `order[0]` first.
+/// The middle turn is within ±π/2 (Shoemake, Graphics Gems IV, 1994); where the first and the last
+/// become one, they share it.
+#[must_use]
+pub fn euler(rotation: DQuat, order: [usize; 3]) -> [f64; 3] {
+    let [first, middle, last] = order;
+    let sign = handedness(order);
+    let at = |matrix: DMat3, row: usize, column: usize| matrix.col(column)[row];
+    let whole = DMat3::from_quat(rotation);
+    let mut angles = [0.0; 3];
+    angles[first] = (sign * at(whole, last, middle)).atan2(at(whole, last, last));
+    // Without the first turn the others are exact even where it is not determined.
+    let rest = whole * DMat3::from_quat(about(first, -angles[first]));
+    angles[middle] = (-sign * at(rest, last, first)).atan2(at(rest, last, last));
+    angles[last] = (-sign * at(rest, first, middle)).atan2(at(rest, middle, middle));
+    angles
+}
+
+/// The rotation of turns by angles about x, y and z in radians, the axis `order[0]` first.
+#[must_use]
+pub fn of_euler(angles: [f64; 3], order: [usize; 3]) -> DQuat {
+    let turns = order.map(|axis| about(axis, angles[axis]));
+    turns[2] * turns[1] * turns[0]
+}
+
+fn about(axis: usize, angle: f64) -> DQuat {
+    DQuat::from_axis_angle([DVec3::X, DVec3::Y, DVec3::Z][axis % 3], angle)
+}
+
+/// 1 for an order that runs x, y, z from some axis on, else −1.
+fn handedness([first, middle, _]: [usize; 3]) -> f64 {
+    if middle == (first + 1) % 3 { 1.0 } else { -1.0 }
 }
 
 /// Takes the axes of a camera to ours.
@@ -220,6 +274,17 @@ impl Place {
     ) -> Result<Pose> {
         pose(position, rotation, axes, zoom).map_err(|cause| self.wrong(cause))
     }
+
+    /// The pose of a camera with these axes whose matrix to world coordinates this is.
+    ///
+    /// # Errors
+    /// [`Wanted::Rotation`], [`Cause::NotFinite`], at this place.
+    pub fn matrix(self, matrix: DMat4, axes: CameraAxes, zoom: f64) -> Result<Pose> {
+        match rotation_of(DMat3::from_mat4(matrix)) {
+            Ok(turn) => self.pose(matrix.w_axis.truncate(), turn, axes, zoom),
+            Err(cause) => Err(self.wrong(cause)),
+        }
+    }
 }
 
 #[cfg(test)]
@@ -250,6 +315,40 @@ mod tests {
         }
         let gl = rotation(&ours, CameraAxes::OpenGl);
         assert!((gl - turn * DQuat::from_xyzw(0.0, 1.0, 0.0, 0.0)).length() < 1e-15);
+    }
+
+    #[test]
+    fn angles_make_their_rotation_in_any_order() {
+        let quarter = std::f64::consts::FRAC_PI_2;
+        let middles = [0.3, -1.2, quarter, -quarter, quarter - 1e-9, 0.0];
+        for order in [
+            [0, 1, 2],
+            [0, 2, 1],
+            [1, 0, 2],
+            [1, 2, 0],
+            [2, 0, 1],
+            [2, 1, 0],
+        ] {
+            for middle in middles {
+                let mut angles = [0.0; 3];
+                for (axis, angle) in order.into_iter().zip([2.5, middle, -0.7]) {
+                    angles[axis] = angle;
+                }
+                let turn = of_euler(angles, order);
+                let again = euler(turn, order);
+                let off = turn.conjugate() * of_euler(again, order);
+                assert!(off.xyz().length() < 1e-15, "{order:?} {middle}");
+                if middle.abs() < 1.5 {
+                    let same = |axis: usize| (angles[axis] - again[axis]).abs() < 1e-14;
+                    assert!((0..3).all(same), "{order:?} {again:?}");
+                }
+            }
+        }
+        // First about z, then x, then y: x goes to y, on to z, on to x.
+        let quarters = of_euler([quarter; 3], [2, 0, 1]);
+        assert!((quarters * DVec3::X - DVec3::X).length() < 1e-15);
+        let (back, there) = inverse(quarters, DVec3::new(1.0, 2.0, 3.0));
+        assert!((back * DVec3::new(1.0, 2.0, 3.0) + there).length() < 1e-15);
     }
 
     #[test]

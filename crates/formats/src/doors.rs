@@ -10,7 +10,7 @@ use super::blocks::Progress;
 use super::content::{Content, Recording};
 use super::error::{Error, Result};
 use super::flight::Flight;
-use super::format::{Format, formats};
+use super::format::{Format, Row, formats};
 use super::loss::Report;
 use super::options::Options;
 use super::source::Source;
@@ -126,27 +126,26 @@ pub fn read(
 
 /// By the content; of several formats that it may be, or if it looks like none, by the name.
 fn recognised(source: &Source) -> Result<&'static dyn Format> {
-    let read = || {
-        formats()
-            .iter()
-            .copied()
-            .filter(|format| format.row().reads)
-    };
-    let named = |format: &&dyn Format| format.row().is_named(Path::new(&source.name));
-    let found: Vec<_> = read().filter(|format| format.recognises(source)).collect();
+    let read = formats().iter().copied();
+    let read: Vec<_> = read.filter(|format| format.row().reads).collect();
+    let fits = |format: &&dyn Format| format.recognises(source);
+    let found: Vec<_> = read.iter().copied().filter(fits).collect();
+    let file = Path::new(&source.name);
     match *found {
-        [] => read().find(named).ok_or(Error::NotRecognised),
+        [] => named(file, &read).ok_or(Error::NotRecognised),
         [one] => Ok(one),
-        _ => {
-            let mut by_name = found.iter().copied().filter(named);
-            match (by_name.next(), by_name.next()) {
-                (Some(one), None) => Ok(one),
-                _ => Err(Error::Ambiguous(
-                    found.iter().map(|format| format.row().name).collect(),
-                )),
-            }
-        }
+        _ => named(file, &found).ok_or_else(|| {
+            Error::Ambiguous(found.iter().map(|format| format.row().name).collect())
+        }),
     }
+}
+
+/// The only one of some formats that a file has by its whole name, else by its ending.
+fn named(file: &Path, among: &[&'static dyn Format]) -> Option<&'static dyn Format> {
+    [Row::has_name, Row::has_ending].iter().find_map(|has| {
+        let mut named = among.iter().filter(|format| has(format.row(), file));
+        named.next().filter(|_| named.next().is_none()).copied()
+    })
 }
 
 /// The scene in a file: poses become a path or keys, as the options say.

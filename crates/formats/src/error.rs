@@ -54,6 +54,14 @@ pub enum Error {
     /// No format is written into files of this name.
     #[error("{0}: no format has this ending: name it, with --to in the command")]
     UnknownEnding(Text),
+    /// Several formats are written into files of this ending.
+    #[error("{file}: this may be {}: name it, with --to in the command", or_names(.formats))]
+    SharedEnding {
+        /// The file.
+        file: Text,
+        /// The formats.
+        formats: Vec<&'static str>,
+    },
     /// No format reads this content.
     #[error("this is no file of a format that is read: name it, with --from in the command")]
     NotRecognised,
@@ -108,7 +116,9 @@ impl Error {
     pub fn at(self, file: &str) -> Self {
         match self {
             Self::Document(error) => Self::Document(error.at(file)),
-            Self::In(..) | Self::UnknownEnding(_) | Self::Stopped => self,
+            Self::In(..) | Self::UnknownEnding(_) | Self::SharedEnding { .. } | Self::Stopped => {
+                self
+            }
             other => Self::In(file.into(), Box::new(other)),
         }
     }
@@ -213,6 +223,8 @@ pub enum Cause {
     Missing(Text),
     #[error("{0} lies outside the file's folder, where nothing is read")]
     Outside(Text),
+    #[error("{0} lies there too and would be read first: move it away")]
+    Beside(Text),
     #[error("{name} is not read{help}")]
     Unsupported { name: Text, help: &'static str },
 }
@@ -230,6 +242,10 @@ pub enum Wanted {
     Numbers(usize),
     Matrix,
     Rotation,
+    Name,
+    Value,
+    Literal(&'static str),
+    ImagePoints,
 }
 
 impl fmt::Display for Wanted {
@@ -243,7 +259,11 @@ impl fmt::Display for Wanted {
             Self::Object => "an object",
             Self::Numbers(count) => return write!(f, "{count} numbers"),
             Self::Matrix => "a matrix of 4 × 4 numbers",
+            Self::ImagePoints => "the points of the image before, or an empty line",
             Self::Rotation => "a matrix that turns and does not mirror",
+            Self::Name => "a name",
+            Self::Value => "a value",
+            Self::Literal(text) => return write!(f, "\"{text}\""),
         })
     }
 }

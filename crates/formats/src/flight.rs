@@ -256,6 +256,14 @@ impl<'a> Flight<'a> {
 
     /// Tells what a list of one camera's poses leaves out: other nodes, the object, keys.
     pub fn tell_poses_only(&self, report: &mut Report) {
+        self.tell_motion(report);
+        if !self.info().object.is_empty() {
+            report.add(Loss::Object);
+        }
+    }
+
+    /// As [`Flight::tell_poses_only`], of a format that keeps the object.
+    pub fn tell_motion(&self, report: &mut Report) {
         let nodes = self.scene().nodes().iter().enumerate();
         let mut others = [0, 0];
         for (at, node) in nodes {
@@ -265,9 +273,6 @@ impl<'a> Flight<'a> {
         }
         report.count(others[0], Loss::OtherNodes);
         report.count(others[1], Loss::OtherCameras);
-        if !self.info().object.is_empty() {
-            report.add(Loss::Object);
-        }
         let node = &self.scene().nodes()[self.node];
         if node.aim.is_some() {
             report.add(Loss::Aims(1));
@@ -361,7 +366,11 @@ impl<'a> Flight<'a> {
         self.write_blocks(head, out, states, push)
     }
 
-    fn write_blocks<T: Clone + Default>(
+    /// As [`Flight::write_poses`], of what `sample` gives of the frames from an index on.
+    ///
+    /// # Errors
+    /// Those of `sample`; [`Error::Document`] if `out` fails.
+    pub(super) fn write_blocks<T: Clone + Default>(
         &mut self,
         head: Vec<u8>,
         out: &mut dyn Write,

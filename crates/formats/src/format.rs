@@ -9,7 +9,10 @@ use super::flight::Flight;
 use super::loss::Report;
 use super::options::Options;
 use super::source::Source;
-use super::{ascii, csv, gltf, html, json, tum, vid};
+use super::{
+    ascii, cameras, chan, colmap, csv, gltf, html, json, kitti, nerfstudio, osg, script,
+    transforms, tum, usd, vid,
+};
 use crate::path::Up;
 
 /// The names of a format and what it can do.
@@ -55,7 +58,7 @@ impl Row {
         self.has_name(file) || self.has_ending(file)
     }
 
-    fn has_name(&self, file: &Path) -> bool {
+    pub(super) fn has_name(&self, file: &Path) -> bool {
         let name = file.file_name().unwrap_or_default();
         let known = self.file_names.iter().chain(self.parts);
         known
@@ -63,7 +66,7 @@ impl Row {
             .any(|known| name.eq_ignore_ascii_case(known))
     }
 
-    fn has_ending(&self, file: &Path) -> bool {
+    pub(super) fn has_ending(&self, file: &Path) -> bool {
         let ending = file.extension().unwrap_or_default();
         let known = self.endings.iter();
         known
@@ -117,15 +120,27 @@ pub trait Format: Sync {
 /// All formats, in the order in which they are offered.
 #[must_use]
 pub fn formats() -> &'static [&'static dyn Format] {
+    // Of those with one ending the first is written into files that have no name of their own.
     &[
         &vid::Vid,
-        &gltf::Gltf,
-        &gltf::Glb,
-        &tum::Tum,
         &ascii::Ascii,
         &csv::Csv,
         &json::Json,
+        &gltf::Gltf,
+        &gltf::Glb,
+        &usd::Usda,
+        &script::Blender,
+        &script::ParaView,
+        &script::Vtk,
         &html::Html,
+        &nerfstudio::Nerfstudio,
+        &transforms::Transforms,
+        &cameras::Cameras,
+        &tum::Tum,
+        &kitti::Kitti,
+        &colmap::Colmap,
+        &osg::Osg,
+        &chan::Chan,
     ]
 }
 
@@ -143,15 +158,29 @@ pub fn by_name(name: &str) -> Result<&'static dyn Format> {
 /// The format that a file to be written has by its name: by the whole name, else by the ending.
 ///
 /// # Errors
-/// [`Error::UnknownEnding`] with those that are known.
+/// [`Error::UnknownEnding`] with those that are known; [`Error::SharedEnding`].
 pub fn by_target(file: &Path) -> Result<&'static dyn Format> {
     let written = || {
         let all = formats().iter().copied();
         all.filter(|format| format.row().writes)
     };
+    if let Some(named) = written().find(|format| format.row().has_name(file)) {
+        return Ok(named);
+    }
+    let fitting: Vec<_> = written()
+        .filter(|format| format.row().has_ending(file))
+        .collect();
+    match *fitting {
+        [] => {}
+        [one] => return Ok(one),
+        _ => {
+            return Err(Error::SharedEnding {
+                file: file.display().to_string().as_str().into(),
+                formats: fitting.iter().map(|format| format.row().name).collect(),
+            });
+        }
+    }
     written()
-        .find(|format| format.row().has_name(file))
-        .or_else(|| written().find(|format| format.row().has_ending(file)))
-        .or_else(|| written().find(|format| file.is_dir() && !format.row().parts.is_empty()))
+        .find(|format| file.is_dir() && !format.row().parts.is_empty())
         .ok_or_else(|| Error::UnknownEnding(file.display().to_string().as_str().into()))
 }

@@ -12,6 +12,9 @@
 
 mod ascii;
 mod blocks;
+mod cameras;
+mod chan;
+mod colmap;
 mod content;
 pub mod convention;
 mod csv;
@@ -22,12 +25,19 @@ mod format;
 mod gltf;
 mod html;
 mod json;
+mod kitti;
+mod lens;
 mod loss;
+mod nerfstudio;
 mod options;
+mod osg;
 mod rows;
+mod script;
 mod source;
+mod transforms;
 mod tree;
 mod tum;
+mod usd;
 mod vid;
 
 pub use ascii::{MAX_DECIMALS, write_ascii, write_ascii_file};

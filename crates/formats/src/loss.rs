@@ -22,6 +22,12 @@ pub enum Loss {
     Interpolations(usize),
     /// Deformed objects go out at rest.
     Deformations(usize),
+    /// Nodes whose motion was computed anew, a key a frame, since no track goes that way.
+    Resampled(usize),
+    /// Deformed or morphed objects go out as their points, frame by frame where these move.
+    Forms(usize),
+    /// Cameras and lights in nodes that scale go out at the top, a pose a frame.
+    Scaled(usize),
     /// Channels of the host.
     HostChannels(usize),
     /// The camera's roll in so many poses.
@@ -42,6 +48,8 @@ pub enum Loss {
     Sheared(usize),
     /// Animations beside the first.
     OtherAnimations(usize),
+    /// The program has no frames of these numbers, only 0 to `last`: they are counted from 1.
+    FrameNumbers { number: f64, last: f64 },
     /// The viewer joins the keys by a spline of its own.
     OwnSpline,
     /// A path was fitted: points, the farthest position, the largest angle in degrees.
@@ -77,6 +85,23 @@ impl fmt::Display for Loss {
             Self::Deformations(n) => {
                 write!(f, "{n} deformed object{} as at rest", several(n))
             }
+            Self::Resampled(n) => write!(
+                f,
+                "the motion of {n} node{} is computed anew, a key a frame",
+                several(n)
+            ),
+            Self::Forms(n) => write!(
+                f,
+                "{n} deformed or morphed object{} as points, frame by frame where they move",
+                several(n)
+            ),
+            Self::Scaled(n) => write!(
+                f,
+                "{n} camera{} or light{} in scaled nodes stand{} at the top, a pose a frame",
+                several(n),
+                several(n),
+                if *n == 1 { "s" } else { "" }
+            ),
             Self::HostChannels(n) => write!(f, "{n} channel{} of the host left out", several(n)),
             Self::Roll(n) => write!(f, "roll is left out, in {n} pose{}", several(n)),
             Self::FieldOfView => write!(f, "the field of view is left out"),
@@ -103,6 +128,10 @@ impl fmt::Display for Loss {
             Self::OtherAnimations(n) => {
                 write!(f, "{n} other animation{} left out", several(n))
             }
+            Self::FrameNumbers { number, last } => write!(
+                f,
+                "the first frame is 1 and not {number}: its frames are whole numbers from 0 to {last}"
+            ),
             Self::OwnSpline => write!(f, "its viewer joins the keys by a spline of its own"),
             Self::Fitted {
                 points,
@@ -145,7 +174,7 @@ impl Report {
     }
 
     /// Tells of as many as there are, if there are some.
-    pub fn count(&mut self, count: usize, loss: fn(usize) -> Loss) {
+    pub fn count(&mut self, count: usize, loss: impl FnOnce(usize) -> Loss) {
         if count > 0 {
             self.add(loss(count));
         }

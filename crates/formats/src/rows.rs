@@ -1,5 +1,9 @@
 //! Text of a row of numbers a line, separated by commas or blanks.
 
+use std::io::Write;
+
+use glam::DQuat;
+
 use super::content::Recording;
 use super::error::{Cause, Place, Result, Wanted};
 use crate::path::Pose;
@@ -41,20 +45,42 @@ pub(super) fn numbers<const N: usize>(place: &Place, row: &str) -> Result<[f64; 
     Ok(numbers)
 }
 
-/// How many numbers the first row of numbers has; a heading may come before it.
-pub(super) fn width(beginning: &str) -> Option<usize> {
+/// The first row of numbers; a heading may come before it.
+fn first_row(beginning: &str) -> Option<&str> {
     let is_row = |row: &&str| words(row).all(|word| word.parse::<f64>().is_ok());
     // The last row may be cut off.
     let mut rows = rows(beginning).map(|(_, row)| row).take(2);
-    rows.find(is_row).map(|row| words(row).count())
+    rows.find(is_row)
+}
+
+/// The numbers of the first row, if there are so many; a heading may come before it.
+pub(super) fn first<const N: usize>(beginning: &str) -> Option<[f64; N]> {
+    numbers(&Place::Whole, first_row(beginning)?).ok()
+}
+
+/// Whether the last four numbers of a row are nearly a quaternion of length 1.
+pub(super) fn turns_last(row: [f64; 8]) -> bool {
+    let [.., x, y, z, w] = row;
+    (DQuat::from_xyzw(x, y, z, w).length() - 1.0).abs() < 0.1
+}
+
+/// Appends numbers with as many digits as give the same bits, with a sign between them.
+pub(super) fn push(text: &mut Vec<u8>, numbers: impl IntoIterator<Item = f64>, between: &str) {
+    for (at, number) in numbers.into_iter().enumerate() {
+        let between = if at == 0 { "" } else { between };
+        // Writing into a vector cannot fail.
+        let _ = write!(text, "{between}{number:?}");
+    }
 }
 
 const POSE: usize = 10;
 
 /// Whether this begins like poses, with commas or without.
 pub(super) fn is_poses(beginning: &str, commas: bool) -> bool {
-    let wide = matches!(width(beginning), Some(POSE..=12));
-    wide && beginning.contains(',') == commas
+    let row = first_row(beginning);
+    let wide = row.is_some_and(|row| matches!(words(row).count(), POSE..=12));
+    // Twelve numbers without commas may be a matrix.
+    wide && beginning.contains(',') == commas && (commas || !super::kitti::is_kitti(beginning))
 }
 
 /// The poses in a text, with or without frame numbers before and seconds behind; a heading on line

@@ -60,11 +60,7 @@ impl Source {
     /// # Errors
     /// [`Cause::NotUtf8`] with the line.
     pub fn text(&self) -> Result<&str> {
-        std::str::from_utf8(&self.bytes).map_err(|error| {
-            let before = &self.bytes[..error.valid_up_to()];
-            let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
-            Place::Line(line).wrong(Cause::NotUtf8)
-        })
+        utf8(&self.bytes)
     }
 
     /// The beginning as text, as far as it is some: for [`super::Format::recognises`].
@@ -103,4 +99,16 @@ impl Source {
         let read = read_bytes(&place, most.min(MAX_FILE_BYTES));
         read.map_err(|error| Error::from(error.at(place.display())))
     }
+}
+
+/// Bytes as text.
+///
+/// # Errors
+/// [`Cause::NotUtf8`] with the line.
+pub(super) fn utf8(bytes: &[u8]) -> Result<&str> {
+    std::str::from_utf8(bytes).map_err(|error| {
+        let before = &bytes[..error.valid_up_to()];
+        let line = 1 + before.iter().filter(|&&byte| byte == b'\n').count();
+        Place::Line(line).wrong(Cause::NotUtf8)
+    })
 }

@@ -2,10 +2,9 @@
 
 use std::fmt;
 
-use glam::{DMat3, DMat4, DVec3};
+use glam::{DMat4, DVec3};
 use serde_json::Value;
 
-use super::convention;
 use super::error::{Cause, Place, Result, Wanted};
 use crate::math::camera::CameraAxes;
 use crate::path::Pose;
@@ -195,15 +194,29 @@ impl<'a> At<'a> {
         Ok(DMat4::from_cols_array_2d(&matrix).transpose())
     }
 
+    /// Three rows of three numbers.
+    ///
+    /// # Errors
+    /// [`Cause::NumberCount`], those of [`At::numbers`].
+    pub(super) fn vectors(self) -> Result<[DVec3; 3]> {
+        let rows = self.list()?;
+        if rows.len() != 3 {
+            let (wanted, found) = (3, rows.len());
+            return Err(self.wrong(Cause::NumberCount { wanted, found }));
+        }
+        let mut vectors = [DVec3::ZERO; 3];
+        for (vector, value) in vectors.iter_mut().zip(rows) {
+            *vector = value.numbers()?.into();
+        }
+        Ok(vectors)
+    }
+
     /// The pose of a camera with these axes whose matrix to world coordinates this is.
     ///
     /// # Errors
     /// [`Wanted::Rotation`], [`Cause::NotFinite`].
     pub(super) fn pose(self, matrix: DMat4, axes: CameraAxes, zoom: f64) -> Result<Pose> {
-        let turn = convention::rotation_of(DMat3::from_mat4(matrix));
-        let turn = turn.map_err(|cause| self.wrong(cause))?;
-        let position: DVec3 = matrix.w_axis.truncate();
-        self.place().pose(position, turn, axes, zoom)
+        self.place().matrix(matrix, axes, zoom)
     }
 
     /// An error here.

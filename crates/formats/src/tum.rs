@@ -1,5 +1,5 @@
 //! Trajectories of the TUM RGB-D benchmark (Sturm et al. 2012): a line `t x y z qx qy qz qw` a pose,
-//! seconds and camera to world; the camera has x right, y down, z forward.
+//! seconds and camera to world; the camera has x right, y down, z forward. `#` begins a comment.
 
 use std::io::Write;
 
@@ -7,7 +7,7 @@ use glam::{DQuat, DVec3};
 
 use super::content::{Content, DEFAULT_ZOOM, Recording};
 use super::convention;
-use super::error::Result;
+use super::error::{Cause, Result};
 use super::flight::Flight;
 use super::format::{Format, Row};
 use super::loss::{Loss, Report};
@@ -31,27 +31,11 @@ impl Format for Tum {
     }
 
     fn recognises(&self, source: &Source) -> bool {
-        rows::width(source.beginning()) == Some(8)
+        rows::first(source.beginning()).is_some_and(rows::turns_last)
     }
 
     fn read(&self, source: &Source, _: &Options, report: &mut Report) -> Result<Content> {
-        let mut recording = Recording::default();
-        let mut seconds = Vec::new();
-        for (place, row) in rows::rows(source.text()?) {
-            let [t, x, y, z, i, j, k, w] = rows::numbers(&place, row)?;
-            let turn = DQuat::from_xyzw(i, j, k, w);
-            recording.push(place.pose(
-                DVec3::new(x, y, z),
-                turn,
-                CameraAxes::OpenCv,
-                DEFAULT_ZOOM,
-            )?)?;
-            seconds.try_reserve(1)?;
-            seconds.push(t);
-        }
-        recording.seconds = Some(seconds);
-        report.add(Loss::FieldOfView);
-        Ok(Content::Poses(recording))
+        read(source, CameraAxes::OpenCv, report)
     }
 
     fn write(
@@ -61,22 +45,45 @@ impl Format for Tum {
         out: &mut dyn Write,
         report: &mut Report,
     ) -> Result<()> {
-        flight.needs_camera()?;
-        flight.tell_poses_only(report);
-        report.add(Loss::FieldOfView);
-        flight.write_poses(Vec::new(), out, |flight, text, index, pose| {
-            let [x, y, z] = pose.vrp;
-            let q = convention::rotation(pose, CameraAxes::OpenCv);
-            // Writing into a vector cannot fail.
-            let _ = writeln!(
-                text,
-                "{:?} {x:?} {y:?} {z:?} {:?} {:?} {:?} {:?}",
-                flight.seconds(index),
-                q.x,
-                q.y,
-                q.z,
-                q.w
-            );
-        })
+        let head = b"# timestamp tx ty tz qx qy qz qw\n";
+        write(flight, head, CameraAxes::OpenCv, out, report)
     }
+}
+
+/// The poses of lines `t x y z qx qy qz qw`, of cameras with these axes.
+pub(super) fn read(source: &Source, axes: CameraAxes, report: &mut Report) -> Result<Content> {
+    let mut recording = Recording::default();
+    let mut seconds: Vec<f64> = Vec::new();
+    for (place, row) in rows::rows(source.text()?) {
+        let [t, x, y, z, turn @ ..] = rows::numbers::<8>(&place, row)?;
+        if seconds.last().is_some_and(|&before| t <= before) {
+            return Err(place.wrong(Cause::Order));
+        }
+        let (position, turn) = (DVec3::new(x, y, z), DQuat::from_array(turn));
+        recording.push(place.pose(position, turn, axes, DEFAULT_ZOOM)?)?;
+        seconds.try_reserve(1)?;
+        seconds.push(t);
+    }
+    recording.seconds = Some(seconds);
+    report.add(Loss::FieldOfView);
+    Ok(Content::Poses(recording))
+}
+
+/// Writes `head`, then the lines that [`read`] takes.
+pub(super) fn write(
+    flight: &mut Flight<'_>,
+    head: &[u8],
+    axes: CameraAxes,
+    out: &mut dyn Write,
+    report: &mut Report,
+) -> Result<()> {
+    flight.needs_camera()?;
+    flight.tell_poses_only(report);
+    report.add(Loss::FieldOfView);
+    flight.write_poses(head.into(), out, |flight, text, index, pose| {
+        let turn = convention::rotation(pose, axes).to_array();
+        let place = [flight.seconds(index)].into_iter().chain(pose.vrp);
+        rows::push(text, place.chain(turn), " ");
+        text.push(b'\n');
+    })
 }

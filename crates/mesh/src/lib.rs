@@ -149,7 +149,7 @@ impl From<std::collections::TryReserveError> for Error {
 /// Gives an external buffer by the name in the file.
 pub type Beside<'a> = &'a mut dyn FnMut(&str) -> Option<Vec<u8>>;
 
-type Result<T> = std::result::Result<T, Error>;
+type Result<T, E = Error> = std::result::Result<T, E>;
 
 /// Reads a mesh. `go_on` is called now and then with the share done, in 0…1.
 ///
@@ -229,7 +229,10 @@ fn coordinates<'a>(words: &mut impl Iterator<Item = &'a str>) -> Option<glam::DV
 }
 
 /// A polygon as a fan of triangles around its first corner.
-fn fan(corners: &[u32], triangles: &mut Vec<[u32; 3]>) -> Result<()> {
+///
+/// # Errors
+/// [`Error::Memory`].
+pub fn fan(corners: &[u32], triangles: &mut Vec<[u32; 3]>) -> Result<(), Error> {
     triangles.try_reserve(corners.len().saturating_sub(2))?;
     triangles.extend(
         corners

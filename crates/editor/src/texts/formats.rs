@@ -77,6 +77,7 @@ german! {
         Cycle(name) => "{name} liegt in sich selbst";
         Missing(name) => "{name} fehlt";
         Outside(name) => "{name} liegt außerhalb des Verzeichnisses der Datei, wo nichts gelesen wird";
+        Beside(name) => "auch {name} liegt dort und würde zuerst gelesen: verschieben";
         Unsupported { name, help } => "{name} wird nicht gelesen{help}";
     }
     Wanted {
@@ -89,6 +90,10 @@ german! {
         Numbers(count) => "{count} Zahlen";
         Matrix => "Matrix mit 4 × 4 Zahlen";
         Rotation => "Matrix, die dreht und nicht spiegelt,";
+        Name => "Name";
+        Value => "Wert";
+        Literal(text) => "„{text}“";
+        ImagePoints => "Punkte des Bildes davor oder eine leere Zeile";
     }
     Loss {
         OtherNodes(count) => "andere Knoten bleiben weg: {count}";
@@ -98,6 +103,9 @@ german! {
         Aims(count) => "aus Zielen werden Drehungen, eine je Bild: {count}";
         Interpolations(count) => "Spuren, deren Interpolation dem Format fehlt, bekommen einen Schlüssel je Bild: {count}";
         Deformations(count) => "verformte Objekte wie in Ruhe: {count}";
+        Resampled(count) => "Bewegungen neu berechnet, ein Schlüssel je Bild, Knoten: {count}";
+        Forms(count) => "verformte Objekte als Punkte, wo sie sich ändern Bild für Bild: {count}";
+        Scaled(count) => "Kameras und Lichter in skalierten Knoten stehen oben, eine Pose je Bild: {count}";
         HostChannels(count) => "Kanäle des Programms bleiben weg: {count}";
         Roll(count) => "der Winkel bleibt weg, Posen: {count}";
         FieldOfView => "der Blickwinkel bleibt weg";

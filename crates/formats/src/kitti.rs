@@ -1,0 +1,79 @@
+//! Poses of the KITTI odometry benchmark (Geiger et al. 2012): a line of 12 numbers a pose, three
+//! rows of the matrix from camera to world; the camera has x right, y down, z forward. There are
+//! neither times nor fields of view.
+
+use std::io::Write;
+
+use glam::{DMat3, DMat4};
+
+use super::content::{Content, DEFAULT_ZOOM, Recording};
+use super::convention;
+use super::error::Result;
+use super::flight::Flight;
+use super::format::{Format, Row};
+use super::loss::{Loss, Report};
+use super::options::Options;
+use super::rows;
+use super::source::Source;
+use crate::math::camera::CameraAxes;
+
+pub(super) struct Kitti;
+
+const ROW: Row = Row {
+    name: "kitti",
+    title: "KITTI",
+    endings: &["kitti"],
+    ..Row::PLAIN
+};
+
+/// Whether this begins with a matrix that turns.
+pub(super) fn is_kitti(beginning: &str) -> bool {
+    rows::first(beginning)
+        .is_some_and(|row| convention::rotation_of(DMat3::from_mat4(matrix(row))).is_ok())
+}
+
+fn matrix(row: [f64; 12]) -> DMat4 {
+    let mut rows = [0.0; 16];
+    rows[..12].copy_from_slice(&row);
+    rows[15] = 1.0;
+    DMat4::from_cols_array(&rows).transpose()
+}
+
+impl Format for Kitti {
+    fn row(&self) -> &'static Row {
+        &ROW
+    }
+
+    fn recognises(&self, source: &Source) -> bool {
+        is_kitti(source.beginning())
+    }
+
+    fn read(&self, source: &Source, _: &Options, report: &mut Report) -> Result<Content> {
+        let mut recording = Recording::default();
+        for (place, row) in rows::rows(source.text()?) {
+            let matrix = matrix(rows::numbers(&place, row)?);
+            recording.push(place.matrix(matrix, CameraAxes::OpenCv, DEFAULT_ZOOM)?)?;
+        }
+        report.add(Loss::Times);
+        report.add(Loss::FieldOfView);
+        Ok(Content::Poses(recording))
+    }
+
+    fn write(
+        &self,
+        flight: &mut Flight<'_>,
+        _: usize,
+        out: &mut dyn Write,
+        report: &mut Report,
+    ) -> Result<()> {
+        flight.needs_camera()?;
+        flight.tell_poses_only(report);
+        report.add(Loss::Times);
+        report.add(Loss::FieldOfView);
+        flight.write_poses(Vec::new(), out, |_, text, _, pose| {
+            let rows = convention::matrix(pose, CameraAxes::OpenCv).transpose();
+            rows::push(text, rows.to_cols_array().into_iter().take(12), " ");
+            text.push(b'\n');
+        })
+    }
+}

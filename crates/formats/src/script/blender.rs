@@ -1,0 +1,72 @@
+//! A script for Blender: a camera with a key a frame, and the object.
+
+use std::cell::Cell;
+use std::io::Write;
+
+use crate::convention;
+use crate::error::Result;
+use crate::flight::Flight;
+use crate::format::{Format, Row};
+use crate::loss::{Loss, Report};
+use crate::math::camera::CameraAxes;
+use crate::math::quaternion::continue_sign;
+use crate::path::Up;
+
+const SCRIPT: &str = include_str!("for_blender.py");
+
+/// The frame numbers that Blender has are 0 to this.
+const LAST_FRAME: f64 = 1_048_574.0;
+
+pub(crate) struct Blender;
+
+const ROW: Row = Row {
+    name: "blender",
+    title: "Blender script",
+    endings: &["py"],
+    up: Some(Up::Z),
+    reads: false,
+    ..Row::PLAIN
+};
+
+impl Format for Blender {
+    fn row(&self) -> &'static Row {
+        &ROW
+    }
+
+    fn write(
+        &self,
+        flight: &mut Flight<'_>,
+        _: usize,
+        out: &mut dyn Write,
+        report: &mut Report,
+    ) -> Result<()> {
+        flight.needs_camera()?;
+        flight.tell_motion(report);
+        let first = first_frame(flight, report);
+        let head = super::head(flight, SCRIPT, first, report);
+        let before = Cell::new(None);
+        flight.write_poses(head, out, |_, text, index, pose| {
+            let q = convention::rotation(pose, CameraAxes::OpenGl);
+            let q = before.get().map_or(q, |before| continue_sign(before, q).0);
+            before.set(Some(q));
+            let [x, y, z] = pose.vrp;
+            super::push_frame(text, index, &[x, y, z, q.w, q.x, q.y, q.z, pose.zoom]);
+        })?;
+        super::finish(SCRIPT, out)
+    }
+}
+
+/// The number of the first frame, or 1 if Blender has not all numbers from there on.
+fn first_frame(flight: &Flight<'_>, report: &mut Report) -> i64 {
+    let number = flight.number(0);
+    let first = number.round();
+    let last = |first: f64| first + (flight.count() - 1) as f64;
+    if (first - number).abs() < 1e-6 && first >= 0.0 && last(first) <= LAST_FRAME {
+        return first as i64;
+    }
+    report.add(Loss::FrameNumbers {
+        number,
+        last: LAST_FRAME,
+    });
+    1
+}

@@ -1,0 +1,100 @@
+"""A camera flight for Blender 3.6 and later, written by VIDES.
+
+Open it in Blender's text editor and press Run Script, or start `blender --python FILE`; where bpy
+is a module of Python, run it there. It adds a camera, and the object if the flight has one, and sets
+the scene's camera, frames, rate and resolution. Nothing is removed.
+"""
+
+import json
+
+import bpy
+
+# A frame: position, rotation (w, x, y, z), focal length in mm of a picture 24 mm high.
+# ---- data, JSON: nothing of it is run ----
+DATA = r'''
+{}
+'''
+# ---- end of data ----
+
+# Blender has no other frame numbers.
+LAST_FRAME = 1048574
+
+
+def curves_of(owner, name):
+    """The curves of a new action: in a channel bag where there are slots, and Blender 5 has no others."""
+    action = bpy.data.actions.new(name)
+    animation = owner.animation_data_create()
+    animation.action = action
+    if not hasattr(action, "slots"):
+        return action.fcurves
+    slot = action.slots.new(owner.id_type, name)
+    animation.action_slot = slot
+    strip = action.layers.new(name).strips.new(type="KEYFRAME")
+    return strip.channelbag(slot, ensure=True).fcurves
+
+
+def animate(owner, name, first, channels):
+    """Sets a key a frame; a channel is a property's path and a list of values for each component."""
+    curves = curves_of(owner, name)
+    linear = bpy.types.Keyframe.bl_rna.properties["interpolation"].enum_items["LINEAR"].value
+    for path, columns in channels:
+        for index, column in enumerate(columns):
+            curve = curves.new(path, index=index)
+            points = curve.keyframe_points
+            points.add(len(column))
+            places = [0.0] * (2 * len(column))
+            places[::2] = range(first, first + len(column))
+            places[1::2] = column
+            points.foreach_set("co", places)
+            points.foreach_set("interpolation", [linear] * len(column))
+            curve.update()
+
+
+def add_object(scene, name, shape):
+    mesh = bpy.data.meshes.new(name)
+    mesh.from_pydata(shape["points"], shape["lines"], shape["triangles"])
+    mesh.validate()
+    scene.collection.objects.link(bpy.data.objects.new(name, mesh))
+
+
+def add_camera(scene, flight):
+    lens = bpy.data.cameras.new(flight["camera"])
+    lens.sensor_fit = "VERTICAL"
+    lens.sensor_height = 24
+    lens.clip_start = flight["half_size"] / 1000
+    lens.clip_end = flight["half_size"] * 1000
+    camera = bpy.data.objects.new(flight["camera"], lens)
+    camera.rotation_mode = "QUATERNION"
+    scene.collection.objects.link(camera)
+    columns = list(zip(*flight["frames"]))
+    first = flight["first_frame"]
+    channels = [("location", columns[:3]), ("rotation_quaternion", columns[3:7])]
+    animate(camera, flight["camera"], first, channels)
+    animate(lens, flight["camera"], first, [("lens", columns[7:])])
+    return camera
+
+
+def set_frames(scene, flight):
+    first = flight["first_frame"]
+    scene.frame_start = first
+    scene.frame_end = min(first + len(flight["frames"]) - 1, LAST_FRAME)
+    render = scene.render
+    # Its rate is a whole number through a base.
+    render.fps = min(max(round(flight["fps"]), 1), 32767)
+    render.fps_base = render.fps / flight["fps"]
+    render.resolution_x, render.resolution_y = flight["size"]
+    render.resolution_percentage = 100
+    render.pixel_aspect_x = render.pixel_aspect_y = 1
+
+
+def main():
+    flight = json.loads(DATA)
+    scene = bpy.context.scene
+    set_frames(scene, flight)
+    if "object" in flight:
+        add_object(scene, flight["title"] or "object", flight["object"])
+    scene.camera = add_camera(scene, flight)
+    scene.frame_set(flight["first_frame"])
+
+
+main()

@@ -1,0 +1,129 @@
+//! Lenses and lights of a file.
+
+use vides_document::error::vec_with_room;
+use vides_engine::scene::{Camera, Channel, Kind, Light, Node};
+
+use super::curve::{Curve, all_times};
+use super::read::Reader;
+use super::stage::Prim;
+use crate::convention::zoom_of_focal;
+use crate::error::Result;
+use crate::limits::MAX_COORDINATE;
+
+/// The lens of a file that does not say (UsdGeomCamera).
+const FOCAL: f64 = 50.0;
+const APERTURE: f64 = 15.2908;
+
+impl<'a> Reader<'_, 'a> {
+    pub(super) fn planes(&self, prim: &Prim<'a>) -> Result<Camera> {
+        let planes = self.stage.curve(prim, "clippingRange", 2)?;
+        let Some([near, far]) = planes.map(|curve| curve.at(f64::NEG_INFINITY)) else {
+            return Ok(Camera::default());
+        };
+        let sane = 0.0 < near && near < far && far <= MAX_COORDINATE;
+        Ok(if sane {
+            Camera { near, far }
+        } else {
+            Camera::default()
+        })
+    }
+
+    pub(super) fn lens(&mut self, prim: &Prim<'a>, node: &mut Node) -> Result<()> {
+        let stage = self.stage;
+        for name in ["horizontalApertureOffset", "verticalApertureOffset"] {
+            let offset = stage.curve(prim, name, 1)?;
+            let off = offset.is_some_and(|curve| curve.values.iter().any(|value| *value != 0.0));
+            self.counts.off_centre += usize::from(off);
+        }
+        let depth = stage.curve(prim, "fStop", 1)?;
+        if depth.is_some_and(|curve| curve.values.iter().any(|value| *value != 0.0)) {
+            *self.told.entry("fStop").or_default() += 1;
+        }
+        if stage.token(prim, "projection")? == Some("orthographic") {
+            *self.told.entry("orthographic projection").or_default() += 1;
+            return Ok(());
+        }
+        let focal = stage.curve(prim, "focalLength", 1)?;
+        let high = stage.curve(prim, "verticalAperture", 1)?;
+        if focal.is_none() && high.is_none() {
+            // As the schema has it.
+            node.rest.zoom = zoom_of_focal(FOCAL, APERTURE).0;
+            return Ok(());
+        }
+        let focal = focal.unwrap_or_else(|| Curve::constant(&[FOCAL]));
+        let high = high.unwrap_or_else(|| Curve::constant(&[APERTURE]));
+        let mut clamped = 0;
+        let zoom = together([&focal, &high], |[focal, high]| {
+            let (zoom, inside) = zoom_of_focal(focal, high);
+            clamped += usize::from(!inside);
+            [zoom]
+        })?;
+        self.counts.fields += clamped;
+        if let Some(curve) = self.moving(node, Channel::Zoom, Some(zoom))? {
+            node.rest.zoom = curve.first()[0];
+        }
+        Ok(())
+    }
+
+    pub(super) fn light(&mut self, prim: &Prim<'a>, node: &mut Node) -> Result<()> {
+        let stage = self.stage;
+        let colour = stage.curve(prim, "inputs:color", 3)?;
+        let colour = colour.map(|curve| clamped(curve, MAX_COORDINATE));
+        if let Some(curve) = self.moving(node, Channel::Colour, colour)? {
+            node.rest.colour = curve.at(0.0);
+        }
+        let number = |name: &str, rest: f64| -> Result<Curve> {
+            let curve = stage.curve(prim, name, 1)?;
+            Ok(curve.unwrap_or_else(|| Curve::constant(&[rest])))
+        };
+        let directional = node.kind == Kind::Light(Light::Directional);
+        // The schemas' own: a sun in nits.
+        let intensity = number("inputs:intensity", if directional { 50_000.0 } else { 1.0 })?;
+        let exposure = number("inputs:exposure", 0.0)?;
+        let bright = together([&intensity, &exposure], |[intensity, exposure]| {
+            [(intensity * exposure.exp2()).clamp(0.0, MAX_COORDINATE)]
+        })?;
+        if let Some(curve) = self.moving(node, Channel::Intensity, Some(bright))? {
+            node.rest.intensity = curve.first()[0];
+        }
+        if node.kind != Kind::Light(Light::Spot) {
+            return Ok(());
+        }
+        let angle = number("inputs:shaping:cone:angle", 90.0)?;
+        let softness = number("inputs:shaping:cone:softness", 0.0)?;
+        let cone = together([&angle, &softness], |[angle, softness]| {
+            let outer = angle.clamp(0.0, 90.0);
+            [outer * (1.0 - softness.clamp(0.0, 1.0)), outer]
+        })?;
+        if let Some(curve) = self.moving(node, Channel::Cone, Some(cone))? {
+            node.rest.cone = curve.at(0.0);
+        }
+        Ok(())
+    }
+}
+
+/// A curve of one number each as one of `M` numbers, at the times of all.
+fn together<const N: usize, const M: usize>(
+    curves: [&Curve; N],
+    mut make: impl FnMut([f64; N]) -> [f64; M],
+) -> Result<Curve> {
+    let times = all_times(curves.into_iter())?;
+    let mut values = vec_with_room(M * times.len().max(1))?;
+    let rest = [0.0];
+    let at = if times.is_empty() { &rest[..] } else { &times };
+    for &time in at {
+        let all = curves.map(|curve| curve.at::<1>(time)[0]);
+        values.extend(make(all));
+    }
+    Ok(Curve {
+        times,
+        values,
+        width: M,
+    })
+}
+
+pub(super) fn clamped(mut curve: Curve, most: f64) -> Curve {
+    let numbers = curve.values.iter_mut();
+    numbers.for_each(|number| *number = number.clamp(0.0, most));
+    curve
+}

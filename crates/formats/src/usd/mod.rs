@@ -1,0 +1,126 @@
+//! OpenUSD's text, `.usda` (openusd.org, "USD File Formats" and the schemas of UsdGeom and UsdLux):
+//! the whole scene out and in. Cameras and lights look along −z; times are in time codes, one a
+//! frame; `metersPerUnit` says how long the unit is; lenses are in tenths of a unit.
+
+mod curve;
+mod geometry_in;
+mod geometry_out;
+mod lexer;
+mod looks_in;
+mod motion_out;
+mod ops;
+mod read;
+mod stage;
+mod text;
+mod unit;
+mod write;
+
+#[cfg(test)]
+mod hostile_tests;
+#[cfg(test)]
+mod read_tests;
+#[cfg(test)]
+mod tests;
+
+use std::io::Write;
+
+use super::content::Content;
+use super::error::{Cause, Place, Result, Wanted};
+use super::flight::Flight;
+use super::format::{Format, Row};
+use super::loss::Report;
+use super::options::Options;
+use super::source::Source;
+
+pub(super) struct Usda;
+
+const ROW: Row = Row {
+    name: "usda",
+    title: "OpenUSD",
+    endings: &["usda", "usd"],
+    ..Row::PLAIN
+};
+
+impl Format for Usda {
+    fn row(&self) -> &'static Row {
+        &ROW
+    }
+
+    fn recognises(&self, source: &Source) -> bool {
+        source.bytes.starts_with(TEXT) || binary(source).is_some()
+    }
+
+    fn read(&self, source: &Source, options: &Options, report: &mut Report) -> Result<Content> {
+        if let Some(name) = binary(source) {
+            return Err(Place::Whole.wrong(Cause::Unsupported {
+                name: name.into(),
+                help: ": make text of it by `usdcat in.usdc -o out.usda`",
+            }));
+        }
+        if !source.bytes.starts_with(TEXT) {
+            return Err(Place::Line(1).expected(Wanted::Literal("#usda 1.0")));
+        }
+        read::read(source.text()?, options, report)
+    }
+
+    fn write(
+        &self,
+        flight: &mut Flight<'_>,
+        _: usize,
+        out: &mut dyn Write,
+        report: &mut Report,
+    ) -> Result<()> {
+        write::write(flight, out, report)
+    }
+}
+
+/// How a file begins.
+const TEXT: &[u8] = b"#usda ";
+
+/// What a file is that holds the same in another way than as text.
+fn binary(source: &Source) -> Option<&'static str> {
+    let bytes = &source.bytes;
+    if bytes.starts_with(b"PXR-USDC") {
+        return Some("a binary file of OpenUSD (.usdc)");
+    }
+    // The first of an archive is the stage, its name 30 bytes behind the start.
+    let name = bytes.get(30..bytes.len().min(30 + 256))?;
+    let stage = name.windows(4).any(|end| end == b".usd");
+    (bytes.starts_with(b"PK\x03\x04") && stage).then_some("an archive of OpenUSD (.usdz)")
+}
+
+/// What `customData = { string vides = "…" }` says of a prim that we wrote.
+mod role {
+    /// Holds everything, and is no node.
+    pub(super) const WORLD: &str = "world";
+    /// The camera or light of the prim that it is in.
+    pub(super) const LOOKS: &str = "looks";
+    /// Geometry of the prim that it is in.
+    pub(super) const PART: &str = "part";
+    /// The document's wireframe.
+    pub(super) const WIREFRAME: &str = "wireframe";
+}
+
+/// The colours of others are linear; those of points are bytes of sRGB (IEC 61966-2-1).
+fn linear(byte: u8) -> f64 {
+    let value = f64::from(byte) / 255.0;
+    if value <= 0.04045 {
+        value / 12.92
+    } else {
+        ((value + 0.055) / 1.055).powf(2.4)
+    }
+}
+
+fn srgb(linear: f64) -> u8 {
+    let share = if linear <= 0.003_130_8 {
+        12.92 * linear
+    } else {
+        1.055 * linear.powf(1.0 / 2.4) - 0.055
+    };
+    (255.0 * share).round() as u8
+}
+
+/// Red, green and blue of a channel, as they are.
+fn colour(v: &[f64]) -> String {
+    text::Float3(glam::DVec3::new(v[0], v[1], v[2])).to_string()
+}

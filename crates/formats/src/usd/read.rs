@@ -1,0 +1,530 @@
+//! The prims of a file as a scene.
+
+use std::collections::{BTreeMap, HashMap};
+
+use glam::DVec3;
+use vides_document::error::{Place as ScenePlace, vec_with_room};
+use vides_document::{Info, SceneDocument};
+use vides_engine::scene::{
+    Channel, Interpolation, Kind, Light, Node, NodeState, Object, Scene, Track, Warnings,
+};
+
+use super::curve::{Curve, quaternion};
+use super::geometry_in::{self, Geometry};
+use super::looks_in::clamped;
+use super::ops::Room;
+use super::stage::{Prim, Stage};
+use super::write::FLIP;
+use super::{role, unit};
+use crate::content::{Content, Recording, one_line};
+use crate::error::{Cause, Error, Result};
+use crate::limits::{MAX_COMMENT_BYTES, MAX_COORDINATE, MAX_FPS};
+use crate::loss::{Loss, Report};
+use crate::options::Options;
+use crate::path::Up;
+
+/// Keys that may be computed between those of a file, beside one for each byte of it.
+const ROOM: usize = 100_000;
+
+/// Prims that one node is made of: triangles, lines, points.
+const MAX_PARTS: usize = 3;
+
+/// Time codes a second of a file that does not say (UsdStage).
+const RATE: f64 = 24.0;
+
+/// States that are looked at for the space round everything.
+const LOOKED_AT: usize = 100_000;
+
+/// Reads all of a file.
+///
+/// # Errors
+/// What is wrong in it, with the line; the node that is out of range.
+pub(super) fn read(text: &str, options: &Options, report: &mut Report) -> Result<Content> {
+    let stage = Stage::parse(text)?;
+    let start = first_frame(&stage)?;
+    let mut reader = Reader {
+        stage: &stage,
+        start: start.into(),
+        room: Room(text.len() + ROOM),
+        names: HashMap::new(),
+        nodes: Vec::new(),
+        wireframe: Vec::new(),
+        told: BTreeMap::new(),
+        counts: Counts::default(),
+        parts: 0,
+    };
+    reader.all()?;
+    let Reader {
+        nodes,
+        wireframe,
+        told,
+        counts,
+        ..
+    } = reader;
+    counts.tell(report);
+    for (what, count) in stage.told.iter().chain(&told) {
+        let (what, count) = ((*what).into(), *count);
+        report.add(Loss::NotTaken { what, count });
+    }
+    let names: Vec<String> = nodes.iter().map(|node| node.name.clone()).collect();
+    let mut scene = Scene::from_nodes(nodes).map_err(|(at, error)| {
+        let name = names.get(at).map_or("", String::as_str);
+        Error::from(error.at(ScenePlace::Node(name.into())))
+    })?;
+    show(&mut scene, &stage, start)?;
+    let up = match stage.up.as_str() {
+        "Z" | "z" => Up::Z,
+        _ => Up::Y,
+    };
+    let places = wireframe
+        .iter()
+        .map(|point: &vides_document::ObjectPoint| point.position);
+    let points = places_of(&scene, places)?;
+    let space = Recording {
+        points,
+        ..Recording::default()
+    };
+    scene.set_space(space.space(options.up.unwrap_or(up))?)?;
+    let info = Info {
+        title: one_line(&stage.title),
+        comment: shortened(&stage.doc),
+        fps: rate(&stage, options),
+        first_frame: start,
+        unit: one_line(&stage.unit.clone().unwrap_or_else(|| {
+            let metres = stage.metres.filter(|metres| *metres > 0.0);
+            metres.map(unit::name).unwrap_or_default()
+        })),
+        object: wireframe.into(),
+        ..Info::default()
+    };
+    Ok(Content::Scene(Box::new(SceneDocument::new(scene, info)?)))
+}
+
+/// The camera and the frames that are shown, where they are not those that would be.
+fn show(scene: &mut Scene, stage: &Stage<'_>, start: i32) -> Result<()> {
+    let is_camera = |at: &usize| matches!(scene.nodes()[*at].kind, Kind::Camera(_));
+    let camera = scene.find(&stage.camera).filter(is_camera);
+    if camera.is_some() && camera != scene.shown_camera() {
+        scene.set_camera(camera)?;
+    }
+    let (Some(first), Some(last)) = (stage.start, stage.end) else {
+        return Ok(());
+    };
+    let range = [first, last].map(|code| code - f64::from(start) + 1.0);
+    if range[0] <= range[1] && range != <[f64; 2]>::from(scene.frame_range()) {
+        scene.set_range(Some(range.into()))?;
+    }
+    Ok(())
+}
+
+fn first_frame(stage: &Stage<'_>) -> Result<i32> {
+    let start = stage.start.unwrap_or(1.0).round();
+    if start.abs() > MAX_COORDINATE {
+        return Err(stage.lexer.line(0).wrong(Cause::TooLarge));
+    }
+    Ok(start as i32)
+}
+
+fn rate(stage: &Stage<'_>, options: &Options) -> f64 {
+    let sane = |fps: &f64| *fps > 0.0 && *fps <= MAX_FPS;
+    let said = [stage.codes_per_second, stage.frames_per_second, options.fps];
+    let said = said.into_iter().flatten().find(sane);
+    said.unwrap_or(RATE)
+}
+
+fn shortened(comment: &str) -> String {
+    let mut end = comment.len().min(MAX_COMMENT_BYTES);
+    while !comment.is_char_boundary(end) {
+        end -= 1;
+    }
+    comment[..end].to_owned()
+}
+
+#[derive(Default)]
+pub(super) struct Counts {
+    sampled: usize,
+    pub(super) fields: usize,
+    pub(super) off_centre: usize,
+    skins: usize,
+}
+
+impl Counts {
+    fn tell(&self, report: &mut Report) {
+        report.count(self.sampled, Loss::Resampled);
+        report.count(self.fields, Loss::FieldsClamped);
+        report.count(self.off_centre, Loss::OffCentre);
+        report.count(self.skins, Loss::Skins);
+    }
+}
+
+pub(super) struct Reader<'s, 'a> {
+    pub(super) stage: &'s Stage<'a>,
+    /// The time code of frame 1.
+    start: f64,
+    room: Room,
+    /// Names that are taken, and the number that the next of the same name gets.
+    names: HashMap<String, usize>,
+    nodes: Vec<Node>,
+    wireframe: Vec<vides_document::ObjectPoint>,
+    pub(super) told: BTreeMap<&'a str, usize>,
+    pub(super) counts: Counts,
+    /// Prims that became part of the last node.
+    parts: usize,
+}
+
+/// What of a prim's children becomes the prim itself.
+#[derive(Clone, Copy, PartialEq)]
+enum Sole {
+    /// There is none.
+    None,
+    /// The only child, by its number.
+    One(usize),
+    /// There are several, or others.
+    Other,
+}
+
+/// What a type of prim is to us.
+#[derive(Clone, Copy, PartialEq)]
+enum Type {
+    Place,
+    /// Holds others, and has no place of its own.
+    Scope,
+    Camera,
+    Light(Light),
+    Geometry,
+    Unknown,
+}
+
+fn type_of(prim: &Prim<'_>, spot: bool) -> Type {
+    match prim.kind {
+        "Xform" | "SkelRoot" => Type::Place,
+        "Scope" | "" => Type::Scope,
+        "Camera" => Type::Camera,
+        "DistantLight" => Type::Light(Light::Directional),
+        "SphereLight" if spot => Type::Light(Light::Spot),
+        "SphereLight" => Type::Light(Light::Point),
+        "Mesh" | "Points" | "BasisCurves" => Type::Geometry,
+        _ => Type::Unknown,
+    }
+}
+
+impl<'a> Reader<'_, 'a> {
+    fn all(&mut self) -> Result<()> {
+        let prims = &self.stage.prims;
+        // Which prims become nodes: what is known, and what holds such.
+        let mut wanted = vec_with_room(prims.len())?;
+        wanted.resize(prims.len(), false);
+        let mut inside = wanted.clone();
+        let mut sole: Vec<Sole> = vec_with_room(prims.len())?;
+        sole.resize(prims.len(), Sole::None);
+        for (at, prim) in prims.iter().enumerate().rev() {
+            if prim.out {
+                continue;
+            }
+            let known = !matches!(self.kind(prim), Type::Scope | Type::Unknown);
+            wanted[at] =
+                known || inside[at] || self.stage.attribute(prim, "xformOpOrder").is_some();
+            let part = matches!(prim.role.as_str(), role::PART | role::LOOKS);
+            if let Some(parent) = prim.parent.filter(|_| wanted[at]) {
+                inside[parent] |= !part;
+                let plain = !inside[at] && self.may_be_its_parent(prim);
+                sole[parent] = match sole[parent] {
+                    Sole::None if plain => Sole::One(at),
+                    _ => Sole::Other,
+                };
+            }
+        }
+        let mut numbers: Vec<Option<usize>> = vec_with_room(prims.len())?;
+        for (at, prim) in prims.iter().enumerate() {
+            let parent = prim.parent.and_then(|parent| numbers[parent]);
+            if !prim.out && self.kind(prim) == Type::Unknown {
+                *self.told.entry(prim.kind).or_default() += 1;
+            }
+            let number = match prim.role.as_str() {
+                role::WORLD if prim.parent.is_none() && prim.attributes.is_empty() => None,
+                role::WIREFRAME if wanted[at] => {
+                    geometry_in::wireframe(self.stage, prim, &mut self.wireframe)?;
+                    None
+                }
+                role::PART | role::LOOKS if wanted[at] && !inside[at] && self.takes(parent) => {
+                    self.part(prim, parent)?;
+                    None
+                }
+                _ if prim
+                    .parent
+                    .is_some_and(|above| sole[above] == Sole::One(at)) =>
+                {
+                    None
+                }
+                _ if wanted[at] => Some(match sole[at] {
+                    Sole::One(held) => self.node(prim, &prims[held], parent, false)?,
+                    _ => self.node(prim, prim, parent, inside[at])?,
+                }),
+                _ => None,
+            };
+            numbers.push(number);
+        }
+        Ok(())
+    }
+
+    /// Whether a prim is nothing but the lens, light or geometry of the `Xform` that it is in, as
+    /// many programs write them.
+    fn may_be_its_parent(&self, prim: &Prim<'a>) -> bool {
+        let held = |name: &str| self.stage.attribute(prim, name).is_some();
+        let parent = prim.parent.map(|parent| &self.stage.prims[parent]);
+        let holds = !matches!(self.kind(prim), Type::Place | Type::Scope | Type::Unknown);
+        let plain = |parent: &Prim<'_>| parent.kind == "Xform" && parent.role.is_empty();
+        holds
+            && prim.role.is_empty()
+            && parent.is_some_and(plain)
+            && !held("xformOpOrder")
+            && !held("visibility")
+    }
+
+    fn kind(&self, prim: &Prim<'a>) -> Type {
+        let spot = self.stage.attribute(prim, "inputs:shaping:cone:angle");
+        type_of(prim, spot.is_some())
+    }
+
+    /// Whether a node can take the lens, light or geometry of a prim in it: as we write it, these
+    /// stand before other nodes, and are few.
+    fn takes(&self, parent: Option<usize>) -> bool {
+        let fits = |node: &Node| matches!(node.kind, Kind::Group | Kind::Object(_));
+        let last = self.nodes.len().checked_sub(1);
+        self.parts < MAX_PARTS && parent == last && self.nodes.last().is_some_and(fits)
+    }
+
+    /// A camera, light or geometry as what the node is that it is in.
+    fn part(&mut self, prim: &Prim<'a>, parent: Option<usize>) -> Result<()> {
+        let Some(parent) = parent else {
+            return Ok(());
+        };
+        self.parts += 1;
+        let mut node = std::mem::take(&mut self.nodes[parent]);
+        if node.kind == Kind::Group {
+            node.kind = self.kind_of(prim)?;
+        }
+        self.fill(prim, &mut node)?;
+        self.nodes[parent] = node;
+        Ok(())
+    }
+
+    fn kind_of(&self, prim: &Prim<'a>) -> Result<Kind> {
+        Ok(match self.kind(prim) {
+            Type::Camera => Kind::Camera(self.planes(prim)?),
+            Type::Light(light) => Kind::Light(light),
+            Type::Geometry => Kind::Object(Object::default()),
+            _ => Kind::Group,
+        })
+    }
+
+    /// The number of the node that a prim becomes, with what `held` holds, which is in it or itself. What looks and has others in it becomes two, since
+    /// it looks the other way.
+    fn node(
+        &mut self,
+        prim: &Prim<'a>,
+        held: &Prim<'a>,
+        parent: Option<usize>,
+        inside: bool,
+    ) -> Result<usize> {
+        let kind = self.kind_of(held)?;
+        let looks = kind.looks() && !inside;
+        let name = if prim.display_name.is_empty() {
+            prim.name
+        } else {
+            &prim.display_name
+        };
+        let name = self.name(name);
+        let group = if kind.looks() && inside {
+            Kind::Group
+        } else {
+            kind.clone()
+        };
+        let mut node = Node::new(&name, group);
+        node.parent = parent;
+        if self.kind(prim) != Type::Scope || !prim.attributes.is_empty() {
+            self.place(prim, &mut node, looks)?;
+        }
+        self.visible(prim, &mut node)?;
+        let at = self.nodes.len();
+        self.parts = 0;
+        self.nodes.try_reserve(2)?;
+        if kind.looks() && inside {
+            self.nodes.push(node);
+            let name = self.name(&format!("{name} {}", kind.name()));
+            let mut looking = Node::new(&name, kind);
+            looking.parent = Some(at);
+            looking.rest.rotation = FLIP;
+            self.fill(held, &mut looking)?;
+            self.nodes.push(looking);
+        } else {
+            self.fill(held, &mut node)?;
+            self.nodes.push(node);
+        }
+        Ok(at)
+    }
+
+    /// A name that no other node has.
+    fn name(&mut self, name: &str) -> String {
+        let mut plain = one_line(name);
+        if plain.is_empty() {
+            plain.push_str("node");
+        }
+        let mut number = self.names.get(&plain).copied().unwrap_or(1);
+        let mut given = plain.clone();
+        while self.names.contains_key(&given) {
+            number += 1;
+            given = format!("{plain} {number}");
+        }
+        self.names.insert(plain, number);
+        self.names.entry(given.clone()).or_insert(1);
+        given
+    }
+
+    fn place(&mut self, prim: &Prim<'a>, node: &mut Node, looks: bool) -> Result<()> {
+        let mut placed = self.stage.placed(prim, looks, &mut self.room)?;
+        self.counts.sampled += usize::from(placed.sampled);
+        if placed.sheared {
+            *self.told.entry("shear").or_default() += 1;
+        }
+        if placed.in_world {
+            node.parent = None;
+            *self.told.entry("!resetXformStack!").or_default() += 1;
+        }
+        node.pivot = placed.pivot;
+        if let Some(curve) = placed
+            .rotation
+            .as_mut()
+            .filter(|curve| looks && curve.width == 4)
+        {
+            curve.map(|turn| {
+                let q = quaternion(turn) * FLIP.conjugate();
+                turn.copy_from_slice(&[q.w, q.x, q.y, q.z]);
+            });
+        } else if looks {
+            placed.rotation = Some(Curve::constant(&[0.0, 0.0, -1.0, 0.0]));
+        }
+        if let Some(curve) = self.moving(node, Channel::Position, placed.position)? {
+            node.rest.position = DVec3::from_slice(curve.first());
+        }
+        if let Some(curve) = self.moving(node, Channel::Scale, placed.scale)? {
+            node.rest.scale = DVec3::from_slice(curve.first());
+        }
+        match placed.rotation {
+            // Yaw, pitch and roll.
+            Some(mut curve) if curve.width == 3 => {
+                for time in &mut curve.times {
+                    *time += 1.0 - self.start;
+                }
+                let by = Interpolation::EulerLinear;
+                let Curve { times, values, .. } = curve;
+                self.set(
+                    node,
+                    Track::new(Channel::Rotation, by, times, values, vec![]),
+                )?;
+            }
+            rotation => {
+                if let Some(curve) = self.moving(node, Channel::Rotation, rotation)? {
+                    node.rest.rotation = quaternion(curve.first());
+                }
+            }
+        }
+        Ok(())
+    }
+
+    /// Makes a track of a curve with times; gives back one without.
+    pub(super) fn moving(
+        &self,
+        node: &mut Node,
+        channel: Channel,
+        curve: Option<Curve>,
+    ) -> Result<Option<Curve>> {
+        match curve {
+            Some(curve) if !curve.rests() => {
+                self.set(node, curve.into_track(channel, self.start))?;
+                Ok(None)
+            }
+            rests => Ok(rests),
+        }
+    }
+
+    fn set(&self, node: &mut Node, track: Result<Track, vides_engine::Error>) -> Result<()> {
+        let set = track.and_then(|track| node.set_track(track));
+        set.map_err(|error| error.at(ScenePlace::Node(node.name.as_str().into())).into())
+    }
+
+    fn visible(&self, prim: &Prim<'a>, node: &mut Node) -> Result<()> {
+        let curve = self.stage.switch(prim, "visibility", "invisible")?;
+        if let Some(curve) = self.moving(node, Channel::Visible, curve)? {
+            node.rest.visible = curve.first() != [0.0];
+        }
+        Ok(())
+    }
+
+    /// What a node has of its kind.
+    fn fill(&mut self, prim: &Prim<'a>, node: &mut Node) -> Result<()> {
+        match &mut node.kind {
+            Kind::Camera(_) => self.lens(prim, node),
+            Kind::Light(_) => self.light(prim, node),
+            Kind::Object(object) => {
+                self.counts.skins += usize::from(prim.skinned);
+                let Geometry { mesh, colour, told } =
+                    geometry_in::read(self.stage, prim, object.mesh())?;
+                let done = object.set_mesh(mesh);
+                done.map_err(|error| error.at(ScenePlace::Node(node.name.as_str().into())))?;
+                for what in told {
+                    *self.told.entry(what).or_default() += 1;
+                }
+                let colour = colour.map(|curve| clamped(curve, MAX_COORDINATE));
+                if let Some(curve) = self.moving(node, Channel::Colour, colour)? {
+                    node.rest.colour = curve.at(0.0);
+                }
+                Ok(())
+            }
+            Kind::Group => Ok(()),
+        }
+    }
+}
+
+/// Where everything is: corners of objects, cameras and lights, at frames all over the scene's.
+fn places_of(scene: &Scene, others: impl Iterator<Item = DVec3>) -> Result<Vec<DVec3>> {
+    let mut places = Vec::new();
+    let mut push = |place: DVec3| -> Result<()> {
+        places.try_reserve(1)?;
+        places.push(place);
+        Ok(())
+    };
+    for place in others {
+        push(place)?;
+    }
+    let nodes = scene.nodes();
+    let mut states = vec_with_room(nodes.len())?;
+    states.resize(nodes.len(), NodeState::default());
+    let bounds: Vec<Option<[DVec3; 2]>> = nodes.iter().map(geometry_in::bounds).collect();
+    let (first, last) = scene.frame_range();
+    let most = (LOOKED_AT / nodes.len().max(1)).clamp(1, 1000);
+    let steps = ((last - first).ceil() as usize).clamp(1, most);
+    for step in 0..=steps {
+        let frame = first + (last - first) * step as f64 / steps as f64;
+        scene.evaluate(frame, &mut states, &mut Warnings::default())?;
+        for ((node, state), bounds) in nodes.iter().zip(&states).zip(&bounds) {
+            let world = state.world();
+            match (&node.kind, bounds) {
+                (Kind::Camera(_) | Kind::Light(Light::Point | Light::Spot), _) => {
+                    push(world.translation)?;
+                }
+                (_, Some(ends)) => {
+                    for corner in 0..8 {
+                        let part = |axis: usize| ends[corner >> axis & 1][axis];
+                        push(world.transform_point3(DVec3::new(part(0), part(1), part(2))))?;
+                    }
+                }
+                _ => {}
+            }
+        }
+        if first == last {
+            break;
+        }
+    }
+    Ok(places)
+}

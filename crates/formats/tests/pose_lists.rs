@@ -1,0 +1,494 @@
+//! Random paths through the formats that hold a list of poses, and back.
+
+use std::path::Path;
+
+use glam::DVec3;
+use proptest::prelude::*;
+use vides_document::SceneDocument;
+use vides_engine::path::{Pose, Up};
+use vides_formats::{Flight, Loss, Options, Row, Source, by_name, export, formats, import};
+
+/// A format, a file of it, whether it keeps fields of view, and whether it keeps times.
+const LISTS: [(&str, &str, bool, bool); 8] = [
+    ("tum", "a.tum", false, true),
+    ("kitti", "a.kitti", false, false),
+    ("colmap", "model", true, false),
+    ("osg", "a.path", false, true),
+    ("chan", "a.chan", true, true),
+    ("nerfstudio", "camera_path.json", true, true),
+    ("transforms", "transforms.json", true, false),
+    ("cameras", "cameras.json", true, false),
+];
+
+fn options(lines: &str) -> Options {
+    Options::parse(lines).unwrap()
+}
+
+/// The poses of a document's camera with an axis upright.
+fn poses(document: &SceneDocument, up: Up) -> Vec<Pose> {
+    let options = Options {
+        up: Some(up),
+        ..Options::default()
+    };
+    let mut ignored = |_, _| {};
+    let flight = Flight::new(document, &options, &Row::PLAIN, &mut ignored).unwrap();
+    flight.all_poses().unwrap()
+}
+
+fn written(document: &SceneDocument, name: &str, file: &Path, options: &Options) -> Vec<Loss> {
+    let format = by_name(name).unwrap();
+    let report = export(document, file, format, options, &mut |_, _| {}).unwrap();
+    report.losses().to_vec()
+}
+
+fn diagonal(poses: &[Pose]) -> f64 {
+    let places = || poses.iter().map(Pose::position);
+    let low = places().fold(DVec3::INFINITY, DVec3::min);
+    let high = places().fold(DVec3::NEG_INFINITY, DVec3::max);
+    low.distance(high)
+}
+
+fn degrees(a: DVec3, b: DVec3) -> f64 {
+    a.cross(b).length().atan2(a.dot(b)).to_degrees()
+}
+
+fn field(pose: &Pose) -> f64 {
+    2.0 * (12.0 / pose.zoom).atan().to_degrees()
+}
+
+/// The largest differences: a length, degrees, degrees of the field of view.
+fn differences(a: &[Pose], b: &[Pose]) -> [f64; 3] {
+    assert_eq!(a.len(), b.len());
+    let mut worst = [0.0_f64; 3];
+    for (a, b) in a.iter().zip(b) {
+        let turned = degrees(a.view(), b.view()).max(degrees(a.up(), b.up()));
+        let found = [
+            a.position().distance(b.position()),
+            turned,
+            (field(a) - field(b)).abs(),
+        ];
+        for (worst, found) in worst.iter_mut().zip(found) {
+            *worst = worst.max(found);
+        }
+    }
+    worst
+}
+
+prop_compose! {
+    /// A path in a space of some size somewhere, with either axis upright.
+    fn path()(
+        up in prop::sample::select(vec!["y", "z"]),
+        half in prop::sample::select(vec![0.05, 1.0, 250.0]),
+        fps in prop::sample::select(vec![24.0, 25.0, 29.97, 60.0]),
+        centre in prop::array::uniform3(-2.0..2.0_f64),
+        points in prop::collection::vec(
+            (
+                prop::array::uniform3(-1.0..1.0_f64),
+                prop::array::uniform3(-1.0..1.0_f64),
+                -180.0..180.0_f64,
+                1.0..2000.0_f64,
+                0..4_u32,
+            ),
+            2..5,
+        ),
+    ) -> SceneDocument {
+        let centre = centre.map(|coordinate| coordinate * half);
+        let mut text = format!(
+            "version = 1\nfps = {fps}\n[base_speeds]\nmove_frames = 12.0\nturn_frames = 12.0\n\
+             zoom_frames = 12.0\nroll_frames = 12.0\n[space]\nup = \"{up}\"\nhalf_size = {half:?}\n\
+             centre = {centre:?}\n"
+        );
+        for (place, offset, roll, zoom, hold) in points {
+            let place: Vec<_> = (0..3).map(|axis| place[axis] * half + centre[axis]).collect();
+            let offset = offset.map(|coordinate| (coordinate + 0.1) * half);
+            text += &format!(
+                "[[point]]\nposition = {place:?}\n[[point.orientation]]\noffset = {offset:?}\n\
+                 roll_degrees = {roll:?}\nzoom_mm = {zoom:?}\nhold_frames = {hold}\n"
+            );
+        }
+        SceneDocument::from_toml(&text).unwrap()
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(24))]
+
+    #[test]
+    fn lists_give_the_poses_back(document in path()) {
+        let folder = tempfile::tempdir().unwrap();
+        for (name, file, fields, times) in LISTS {
+            let file = folder.path().join(file);
+            let losses = written(&document, name, &file, &Options::default());
+            prop_assert_eq!(losses.contains(&Loss::FieldOfView), !fields, "{}", name);
+            prop_assert_eq!(losses.contains(&Loss::Times), !times, "{}", name);
+            let up = by_name(name).unwrap().row().up;
+            let up = up.unwrap_or(document.scene.space().up);
+            let keys = options(&format!("as=keys\nfps={}\nup={}", document.info.fps, up.name()));
+            let back = import(&Source::open(&file).unwrap(), None, &keys).unwrap();
+            prop_assert_eq!(back.format, name);
+            prop_assert_eq!(back.document.scene.space().up, up);
+            prop_assert_eq!(back.report.losses().contains(&Loss::FieldOfView), !fields);
+            let (went, came) = (poses(&document, up), poses(&back.document, up));
+            let [off, turned, field] = differences(&went, &came);
+            prop_assert!(off <= 1e-9 * diagonal(&went), "{}: {}", name, off);
+            prop_assert!(turned <= 1e-6, "{}: {} degrees", name, turned);
+            if fields {
+                prop_assert!(field <= 1e-9, "{}: {} degrees of field", name, field);
+            } else {
+                prop_assert!(came.iter().all(|pose| pose.zoom == 24.0));
+            }
+        }
+    }
+
+    #[test]
+    fn angles_of_any_order_come_back(document in path()) {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("a.chan");
+        for order in ["xyz", "xzy", "yxz", "yzx", "zxy", "zyx"] {
+            let choice = options(&format!(
+                "rotation-order={order}\nas=keys\nfps={}\nup={}",
+                document.info.fps,
+                document.scene.space().up.name()
+            ));
+            let _ = written(&document, "chan", &file, &choice);
+            let back = import(&Source::open(&file).unwrap(), None, &choice).unwrap();
+            let up = document.scene.space().up;
+            let [off, turned, _] = differences(&poses(&document, up), &poses(&back.document, up));
+            prop_assert!(off == 0.0 && turned <= 1e-6, "{}: {} {} degrees", order, off, turned);
+        }
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(4))]
+
+    #[test]
+    fn a_fitted_path_is_as_near_as_was_asked(document in path()) {
+        let folder = tempfile::tempdir().unwrap();
+        for (name, file, ..) in LISTS {
+            let file = folder.path().join(file);
+            let _ = written(&document, name, &file, &Options::default());
+            let choice = options(&format!("fps={}", document.info.fps));
+            let back = import(&Source::open(&file).unwrap(), None, &choice).unwrap();
+            let told = back.report.losses().iter().find_map(|loss| match loss {
+                Loss::Fitted { off, turned, .. } => Some((*off, *turned)),
+                _ => None,
+            });
+            let (off, turned) = told.unwrap();
+            let up = by_name(name).unwrap().row().up.unwrap_or(Up::Y);
+            let fixed = by_name(name).unwrap().row().up.is_some();
+            let went = poses(&document, if fixed { up } else { document.scene.space().up });
+            prop_assert!(off <= 1e-3 * diagonal(&went) * (1.0 + 1e-6), "{}: {}", name, off);
+            prop_assert!(turned <= 0.5 + 1e-6, "{}: {} degrees", name, turned);
+            let came = poses(&back.document, up);
+            let found = differences(&went[..came.len().min(went.len())], &came[..came.len().min(went.len())]);
+            prop_assert!(came.len().abs_diff(went.len()) <= 1, "{}", name);
+            prop_assert!(found[0] <= off + 1e-9 * diagonal(&went), "{}: {:?} {}", name, found, off);
+        }
+    }
+}
+
+/// A document to write: the camera of a path.
+fn pyramid() -> SceneDocument {
+    let file = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/pyramid.vid");
+    SceneDocument::from_toml(&std::fs::read_to_string(file).unwrap()).unwrap()
+}
+
+#[test]
+fn content_tells_the_format_and_where_it_cannot_the_name_does() {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, file, ..) in LISTS {
+        let file = folder.path().join(file);
+        let _ = written(&pyramid(), name, &file, &Options::default());
+        if file.is_dir() {
+            continue;
+        }
+        let bytes = std::fs::read(file).unwrap();
+        let read = |file: &str| {
+            let source = Source::of_bytes(file, bytes.clone());
+            import(&source, None, &options("as=keys")).map(|imported| imported.format)
+        };
+        if name == "osg" {
+            let error = read("flight").unwrap_err().to_string();
+            assert_eq!(
+                error,
+                "flight: this may be \"tum\" or \"osg\": name it, with --from in the command"
+            );
+            assert_eq!(read("flight.tum").unwrap(), "tum");
+            assert_eq!(read("flight.PATH").unwrap(), "osg");
+        } else {
+            assert_eq!(read("flight.txt").unwrap(), name);
+        }
+    }
+    let by_target = |file: &str| {
+        vides_formats::by_target(Path::new(file))
+            .unwrap()
+            .row()
+            .name
+    };
+    assert_eq!(by_target("a/images.txt"), "colmap");
+    assert_eq!(by_target("a/poses.txt"), "ascii");
+    assert_eq!(by_target("a/poses.json"), "json");
+    assert_eq!(by_target("a/Transforms.json"), "transforms");
+    assert_eq!(
+        vides_formats::by_target(folder.path()).unwrap().row().name,
+        "colmap"
+    );
+}
+
+/// A line of numbers that is a matrix is no pose with its frame and seconds.
+#[test]
+fn twelve_numbers_are_a_matrix_or_a_pose() {
+    let source = |text: &str| Source::of_bytes("a", text.into());
+    let told = |text: &str| {
+        import(&source(text), None, &options("as=keys"))
+            .unwrap()
+            .format
+    };
+    assert_eq!(
+        told("1 0 0 0 0 1 0 0 0 0 1 0\n1 0 0 1 0 1 0 0 0 0 1 0\n"),
+        "kitti"
+    );
+    assert_eq!(
+        told("1 0 0 0 0 0 -1 0 1 0 24 0\n2 0 0 1 0 0 -1 0 1 0 24 0.04\n"),
+        "ascii"
+    );
+}
+
+#[test]
+fn what_is_wrong_is_one_sentence_with_its_place() {
+    let deep = format!("{{\"frames\": {}", "[".repeat(200_000));
+    let frame = |matrix: &str| format!("{{\"frames\": [{{\"transform_matrix\": {matrix}}}]}}");
+    let zeros = frame("[[0,0,0,0],[0,0,0,0],[0,0,0,0]]");
+    let mirror = frame("[[1,0,0,0],[0,1,0,0],[0,0,-1,0],[0,0,0,1]]");
+    let turns = "a matrix that turns and does not mirror";
+    for (name, text, said) in [
+        (
+            "tum",
+            "0 0 0 0 0 0 0 1\n1 0 0 0 0 0 0",
+            "line 2: expected 8 numbers, found 7",
+        ),
+        (
+            "tum",
+            "# a\n0 0 0 0 0 0 0 0",
+            "line 2: the rotation is zero",
+        ),
+        (
+            "tum",
+            "0 0 0 nan 0 0 0 1",
+            "line 1: the number must be finite",
+        ),
+        (
+            "tum",
+            "0 0 0 1e999 0 0 0 1",
+            "line 1: the number must be finite",
+        ),
+        (
+            "tum",
+            "1 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 1",
+            "line 2: the times must increase",
+        ),
+        ("tum", "#", "there are no poses in this file"),
+        ("osg", "a 0 0 0 0 0 0 1", "line 1: expected a number"),
+        (
+            "kitti",
+            "1 0 0 0 0 1 0 0 0 0 1",
+            "line 1: expected 12 numbers, found 11",
+        ),
+        (
+            "kitti",
+            "1 0 0 0 0 1 0 0 0 0 -1 0",
+            &format!("line 1: expected {turns}"),
+        ),
+        (
+            "chan",
+            "1 0 0 0 0 0 0 60\n0 0 0 0 0 0 0 60",
+            "line 2: the times must increase",
+        ),
+        ("chan", "1 0 0 0 0 0", "line 1: expected 8 numbers, found 6"),
+        ("nerfstudio", "{}", "keyframes is not there"),
+        (
+            "nerfstudio",
+            "{\"camera_path\": 3}",
+            "camera_path: expected an array",
+        ),
+        (
+            "nerfstudio",
+            "{\"camera_path\": [{\"fov\": 3}]}",
+            "camera_path[0]: camera_to_world is not there",
+        ),
+        (
+            "nerfstudio",
+            "{\"camera_path\": [{\"camera_to_world\": [1]}]}",
+            "camera_path[0].camera_to_world: expected 16 numbers, found 1",
+        ),
+        (
+            "nerfstudio",
+            "{\"keyframes\": [{\"matrix\": \"[1, 2\"}]}",
+            "keyframes[0].matrix: expected 16 numbers",
+        ),
+        (
+            "nerfstudio",
+            "{\"fps\": 0}",
+            "fps: expected a number greater than 0",
+        ),
+        (
+            "nerfstudio",
+            "[1",
+            "line 1: EOF while parsing a list at line 1 column 2",
+        ),
+        (
+            "transforms",
+            "{\"frames\": []}",
+            "there are no poses in this file",
+        ),
+        (
+            "transforms",
+            &zeros,
+            &format!("frames[0].transform_matrix: expected {turns}"),
+        ),
+        (
+            "transforms",
+            &mirror,
+            &format!("frames[0].transform_matrix: expected {turns}"),
+        ),
+        (
+            "transforms",
+            &frame("[1, 2]"),
+            "frames[0].transform_matrix: expected a matrix of 4 × 4 numbers",
+        ),
+        (
+            "transforms",
+            &deep,
+            "line 1: recursion limit exceeded at line 1 column 138",
+        ),
+        ("cameras", "{}", "expected an array"),
+        (
+            "cameras",
+            "[{\"rotation\": [[1,0,0],[0,1,0],[0,0,1]], \"position\": [1, 2, \"3\"]}]",
+            "[0].position[2]: expected a number",
+        ),
+        (
+            "cameras",
+            "[{\"rotation\": [[1,0,0],[0,1,0],[0,0,1]], \"position\": [1, 2, 3], \"fy\": -1, \"height\": 2}]",
+            "[0].fy: expected a number greater than 0",
+        ),
+        ("colmap", "", "cameras.txt is not there"),
+    ] {
+        let source = Source::of_bytes("file", text.into());
+        let format = by_name(name).unwrap();
+        let error = import(&source, Some(format), &Options::default()).unwrap_err();
+        assert_eq!(error.to_string(), format!("file: {said}"), "{name}");
+    }
+}
+
+#[test]
+fn what_a_file_holds_and_is_not_taken_is_told() {
+    let told = |name: &str, text: &str| {
+        let source = Source::of_bytes("file", text.into());
+        let format = by_name(name).unwrap();
+        let read = import(&source, Some(format), &options("as=keys")).unwrap();
+        let losses = read.report.losses().iter().map(ToString::to_string);
+        (
+            losses.collect::<Vec<_>>(),
+            poses(&read.document, read.document.scene.space().up),
+        )
+    };
+    let identity = "[[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]";
+    let (losses, poses) = told(
+        "transforms",
+        &format!(
+            "{{\"w\": 800, \"h\": 600, \"fl_x\": 500, \"fl_y\": 300, \"cx\": 400, \"cy\": 290, \
+             \"k1\": 0.1, \"frames\": [{{\"transform_matrix\": {identity}}}, \
+             {{\"transform_matrix\": {identity}, \"camera_angle_x\": 1.5707963267948966, \"cy\": 300}}, \
+             {{\"transform_matrix\": {identity}, \"camera_angle_y\": 3.14}}]}}"
+        ),
+    );
+    assert_eq!(
+        losses,
+        [
+            "1 field of view beyond 0.69 to 170.5 degrees, clamped",
+            "1 picture whose axis is off the centre: taken as in it",
+            "the distortion of 1 camera is left out",
+            "the width of pixels that are not square is not taken, 1 of it",
+            "there are no times: a pose is a frame",
+        ]
+    );
+    let zooms: Vec<_> = poses.iter().map(|pose| pose.zoom).collect();
+    // 300 of 600 pixels; 400 of 600, from 90° across 800; too wide.
+    assert!((zooms[0] - 12.0).abs() < 1e-12 && (zooms[1] - 16.0).abs() < 1e-12 && zooms[2] == 1.0);
+    assert_eq!(poses[0].view(), DVec3::NEG_Z);
+
+    // The old viewer in the browser: column by column, times as shares of the whole.
+    let key = |x: f64, time: f64| {
+        format!(
+            "{{\"matrix\": \"[1,0,0,0, 0,0,1,0, 0,-1,0,0, {x},2,3,1]\", \"fov\": 90, \
+             \"properties\": \"[[\\\"FOV\\\",90],[\\\"TIME\\\",{time}]]\"}}"
+        )
+    };
+    let text = format!(
+        "{{\"keyframes\": [{}, {}], \"camera_path\": [], \"fps\": 10, \"seconds\": 2, \
+         \"camera_type\": \"fisheye\", \"is_cycle\": true, \"crop\": {{}}}}",
+        key(1.0, 0.0),
+        key(3.0, 1.0)
+    );
+    let (losses, poses) = told("nerfstudio", &text);
+    assert_eq!(
+        losses,
+        [
+            "its viewer joins the keys by a spline of its own",
+            "camera_type fisheye is not taken, 2 of it",
+            "crop is not taken, 1 of it",
+            "is_cycle is not taken, 1 of it",
+        ]
+    );
+    assert_eq!(poses.len(), 21);
+    assert!(poses[10].position().distance(DVec3::new(2.0, 2.0, 3.0)) < 1e-12);
+    // Its z axis is −y of the world, so it looks along y, z upright.
+    assert!(poses[0].view().distance(DVec3::Y) < 1e-12 && poses[0].up().distance(DVec3::Z) < 1e-12);
+    assert!((poses[0].zoom - 12.0).abs() < 1e-12);
+}
+
+/// The keys of `camera_path.json` alone give the same places at their times.
+#[test]
+fn keys_of_the_viewer_are_ours() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("camera_path.json");
+    let document = pyramid();
+    let losses = written(&document, "nerfstudio", &file, &Options::default());
+    assert!(losses.contains(&Loss::OwnSpline));
+    let mut json: serde_json::Value =
+        serde_json::from_slice(&std::fs::read(&file).unwrap()).unwrap();
+    let frames = json["camera_path"].as_array().unwrap().len();
+    let fps = json["fps"].as_f64().unwrap();
+    assert_eq!(json["seconds"].as_f64().unwrap(), frames as f64 / fps);
+    json["camera_path"].take();
+    let source = Source::of_bytes("keys.json", json.to_string().into());
+    let read = import(&source, None, &options("as=keys")).unwrap();
+    assert_eq!(read.format, "nerfstudio");
+    let camera = &read.document.scene.nodes()[0];
+    let keys = camera.keys().tracks()[0].frames().to_vec();
+    let count = document.scene.nodes()[0]
+        .path()
+        .unwrap()
+        .path()
+        .points
+        .len();
+    assert!(keys.len() >= count && keys.len() < frames, "{}", keys.len());
+    let (went, came) = (poses(&document, Up::Z), poses(&read.document, Up::Z));
+    assert_eq!((went.len(), came.len()), (frames, frames));
+    for key in keys {
+        let at = key as usize - 1;
+        assert!((key - key.round()).abs() < 1e-6);
+        let found = differences(&went[at..=at], &came[at..=at]);
+        assert!(found[0] < 1e-9 && found[1] < 1e-5, "{key}: {found:?}");
+    }
+}
+
+#[test]
+fn every_list_is_offered() {
+    let names: Vec<_> = formats().iter().map(|format| format.row().name).collect();
+    for (name, ..) in LISTS {
+        assert!(names.contains(&name), "{name}");
+    }
+}

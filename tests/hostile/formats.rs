@@ -1,0 +1,99 @@
+//! What any bytes at all may do as a file of a format. Used by the tests and, by path, by the
+//! fuzzer in `fuzz/`, so that both ask the same.
+
+use std::path::Path;
+
+use vides_formats::{As, Content, Format, Loss, Options, Report, Source, formats, import, losses};
+
+/// Frames of what is written out again, poses of which a path is fitted, at most.
+const LOOKED_AT: f64 = 64.0;
+
+/// What stands before the content of each file of a folder in one sequence of bytes, with its name
+/// and a line feed behind it.
+const FILE: &[u8] = b"--- ";
+
+/// Reads bytes as a file: it is refused with one sentence, or gives a scene that is in order, can be
+/// saved, and goes out in the same format. A format of several files has them in `folder`, which is
+/// emptied.
+///
+/// # Panics
+/// If that does not hold.
+pub(crate) fn check(format: &dyn Format, bytes: &[u8], folder: &Path) {
+    let source = source(format, bytes, folder);
+    for other in formats() {
+        let _ = other.recognises(&source);
+    }
+    let mut options = Options {
+        as_: As::Keys,
+        ..Options::default()
+    };
+    let read = match import(&source, Some(format), &options) {
+        Ok(read) => read,
+        Err(error) => return check_sentence(&error.to_string()),
+    };
+    read.report.losses().iter().for_each(check_loss);
+    let text = read.document.to_toml().expect("a text");
+    let again = vides_document::SceneDocument::from_toml(&text)
+        .unwrap_or_else(|error| panic!("read, saved and then refused: {error}\n{text}"));
+    assert_eq!(again.to_toml().expect("a text"), text);
+    let (first, last) = read.document.scene.frame_range();
+    if last - first > LOOKED_AT {
+        return;
+    }
+    if format.row().writes {
+        match losses(&read.document, format, &options) {
+            Ok(report) => report.losses().iter().for_each(check_loss),
+            Err(error) => check_sentence(&error.to_string()),
+        }
+    }
+    let content = vides_formats::read(&source, Some(format), &options, &mut Report::default());
+    if let Ok((_, Content::Poses(_))) = content {
+        options.as_ = As::Path;
+        options.angle = 10.0;
+        match import(&source, Some(format), &options) {
+            Ok(read) => read.report.losses().iter().for_each(check_loss),
+            Err(error) => check_sentence(&error.to_string()),
+        }
+    }
+}
+
+fn check_loss(loss: &Loss) {
+    check_sentence(&loss.to_string());
+}
+
+fn check_sentence(sentence: &str) {
+    assert!(!sentence.is_empty());
+    assert!(!sentence.chars().any(char::is_control), "{sentence:?}");
+}
+
+fn source(format: &dyn Format, bytes: &[u8], folder: &Path) -> Source {
+    if format.row().parts.is_empty() {
+        return Source::of_bytes("a file", bytes.to_vec());
+    }
+    for entry in std::fs::read_dir(folder).expect("a folder") {
+        std::fs::remove_file(entry.expect("an entry").path()).expect("a file less");
+    }
+    let starts = (0..bytes.len())
+        .filter(|&at| bytes[at..].starts_with(FILE) && (at == 0 || bytes[at - 1] == b'\n'));
+    let starts: Vec<_> = starts.collect();
+    for (at, &start) in starts.iter().enumerate() {
+        let end = starts.get(at + 1).map_or(bytes.len(), |next| next - 1);
+        let piece = &bytes[start + FILE.len()..end.max(start + FILE.len())];
+        let line = piece.iter().position(|&byte| byte == b'\n');
+        let (name, content) = piece.split_at(line.unwrap_or(piece.len()));
+        let plain = |byte: &u8| byte.is_ascii_alphanumeric() || *byte == b'.';
+        let name = String::from_utf8_lossy(name);
+        if name.len() < 32
+            && name.starts_with(|c: char| c.is_ascii_alphabetic())
+            && name.bytes().all(|byte| plain(&byte))
+        {
+            std::fs::write(folder.join(&*name), content.get(1..).unwrap_or(b"")).expect("a file");
+        }
+    }
+    Source {
+        name: "a folder".to_owned(),
+        folder: Some(folder.to_owned()),
+        is_folder: true,
+        ..Source::default()
+    }
+}
