@@ -2,7 +2,7 @@
 //!
 //! Files are read from memory; nothing is allocated because a header claims a number. Only geometry
 //! is taken: points, their colours, lines, and polygons as fans of triangles; of glTF also morph
-//! targets, for readers of scenes ([`gltf`]). The crate opens no
+//! targets, for readers of scenes (module `gltf`). The crate opens no
 //! files and knows neither scenes nor windows.
 
 #![forbid(unsafe_code)]

@@ -3,7 +3,7 @@
 use glam::DVec3;
 use vides_engine::scene::Mesh;
 
-use super::{Beside, Error, Format, Problem, Result, checked};
+use super::{Beside, Error, Format, Problem, Result};
 
 /// A file whose meshes are asked for one after the other.
 pub struct Opened {
@@ -43,7 +43,7 @@ impl Opened {
         match &self.content {
             Content::Bytes(bytes) => super::read(self.format, bytes, go_on),
             #[cfg(feature = "gltf")]
-            Content::Gltf(container, _) => checked(super::gltf::whole(container, go_on)?),
+            Content::Gltf(container, _) => super::checked(super::gltf::whole(container, go_on)?),
         }
     }
 
@@ -65,7 +65,7 @@ impl Opened {
             #[cfg(feature = "gltf")]
             Content::Gltf(container, room) => {
                 let part = container.part(number, room, go_on)?;
-                Ok((checked(part.mesh)?, part.targets))
+                Ok((super::checked(part.mesh)?, part.targets))
             }
         }
     }
