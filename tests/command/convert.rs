@@ -203,3 +203,23 @@ fn what_cannot_be_done_is_told() {
         );
     }
 }
+
+/// A camera by keys in a file with keys keeps them, or follows a path if that is asked for.
+#[test]
+fn keys_stay_keys_or_become_a_path() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let (glb, keys, path) = (place("a.glb"), place("keys.vid"), place("path.vid"));
+    lossy(&["convert", PYRAMID, &glb]);
+    lossy(&["convert", &glb, &keys]);
+    let (_, told) = lossy(&["convert", &glb, &path, "--as", "path"]);
+    assert!(
+        told.iter().any(|line| line.contains(": a path of ")),
+        "{told:?}"
+    );
+    let holds = |file: &str, what: &str| fs::read_to_string(file).unwrap().contains(what);
+    assert!(holds(&keys, "[[node.track]]") && !holds(&keys, "[[node.path"));
+    assert!(!holds(&path, "channel = \"position\"") && holds(&path, "point]]"));
+    let count = |file: &str| said(&run(&["sample", file])).lines().count();
+    assert_eq!(count(&path), count(PYRAMID));
+}

@@ -24,7 +24,7 @@ pub(crate) fn check(format: &dyn Format, bytes: &[u8], folder: &Path) {
         let _ = other.recognises(&source);
     }
     let mut options = Options {
-        as_: As::Keys,
+        as_: Some(As::Keys),
         ..Options::default()
     };
     let read = match import(&source, Some(format), &options) {
@@ -48,7 +48,7 @@ pub(crate) fn check(format: &dyn Format, bytes: &[u8], folder: &Path) {
     }
     let content = vides_formats::read(&source, Some(format), &options, &mut Report::default());
     if let Ok((_, Content::Poses(_))) = content {
-        options.as_ = As::Path;
+        options.as_ = Some(As::Path);
         options.angle = 10.0;
         match import(&source, Some(format), &options) {
             Ok(read) => read.report.losses().iter().for_each(check_loss),

@@ -42,49 +42,76 @@ impl Document {
             return Err(Refused::NoScene.into());
         }
         let mut scene = self.scene()?;
-        if !matches!(scene.node(node)?.kind, Kind::Camera(_)) {
-            return Err(Refused::NoCamera.into());
-        }
-        let (start, poses) = poses_in_parent(&scene, node)?;
-        let space = scene.space();
         let tolerance = Tolerance {
-            position: NEAR * space.half_size,
+            position: NEAR * scene.space().half_size,
             angle: ANGLE,
         };
-        let like = CameraPath {
-            space,
-            ..CameraPath::try_new()?
-        };
-        let path = fitted(&poses, None, self.info().fps, tolerance, &like)?;
-        let (off, turned) = missed(&path, &poses)?;
-        let points = path.points.len();
-        for channel in [
-            Channel::Position,
-            Channel::Rotation,
-            Channel::Zoom,
-            Channel::Roll,
-            Channel::AimWeight,
-        ] {
-            scene.remove_track(node, &channel)?;
-        }
-        let mut still = scene.node(node)?.clone();
-        still.aim = None;
-        still.rest.roll = 0.0;
-        scene.set_node(node, &still)?;
-        scene.set_path(
-            node,
-            Some(FollowPath::new(path, start, Extrapolation::Hold)?),
-        )?;
+        let fitted = keys_to_path(&mut scene, node, self.info().fps, tolerance)?;
         Ok(KeysToPath {
             edits: [
                 Edit::ReplaceScene(Box::new(scene)),
                 Edit::EditNode(Some(node)),
             ],
-            points,
-            off,
-            turned,
+            points: fitted.points,
+            off: fitted.off,
+            turned: fitted.turned,
         })
     }
+}
+
+/// How near a path is that was fitted to a camera's keys.
+#[derive(Debug, Clone, Copy)]
+pub struct FittedKeys {
+    /// Points of the path.
+    pub points: usize,
+    /// The farthest that a whole frame is from where it was, in world units.
+    pub off: f64,
+    /// And by how many degrees the view and its up are turned.
+    pub turned: f64,
+}
+
+/// Lets a camera follow a path in place of its keys and its aim, from the scene's first frame to
+/// its last, within a tolerance. If it fails the scene may be half changed.
+///
+/// # Errors
+/// As [`Document::keys_to_path`].
+pub fn keys_to_path(
+    scene: &mut Scene,
+    node: usize,
+    fps: f64,
+    tolerance: Tolerance,
+) -> Result<FittedKeys> {
+    if !matches!(scene.node(node)?.kind, Kind::Camera(_)) {
+        return Err(Refused::NoCamera.into());
+    }
+    let (start, poses) = poses_in_parent(scene, node)?;
+    let like = CameraPath {
+        space: scene.space(),
+        ..CameraPath::try_new()?
+    };
+    let path = fitted(&poses, None, fps, tolerance, &like)?;
+    let (off, turned) = missed(&path, &poses)?;
+    let points = path.points.len();
+    for channel in [
+        Channel::Position,
+        Channel::Rotation,
+        Channel::Zoom,
+        Channel::Roll,
+        Channel::AimWeight,
+    ] {
+        scene.remove_track(node, &channel)?;
+    }
+    let mut still = scene.node(node)?.clone();
+    still.aim = None;
+    still.rest.roll = 0.0;
+    scene.set_node(node, &still)?;
+    let follow = FollowPath::new(path, start, Extrapolation::Hold)?;
+    scene.set_path(node, Some(follow))?;
+    Ok(FittedKeys {
+        points,
+        off,
+        turned,
+    })
 }
 
 /// The scene's first frame, and the poses from there on in the coordinates of the node's parent.

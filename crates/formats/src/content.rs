@@ -124,7 +124,7 @@ impl Recording {
         }
         self.compare(fps, report);
         let up = options.up.or(self.up).unwrap_or_default();
-        let scene = match options.as_ {
+        let scene = match options.as_.unwrap_or(As::Path) {
             As::Path => self.fitted(times.as_deref(), fps, up, options, report)?,
             As::Keys => self.keyed(times, up)?,
         };

@@ -4,15 +4,16 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use vides_document::error::EngineError;
-use vides_document::{Error as DocumentError, SceneDocument, save};
+use vides_document::{Error as DocumentError, SceneDocument, keys_to_path, save};
+use vides_engine::tools::fit::Tolerance;
 
 use super::blocks::Progress;
 use super::content::{Content, Recording};
 use super::error::{Error, Result};
 use super::flight::Flight;
 use super::format::{Format, Row, formats};
-use super::loss::Report;
-use super::options::Options;
+use super::loss::{Loss, Report};
+use super::options::{As, Options};
 use super::source::Source;
 
 /// A scene that was read.
@@ -156,7 +157,7 @@ pub fn import(source: &Source, format: Option<&dyn Format>, options: &Options) -
     let mut report = Report::default();
     let (format, content) = read(source, format, options, &mut report)?;
     let document = match content {
-        Content::Scene(document) => Ok(*document),
+        Content::Scene(document) => with_path(*document, options, &mut report),
         Content::Poses(recording) => recording.into_scene(options, &mut report),
     };
     Ok(Imported {
@@ -164,6 +165,32 @@ pub fn import(source: &Source, format: Option<&dyn Format>, options: &Options) -
         format,
         report,
     })
+}
+
+/// The scene, with its shown camera on a path if that is asked for.
+fn with_path(
+    mut document: SceneDocument,
+    options: &Options,
+    report: &mut Report,
+) -> Result<SceneDocument> {
+    let shown = document.scene.shown_camera();
+    if let (Some(As::Path), Some(camera)) = (options.as_, shown)
+        && document.scene.nodes()[camera].path().is_none()
+    {
+        let half_size = document.scene.space().half_size;
+        let tolerance = Tolerance {
+            position: options.tolerance.unwrap_or(1e-3 * half_size),
+            angle: options.angle,
+        };
+        let fps = document.info.fps;
+        let made = keys_to_path(&mut document.scene, camera, fps, tolerance)?;
+        report.add(Loss::Fitted {
+            points: made.points,
+            off: made.off,
+            turned: made.turned,
+        });
+    }
+    Ok(document)
 }
 
 /// The poses in a file; lines of ten numbers where the content looks like nothing known.

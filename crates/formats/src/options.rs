@@ -4,11 +4,10 @@ use super::error::{Error, Result};
 use crate::limits::{MAX_FPS, MAX_HALF_SIZE};
 use crate::path::Up;
 
-/// What a list of poses becomes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+/// What the motion of a camera becomes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum As {
     /// A path of few points, fitted.
-    #[default]
     Path,
     /// A camera with one key for each pose.
     Keys,
@@ -29,8 +28,8 @@ pub struct Options {
     pub up: Option<Up>,
     /// Lengths in the file for one of the document's; > 0.
     pub scale: f64,
-    /// What poses that are read become.
-    pub as_: As,
+    /// What the camera's motion becomes; none: of a list of poses a path, keys stay keys.
+    pub as_: Option<As>,
     /// How far a fitted path may be from the positions; none: 1/1000 of their bounds' diagonal.
     pub tolerance: Option<f64>,
     /// By how many degrees its views and fields of view may be off.
@@ -52,7 +51,7 @@ impl Default for Options {
             size: [1920, 1080],
             up: None,
             scale: 1.0,
-            as_: As::Path,
+            as_: None,
             tolerance: None,
             angle: 0.5,
             compact: None,
@@ -157,15 +156,15 @@ pub const OPTIONS: &[OptionRow] = &[
     OptionRow {
         name: "as",
         value: "KIND",
-        help: "What a list of poses becomes: a path of few points (path), or a camera with a key \
-               for each pose (keys) [default: path]",
+        help: "What the camera's motion becomes: a path of few points (path) or keys (keys) \
+               [default: of a list of poses a path; keys stay keys]",
         wanted: "path or keys",
         set: |options, text| {
-            options.as_ = match text {
+            options.as_ = Some(match text {
                 "path" => As::Path,
                 "keys" => As::Keys,
                 _ => return None,
-            };
+            });
             Some(())
         },
     },

@@ -38,6 +38,7 @@ const ROW: Row = Row {
     name: "usda",
     title: "OpenUSD",
     endings: &["usda", "usd"],
+    whole: true,
     ..Row::PLAIN
 };
 
