@@ -13,6 +13,7 @@ status=0
 "$python" "$here/check.py" "$vides" --checkers --paths 4 "$@" || status=1
 "$python" "$here/check.py" "$vides" "$@" || status=1
 "$python" "$here/others.py" "$vides" || status=1
+"$python" "$here/pose_lists.py" "$vides" || status=1
 case " $* " in
 *' --large '*)
     "$python" "$here/picture.py" "$vides" || status=1

@@ -22,7 +22,6 @@ pub(super) struct Cameras;
 const ROW: Row = Row {
     name: "cameras",
     title: "3D Gaussian splatting",
-    endings: &["json"],
     file_names: &["cameras.json"],
     ..Row::PLAIN
 };

@@ -120,7 +120,6 @@ pub trait Format: Sync {
 /// All formats, in the order in which they are offered.
 #[must_use]
 pub fn formats() -> &'static [&'static dyn Format] {
-    // Of those with one ending the first is written into files that have no name of their own.
     &[
         &vid::Vid,
         &ascii::Ascii,

@@ -25,7 +25,6 @@ pub(super) struct Nerfstudio;
 const ROW: Row = Row {
     name: "nerfstudio",
     title: "nerfstudio",
-    endings: &["json"],
     file_names: &["camera_path.json"],
     up: Some(Up::Z),
     ..Row::PLAIN

@@ -22,7 +22,6 @@ pub(super) struct Transforms;
 const ROW: Row = Row {
     name: "transforms",
     title: "NeRF transforms",
-    endings: &["json"],
     file_names: &["transforms.json"],
     up: Some(Up::Z),
     ..Row::PLAIN
