@@ -120,9 +120,6 @@ def main():
         print(f"{form.name + ' code':<26}{'ok' if right else 'FAILED':<8}{len(written)} files  {' '.join(bad)}")
         count.note(right)
         for importer in form.importers:
-            if importer.name == "pvpython":
-                # What is seen is drawn, for which it wants a display.
-                importer.command = ["xvfb-run", "-a", *importer.command]
             try:
                 worst = check.through(form, importer, written, scratch)
             except (RuntimeError, OSError, ValueError) as error:

@@ -60,7 +60,7 @@ impl Format for ParaView {
             let known = [Up::Y, Up::Z].into_iter().find(|up| up.name() == name);
             let unknown = || Cause::Unsupported {
                 name: name.into(),
-                help: ": y and z are",
+                help: "",
             };
             recording.up = Some(known.ok_or_else(|| up.wrong(unknown()))?);
         }

@@ -245,7 +245,7 @@ fn broken_data_are_refused_with_their_place() {
         ),
         (
             script.replace("\"up\": \"y\"", "\"up\": \"q\""),
-            "flight.py: up: q is not read: y and z are".into(),
+            "flight.py: up: q is not read".into(),
         ),
         (
             script.replace("\"frames\": ", "\"films\": "),
