@@ -225,6 +225,7 @@ check-formats-small: all
 	$(ONCE)formats $(RELEASE)/vides tests/formats examples -- tests/formats/run.sh $(FORMATS) $(RELEASE)/vides
 
 check-formats: all
+	@mk/need.sh chromium=chromium chromedriver=chromium-driver
 	tests/formats/install.sh $(FORMATS) large
 	tests/formats/run.sh $(FORMATS) $(RELEASE)/vides --large
 

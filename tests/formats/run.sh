@@ -14,10 +14,12 @@ status=0
 "$python" "$here/check.py" "$vides" "$@" || status=1
 "$python" "$here/others.py" "$vides" || status=1
 "$python" "$here/pose_lists.py" "$vides" || status=1
+"$python" "$here/openusd.py" "$vides" --paths 8 --scenes 10 || status=1
 case " $* " in
 *' --large '*)
     "$python" "$here/picture.py" "$vides" || status=1
     "$python" "$here/speed.py" "$vides" || status=1
+    "$python" "$here/page.py" "$vides" convert || status=1
     ;;
 esac
 exit $status

@@ -58,11 +58,23 @@ async function load(file) {
     return loader.parseAsync(data, join(dirname(file), '/'));
 }
 
+// glTF's rotations are unit quaternions; three.js takes files that break this at their word, and
+// scales what they turn.
+function unit(track) {
+    if (track.createInterpolant.isInterpolantFactoryMethodGLTFCubicSpline) return;
+    const { values } = track;
+    for (let at = 0; at + 4 <= values.length; at += 4) {
+        const length = Math.hypot(...values.subarray(at, at + 4));
+        for (let part = at; part < at + 4; part++) values[part] /= length;
+    }
+}
+
 // Keys at equal times apart from each other: the mixer seeks forwards and backwards alike.
 function play(gltf, animation) {
     const mixer = new THREE.AnimationMixer(gltf.scene);
     const clips = animation === undefined ? gltf.animations : gltf.animations.slice(animation, animation + 1);
     for (const clip of clips) {
+        clip.tracks.filter((track) => track instanceof THREE.QuaternionKeyframeTrack).forEach(unit);
         const action = mixer.clipAction(clip);
         action.setLoop(THREE.LoopOnce);
         action.clampWhenFinished = true;
