@@ -74,7 +74,7 @@ function play(gltf, animation) {
     const mixer = new THREE.AnimationMixer(gltf.scene);
     const clips = animation === undefined ? gltf.animations : gltf.animations.slice(animation, animation + 1);
     for (const clip of clips) {
-        clip.tracks.filter((track) => track instanceof THREE.QuaternionKeyframeTrack).forEach(unit);
+        clip.tracks.filter((track) => track.ValueTypeName === 'quaternion').forEach(unit);
         const action = mixer.clipAction(clip);
         action.setLoop(THREE.LoopOnce);
         action.clampWhenFinished = true;
