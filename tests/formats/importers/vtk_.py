@@ -78,7 +78,7 @@ def work(job):
     before = os.getcwd()
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(job.get("picture") or folder)
-        sys.argv = [job["file"]]
+        sys.argv = [job["file"], "."]
         try:
             with open(job["file"], encoding="utf-8") as file:
                 program = compile(file.read(), job["file"], "exec")
