@@ -97,6 +97,11 @@ int main(int count, char **arguments)
     there_and_back(folder, "csv", "c.csv", 0);
     there_and_back(folder, "json", "c.json", 0);
     there_and_back(folder, "tum", "c.tum", 1e-15);
+    /* 32-bit numbers. */
+    there_and_back(folder, "glb", "c.glb", 1e-6);
+    there_and_back(folder, "usda", "c.usda", 1e-12);
+    there_and_back(folder, "colmap", "colmap", 1e-14);
+    there_and_back(folder, "paraview", "c.py", 1e-15);
     losses(folder);
     refused(folder);
     return failures != 0;
