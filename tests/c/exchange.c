@@ -88,6 +88,10 @@ static void refused(const char *folder)
     STATUS(V_ERR_FORMAT, v_scene_import(file, NULL, NULL, &again));
     CHECK(strstr(v_last_error(), "line 2: expected 8 numbers, found 7") != NULL);
     CHECK(again == scene);
+    /* Nothing is left to be written. */
+    OK(v_scene_remove_node(scene, 0));
+    STATUS(V_ERR_ARGUMENT, v_scene_export(scene, in(folder, "b.glb"), NULL, NULL));
+    STATUS(V_ERR_ARGUMENT, v_scene_export(scene, in(folder, "b.csv"), NULL, NULL));
     v_scene_free(scene);
 }
 

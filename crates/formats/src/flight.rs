@@ -49,7 +49,10 @@ impl<'a> Flight<'a> {
         let node = match &options.node {
             Some(name) => scene.find(name),
             // Nothing of a whole scene is seen through it.
-            None => scene.shown_camera().or(row.whole.then_some(0)),
+            None => {
+                let any = row.whole && !scene.nodes().is_empty();
+                scene.shown_camera().or(any.then_some(0))
+            }
         };
         let node = node.ok_or_else(|| match &options.node {
             Some(name) => Error::NoNode(name.as_str().into()),

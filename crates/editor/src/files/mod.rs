@@ -12,6 +12,8 @@ pub(crate) mod recovery;
 mod recovery_window;
 
 #[cfg(test)]
+mod exchange_tests;
+#[cfg(test)]
 mod object_tests;
 #[cfg(test)]
 mod recent_tests;

@@ -1,0 +1,120 @@
+//! Files of other programs in the window.
+
+use std::path::Path;
+
+use super::tests::{modified, name, window_in};
+use crate::files::Purpose;
+use crate::tests::*;
+
+const BOTH: [Language; 2] = [Language::English, Language::German];
+
+fn example(name: &str) -> std::path::PathBuf {
+    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
+    examples.join(name)
+}
+
+/// What would be lost is told before anything is written, and writing waits for the answer.
+#[test]
+fn losses_are_told_before_a_file_is_written() {
+    for language in BOTH {
+        let texts = language.texts();
+        let folder = tempfile::tempdir().expect("a folder");
+        let mut window = window_in(language, folder.path());
+        let file = folder.path().join("a.tum");
+        let ask = |window: &mut Window| {
+            press(window, Modifiers::ALT, Key::A);
+            press(window, Modifiers::NONE, Key::D);
+            name(window, "a.tum");
+            window.run();
+        };
+        ask(&mut window);
+        assert!(!file.exists());
+        let asked = window.query_by_label_contains(match language {
+            Language::English => "the field of view is left out",
+            Language::German => "der Blickwinkel bleibt weg",
+        });
+        assert!(asked.is_some());
+        click(&mut window, texts.questions.cancel);
+        assert!(!file.exists());
+        ask(&mut window);
+        click(&mut window, texts.files.write);
+        let written = std::fs::read_to_string(&file).expect("a file");
+        let frames = poses(window.state()).len();
+        assert_eq!(written.lines().count(), frames);
+        let said = said(&window).expect("a sentence");
+        assert_eq!(said, fill(texts.output.written, &[&frames, &"a.tum"]));
+        // Lines of ten numbers lose nothing that anyone expects there.
+        press(&mut window, Modifiers::ALT, Key::A);
+        press(&mut window, Modifiers::NONE, Key::D);
+        name(&mut window, "a.txt");
+        assert!(folder.path().join("a.txt").exists());
+    }
+}
+
+/// A scene takes the document's place in one step.
+#[test]
+fn a_scene_of_another_program_is_taken_over_and_given_back() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("car.glb");
+    let mut window = window_in(Language::English, folder.path());
+    window
+        .state_mut()
+        .load_path(&example("car.vid"))
+        .expect("loaded");
+    let frames = window
+        .state()
+        .document
+        .poses()
+        .expect("poses")
+        .frame_count();
+    window.state_mut().write_as(&file, "glb").expect("written");
+    let mut window = window_in(Language::English, folder.path());
+    let before = window.state().document.path().clone();
+    assert!(!modified(&window));
+    window.state_mut().file_chosen(Purpose::Import, &file);
+    window.run();
+    let scene = window.state().document.scene().expect("a scene");
+    assert!(scene.find("body").or(scene.find("car")).is_some());
+    let count = window
+        .state()
+        .document
+        .poses()
+        .expect("poses")
+        .frame_count();
+    assert_eq!(count, frames);
+    assert!(modified(&window));
+    assert!(window.state_mut().document.undo());
+    assert_eq!(window.state().document.path(), &before);
+    assert!(!modified(&window) && window.state().document.edited_scene().is_none());
+}
+
+/// Poses go to the tool that fits them; what is no file of a known format changes nothing.
+#[test]
+fn poses_are_fitted_and_the_unknown_is_refused() {
+    for language in BOTH {
+        let folder = tempfile::tempdir().expect("a folder");
+        let file = folder.path().join("camera_path.json");
+        let mut window = window_in(language, folder.path());
+        window
+            .state_mut()
+            .write_as(&file, "nerfstudio")
+            .expect("written");
+        window.state_mut().file_chosen(Purpose::Import, &file);
+        window.run();
+        click(&mut window, "OK");
+        let [back, _] = window.state().document.step_names();
+        assert!(back.is_some() && modified(&window));
+        let unknown = folder.path().join("a.bin");
+        std::fs::write(&unknown, "nothing known").expect("written");
+        let before = window.state().document.path().clone();
+        window.state_mut().file_chosen(Purpose::Import, &unknown);
+        window.run();
+        let said = said(&window).expect("a sentence");
+        let why = match language {
+            Language::English => "this is no file of a format that is read",
+            Language::German => "das ist keine Datei eines Formats, das gelesen wird",
+        };
+        assert!(said.contains(why), "{said}");
+        assert_eq!(window.state().document.path(), &before);
+    }
+}
