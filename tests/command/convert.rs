@@ -41,8 +41,8 @@ fn poses_become_keys_exactly_or_a_path_within_a_tolerance() {
     assert_eq!(
         told,
         [
-            format!("vides: {tum}: the object is left out"),
             format!("vides: {tum}: points, speeds and holds become poses, one a frame"),
+            format!("vides: {tum}: the object is left out"),
             format!("vides: {tum}: the field of view is left out"),
         ]
     );
@@ -181,7 +181,7 @@ fn what_cannot_be_done_is_told() {
         ),
         (
             "0 1 2 3 0 0 0 1\n0 0 0 0 0 0 0 1\n",
-            "the times must increase",
+            "line 2: the times must increase",
         ),
         ("0 1 2 inf 0 0 0 1\n", "line 1: the number must be finite"),
     ] {

@@ -17,8 +17,9 @@ use crate::files::picture::{self, Picture};
 use crate::files::{Purpose, readable, short};
 use crate::formats::{self, formats};
 use crate::state::Editor;
-use crate::texts::fill;
+use crate::texts::formats::title_of;
 use crate::texts::refusals::of_system;
+use crate::texts::{Language, fill};
 use crate::theme;
 use crate::windows::modal;
 
@@ -332,7 +333,7 @@ impl FileWindow {
 
     /// The formats that are written; choosing one changes the name's ending.
     fn show_formats(&mut self, editor: &Editor, ui: &mut Ui) {
-        let texts = &editor.texts().files;
+        let (texts, language) = (&editor.texts().files, editor.language());
         let rows = || formats().iter().map(|format| format.row());
         let typed = Path::new(self.name.trim());
         // A name that is typed may tell another one.
@@ -346,17 +347,22 @@ impl FileWindow {
         let Ok(current) = current.map(|format| format.row()) else {
             return;
         };
-        let open = Button::new(described(current)).min_size(vec2(ui.available_width(), theme::ROW));
+        let open = Button::new(described(language, current))
+            .min_size(vec2(ui.available_width(), theme::ROW));
         let open = ui.add(open);
         open.widget_info(|| egui::WidgetInfo {
-            current_text_value: Some(current.title.to_owned()),
+            current_text_value: Some(title_of(language, current).to_owned()),
             ..egui::WidgetInfo::labeled(egui::Role::ComboBox, true, texts.format)
         });
         egui::Popup::menu(&open).show(|ui| {
             ScrollArea::vertical().max_height(300.0).show(ui, |ui| {
                 for row in rows().filter(|row| is_export(row)) {
                     let chosen = row == current;
-                    if ui.add(Button::selectable(chosen, described(row))).clicked() && !chosen {
+                    if ui
+                        .add(Button::selectable(chosen, described(language, row)))
+                        .clicked()
+                        && !chosen
+                    {
                         self.choose_format(current, row);
                     }
                 }
@@ -566,13 +572,14 @@ impl FileWindow {
 }
 
 /// A format by what people call it and how its files end.
-fn described(row: &formats::Row) -> String {
+fn described(language: Language, row: &formats::Row) -> String {
+    let title = title_of(language, row);
     let names = row.file_names.iter().map(|name| (*name).to_owned());
     let endings = row.endings.iter().map(|ending| format!("*.{ending}"));
     let files: Vec<_> = names.chain(endings).collect();
     match files.as_slice() {
-        [] => row.title.to_owned(),
-        files => format!("{} ({})", row.title, files.join(", ")),
+        [] => title.to_owned(),
+        files => format!("{title} ({})", files.join(", ")),
     }
 }
 

@@ -4,7 +4,7 @@ use super::german::{German, german, number};
 use super::{Language, fill, refusals};
 use crate::document::error::one_of;
 use crate::error::{EngineError, TooMany};
-use crate::formats::{Cause, Error, Loss, Place, Report, Wanted};
+use crate::formats::{Cause, Error, Loss, Place, Report, Row, Wanted};
 use crate::limits::MAX_FRAMES;
 use crate::state::Editor;
 
@@ -19,6 +19,18 @@ pub(crate) fn reason_of(editor: &Editor, error: &Error) -> String {
         Error::Document(error) => editor.without_name(error),
         _ if language == Language::German => German(error).to_string(),
         _ => error.to_string(),
+    }
+}
+
+/// A format's title; most are the same in every language.
+pub(crate) fn title_of(language: Language, row: &Row) -> &'static str {
+    match (language, row.name) {
+        (Language::German, "gltf") => "glTF, Text",
+        (Language::German, "blender") => "Skript für Blender",
+        (Language::German, "paraview") => "Skript für ParaView",
+        (Language::German, "vtk") => "Skript für VTK",
+        (Language::German, "html") => "Webseite",
+        _ => row.title,
     }
 }
 

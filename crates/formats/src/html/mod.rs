@@ -24,7 +24,7 @@ pub(super) struct Html;
 
 const ROW: Row = Row {
     name: "html",
-    title: "web page",
+    title: "Web page",
     endings: &["html", "htm"],
     reads: false,
     ..Row::PLAIN
