@@ -157,7 +157,7 @@ const BROKEN: &[(&str, &str)] = &[
     (
         "unknown_object_key",
         "line 3: unknown key \"edges\"; known here: polylines, points, colours, lines, triangles, file, bytes, \
-         checksum",
+         checksum, part",
     ),
     (
         "unknown_orientation_key",
