@@ -355,7 +355,9 @@ impl FileWindow {
             ..egui::WidgetInfo::labeled(egui::Role::ComboBox, true, texts.format)
         });
         egui::Popup::menu(&open).show(|ui| {
-            ScrollArea::vertical().max_height(300.0).show(ui, |ui| {
+            // All of them, where the window is high enough.
+            let room = ui.ctx().content_rect().height() - 40.0;
+            ScrollArea::vertical().max_height(room).show(ui, |ui| {
                 for row in rows().filter(|row| is_export(row)) {
                     let chosen = row == current;
                     if ui

@@ -73,6 +73,8 @@ fn the_menus_are_walked_through_by_the_arrow_keys() {
     press(&mut window, Modifiers::NONE, Key::ArrowDown);
     assert!(window.get_by_label(texts.load_object).is_focused());
     press(&mut window, Modifiers::NONE, Key::ArrowDown);
+    assert!(window.get_by_label(texts.import).is_focused());
+    press(&mut window, Modifiers::NONE, Key::ArrowDown);
     assert!(window.get_by_label(texts.save).is_focused());
     press(&mut window, Modifiers::NONE, Key::ArrowRight);
     press(&mut window, Modifiers::NONE, Key::ArrowRight);
@@ -264,6 +266,7 @@ fn every_entry_has_a_tooltip() {
                 vec![
                     (menu.load, hints.load),
                     (menu.load_object, hints.load_object),
+                    (menu.import, hints.import),
                     (menu.save, hints.save),
                     (menu.save_as, hints.save_as),
                     (menu.quit, hints.quit),

@@ -199,8 +199,8 @@ fn range_and_camera_come_back() {
         assert_eq!(read(file).unwrap().document.scene.nodes()[0].name, "alone");
     }
     let nothing = SceneDocument::new(Default::default(), vides_document::Info::default()).unwrap();
-    let (file, _) = written(&nothing, "glb", &Options::default());
-    assert!(read(file).is_err());
+    let glb = crate::by_name("glb").unwrap();
+    assert!(crate::losses(&nothing, glb, &Options::default()).is_err());
 }
 
 #[test]
