@@ -99,6 +99,7 @@ demo: all
 	    c_examples/headless.c -L$(LIB) -lvides -lm
 	LD_LIBRARY_PATH=$(abspath $(LIB)) $(DEMO)/headless examples/pyramid.vid >$(DEMO)/list.txt
 	$(RELEASE)/vides plot examples/pyramid.vid -o $(DEMO)/pyramid.svg
+	$(RELEASE)/vides convert examples/pyramid.vid $(DEMO)/pyramid.html
 	$(CC) -Iinclude -o $(DEMO)/pyramid_motif c_examples/pyramid_motif.c \
 	    -L$(LIB) -lvides -lm -lXm -lXt -lX11
 	for program in glut_flight glut_scene; do \
@@ -108,6 +109,7 @@ demo: all
 	@echo
 	@echo 'A flight around a pyramid, in $(DEMO):'
 	@echo '  pyramid.svg   the path in space, its views, speed and turning: open it in a browser'
+	@echo '  pyramid.html  the flight itself: open it in a browser, Space plays it'
 	@echo '  pyramid.txt   every camera pose, one a line, as vides sample writes them'
 	@echo '  list.txt      the same as a C program meets them in its list, forwards and back'
 	@if [ -n "$$DISPLAY" ]; then \
