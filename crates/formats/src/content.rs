@@ -10,7 +10,7 @@ use vides_engine::tools::fit::{self, Tolerance};
 use super::error::{Cause, Place, Result};
 use super::loss::{Loss, Report};
 use super::options::{As, Options};
-use crate::limits::{MAX_FPS, MAX_FRAMES, MAX_NAME_BYTES, MAX_OBJECT_POINTS};
+use crate::limits::{MAX_COMMENT_BYTES, MAX_FPS, MAX_FRAMES, MAX_NAME_BYTES, MAX_OBJECT_POINTS};
 use crate::math::quaternion::{angle, continue_sign};
 use crate::path::{CameraPath, Plan, Pose, Space, Up};
 
@@ -46,6 +46,8 @@ pub struct Recording {
     pub up: Option<Up>,
     /// A title, may be empty.
     pub title: String,
+    /// Any lines, may be empty.
+    pub comment: String,
     /// The name of the world's unit, may be empty.
     pub unit: String,
     /// Places that belong to it beside the positions, to be shown as points.
@@ -141,6 +143,7 @@ impl Recording {
         }));
         let info = Info {
             title: one_line(&self.title),
+            comment: shortened(&self.comment),
             unit: one_line(&self.unit),
             fps,
             first_frame: first.round() as i32,
@@ -233,8 +236,13 @@ impl Recording {
         report: &mut Report,
     ) -> Result<Scene> {
         let space = self.space(up)?;
+        // Of a camera on one spot there is no diagonal.
+        let extent = match self.diagonal() {
+            diagonal if diagonal > 0.0 => diagonal,
+            _ => space.half_size,
+        };
         let tolerance = Tolerance {
-            position: options.tolerance.unwrap_or(1e-3 * self.diagonal()),
+            position: options.tolerance.unwrap_or(1e-3 * extent),
             angle: options.angle,
         };
         let choice = fit::Options {
@@ -292,6 +300,15 @@ pub(super) fn one_line(text: &str) -> String {
         title.push(c);
     }
     title
+}
+
+/// A text of a file as the comment of a document: as much of it as that may have.
+pub(super) fn shortened(text: &str) -> String {
+    let mut end = text.len().min(MAX_COMMENT_BYTES);
+    while !text.is_char_boundary(end) {
+        end -= 1;
+    }
+    text[..end].to_owned()
 }
 
 /// How far a path is at most from poses at their times: a length, and an angle in degrees.

@@ -16,10 +16,10 @@ use vides_engine::scene::{Kind, MeshSource, Node, Object, Scene, Shape};
 
 use super::motion::{self, Users};
 use super::{TURNED, extensions, looks, space};
-use crate::content::one_line;
+use crate::content::{one_line, shortened};
 use crate::convention;
 use crate::error::{Cause, Error, Result};
-use crate::limits::{MAX_COMMENT_BYTES, MAX_FILE_BYTES, MAX_FPS, MAX_NAME_BYTES};
+use crate::limits::{MAX_FILE_BYTES, MAX_FPS, MAX_NAME_BYTES};
 use crate::loss::{Loss, Report};
 use crate::options::Options;
 use crate::source::Source;
@@ -171,10 +171,9 @@ pub(super) fn read(
     if range.is_some_and(|range| range != scene.frame_range()) {
         let _ = scene.set_range(range);
     }
-    let comment = text("comment").filter(|text| text.len() <= MAX_COMMENT_BYTES);
     let info = Info {
         title: one_line(text("title").unwrap_or("")),
-        comment: comment.unwrap_or("").to_owned(),
+        comment: shortened(text("comment").unwrap_or("")),
         // The format's lengths are metres.
         unit: match vides {
             Some(_) => one_line(text("unit").unwrap_or("")),

@@ -199,8 +199,10 @@ fn range_and_camera_come_back() {
         assert_eq!(read(file).unwrap().document.scene.nodes()[0].name, "alone");
     }
     let nothing = SceneDocument::new(Default::default(), vides_document::Info::default()).unwrap();
-    let (file, _) = written(&nothing, "glb", &Options::default());
-    assert!(read(file).is_err());
+    let format = by_name("glb").unwrap();
+    let file = &mut Vec::new();
+    let refused = export_to(&nothing, file, format, &Options::default(), &mut |_, _| {});
+    assert!(refused.unwrap_err().to_string().contains("no camera"));
 }
 
 #[test]

@@ -16,9 +16,9 @@ use super::ops::Room;
 use super::stage::{Prim, Stage};
 use super::write::FLIP;
 use super::{role, unit};
-use crate::content::{Content, Recording, one_line};
+use crate::content::{Content, Recording, one_line, shortened};
 use crate::error::{Cause, Error, Result};
-use crate::limits::{MAX_COMMENT_BYTES, MAX_COORDINATE, MAX_FPS};
+use crate::limits::{MAX_COORDINATE, MAX_FPS};
 use crate::loss::{Loss, Report};
 use crate::options::Options;
 use crate::path::Up;
@@ -130,14 +130,6 @@ fn rate(stage: &Stage<'_>, options: &Options) -> f64 {
     let said = [stage.codes_per_second, stage.frames_per_second, options.fps];
     let said = said.into_iter().flatten().find(sane);
     said.unwrap_or(RATE)
-}
-
-fn shortened(comment: &str) -> String {
-    let mut end = comment.len().min(MAX_COMMENT_BYTES);
-    while !comment.is_char_boundary(end) {
-        end -= 1;
-    }
-    comment[..end].to_owned()
 }
 
 #[derive(Default)]
