@@ -18,7 +18,7 @@ use crate::path::{CameraPath, Plan, Pose, Space, Up};
 pub(super) const DEFAULT_ZOOM: f64 = 24.0;
 
 /// Frames per second where neither file nor user says.
-const DEFAULT_FPS: f64 = 25.0;
+pub(super) const DEFAULT_FPS: f64 = 25.0;
 
 /// What a file holds.
 #[derive(Debug)]
@@ -68,13 +68,6 @@ impl Recording {
         Ok(())
     }
 
-    /// Frames per second by the user, the file, or none of them.
-    fn rate(&self, options: &Options) -> f64 {
-        let sane = |fps: &f64| *fps > 0.0 && *fps <= MAX_FPS;
-        let fps = self.fps.filter(sane).or(options.fps);
-        fps.unwrap_or(DEFAULT_FPS)
-    }
-
     /// The times of the poses in seconds from the first, at so many frames a second; none if there
     /// is a pose a frame.
     #[must_use]
@@ -117,7 +110,7 @@ impl Recording {
         if self.poses.is_empty() {
             return Err(Place::Whole.wrong(Cause::Empty));
         }
-        let fps = self.rate(options);
+        let fps = rate(&[self.fps], options, DEFAULT_FPS, report);
         let times = self.times(fps);
         if let Some(times) = &times
             && !times.is_sorted_by(|a, b| a < b)
@@ -286,6 +279,21 @@ fn check(pose: &Pose) -> Result<(), vides_engine::Error> {
         return Err(Invalid::RotationZero.into());
     }
     Ok(())
+}
+
+/// Frames per second: what the file says first, then the user, else `otherwise`. A rate beyond the
+/// range is told.
+pub(super) fn rate(
+    said: &[Option<f64>],
+    options: &Options,
+    otherwise: f64,
+    report: &mut Report,
+) -> f64 {
+    let sane = |fps: &f64| *fps > 0.0 && *fps <= MAX_FPS;
+    let said = said.iter().copied().flatten();
+    report.not_taken("the rate", said.clone().filter(|fps| !sane(fps)).count());
+    let mut known = said.chain(options.fps).filter(sane);
+    known.next().unwrap_or(otherwise)
 }
 
 /// A text of a file as the title of a document: its first line, as far as it may be long.

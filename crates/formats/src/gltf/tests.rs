@@ -206,6 +206,18 @@ fn range_and_camera_come_back() {
 }
 
 #[test]
+fn markers_are_told() {
+    let mut document = everything();
+    document.scene.set_marker("here", 3.0).unwrap();
+    let told = written(&document, "glb", &Options::default()).1;
+    let marker = Loss::NotTaken {
+        what: "marker".into(),
+        count: 1,
+    };
+    assert!(told.losses().contains(&marker));
+}
+
+#[test]
 fn nodes_come_back_as_they_were() {
     let before = everything();
     let (file, report) = written(&before, "glb", &Options::default());
