@@ -4,8 +4,6 @@
 use std::io::Write;
 use std::path::Path;
 
-use vides_engine::scene::NodeState;
-
 use super::blocks;
 use super::content::Content;
 use super::error::Result;
@@ -49,16 +47,17 @@ impl Format for Ascii {
         flight: &mut Flight<'_>,
         _: usize,
         out: &mut dyn Write,
-        _: &mut Report,
+        report: &mut Report,
     ) -> Result<()> {
+        flight.tell_others(report);
         let decimals = flight.options().digits.unwrap_or(DECIMALS);
         if flight.looks() {
             return flight.write_poses(Vec::new(), out, |_, text, _, pose| {
                 push_line(text, pose, decimals);
             });
         }
-        flight.write_states(Vec::new(), out, |_, text, _, state: &NodeState| {
-            for (at, number) in state.matrix.iter().enumerate() {
+        flight.write_states(Vec::new(), out, |flight, text, _, state| {
+            for (at, number) in flight.matrix(state).iter().enumerate() {
                 text.extend_from_slice(if at == 0 { b"" } else { b" " });
                 push_number(text, *number, decimals);
             }

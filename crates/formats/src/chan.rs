@@ -82,8 +82,10 @@ impl Format for Chan {
         flight.needs_camera()?;
         flight.tell_poses_only(report);
         let order = flight.options().rotation_order;
+        // Counted at the rate that is written, as whoever reads them counts.
+        let first = flight.number(0);
         let before = Cell::new([0.0; 3]);
-        flight.write_poses(Vec::new(), out, |flight, text, index, pose| {
+        flight.write_poses(Vec::new(), out, |_, text, index, pose| {
             let turn = convention::rotation(pose, CameraAxes::OpenGl);
             let mut angles = convention::euler(turn, order).map(f64::to_degrees);
             // What is drawn between frames runs on, not once round.
@@ -92,7 +94,7 @@ impl Format for Chan {
             }
             before.set(angles);
             let field = convention::field_of_view(pose.zoom).to_degrees();
-            let _ = write!(text, "{}\t", flight.number(index));
+            let _ = write!(text, "{}\t", first + index as f64);
             let numbers = pose.vrp.into_iter().chain(angles);
             rows::push(text, numbers.chain([field]), "\t");
             text.push(b'\n');

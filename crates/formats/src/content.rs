@@ -10,7 +10,7 @@ use vides_engine::tools::fit::{self, Tolerance};
 use super::error::{Cause, Place, Result};
 use super::loss::{Loss, Report};
 use super::options::{As, Options};
-use crate::limits::{MAX_FPS, MAX_FRAMES, MAX_NAME_BYTES, MAX_OBJECT_POINTS};
+use crate::limits::{MAX_COMMENT_BYTES, MAX_FPS, MAX_FRAMES, MAX_NAME_BYTES, MAX_OBJECT_POINTS};
 use crate::math::quaternion::{angle, continue_sign};
 use crate::path::{CameraPath, Plan, Pose, Space, Up};
 
@@ -18,7 +18,7 @@ use crate::path::{CameraPath, Plan, Pose, Space, Up};
 pub(super) const DEFAULT_ZOOM: f64 = 24.0;
 
 /// Frames per second where neither file nor user says.
-const DEFAULT_FPS: f64 = 25.0;
+pub(super) const DEFAULT_FPS: f64 = 25.0;
 
 /// What a file holds.
 #[derive(Debug)]
@@ -46,6 +46,8 @@ pub struct Recording {
     pub up: Option<Up>,
     /// A title, may be empty.
     pub title: String,
+    /// Any lines, may be empty.
+    pub comment: String,
     /// The name of the world's unit, may be empty.
     pub unit: String,
     /// Places that belong to it beside the positions, to be shown as points.
@@ -64,13 +66,6 @@ impl Recording {
         self.poses.try_reserve(1)?;
         self.poses.push(pose);
         Ok(())
-    }
-
-    /// Frames per second by the user, the file, or none of them.
-    fn rate(&self, options: &Options) -> f64 {
-        let sane = |fps: &f64| *fps > 0.0 && *fps <= MAX_FPS;
-        let fps = self.fps.filter(sane).or(options.fps);
-        fps.unwrap_or(DEFAULT_FPS)
     }
 
     /// The times of the poses in seconds from the first, at so many frames a second; none if there
@@ -115,7 +110,7 @@ impl Recording {
         if self.poses.is_empty() {
             return Err(Place::Whole.wrong(Cause::Empty));
         }
-        let fps = self.rate(options);
+        let fps = rate(&[self.fps], options, DEFAULT_FPS, report);
         let times = self.times(fps);
         if let Some(times) = &times
             && !times.is_sorted_by(|a, b| a < b)
@@ -141,6 +136,7 @@ impl Recording {
         }));
         let info = Info {
             title: one_line(&self.title),
+            comment: shortened(&self.comment),
             unit: one_line(&self.unit),
             fps,
             first_frame: first.round() as i32,
@@ -233,8 +229,13 @@ impl Recording {
         report: &mut Report,
     ) -> Result<Scene> {
         let space = self.space(up)?;
+        // Of a camera on one spot there is no diagonal.
+        let extent = match self.diagonal() {
+            diagonal if diagonal > 0.0 => diagonal,
+            _ => space.half_size,
+        };
         let tolerance = Tolerance {
-            position: options.tolerance.unwrap_or(1e-3 * self.diagonal()),
+            position: options.tolerance.unwrap_or(1e-3 * extent),
             angle: options.angle,
         };
         let choice = fit::Options {
@@ -280,6 +281,21 @@ fn check(pose: &Pose) -> Result<(), vides_engine::Error> {
     Ok(())
 }
 
+/// Frames per second: what the file says first, then the user, else `otherwise`. A rate beyond the
+/// range is told.
+pub(super) fn rate(
+    said: &[Option<f64>],
+    options: &Options,
+    otherwise: f64,
+    report: &mut Report,
+) -> f64 {
+    let sane = |fps: &f64| *fps > 0.0 && *fps <= MAX_FPS;
+    let said = said.iter().copied().flatten();
+    report.not_taken("the rate", said.clone().filter(|fps| !sane(fps)).count());
+    let mut known = said.chain(options.fps).filter(sane);
+    known.next().unwrap_or(otherwise)
+}
+
 /// A text of a file as the title of a document: its first line, as far as it may be long.
 pub(super) fn one_line(text: &str) -> String {
     let line = text.lines().next().unwrap_or("");
@@ -292,6 +308,15 @@ pub(super) fn one_line(text: &str) -> String {
         title.push(c);
     }
     title
+}
+
+/// A text of a file as the comment of a document: as much of it as that may have.
+pub(super) fn shortened(text: &str) -> String {
+    let mut end = text.len().min(MAX_COMMENT_BYTES);
+    while !text.is_char_boundary(end) {
+        end -= 1;
+    }
+    text[..end].to_owned()
 }
 
 /// How far a path is at most from poses at their times: a length, and an angle in degrees.

@@ -42,8 +42,9 @@ impl Format for Csv {
         flight: &mut Flight<'_>,
         _: usize,
         out: &mut dyn Write,
-        _: &mut Report,
+        report: &mut Report,
     ) -> Result<()> {
+        flight.tell_others(report);
         // Writing into a vector cannot fail.
         if flight.looks() {
             return flight.write_poses(HEADER.into(), out, |flight, text, index, pose| {
@@ -60,7 +61,7 @@ impl Format for Csv {
         }
         head.extend_from_slice(b",visible,seconds\n");
         flight.write_states(head, out, |flight, text, index, state| {
-            push_row(text, &flight.number(index), &state.matrix);
+            push_row(text, &flight.number(index), &flight.matrix(state));
             let _ = writeln!(text, ",{},{:?}", state.visible, flight.seconds(index));
         })
     }

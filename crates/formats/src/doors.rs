@@ -50,7 +50,7 @@ pub fn export(
     // A file of the folder may stand for it.
     let named = file
         .file_name()
-        .is_some_and(|name| parts.iter().any(|part| name == *part));
+        .is_some_and(|name| parts.iter().any(|part| name.eq_ignore_ascii_case(part)));
     let folder = if named {
         file.parent().unwrap_or(Path::new(""))
     } else {

@@ -2,7 +2,7 @@
 
 use std::io::Write;
 
-use glam::{DAffine3, DQuat, DVec3};
+use glam::{DAffine3, DMat4, DQuat, DVec3};
 use vides_document::error::{Place as ScenePlace, TooMany, vec_with_room};
 use vides_document::{Info, SceneDocument};
 use vides_engine::scene::{FollowPath, Kind, NodeState, Scene, Warnings};
@@ -71,7 +71,8 @@ impl<'a> Flight<'a> {
             });
         }
         let fps = options.fps.unwrap_or(document.info.fps);
-        let step = document.info.fps / fps;
+        // Finite, so that the first pose of the slowest rate is at a frame.
+        let step = (document.info.fps / fps).min(f64::MAX);
         let frames = ((to - from) / step + HAIR).floor();
         if frames >= MAX_FRAMES as f64 {
             return Err(Error::Document(TooMany::SceneFrames.into()));
@@ -213,6 +214,18 @@ impl<'a> Flight<'a> {
         convention::turn(self.document_up(), self.up) * rotation
     }
 
+    /// The matrix of a node to the file's world: turned upright and moved as poses are. Lengths in
+    /// it are the file's, too.
+    #[must_use]
+    pub fn matrix(&self, state: &NodeState) -> [f64; 16] {
+        let mut matrix = DMat4::from_cols_array(&state.matrix);
+        for axis in 0..3 {
+            *matrix.col_mut(axis) = self.direction(matrix.col(axis).truncate()).extend(0.0);
+        }
+        matrix.w_axis = self.place(matrix.w_axis.truncate()).extend(1.0);
+        matrix.to_cols_array()
+    }
+
     fn pose_in_file(&self, pose: &mut Pose) {
         if self.up == self.document_up() && self.options.scale == 1.0 {
             return;
@@ -267,6 +280,18 @@ impl<'a> Flight<'a> {
 
     /// As [`Flight::tell_poses_only`], of a format that keeps the object.
     pub fn tell_motion(&self, report: &mut Report) {
+        self.tell_others(report);
+        let node = &self.scene().nodes()[self.node];
+        if node.aim.is_some() {
+            report.add(Loss::Aims(1));
+        }
+        if node.path().is_some() {
+            report.add(Loss::Path);
+        }
+    }
+
+    /// Tells what a list of one node's frames leaves out: the other nodes.
+    pub fn tell_others(&self, report: &mut Report) {
         let nodes = self.scene().nodes().iter().enumerate();
         let mut others = [0, 0];
         for (at, node) in nodes {
@@ -276,13 +301,6 @@ impl<'a> Flight<'a> {
         }
         report.count(others[0], Loss::OtherNodes);
         report.count(others[1], Loss::OtherCameras);
-        let node = &self.scene().nodes()[self.node];
-        if node.aim.is_some() {
-            report.add(Loss::Aims(1));
-        }
-        if node.path().is_some() {
-            report.add(Loss::Path);
-        }
     }
 
     /// The poses from an index on, in the file's coordinates.

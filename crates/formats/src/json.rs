@@ -13,9 +13,9 @@ use super::format::{Format, Row};
 use super::loss::{Loss, Report};
 use super::options::Options;
 use super::source::Source;
-use super::tree;
+use super::tree::{self, At};
 use crate::math::camera::CameraAxes;
-use crate::path::{Pose, Space, Up};
+use crate::path::{Pose, Space};
 
 pub(super) struct Json;
 
@@ -40,21 +40,18 @@ impl Format for Json {
 
     fn read(&self, source: &Source, _: &Options, report: &mut Report) -> Result<Content> {
         let document = tree::parse(&source.bytes)?;
-        let root = tree::At::root(&document);
+        let root = At::root(&document);
+        let space = root.get("space");
+        let in_space = |key| space.and_then(|space| space.get(key));
         let mut recording = Recording {
-            title: root
-                .get("title")
-                .and_then(|at| at.text().ok())
-                .unwrap_or("")
-                .to_owned(),
-            fps: root.get("fps").map(|at| at.positive()).transpose()?,
-            first_frame: root.get("first_frame").map(|at| at.number()).transpose()?,
+            title: text(root.get("title"))?,
+            comment: text(root.get("comment"))?,
+            unit: text(in_space("unit"))?,
+            fps: root.get("fps").map(At::positive).transpose()?,
+            first_frame: root.get("first_frame").map(At::number).transpose()?,
+            up: in_space("up").map(At::up).transpose()?,
             ..Recording::default()
         };
-        if let Some(up) = root.get("space").and_then(|space| space.get("up")) {
-            let name = up.text()?;
-            recording.up = [Up::Y, Up::Z].into_iter().find(|up| up.name() == name);
-        }
         if let Some(states) = root.get("states") {
             report.add(Loss::FieldOfView);
             for state in states.list()? {
@@ -81,8 +78,9 @@ impl Format for Json {
         flight: &mut Flight<'_>,
         _: usize,
         out: &mut dyn Write,
-        _: &mut Report,
+        report: &mut Report,
     ) -> Result<()> {
+        flight.tell_others(report);
         let head = match flight.path_alone() {
             Some(_) => head(flight),
             None => node_head(flight),
@@ -97,14 +95,19 @@ impl Format for Json {
                 let _ = write!(text, "\"zoom\": {:?}}}", pose.zoom);
             })?;
         } else {
-            flight.write_states(head, out, |_, text, index, state| {
+            flight.write_states(head, out, |flight, text, index, state| {
                 push_begin(text, index);
-                let (matrix, visible) = (state.matrix, state.visible != 0);
+                let (matrix, visible) = (flight.matrix(state), state.visible != 0);
                 let _ = write!(text, "\"matrix\": {matrix:?}, \"visible\": {visible}}}");
             })?;
         }
         out.write_all(b"\n  ]\n}\n").map_err(blocks::failed)
     }
+}
+
+/// A text of the file, empty if there is none.
+pub(super) fn text(at: Option<At<'_>>) -> Result<String> {
+    Ok(at.map_or(Ok(""), At::text)?.to_owned())
 }
 
 fn head(flight: &Flight<'_>) -> Vec<u8> {

@@ -62,9 +62,6 @@ impl Lenses {
         report.count(self.clamped, Loss::FieldsClamped);
         report.count(self.off_centre, Loss::OffCentre);
         report.count(self.distorted, Loss::Distortion);
-        report.count(self.oblong, |count| Loss::NotTaken {
-            what: "the width of pixels that are not square".into(),
-            count,
-        });
+        report.not_taken("the width of pixels that are not square", self.oblong);
     }
 }

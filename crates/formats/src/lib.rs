@@ -28,6 +28,7 @@ mod json;
 mod kitti;
 mod lens;
 mod loss;
+mod names;
 mod nerfstudio;
 mod options;
 mod osg;

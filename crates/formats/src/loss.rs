@@ -180,6 +180,14 @@ impl Report {
         }
     }
 
+    /// Tells of as many as there are of anything else, if there are some.
+    pub fn not_taken(&mut self, what: &str, count: usize) {
+        self.count(count, |count| Loss::NotTaken {
+            what: what.into(),
+            count,
+        });
+    }
+
     /// All, in order.
     #[must_use]
     pub fn losses(&self) -> &[Loss] {

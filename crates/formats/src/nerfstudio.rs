@@ -170,21 +170,15 @@ fn key_seconds(root: At<'_>, key: At<'_>, before: Option<f64>) -> Result<Option<
 
 /// Tells what else such a file may hold.
 fn tell_rest(root: At<'_>, poses: usize, report: &mut Report) {
-    let mut tell = |what: &str, count| {
-        report.add(Loss::NotTaken {
-            what: what.into(),
-            count,
-        });
-    };
     match root.get("camera_type").and_then(|at| at.value.as_str()) {
         None | Some("perspective") => {}
-        Some(other) => tell(&format!("camera_type {other}"), poses),
+        Some(other) => report.not_taken(&format!("camera_type {other}"), poses),
     }
     if root.get("crop").is_some() {
-        tell("crop", 1);
+        report.not_taken("crop", 1);
     }
     if root.get("is_cycle").and_then(|at| at.value.as_bool()) == Some(true) {
-        tell("is_cycle", 1);
+        report.not_taken("is_cycle", 1);
     }
 }
 

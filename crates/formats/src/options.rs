@@ -138,7 +138,7 @@ pub const OPTIONS: &[OptionRow] = &[
         help: "The axis that stands upright in the file [default: as the format says]",
         wanted: "y or z",
         set: |options, text| {
-            options.up = Some([Up::Y, Up::Z].into_iter().find(|up| up.name() == text)?);
+            options.up = Some(Up::named(text)?);
             Some(())
         },
     },

@@ -83,14 +83,15 @@ pub(super) fn is_poses(beginning: &str, commas: bool) -> bool {
     wide && beginning.contains(',') == commas && (commas || !super::kitti::is_kitti(beginning))
 }
 
-/// The poses in a text, with or without frame numbers before and seconds behind; a heading on line
-/// 1 is skipped.
+/// The poses in a text, with or without frame numbers before and seconds behind, all alike; a
+/// heading on line 1 is skipped.
 ///
 /// # Errors
 /// [`Wanted::Number`], [`Cause::NumberCount`] with the line.
 pub(super) fn poses_of_text(text: &str) -> Result<Recording> {
     let mut recording = Recording::default();
     let (mut frames, mut seconds): (Vec<f64>, Vec<f64>) = (Vec::new(), Vec::new());
+    let mut width = None;
     for (line, row) in text.lines().enumerate() {
         let place = Place::Line(line + 1);
         let (mut numbers, mut found, mut read) = ([0.0; POSE + 2], 0, true);
@@ -106,20 +107,25 @@ pub(super) fn poses_of_text(text: &str) -> Result<Recording> {
             (_, 0) => continue,
             (false, _) if line == 0 => continue,
             (false, _) => return Err(place.expected(Wanted::Number)),
-            (true, POSE) => {}
-            (true, found) if found == POSE + 1 || found == POSE + 2 => {
-                frames.try_reserve(1)?;
-                frames.push(numbers[0]);
-                if found == POSE + 2 {
-                    seconds.try_reserve(1)?;
-                    seconds.push(numbers[POSE + 1]);
-                }
-                numbers.rotate_left(1);
+            (true, _) => {}
+        }
+        let first = if (POSE..=POSE + 2).contains(&found) {
+            found
+        } else {
+            POSE
+        };
+        let wanted = *width.get_or_insert(first);
+        if found != wanted {
+            return Err(place.wrong(Cause::NumberCount { wanted, found }));
+        }
+        if found > POSE {
+            frames.try_reserve(1)?;
+            frames.push(numbers[0]);
+            if found == POSE + 2 {
+                seconds.try_reserve(1)?;
+                seconds.push(numbers[POSE + 1]);
             }
-            (true, found) => {
-                let wanted = POSE;
-                return Err(place.wrong(Cause::NumberCount { wanted, found }));
-            }
+            numbers.rotate_left(1);
         }
         let vector = |at: usize| [numbers[at], numbers[at + 1], numbers[at + 2]];
         recording.push(Pose {
@@ -129,9 +135,8 @@ pub(super) fn poses_of_text(text: &str) -> Result<Recording> {
             zoom: numbers[9],
         })?;
     }
-    let all = [&frames, &seconds].map(|column| column.len() == recording.poses.len());
-    recording.frames = all[0].then_some(frames);
-    recording.seconds = all[1].then_some(seconds);
+    recording.frames = (width > Some(POSE)).then_some(frames);
+    recording.seconds = (width > Some(POSE + 1)).then_some(seconds);
     Ok(recording)
 }
 

@@ -7,7 +7,7 @@ use serde_json::Value;
 
 use super::error::{Cause, Place, Result, Wanted};
 use crate::math::camera::CameraAxes;
-use crate::path::Pose;
+use crate::path::{Pose, Up};
 
 /// Bytes that the parser takes, by a generous estimate, for an object and for any other value.
 const OBJECT: usize = 700;
@@ -157,6 +157,20 @@ impl<'a> At<'a> {
         self.value
             .as_str()
             .ok_or_else(|| self.expected(Wanted::Text))
+    }
+
+    /// An axis that stands upright, by its name.
+    ///
+    /// # Errors
+    /// [`Wanted::Text`], [`Cause::Unsupported`].
+    pub(super) fn up(self) -> Result<Up> {
+        let name = self.text()?;
+        Up::named(name).ok_or_else(|| {
+            self.wrong(Cause::Unsupported {
+                name: name.chars().take(64).collect::<String>().as_str().into(),
+                help: "",
+            })
+        })
     }
 
     /// Exactly so many numbers.

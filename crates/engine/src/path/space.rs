@@ -62,6 +62,12 @@ impl Up {
         orientation::roll_from_up(self.upright(view), self.upright(up))
     }
 
+    /// The axis of this name.
+    #[must_use]
+    pub fn named(name: &str) -> Option<Self> {
+        [Self::Y, Self::Z].into_iter().find(|up| up.name() == name)
+    }
+
     /// "y" or "z".
     #[must_use]
     pub const fn name(self) -> &'static str {

@@ -245,12 +245,7 @@ impl Model {
         }
         lenses.tell(report);
         report.add(Loss::Times);
-        if self.more_points > 0 {
-            report.add(Loss::NotTaken {
-                what: "points3D".into(),
-                count: self.more_points,
-            });
-        }
+        report.not_taken("points3D", self.more_points);
         recording.points = self.points;
         Ok(recording)
     }

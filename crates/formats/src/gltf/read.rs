@@ -16,17 +16,15 @@ use vides_engine::scene::{Kind, MeshSource, Node, Object, Scene, Shape};
 
 use super::motion::{self, Users};
 use super::{TURNED, extensions, looks, space};
-use crate::content::one_line;
+use crate::content::{DEFAULT_FPS, one_line, rate, shortened};
 use crate::convention;
 use crate::error::{Cause, Error, Result};
-use crate::limits::{MAX_COMMENT_BYTES, MAX_FILE_BYTES, MAX_FPS, MAX_NAME_BYTES};
+use crate::limits::MAX_FILE_BYTES;
 use crate::loss::{Loss, Report};
+use crate::names::Names;
 use crate::options::Options;
 use crate::source::Source;
 use crate::tree::At;
-
-/// Frames per second where neither file nor user says.
-const DEFAULT_FPS: f64 = 25.0;
 
 /// How far a rotation may be from half a turn about y to be taken for it.
 const NEARLY: f64 = 1e-6;
@@ -72,40 +70,6 @@ struct Reader<'a> {
     flat: usize,
 }
 
-/// Names that are taken, and the next number of each.
-#[derive(Default)]
-struct Names {
-    taken: HashSet<String>,
-    next: HashMap<String, usize>,
-}
-
-impl Names {
-    /// The name, or one like it that is free.
-    fn unique(&mut self, wanted: &str) -> Result<String> {
-        let mut name = one_line(wanted);
-        if name.is_empty() {
-            name = "node".to_owned();
-        }
-        self.taken.try_reserve(1)?;
-        self.next.try_reserve(1)?;
-        if self.taken.insert(name.clone()) {
-            return Ok(name);
-        }
-        let mut base = name;
-        while base.len() > MAX_NAME_BYTES - 16 {
-            base.pop();
-        }
-        let next = self.next.entry(base.clone()).or_insert(2);
-        loop {
-            let numbered = format!("{base} {next}");
-            *next += 1;
-            if self.taken.insert(numbered.clone()) {
-                return Ok(numbered);
-            }
-        }
-    }
-}
-
 /// The scene in a file.
 pub(super) fn read(
     source: &Source,
@@ -125,25 +89,18 @@ pub(super) fn read(
     }
     let vides = root.get("asset").and_then(ours);
     let number = |key| vides?.get(key)?.value.as_f64();
-    let fps = number("fps").filter(|fps| *fps > 0.0 && *fps <= MAX_FPS);
-    let fps = fps.or(options.fps).unwrap_or(DEFAULT_FPS);
+    let fps = rate(&[number("fps")], options, DEFAULT_FPS, report);
     reader.animate(fps, report)?;
     report.count(reader.sheared, Loss::Sheared);
     report.count(reader.skins, Loss::Skins);
     report.count(reader.clamped, Loss::FieldsClamped);
-    let told = |report: &mut Report, what: &str, count: usize| {
-        if count > 0 {
-            let what = what.into();
-            report.add(Loss::NotTaken { what, count });
-        }
-    };
-    told(report, "an orthographic projection", reader.flat);
+    report.not_taken("an orthographic projection", reader.flat);
     let scenes = root
         .get("scenes")
         .map_or(Ok(0), |list| Ok::<_, Error>(list.list()?.len()))?;
     let textures = root.get("textures").and_then(|list| list.value.as_array());
-    told(report, "a texture", textures.map_or(0, Vec::len));
-    told(report, "another scene", scenes.saturating_sub(1));
+    report.not_taken("a texture", textures.map_or(0, Vec::len));
+    report.not_taken("another scene", scenes.saturating_sub(1));
     let mut scene = Scene::from_nodes(reader.nodes).map_err(|(_, error)| error)?;
     let up = options.up.unwrap_or_default();
     let own = vides.and_then(|vides| {
@@ -171,10 +128,9 @@ pub(super) fn read(
     if range.is_some_and(|range| range != scene.frame_range()) {
         let _ = scene.set_range(range);
     }
-    let comment = text("comment").filter(|text| text.len() <= MAX_COMMENT_BYTES);
     let info = Info {
         title: one_line(text("title").unwrap_or("")),
-        comment: comment.unwrap_or("").to_owned(),
+        comment: shortened(text("comment").unwrap_or("")),
         // The format's lengths are metres.
         unit: match vides {
             Some(_) => one_line(text("unit").unwrap_or("")),
@@ -558,12 +514,7 @@ impl<'a> Reader<'a> {
         };
         motion.animation(first)?;
         self.clamped += motion.clamped;
-        if motion.left_out > 0 {
-            report.add(Loss::NotTaken {
-                what: "the animation of another property".into(),
-                count: motion.left_out,
-            });
-        }
+        report.not_taken("the animation of another property", motion.left_out);
         Ok(())
     }
 }

@@ -199,8 +199,22 @@ fn range_and_camera_come_back() {
         assert_eq!(read(file).unwrap().document.scene.nodes()[0].name, "alone");
     }
     let nothing = SceneDocument::new(Default::default(), vides_document::Info::default()).unwrap();
-    let glb = crate::by_name("glb").unwrap();
-    assert!(crate::losses(&nothing, glb, &Options::default()).is_err());
+    let format = by_name("glb").unwrap();
+    let file = &mut Vec::new();
+    let refused = export_to(&nothing, file, format, &Options::default(), &mut |_, _| {});
+    assert!(refused.unwrap_err().to_string().contains("no camera"));
+}
+
+#[test]
+fn markers_are_told() {
+    let mut document = everything();
+    document.scene.set_marker("here", 3.0).unwrap();
+    let told = written(&document, "glb", &Options::default()).1;
+    let marker = Loss::NotTaken {
+        what: "marker".into(),
+        count: 1,
+    };
+    assert!(told.losses().contains(&marker));
 }
 
 #[test]

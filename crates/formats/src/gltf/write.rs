@@ -299,10 +299,8 @@ impl<'f, 'd> Writer<'f, 'd> {
         report.count(counts.deformations, Loss::Deformations);
         report.count(counts.host, Loss::HostChannels);
         report.count(counts.sheared, Loss::Sheared);
-        report.count(self.meshes.coloured_shapes, |count| Loss::NotTaken {
-            what: "a shape's colours".into(),
-            count,
-        });
+        report.not_taken("a shape's colours", self.meshes.coloured_shapes);
+        report.not_taken("marker", self.flight.scene().markers().len());
     }
 
     /// The JSON of the file without its buffers, and their bytes.

@@ -94,11 +94,7 @@ fn tell(flight: &Flight<'_>, report: &mut Report) {
     let hosts = tracks().filter(|track| matches!(track.channel(), Channel::Value { .. }));
     report.count(hosts.count(), Loss::HostChannels);
     let colours = tracks().filter(|track| *track.channel() == Channel::Colour);
-    let count = colours.count();
-    if count > 0 {
-        let what = "the change of a colour".into();
-        report.add(Loss::NotTaken { what, count });
-    }
+    report.not_taken("the change of a colour", colours.count());
     if nodes[flight.node()].aim.is_some() {
         report.add(Loss::Aims(1));
     }

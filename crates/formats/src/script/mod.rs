@@ -116,12 +116,7 @@ fn push_object(text: &mut Vec<u8>, flight: &Flight<'_>, report: &mut Report) {
             .filter(|(_, colour)| colour.is_some())
             .count(),
     };
-    if coloured > 0 {
-        report.add(Loss::NotTaken {
-            what: "colour of points".into(),
-            count: coloured,
-        });
-    }
+    report.not_taken("colour of points", coloured);
 }
 
 fn push_rows<T: std::fmt::Debug>(text: &mut Vec<u8>, rows: impl IntoIterator<Item = T>) {

@@ -8,12 +8,13 @@ use vides_engine::path::camera_path::Target;
 use vides_engine::scene::NodeState;
 
 use crate::content::{Content, Recording};
-use crate::error::{Cause, Result};
+use crate::error::Result;
 use crate::flight::Flight;
 use crate::format::{Format, Row};
+use crate::json::text;
 use crate::loss::{Loss, Report};
 use crate::options::Options;
-use crate::path::{Pose, Up};
+use crate::path::Pose;
 use crate::source::Source;
 use crate::tree::{self, At};
 
@@ -47,23 +48,14 @@ impl Format for ParaView {
         let (json, lines) = super::data(source.text()?)?;
         let parsed = tree::parse(json.as_bytes()).map_err(|error| super::in_file(error, lines))?;
         let root = At::root(&parsed);
-        let text = |key| root.get(key).map_or(Ok(""), At::text).map(str::to_owned);
         let mut recording = Recording {
-            title: text("title")?,
-            unit: text("unit")?,
+            title: text(root.get("title"))?,
+            unit: text(root.get("unit"))?,
             fps: root.get("fps").map(At::positive).transpose()?,
             first_frame: root.get("first_frame").map(At::number).transpose()?,
+            up: root.get("up").map(At::up).transpose()?,
             ..Recording::default()
         };
-        if let Some(up) = root.get("up") {
-            let name = up.text()?;
-            let known = [Up::Y, Up::Z].into_iter().find(|up| up.name() == name);
-            let unknown = || Cause::Unsupported {
-                name: name.into(),
-                help: "",
-            };
-            recording.up = Some(known.ok_or_else(|| up.wrong(unknown()))?);
-        }
         for frame in root.need("frames")?.list()? {
             let row = frame.numbers::<11>()?;
             let vector = |at: usize| [row[at], row[at + 1], row[at + 2]];

@@ -81,7 +81,9 @@ impl<'a> Reader<'_, 'a> {
         let intensity = number("inputs:intensity", if directional { 50_000.0 } else { 1.0 })?;
         let exposure = number("inputs:exposure", 0.0)?;
         let bright = together([&intensity, &exposure], |[intensity, exposure]| {
-            [(intensity * exposure.exp2()).clamp(0.0, MAX_COORDINATE)]
+            // Finite, so that nothing times it is nothing.
+            let share = exposure.exp2().min(f64::MAX);
+            [(intensity * share).clamp(0.0, MAX_COORDINATE)]
         })?;
         if let Some(curve) = self.moving(node, Channel::Intensity, Some(bright))? {
             node.rest.intensity = curve.first()[0];

@@ -1,6 +1,6 @@
 //! The prims of a file as a scene.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 
 use glam::DVec3;
 use vides_document::error::{Place as ScenePlace, vec_with_room};
@@ -16,10 +16,11 @@ use super::ops::Room;
 use super::stage::{Prim, Stage};
 use super::write::FLIP;
 use super::{role, unit};
-use crate::content::{Content, Recording, one_line};
+use crate::content::{Content, Recording, one_line, rate, shortened};
 use crate::error::{Cause, Error, Result};
-use crate::limits::{MAX_COMMENT_BYTES, MAX_COORDINATE, MAX_FPS};
+use crate::limits::MAX_COORDINATE;
 use crate::loss::{Loss, Report};
+use crate::names::Names;
 use crate::options::Options;
 use crate::path::Up;
 
@@ -46,7 +47,7 @@ pub(super) fn read(text: &str, options: &Options, report: &mut Report) -> Result
         stage: &stage,
         start: start.into(),
         room: Room(text.len() + ROOM),
-        names: HashMap::new(),
+        names: Names::default(),
         nodes: Vec::new(),
         wireframe: Vec::new(),
         told: BTreeMap::new(),
@@ -63,8 +64,7 @@ pub(super) fn read(text: &str, options: &Options, report: &mut Report) -> Result
     } = reader;
     counts.tell(report);
     for (what, count) in stage.told.iter().chain(&told) {
-        let (what, count) = ((*what).into(), *count);
-        report.add(Loss::NotTaken { what, count });
+        report.not_taken(what, *count);
     }
     let names: Vec<String> = nodes.iter().map(|node| node.name.clone()).collect();
     let mut scene = Scene::from_nodes(nodes).map_err(|(at, error)| {
@@ -85,10 +85,12 @@ pub(super) fn read(text: &str, options: &Options, report: &mut Report) -> Result
         ..Recording::default()
     };
     scene.set_space(space.space(options.up.unwrap_or(up))?)?;
+    let rates = [stage.codes_per_second, stage.frames_per_second];
+    let fps = rate(&rates, options, RATE, report);
     let info = Info {
         title: one_line(&stage.title),
         comment: shortened(&stage.doc),
-        fps: rate(&stage, options),
+        fps,
         first_frame: start,
         unit: one_line(&stage.unit.clone().unwrap_or_else(|| {
             let metres = stage.metres.filter(|metres| *metres > 0.0);
@@ -125,21 +127,6 @@ fn first_frame(stage: &Stage<'_>) -> Result<i32> {
     Ok(start as i32)
 }
 
-fn rate(stage: &Stage<'_>, options: &Options) -> f64 {
-    let sane = |fps: &f64| *fps > 0.0 && *fps <= MAX_FPS;
-    let said = [stage.codes_per_second, stage.frames_per_second, options.fps];
-    let said = said.into_iter().flatten().find(sane);
-    said.unwrap_or(RATE)
-}
-
-fn shortened(comment: &str) -> String {
-    let mut end = comment.len().min(MAX_COMMENT_BYTES);
-    while !comment.is_char_boundary(end) {
-        end -= 1;
-    }
-    comment[..end].to_owned()
-}
-
 #[derive(Default)]
 pub(super) struct Counts {
     sampled: usize,
@@ -162,8 +149,7 @@ pub(super) struct Reader<'s, 'a> {
     /// The time code of frame 1.
     start: f64,
     room: Room,
-    /// Names that are taken, and the number that the next of the same name gets.
-    names: HashMap<String, usize>,
+    names: Names,
     nodes: Vec<Node>,
     wireframe: Vec<vides_document::ObjectPoint>,
     pub(super) told: BTreeMap<&'a str, usize>,
@@ -318,8 +304,8 @@ impl<'a> Reader<'_, 'a> {
         })
     }
 
-    /// The number of the node that a prim becomes, with what `held` holds, which is in it or itself. What looks and has others in it becomes two, since
-    /// it looks the other way.
+    /// The number of the node that a prim becomes, with what `held` holds, which is in it or itself.
+    /// What looks and has others in it becomes two, since it looks the other way.
     fn node(
         &mut self,
         prim: &Prim<'a>,
@@ -334,7 +320,7 @@ impl<'a> Reader<'_, 'a> {
         } else {
             &prim.display_name
         };
-        let name = self.name(name);
+        let name = self.names.unique(name)?;
         let group = if kind.looks() && inside {
             Kind::Group
         } else {
@@ -351,7 +337,7 @@ impl<'a> Reader<'_, 'a> {
         self.nodes.try_reserve(2)?;
         if kind.looks() && inside {
             self.nodes.push(node);
-            let name = self.name(&format!("{name} {}", kind.name()));
+            let name = self.names.unique(&format!("{name} {}", kind.name()))?;
             let mut looking = Node::new(&name, kind);
             looking.parent = Some(at);
             looking.rest.rotation = FLIP;
@@ -362,23 +348,6 @@ impl<'a> Reader<'_, 'a> {
             self.nodes.push(node);
         }
         Ok(at)
-    }
-
-    /// A name that no other node has.
-    fn name(&mut self, name: &str) -> String {
-        let mut plain = one_line(name);
-        if plain.is_empty() {
-            plain.push_str("node");
-        }
-        let mut number = self.names.get(&plain).copied().unwrap_or(1);
-        let mut given = plain.clone();
-        while self.names.contains_key(&given) {
-            number += 1;
-            given = format!("{plain} {number}");
-        }
-        self.names.insert(plain, number);
-        self.names.entry(given.clone()).or_insert(1);
-        given
     }
 
     fn place(&mut self, prim: &Prim<'a>, node: &mut Node, looks: bool) -> Result<()> {

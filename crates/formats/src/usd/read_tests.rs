@@ -317,3 +317,32 @@ fn what_an_xform_is_for_becomes_one_node() {
     let text = text.replace("{ float", "{ } def Camera \"b\" { float");
     assert_eq!(read(&text).document.scene.nodes().len(), 4);
 }
+
+/// A number behind the longest name must not make it longer.
+#[test]
+fn the_longest_names_are_numbered_too() {
+    let name = "n".repeat(crate::limits::MAX_NAME_BYTES);
+    let prim = format!("def Camera \"{name}\" {{}}\n");
+    let read = read(&format!(
+        "#usda 1.0\ndef \"a\"\n{{\n{prim}}}\ndef \"b\"\n{{\n{prim}}}\n"
+    ));
+    let nodes = read.document.scene.nodes();
+    let cameras = nodes
+        .iter()
+        .filter(|node| matches!(node.kind, Kind::Camera(_)));
+    assert_eq!(cameras.count(), 2);
+}
+
+/// Nothing times the brightest exposure is nothing.
+#[test]
+fn exposures_without_end_leave_the_dark_dark() {
+    for (intensity, bright) in [(0.0, 0.0), (1.0, crate::limits::MAX_COORDINATE)] {
+        let light = format!("float inputs:intensity = {intensity}\nfloat inputs:exposure = 1e30");
+        let read = read(&prim("SphereLight", &light));
+        let it = read.document.scene.find("it").unwrap();
+        assert_eq!(
+            read.document.scene.nodes()[it].rest.intensity.to_bits(),
+            f64::to_bits(bright)
+        );
+    }
+}

@@ -360,12 +360,7 @@ impl<'d> Writer<'_, '_, 'd> {
         self.report
             .count(nodes.iter().map(host).sum(), Loss::HostChannels);
         self.report
-            .count(self.flight.scene().markers().len(), |count| {
-                Loss::NotTaken {
-                    what: "marker".into(),
-                    count,
-                }
-            });
+            .not_taken("marker", self.flight.scene().markers().len());
     }
 }
 
