@@ -84,18 +84,14 @@ impl Format for Cameras {
             let _ = write!(
                 text,
                 "{comma}\n  {{\"id\": {index}, \"img_name\": \"{:05}\", \"width\": {width}, \
-                 \"height\": {height}, \"position\": {:?}, \"rotation\": [",
+                 \"height\": {height}, \"position\": {:?}, \"rotation\": ",
                 index + 1,
                 pose.vrp
             );
             let rows = DMat3::from_mat4(convention::matrix(pose, CameraAxes::OpenCv)).transpose();
-            for axis in 0..3 {
-                text.extend_from_slice(if axis == 0 { b"[" } else { b", [" });
-                rows::push(text, rows.col(axis).to_array(), ", ");
-                text.push(b']');
-            }
+            rows::push_matrix(text, rows.to_cols_array_2d());
             let focal = flight.focal_pixels(pose.zoom);
-            let _ = write!(text, "], \"fx\": {focal:?}, \"fy\": {focal:?}}}");
+            let _ = write!(text, ", \"fx\": {focal:?}, \"fy\": {focal:?}}}");
         })?;
         out.write_all(b"\n]\n").map_err(blocks::failed)
     }

@@ -61,7 +61,7 @@ impl Format for Chan {
                 lenses.without()
             };
             let turn = [a, b, c].map(f64::to_radians);
-            let turn = convention::of_euler(turn, options.rotation_order);
+            let turn = convention::of_euler(turn, &options.rotation_order);
             let position = DVec3::new(x, y, z);
             recording.push(place.pose(position, turn, CameraAxes::OpenGl, zoom)?)?;
             frames.try_reserve(1)?;

@@ -1,12 +1,13 @@
 //! What is read: a scene, or a list of poses that becomes one.
 
-use glam::{DQuat, DVec3};
+use glam::DVec3;
 use vides_document::error::{TooMany, vec_with_room};
 use vides_document::{Info, ObjectPoint, SceneDocument};
 use vides_engine::error::{Invalid, Place as EnginePlace};
 use vides_engine::scene::{Camera, Channel, Interpolation, Kind, Node, Scene, Track};
 use vides_engine::tools::fit::{self, Tolerance};
 
+use super::convention::Continued;
 use super::error::{Cause, Place, Result};
 use super::loss::{Loss, Report};
 use super::options::{As, Options};
@@ -191,12 +192,10 @@ impl Recording {
         let count = self.poses.len();
         let numbers = |width: usize| vec_with_room::<f64>(width * count);
         let (mut positions, mut rotations, mut zooms) = (numbers(3)?, numbers(4)?, numbers(1)?);
-        let mut before: Option<DQuat> = None;
+        let mut continued = Continued::default();
         for (at, pose) in self.poses.iter().enumerate() {
             check(pose).map_err(|error| error.at(EnginePlace::Pose(at)))?;
-            let turn = pose.rotation();
-            let turn = before.map_or(turn, |before| continue_sign(before, turn).0);
-            before = Some(turn);
+            let turn = continued.next(pose.rotation());
             positions.extend(pose.vrp);
             rotations.extend([turn.w, turn.x, turn.y, turn.z]);
             zooms.push(pose.zoom);

@@ -9,6 +9,7 @@ use super::error::{Cause, Place, Result, Wanted};
 use crate::limits::{MAX_ZOOM, MIN_ZOOM};
 use crate::math::camera::CameraAxes;
 use crate::math::orientation::quaternion_from_view;
+use crate::math::quaternion::continue_sign;
 use crate::path::{Pose, Up};
 
 /// Half the height of the film in mm (36 × 24 mm).
@@ -17,6 +18,9 @@ const HALF_FILM: f64 = 12.0;
 /// A matrix whose columns are farther than this from perpendicular unit vectors is no rotation.
 /// Files hold six digits, and some programs let rounding grow.
 const NEARLY: f64 = 1e-2;
+
+/// Half a turn about up: what looks along z looks along −z then, and back. (0, 0, 1, 0) as w x y z.
+pub const LOOKING_BACK: DQuat = DQuat::from_xyzw(0.0, 1.0, 0.0, 0.0);
 
 /// The vertical field of view of a zoom, in radians.
 #[must_use]
@@ -102,11 +106,34 @@ pub fn euler(rotation: DQuat, order: [usize; 3]) -> [f64; 3] {
     angles
 }
 
-/// The rotation of turns by angles about x, y and z in radians, the axis `order[0]` first.
+/// The rotation of turns by angles about x, y and z in radians, the axis `order[0]` first; axes
+/// that are not in `order` do not turn.
 #[must_use]
-pub fn of_euler(angles: [f64; 3], order: [usize; 3]) -> DQuat {
-    let turns = order.map(|axis| about(axis, angles[axis]));
-    turns[2] * turns[1] * turns[0]
+pub fn of_euler(angles: [f64; 3], order: &[usize]) -> DQuat {
+    let turns = order.iter().map(|&axis| about(axis, angles[axis % 3]));
+    turns
+        .rev()
+        .fold(DQuat::IDENTITY, |turned, turn| turned * turn)
+}
+
+/// A rotation, then a roll about the view by degrees: the camera's own.
+#[must_use]
+pub fn rolled(rotation: DQuat, degrees: f64) -> DQuat {
+    rotation * DQuat::from_rotation_z(degrees.to_radians())
+}
+
+/// Rotations one after the other, neighbours in one hemisphere.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Continued(Option<DQuat>);
+
+impl Continued {
+    /// The rotation, or its negative, which is the same one, if that is nearer to the one before.
+    pub fn next(&mut self, rotation: DQuat) -> DQuat {
+        let before = self.0;
+        let next = before.map_or(rotation, |before| continue_sign(before, rotation).0);
+        self.0 = Some(next);
+        next
+    }
 }
 
 fn about(axis: usize, angle: f64) -> DQuat {
@@ -122,8 +149,7 @@ fn handedness([first, middle, _]: [usize; 3]) -> f64 {
 fn to_ours(axes: CameraAxes) -> DQuat {
     match axes {
         CameraAxes::Vides => DQuat::IDENTITY,
-        // By half a turn about up: (w, x, y, z) = (0, 0, 1, 0).
-        CameraAxes::OpenGl => DQuat::from_xyzw(0.0, 1.0, 0.0, 0.0),
+        CameraAxes::OpenGl => LOOKING_BACK,
         // By half a turn about the view: (0, 0, 0, 1).
         CameraAxes::OpenCv => DQuat::from_xyzw(0.0, 0.0, 1.0, 0.0),
         // Its x is our z, its y our x, its z our y.
@@ -334,9 +360,9 @@ mod tests {
                 for (axis, angle) in order.into_iter().zip([2.5, middle, -0.7]) {
                     angles[axis] = angle;
                 }
-                let turn = of_euler(angles, order);
+                let turn = of_euler(angles, &order);
                 let again = euler(turn, order);
-                let off = turn.conjugate() * of_euler(again, order);
+                let off = turn.conjugate() * of_euler(again, &order);
                 assert!(off.xyz().length() < 1e-15, "{order:?} {middle}");
                 if middle.abs() < 1.5 {
                     let same = |axis: usize| (angles[axis] - again[axis]).abs() < 1e-14;
@@ -345,7 +371,7 @@ mod tests {
             }
         }
         // First about z, then x, then y: x goes to y, on to z, on to x.
-        let quarters = of_euler([quarter; 3], [2, 0, 1]);
+        let quarters = of_euler([quarter; 3], &[2, 0, 1]);
         assert!((quarters * DVec3::X - DVec3::X).length() < 1e-15);
         let (back, there) = inverse(quarters, DVec3::new(1.0, 2.0, 3.0));
         assert!((back * DVec3::new(1.0, 2.0, 3.0) + there).length() < 1e-15);

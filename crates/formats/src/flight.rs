@@ -5,7 +5,7 @@ use std::io::Write;
 use glam::{DAffine3, DMat4, DQuat, DVec3};
 use vides_document::error::{Place as ScenePlace, TooMany, vec_with_room};
 use vides_document::{Info, SceneDocument};
-use vides_engine::scene::{FollowPath, Kind, NodeState, Scene, Warnings};
+use vides_engine::scene::{FollowPath, Kind, Node, NodeState, Scene, Warnings};
 
 use super::blocks::{self, Progress};
 use super::convention::{self, focal_pixels};
@@ -226,13 +226,18 @@ impl<'a> Flight<'a> {
         matrix.to_cols_array()
     }
 
-    fn pose_in_file(&self, pose: &mut Pose) {
+    /// A pose of the document in the file's coordinates.
+    #[must_use]
+    pub fn pose(&self, pose: Pose) -> Pose {
         if self.up == self.document_up() && self.options.scale == 1.0 {
-            return;
+            return pose;
         }
-        pose.vrp = self.place(pose.vrp.into()).to_array();
-        pose.vpn = self.direction(pose.vpn.into()).to_array();
-        pose.vup = self.direction(pose.vup.into()).to_array();
+        Pose {
+            vrp: self.place(pose.vrp.into()).to_array(),
+            vpn: self.direction(pose.vpn.into()).to_array(),
+            vup: self.direction(pose.vup.into()).to_array(),
+            zoom: pose.zoom,
+        }
     }
 
     /// The path, if the document is nothing but one camera on it.
@@ -319,15 +324,13 @@ impl<'a> Flight<'a> {
                 }
             }
         } else {
-            let mut states = vec_with_room(poses.len())?;
-            states.resize(poses.len(), NodeState::default());
-            self.states(self.node, from, &mut states)?;
+            let states = self.states(self.node, from, poses.len())?;
             for (pose, state) in poses.iter_mut().zip(&states) {
                 *pose = state.pose;
             }
         }
         for pose in poses {
-            self.pose_in_file(pose);
+            *pose = self.pose(*pose);
         }
         Ok(())
     }
@@ -347,15 +350,22 @@ impl<'a> Flight<'a> {
     ///
     /// # Errors
     /// As [`Flight::poses`].
-    pub fn states(&self, node: usize, from: usize, states: &mut [NodeState]) -> Result<()> {
+    pub fn states(&self, node: usize, from: usize, count: usize) -> Result<Vec<NodeState>> {
+        let mut states = vec_with_room(count)?;
+        states.resize(count, NodeState::default());
+        self.fill_states(node, from, &mut states)?;
+        Ok(states)
+    }
+
+    /// As [`Flight::states`], into room that is there.
+    ///
+    /// # Errors
+    /// As [`Flight::poses`].
+    pub fn fill_states(&self, node: usize, from: usize, states: &mut [NodeState]) -> Result<()> {
         let scene = self.scene();
         let mut warnings = Warnings::default();
         scene.sample(node, self.frame(from), self.step, states, &mut warnings)?;
-        let name = || ScenePlace::Node(scene.nodes()[node].name.as_str().into());
-        match warnings.into_error() {
-            Some(error) => Err(error.at(name()).into()),
-            None => Ok(()),
-        }
+        succeeded(warnings, &scene.nodes()[node])
     }
 
     /// Writes `head`, then each pose as `push` appends it, in blocks.
@@ -382,7 +392,7 @@ impl<'a> Flight<'a> {
         push: impl Fn(&Self, &mut Vec<u8>, usize, &NodeState),
     ) -> Result<()> {
         let states = |flight: &Self, from, states: &mut [NodeState]| {
-            flight.states(flight.node, from, states)
+            flight.fill_states(flight.node, from, states)
         };
         self.write_blocks(head, out, states, push)
     }
@@ -415,5 +425,16 @@ impl<'a> Flight<'a> {
         );
         self.progress = progress;
         done
+    }
+}
+
+/// Fails with the node's name if something went wrong while the rest went on.
+///
+/// # Errors
+/// The first of what went wrong.
+pub(super) fn succeeded(warnings: Warnings, node: &Node) -> Result<()> {
+    match warnings.into_error() {
+        Some(error) => Err(error.at(ScenePlace::Node(node.name.as_str().into())).into()),
+        None => Ok(()),
     }
 }

@@ -11,6 +11,7 @@
 #![forbid(unsafe_code)]
 
 mod ascii;
+mod base64;
 mod blocks;
 mod cameras;
 mod chan;

@@ -73,6 +73,19 @@ pub(super) fn push(text: &mut Vec<u8>, numbers: impl IntoIterator<Item = f64>, b
     }
 }
 
+/// Appends `[[a, b], [c, d]]`, the numbers as [`push`] does.
+pub(super) fn push_matrix<const N: usize>(
+    text: &mut Vec<u8>,
+    rows: impl IntoIterator<Item = [f64; N]>,
+) {
+    for (at, row) in rows.into_iter().enumerate() {
+        text.extend_from_slice(if at == 0 { b"[[" } else { b", [" });
+        push(text, row, ", ");
+        text.push(b']');
+    }
+    text.push(b']');
+}
+
 const POSE: usize = 10;
 
 /// Whether this begins like poses, with commas or without.

@@ -98,14 +98,10 @@ impl Format for Transforms {
                 push_lens(text, flight, pose.zoom);
                 text.extend_from_slice(b", ");
             }
-            text.extend_from_slice(b"\"transform_matrix\": [");
+            text.extend_from_slice(b"\"transform_matrix\": ");
             let rows = convention::matrix(pose, CameraAxes::OpenGl).transpose();
-            for row in 0..4 {
-                text.extend_from_slice(if row == 0 { b"[" } else { b", [" });
-                rows::push(text, rows.col(row).to_array(), ", ");
-                text.push(b']');
-            }
-            text.extend_from_slice(b"]}");
+            rows::push_matrix(text, rows.to_cols_array_2d());
+            text.push(b'}');
         })?;
         out.write_all(b"\n  ]\n}\n").map_err(blocks::failed)
     }

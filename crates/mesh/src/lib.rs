@@ -13,6 +13,7 @@ mod obj;
 mod opened;
 #[cfg(feature = "ply")]
 mod ply;
+pub mod srgb;
 mod stl;
 #[cfg(all(test, feature = "gltf", feature = "ply"))]
 mod tests;

@@ -141,13 +141,7 @@ impl Binary {
     }
 }
 
-/// A byte of sRGB as a linear share of 16 bits (IEC 61966-2-1).
+/// A byte of sRGB as a linear share of 16 bits.
 pub(super) fn linear(byte: u8) -> u16 {
-    let share = f64::from(byte) / 255.0;
-    let linear = if share <= 0.040_45 {
-        share / 12.92
-    } else {
-        ((share + 0.055) / 1.055).powf(2.4)
-    };
-    (65535.0 * linear).round() as u16
+    (65535.0 * vides_mesh::srgb::linear(byte)).round() as u16
 }

@@ -11,6 +11,7 @@ use super::place::path_poses;
 use super::write::{BLOCK, Writer};
 use crate::convention;
 use crate::error::Result;
+use crate::flight::succeeded;
 
 /// What holds at a frame of a node's own values.
 pub(super) fn values(node: &Node, frame: f64, warnings: &mut Warnings) -> Result<Values> {
@@ -39,10 +40,10 @@ pub(super) fn rolls(node: &Node) -> bool {
 }
 
 pub(super) fn rolled(node: &Node, values: &Values) -> DQuat {
-    if rolls(node) {
-        values.rotation.normalize() * DQuat::from_rotation_z(values.roll.to_radians())
-    } else {
-        values.rotation.normalize()
+    let rotation = values.rotation.normalize();
+    match rolls(node) {
+        true => convention::rolled(rotation, values.roll),
+        false => rotation,
     }
 }
 
@@ -83,7 +84,7 @@ impl Writer<'_, '_> {
                 }
             }
         }
-        self.told(warnings, node)?;
+        succeeded(warnings, node)?;
         Ok(all)
     }
 
@@ -118,7 +119,7 @@ impl Writer<'_, '_> {
             track.numbers(flight.frame(at), &mut numbers, &mut warnings);
             all.extend(numbers.iter().map(|&number| number as f32));
         }
-        self.told(warnings, node)?;
+        succeeded(warnings, node)?;
         self.animation
             .a_key_a_frame(flight, &mut self.binary, target, &all, width)
     }

@@ -8,10 +8,9 @@ use vides_engine::scene::{Extrapolation, Interpolation, Track};
 
 use super::binary::{Binary, Use};
 use super::compact;
-use crate::convention;
+use crate::convention::{self, Continued};
 use crate::error::{Error, Result};
 use crate::flight::Flight;
-use crate::math::quaternion::continue_sign;
 
 /// Beyond so many frames neighbouring times are the same in 32 bits.
 const MAX_KEYS: usize = 1 << 23;
@@ -104,21 +103,6 @@ pub(super) fn stored(rotation: DQuat) -> [f32; 4] {
     rotation.normalize().to_array().map(|number| number as f32)
 }
 
-/// Rotations one after the other, neighbours in one hemisphere.
-#[derive(Default)]
-pub(super) struct Continued(Option<DQuat>);
-
-impl Continued {
-    pub(super) fn next(&mut self, rotation: DQuat) -> DQuat {
-        let rotation = rotation.normalize();
-        let next = self
-            .0
-            .map_or(rotation, |before| continue_sign(before, rotation).0);
-        self.0 = Some(next);
-        next
-    }
-}
-
 /// The times of a track's keys if the format plays it as we do within the frames written.
 fn key_times(flight: &Flight<'_>, track: &Track) -> Option<(Way, Vec<f32>)> {
     let mut way = Way::of(track.interpolation())?;
@@ -200,7 +184,7 @@ pub(super) fn rotations(flight: &Flight<'_>, track: &Track, place: Place) -> Opt
             let rotation = if hermite {
                 rotation
             } else {
-                continued.next(rotation)
+                continued.next(rotation.normalize())
             };
             values.extend(stored(rotation));
         },

@@ -23,8 +23,7 @@ mod write;
 
 use std::io::{self, Write};
 
-use glam::DQuat;
-
+use super::base64;
 use super::blocks::failed;
 use super::content::Content;
 use super::error::{Cause, Place, Result};
@@ -41,9 +40,6 @@ mod extensions {
     pub(super) const VISIBILITY: &str = "KHR_node_visibility";
     pub(super) const POINTER: &str = "KHR_animation_pointer";
 }
-
-/// Half a turn about y: what looks along z looks along −z then. (0, 0, 1, 0) as w x y z.
-const TURNED: DQuat = DQuat::from_xyzw(0.0, 1.0, 0.0, 0.0);
 
 /// The text form.
 pub(super) struct Gltf;
@@ -100,7 +96,7 @@ impl Format for Gltf {
                     ",\"buffers\":[{{\"byteLength\":{length},\
                      \"uri\":\"data:application/octet-stream;base64,"
                 )?;
-                write_base64(&bytes, out)?;
+                base64::write(&bytes, out)?;
                 out.write_all(b"\"}]")?;
             }
             out.write_all(b"}\n")
@@ -177,25 +173,4 @@ fn written(
     let done = write();
     flight.give_progress(progress);
     done
-}
-
-/// RFC 4648.
-fn write_base64(bytes: &[u8], out: &mut dyn Write) -> io::Result<()> {
-    const ALPHABET: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    let mut text = Vec::with_capacity(4096);
-    for block in bytes.chunks(3 * 1024) {
-        text.clear();
-        for three in block.chunks(3) {
-            let byte = |at: usize| u32::from(three.get(at).copied().unwrap_or(0));
-            let word = byte(0) << 16 | byte(1) << 8 | byte(2);
-            for at in 0..4 {
-                text.push(match at > three.len() {
-                    true => b'=',
-                    false => ALPHABET[(word >> (18 - 6 * at)) as usize & 63],
-                });
-            }
-        }
-        out.write_all(&text)?;
-    }
-    Ok(())
 }

@@ -11,8 +11,9 @@ use vides_document::mesh::gltf::{Accessor, Container};
 use vides_engine::scene::{Channel, Interpolation, Node, Track, Warnings};
 
 use super::read::{Became, wrong};
-use super::{TURNED, extensions, looks};
+use super::{extensions, looks};
 use crate::convention;
+use crate::convention::LOOKING_BACK;
 use crate::error::{Cause, Error, Result, Wanted};
 use crate::limits::{MAX_COORDINATE, MAX_KEYS, MAX_SCENE_NUMBERS};
 use crate::tree::At;
@@ -355,7 +356,7 @@ impl Reader<'_> {
                 let ours = |q: [f64; 4]| {
                     let q = DQuat::from_array(q);
                     let q = if became.turned {
-                        q * TURNED.inverse()
+                        q * LOOKING_BACK.inverse()
                     } else {
                         q
                     };

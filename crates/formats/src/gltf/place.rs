@@ -1,15 +1,15 @@
 //! Where nodes are, and how they move.
 
 use glam::{DAffine3, DQuat, DVec3};
-use vides_document::error::{Place as ScenePlace, vec_with_room};
+use vides_document::error::vec_with_room;
 use vides_engine::scene::{Channel, Kind, Node, NodeState, Track, Values, Warnings};
 
 use super::channels::{self, aims, rolled, rolls, values};
-use super::keys::{self, Continued, Keys, Place, Target, stored};
+use super::keys::{self, Keys, Place, Target, stored};
 use super::write::{BLOCK, Writer};
-use crate::convention;
+use crate::convention::{self, Continued};
 use crate::error::Result;
-use crate::flight::Flight;
+use crate::flight::{Flight, succeeded};
 use crate::math::camera::CameraAxes;
 use crate::math::orientation::quaternion_from_view;
 use crate::path::Pose;
@@ -194,7 +194,7 @@ impl Writer<'_, '_> {
                     positions.push(local.position.to_array());
                 }
                 if sample.rotations {
-                    rotations.push(continued.next(local.rotation).to_array());
+                    rotations.push(continued.next(local.rotation.normalize()).to_array());
                 }
                 if sample.scales {
                     scales.extend(local.scale.as_vec3().to_array());
@@ -234,9 +234,9 @@ impl Writer<'_, '_> {
         }
         let (mut own, mut above): (Vec<NodeState>, Vec<NodeState>) = (Vec::new(), Vec::new());
         if aims(node) {
-            own = self.states(at, from, count)?;
+            own = flight.states(at, from, count)?;
             if let Some(parent) = node.parent {
-                above = self.states(parent, from, count)?;
+                above = flight.states(parent, from, count)?;
             }
         }
         for index in 0..count {
@@ -280,23 +280,8 @@ impl Writer<'_, '_> {
             }
             locals.push(local);
         }
-        self.told(warnings, node)?;
+        succeeded(warnings, node)?;
         Ok(locals)
-    }
-
-    pub(super) fn states(&self, at: usize, from: usize, count: usize) -> Result<Vec<NodeState>> {
-        let mut states = vec_with_room(count)?;
-        states.resize(count, NodeState::default());
-        self.flight.states(at, from, &mut states)?;
-        Ok(states)
-    }
-
-    pub(super) fn told(&self, warnings: Warnings, node: &Node) -> Result<()> {
-        let place = || ScenePlace::Node(node.name.as_str().into());
-        match warnings.into_error() {
-            Some(error) => Err(error.at(place()).into()),
-            None => Ok(()),
-        }
     }
 
     /// A camera or light that stands at the top, frame by frame.
@@ -308,13 +293,8 @@ impl Writer<'_, '_> {
         let mut seen: Vec<u8> = vec_with_room(count)?;
         let mut continued = Continued::default();
         for from in (0..count).step_by(BLOCK) {
-            for state in self.states(at, from, BLOCK.min(count - from))? {
-                let pose = Pose {
-                    vrp: flight.place(state.pose.vrp.into()).to_array(),
-                    vpn: flight.direction(state.pose.vpn.into()).to_array(),
-                    vup: flight.direction(state.pose.vup.into()).to_array(),
-                    zoom: state.pose.zoom,
-                };
+            for state in flight.states(at, from, BLOCK.min(count - from))? {
+                let pose = flight.pose(state.pose);
                 let turn = convention::rotation(&pose, CameraAxes::OpenGl);
                 seen.push(u8::from(state.visible != 0));
                 positions.push(pose.vrp);

@@ -15,9 +15,10 @@ use vides_document::{Info, SceneDocument, mesh_source};
 use vides_engine::scene::{Kind, MeshSource, Node, Object, Scene, Shape};
 
 use super::motion::{self, Users};
-use super::{TURNED, extensions, looks, space};
+use super::{extensions, looks, space};
 use crate::content::{DEFAULT_FPS, one_line, rate, shortened};
 use crate::convention;
+use crate::convention::LOOKING_BACK;
 use crate::error::{Cause, Error, Result};
 use crate::limits::MAX_FILE_BYTES;
 use crate::loss::{Loss, Report};
@@ -274,7 +275,7 @@ impl<'a> Reader<'a> {
             } => {
                 translation == DVec3::ZERO
                     && scale == DVec3::ONE
-                    && rotation.dot(TURNED).abs() > 1.0 - NEARLY
+                    && rotation.dot(LOOKING_BACK).abs() > 1.0 - NEARLY
             }
             _ => false,
         };
@@ -360,7 +361,7 @@ impl<'a> Reader<'a> {
                 let name = self.names.unique(&format!("{wanted} view"))?;
                 let mut child = Node::new(&name, Kind::Group);
                 child.parent = Some(number);
-                child.rest.rotation = TURNED.inverse();
+                child.rest.rotation = LOOKING_BACK.inverse();
                 self.push(child)?;
                 self.nodes.len() - 1
             };
@@ -397,7 +398,7 @@ impl<'a> Reader<'a> {
         };
         own.rest.position = position - own.pivot;
         own.rest.rotation = match turned {
-            true => rotation * TURNED.inverse(),
+            true => rotation * LOOKING_BACK.inverse(),
             false => rotation,
         };
         own.rest.scale = scale;

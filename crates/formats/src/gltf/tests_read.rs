@@ -32,7 +32,7 @@ fn file(rest: &str, lists: &[(&str, &[f32])]) -> String {
         ));
     }
     let mut data = Vec::new();
-    write_base64(&bytes, &mut data).unwrap();
+    crate::base64::write(&bytes, &mut data).unwrap();
     format!(
         r#"{{"asset": {{"version": "2.0"}}, {rest}, "accessors": [{}], "bufferViews": [{}],
         "buffers": [{{"byteLength": {}, "uri": "data:application/octet-stream;base64,{}"}}]}}"#,

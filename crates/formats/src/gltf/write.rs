@@ -11,11 +11,12 @@ use vides_engine::scene::{Channel, Interpolation, Kind, Node};
 
 use super::binary::Binary;
 use super::channels::aims;
+use super::extensions;
 use super::keys::{self, Animation};
 use super::meshes::Meshes;
-use super::{TURNED, extensions};
 use crate::blocks::Progress;
 use crate::convention;
+use crate::convention::LOOKING_BACK;
 use crate::error::Result;
 use crate::flight::Flight;
 use crate::loss::{Loss, Report};
@@ -188,12 +189,12 @@ impl<'f, 'd> Writer<'f, 'd> {
         let look = if has_children {
             DQuat::IDENTITY
         } else {
-            TURNED
+            LOOKING_BACK
         };
         let own = self.moved(at, node, &node.name, look, false)?;
         let seen = if has_children {
             let child = self.push(&format!("{} view", node.name))?;
-            self.set_place(child, DVec3::ZERO, TURNED, DVec3::ONE);
+            self.set_place(child, DVec3::ZERO, LOOKING_BACK, DVec3::ONE);
             self.nodes[child]
                 .json
                 .insert("extras".into(), json!({"vides": {"part": "view"}}));

@@ -8,12 +8,13 @@ use glam::{DAffine3, DVec3};
 use serde_json::{Value, json};
 use vides_document::error::vec_with_room;
 use vides_engine::scene::{Channel, Kind, Mesh, NodeState};
+use vides_mesh::srgb;
 
-use super::super::blocks::failed;
-use super::super::error::Result;
-use super::super::flight::Flight;
-use super::super::loss::{Loss, Report};
-use super::base64::Base64;
+use crate::base64::Base64;
+use crate::blocks::failed;
+use crate::error::Result;
+use crate::flight::Flight;
+use crate::loss::{Loss, Report};
 use crate::path::{Change, Timeline};
 
 /// Bytes of text that are written at once.
@@ -267,14 +268,12 @@ fn placed(
     } else {
         1
     };
-    let mut states = vec_with_room(count)?;
-    states.resize(count, NodeState::default());
-    flight.states(node, 0, &mut states)?;
+    let states = flight.states(node, 0, count)?;
     // White is what an object has that was given no colour: that of the page then.
     let colour = Some(states[0].colour).filter(|colour| *colour != [1.0; 3]);
     list.write(
         mesh,
-        colour.map(|colour| colour.map(srgb)),
+        colour.map(|colour| colour.map(srgb::byte)),
         true,
         |middle| {
             let mut matrices = vec_with_room(count)?;
@@ -294,13 +293,4 @@ fn moves(flight: &Flight<'_>, node: usize) -> bool {
     chain
         .into_iter()
         .any(|at| nodes[at].path().is_some() || !nodes[at].keys().tracks().is_empty())
-}
-
-/// A linear part of a colour as pixels have it (IEC 61966-2-1).
-fn srgb(linear: f64) -> u8 {
-    let bent = match linear {
-        ..=0.003_130_8 => 12.92 * linear,
-        _ => 1.055 * linear.powf(1.0 / 2.4) - 0.055,
-    };
-    (255.0 * bent).round().clamp(0.0, 255.0) as u8
 }

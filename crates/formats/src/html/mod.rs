@@ -5,15 +5,14 @@
 //! which no `<` stands, so that no text of the document ends its element. The page's policy allows
 //! nothing but the one style and the one script, by their digests.
 
-mod base64;
 mod data;
 mod sha256;
 
 use std::io::Write;
 
-use base64::base64;
 use sha256::sha256;
 
+use super::base64::base64;
 use super::blocks::failed;
 use super::error::Result;
 use super::flight::Flight;

@@ -3,13 +3,12 @@
 use std::cell::Cell;
 use std::io::Write;
 
-use crate::convention;
+use crate::convention::{self, Continued};
 use crate::error::Result;
 use crate::flight::Flight;
 use crate::format::{Format, Row};
 use crate::loss::{Loss, Report};
 use crate::math::camera::CameraAxes;
-use crate::math::quaternion::continue_sign;
 use crate::path::Up;
 
 const SCRIPT: &str = include_str!("for_blender.py");
@@ -44,11 +43,11 @@ impl Format for Blender {
         flight.tell_motion(report);
         let first = first_frame(flight, report);
         let head = super::head(flight, SCRIPT, first, report);
-        let before = Cell::new(None);
+        let continued = Cell::new(Continued::default());
         flight.write_poses(head, out, |_, text, index, pose| {
-            let q = convention::rotation(pose, CameraAxes::OpenGl);
-            let q = before.get().map_or(q, |before| continue_sign(before, q).0);
-            before.set(Some(q));
+            let mut before = continued.get();
+            let q = before.next(convention::rotation(pose, CameraAxes::OpenGl));
+            continued.set(before);
             let [x, y, z] = pose.vrp;
             super::push_frame(text, index, &[x, y, z, q.w, q.x, q.y, q.z, pose.zoom]);
         })?;

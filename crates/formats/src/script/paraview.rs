@@ -5,7 +5,6 @@ use std::io::Write;
 use glam::DVec3;
 use vides_document::error::vec_with_room;
 use vides_engine::path::camera_path::Target;
-use vides_engine::scene::NodeState;
 
 use crate::content::{Content, Recording};
 use crate::error::Result;
@@ -150,11 +149,10 @@ impl Focus {
         let mut poses = vec_with_room(framed.len())?;
         poses.resize(framed.len(), Pose::default());
         flight.poses(from, &mut poses)?;
-        let mut aims = vec_with_room(framed.len())?;
-        if let Some(aim) = self.aim {
-            aims.resize(framed.len(), NodeState::default());
-            flight.states(aim, from, &mut aims)?;
-        }
+        let aims = match self.aim {
+            Some(aim) => flight.states(aim, from, framed.len())?,
+            None => Vec::new(),
+        };
         let scale = flight.options().scale;
         for (at, (framed, pose)) in framed.iter_mut().zip(poses).enumerate() {
             let aimed = aims.get(at).map(|state| state.world().translation);

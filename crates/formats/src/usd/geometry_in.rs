@@ -4,10 +4,10 @@ use glam::DVec3;
 use vides_document::ObjectPoint;
 use vides_document::error::{EngineError, vec_with_room};
 use vides_engine::scene::{Kind, Mesh, Node};
+use vides_mesh::srgb;
 
 use super::curve::Curve;
 use super::lexer::Lexer;
-use super::srgb;
 use super::stage::{Prim, Stage};
 use crate::error::{Cause, Result, Wanted};
 
@@ -166,7 +166,7 @@ fn colours(
         }
         let colours = colours.chunks_exact(3);
         mesh.colours
-            .extend(colours.map(|colour| [0, 1, 2].map(|part| srgb(colour[part]))));
+            .extend(colours.map(|colour| [0, 1, 2].map(|part| srgb::byte(colour[part]))));
     }
     mesh.colours.resize(all, WHITE);
     Ok(whole)

@@ -5,14 +5,16 @@ use std::fmt::Display;
 use std::io::Write;
 
 use glam::{DQuat, DVec3};
-use vides_document::error::{Place as ScenePlace, vec_with_room};
+use vides_document::error::vec_with_room;
 use vides_engine::scene::{Channel, Mesh, Object, Warnings};
+use vides_mesh::srgb;
 
+use super::role;
 use super::text::{Float3, single};
 use super::write::{Writer, put};
-use super::{linear, role};
 use crate::blocks::failed;
 use crate::error::Result;
+use crate::flight::succeeded;
 
 /// The width of lines and dots, in diagonals of what they are part of.
 const WIDTH: f64 = 1.0 / 500.0;
@@ -176,10 +178,7 @@ impl Writer<'_, '_, '_> {
         let frame = self.flight.frame(index);
         let scene = self.flight.scene();
         scene.vertices(at, frame, points, &mut warnings)?;
-        if let Some(error) = warnings.into_error() {
-            let name = self.of(at).name.as_str();
-            return Err(error.at(ScenePlace::Node(name.into())).into());
-        }
+        succeeded(warnings, self.of(at))?;
         let scale = self.flight.options().scale;
         for point in points {
             *point *= scale;
@@ -231,7 +230,7 @@ impl Writer<'_, '_, '_> {
                 format!("[{}]", super::colour(v))
             });
         }
-        let linear = |colour: &[u8; 3]| Float3(colour.map(linear).into());
+        let linear = |colour: &[u8; 3]| Float3(colour.map(srgb::linear).into());
         let tail = " (interpolation = \"vertex\")";
         let head = format!("{NAME} =");
         if corners.is_empty() {

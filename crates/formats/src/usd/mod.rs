@@ -102,25 +102,6 @@ mod role {
     pub(super) const WIREFRAME: &str = "wireframe";
 }
 
-/// The colours of others are linear; those of points are bytes of sRGB (IEC 61966-2-1).
-fn linear(byte: u8) -> f64 {
-    let value = f64::from(byte) / 255.0;
-    if value <= 0.04045 {
-        value / 12.92
-    } else {
-        ((value + 0.055) / 1.055).powf(2.4)
-    }
-}
-
-fn srgb(linear: f64) -> u8 {
-    let share = if linear <= 0.003_130_8 {
-        12.92 * linear
-    } else {
-        1.055 * linear.powf(1.0 / 2.4) - 0.055
-    };
-    (255.0 * share).round() as u8
-}
-
 /// Red, green and blue of a channel, as they are.
 fn colour(v: &[f64]) -> String {
     text::Float3(glam::DVec3::new(v[0], v[1], v[2])).to_string()

@@ -4,13 +4,14 @@
 use std::io::Write;
 
 use glam::{DAffine3, DMat4, DQuat, DVec3};
-use vides_document::error::Place as ScenePlace;
 use vides_engine::scene::{Channel, Interpolation, NodeState, Track, Warnings};
 
 use super::text::{Double3, Quat};
-use super::write::{FLIP, Writer, keeps_keys, put};
+use super::write::{Writer, keeps_keys, put};
 use crate::blocks::failed;
+use crate::convention::{LOOKING_BACK, rolled};
 use crate::error::Result;
+use crate::flight::succeeded;
 use crate::math::orientation::quaternion_from_view;
 
 /// How long before a key of a step the value before it is told again, in frames: between the two
@@ -53,10 +54,7 @@ impl Writer<'_, '_, '_> {
         let mut warnings = Warnings::default();
         let scene = self.flight.scene();
         let values = scene.value(at, channel, frame, &mut warnings)?;
-        if let Some(error) = warnings.into_error() {
-            let name = self.of(at).name.as_str();
-            return Err(error.at(ScenePlace::Node(name.into())).into());
-        }
+        succeeded(warnings, self.of(at))?;
         let mut numbers = Numbers::default();
         for (number, value) in numbers.iter_mut().zip(values) {
             *number = value;
@@ -193,7 +191,7 @@ impl Writer<'_, '_, '_> {
         self.frame_blocks(
             depth,
             name,
-            |writer, from, block| writer.flight.states(at, from, block),
+            |writer, from, block| writer.flight.fill_states(at, from, block),
             value,
         )
     }
@@ -261,15 +259,12 @@ impl Writer<'_, '_, '_> {
         if node.aim.is_some() {
             return self.aimed(at, depth, in_file);
         }
-        let roll = |degrees: f64| DQuat::from_rotation_z(degrees.to_radians());
         // Of cameras alone: others have none.
-        let moving_roll = node.keys().track(&Channel::Roll).is_some();
-        let rest_roll = roll(if moving_roll { 0.0 } else { node.rest.roll });
         let rolls = matches!(node.kind, vides_engine::scene::Kind::Camera(_));
-        if !(moving_roll && rolls) {
-            let rest_roll = if rolls { rest_roll } else { DQuat::IDENTITY };
+        if !(rolls && node.keys().track(&Channel::Roll).is_some()) {
+            let roll = if rolls { node.rest.roll } else { 0.0 };
             return self.attribute(at, depth, NAME, &Channel::Rotation, &|v| {
-                in_file(quaternion(v) * rest_roll)
+                in_file(rolled(quaternion(v), roll))
             });
         }
         self.sampled += 1;
@@ -280,7 +275,7 @@ impl Writer<'_, '_, '_> {
                 let frame = writer.flight.frame(index);
                 let turn = writer.numbers(at, &Channel::Rotation, frame)?;
                 let [degrees, ..] = writer.numbers(at, &Channel::Roll, frame)?;
-                Ok(quaternion(&turn) * roll(degrees))
+                Ok(rolled(quaternion(&turn), degrees))
             },
             |turn| in_file(*turn),
         )
@@ -293,13 +288,12 @@ impl Writer<'_, '_, '_> {
             depth,
             "quatd xformOp:orient",
             |writer, from, block: &mut [DQuat]| {
-                let mut states = vec![NodeState::default(); block.len()];
-                writer.flight.states(at, from, &mut states)?;
+                let states = writer.flight.states(at, from, block.len())?;
                 for (turn, state) in block.iter_mut().zip(&states) {
                     *turn = rotation(state);
                 }
                 if let Some(parent) = parent {
-                    writer.flight.states(parent, from, &mut states)?;
+                    let states = writer.flight.states(parent, from, block.len())?;
                     for (turn, state) in block.iter_mut().zip(&states) {
                         let parent = DQuat::from_mat3(&state.world().matrix3).normalize();
                         *turn = parent.conjugate() * *turn;
@@ -319,8 +313,7 @@ impl Writer<'_, '_, '_> {
             depth,
             "matrix4d xformOp:transform",
             |writer, from, block: &mut [DAffine3]| {
-                let mut states = vec![NodeState::default(); block.len()];
-                writer.flight.states(at, from, &mut states)?;
+                let states = writer.flight.states(at, from, block.len())?;
                 for (matrix, state) in block.iter_mut().zip(&states) {
                     *matrix = state.world();
                 }
@@ -332,7 +325,7 @@ impl Writer<'_, '_, '_> {
                     }
                     return Ok(());
                 };
-                writer.flight.states(parent, from, &mut states)?;
+                let states = writer.flight.states(parent, from, block.len())?;
                 for (matrix, state) in block.iter_mut().zip(&states) {
                     *matrix = state.world().inverse() * *matrix;
                     matrix.translation *= flight.options().scale;
@@ -366,7 +359,7 @@ impl Writer<'_, '_, '_> {
             Double3(flight.place(state.pose.vrp.into())).to_string()
         })?;
         self.frames_of_state(at, depth, "quatd xformOp:orient", |state| {
-            Quat((flight.rotation(rotation(state)) * FLIP).normalize()).to_string()
+            Quat((flight.rotation(rotation(state)) * LOOKING_BACK).normalize()).to_string()
         })?;
         let order = ["xformOp:translate", "xformOp:orient"];
         put!(self, depth, "uniform token[] xformOpOrder = {order:?}")?;

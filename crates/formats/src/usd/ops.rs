@@ -6,8 +6,8 @@ use glam::{DAffine3, DMat4, DQuat, DVec3};
 use super::curve::{Curve, all_times, quaternion};
 use super::lexer::Lexer;
 use super::stage::{Prim, Stage};
+use crate::convention;
 use crate::error::{Cause, Result, Wanted};
-use crate::math::orientation::quaternion_from_view;
 use vides_document::error::vec_with_room;
 
 /// Operations of one prim.
@@ -85,54 +85,7 @@ impl Op {
 
 /// Degrees about axes, x y z, the first axis first.
 fn turn(axes: &[usize], degrees: [f64; 3]) -> DQuat {
-    axes.iter().fold(DQuat::IDENTITY, |turn, &axis| {
-        let about = DVec3::AXES[axis];
-        DQuat::from_axis_angle(about, degrees[axis].to_radians()) * turn
-    })
-}
-
-/// Position, rotation and scale of a matrix, and whether it shears.
-fn decompose(matrix: DAffine3) -> (DVec3, DQuat, DVec3, bool) {
-    let columns = matrix.matrix3;
-    let mut scale = DVec3::new(
-        columns.x_axis.length(),
-        columns.y_axis.length(),
-        columns.z_axis.length(),
-    );
-    if columns.determinant() < 0.0 {
-        scale.x = -scale.x;
-    }
-    let unit = |column: DVec3, scale: f64| {
-        if scale == 0.0 {
-            DVec3::ZERO
-        } else {
-            column / scale
-        }
-    };
-    let mut axes = [
-        unit(columns.x_axis, scale.x),
-        unit(columns.y_axis, scale.y),
-        unit(columns.z_axis, scale.z),
-    ];
-    let across = |a: usize, b: usize| axes[a].dot(axes[b]).abs();
-    let sheared = across(0, 1).max(across(1, 2)).max(across(2, 0)) > 1e-5;
-    // What is flat gets axes across those that are left.
-    if axes == [DVec3::ZERO; 3] {
-        axes[0] = DVec3::X;
-    }
-    for at in [0, 1, 2, 0, 1, 2] {
-        let (next, other) = (axes[(at + 1) % 3], axes[(at + 2) % 3]);
-        if axes[at] == DVec3::ZERO && next != DVec3::ZERO {
-            let across = next.cross(other).try_normalize();
-            axes[at] = across.unwrap_or_else(|| next.any_orthonormal_vector());
-        }
-    }
-    // View and up count, as of cameras.
-    let view = axes[2].normalize();
-    let up = (axes[1] - view * axes[1].dot(view)).try_normalize();
-    let up = up.unwrap_or_else(|| view.any_orthonormal_vector());
-    let rotation = quaternion_from_view(view, up);
-    (matrix.translation, rotation, scale, sheared)
+    convention::of_euler(degrees.map(f64::to_radians), axes)
 }
 
 impl<'a> Stage<'a> {
@@ -256,11 +209,12 @@ impl<'a> Stage<'a> {
             if !matrix.is_finite() {
                 return Err(self.lexer.line(prim.at).expected(Wanted::Matrix));
             }
-            let (place, turn, scale, shears) = decompose(matrix);
-            sheared |= shears;
-            places.extend(place.to_array());
+            let parts = convention::parts(matrix);
+            sheared |= parts.sheared;
+            places.extend(parts.position.to_array());
+            let turn = parts.rotation;
             turns.extend([turn.w, turn.x, turn.y, turn.z]);
-            scales.extend(scale.to_array());
+            scales.extend(parts.scale.to_array());
         }
         let same = scales.chunks_exact(3).all(|scale| {
             let mut pairs = scale.iter().zip(&scales[..3]);

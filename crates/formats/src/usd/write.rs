@@ -8,13 +8,11 @@ use vides_engine::scene::{Camera, Channel, Extrapolation, Interpolation, Kind, L
 use super::text::{Names, Quoted, single};
 use super::{role, unit};
 use crate::blocks::failed;
+use crate::convention::LOOKING_BACK;
 use crate::error::Result;
 use crate::flight::Flight;
 use crate::loss::{Loss, Report};
 use crate::path::Up;
-
-/// Half a turn about y: from a camera that looks along −z to ours, and back.
-pub(super) const FLIP: DQuat = DQuat::from_xyzw(0.0, 1.0, 0.0, 0.0);
 
 /// Writes a line, indented by a depth; deep trees are not indented without end.
 macro_rules! put {
@@ -219,7 +217,7 @@ impl<'d> Writer<'_, '_, 'd> {
             (_, Some(Stand::Alone)) => {
                 let (kind, schema) = prim_kind(&node.kind);
                 self.open(depth, kind, &ident, Some(&node.name), None, schema)?;
-                self.transform(at, depth + 1, FLIP, self.rigid[at])?;
+                self.transform(at, depth + 1, LOOKING_BACK, self.rigid[at])?;
                 self.visibility(at, depth + 1)?;
                 self.looks(at, depth + 1)?;
             }

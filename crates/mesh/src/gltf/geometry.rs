@@ -9,7 +9,7 @@ use vides_engine::scene::Mesh;
 use super::accessor::{Accessor, Component};
 use super::container::{Container, element, index, list};
 use super::{FORMAT, INDICES, joined};
-use crate::{Error, Problem, Result};
+use crate::{Error, Problem, Result, srgb};
 
 /// Limits on placed points, and on corners: so many, and so many per byte of the file.
 const ROOM: usize = 50_000;
@@ -119,16 +119,6 @@ fn three(accessor: &Accessor<'_>, at: usize) -> DVec3 {
     DVec3::from_array([0, 1, 2].map(|part| accessor.number(at, part)))
 }
 
-/// A linear colour component as a byte of sRGB (IEC 61966-2-1).
-fn colour(linear: f64) -> u8 {
-    let share = if linear <= 0.003_130_8 {
-        12.92 * linear
-    } else {
-        1.055 * linear.powf(1.0 / 2.4) - 0.055
-    };
-    (255.0 * share).round() as u8
-}
-
 impl<'a> Builder<'a> {
     fn new(container: &'a Container<'a>, room: &'a mut Room) -> Self {
         Self {
@@ -191,7 +181,7 @@ impl<'a> Builder<'a> {
         all.resize(first, [255; 3]);
         all.extend((0..count).map(|at| {
             colours.as_ref().map_or([255; 3], |colours| {
-                [0, 1, 2].map(|part| colour(colours.share(at, part)))
+                [0, 1, 2].map(|part| srgb::byte(colours.share(at, part)))
             })
         }));
         Ok(())

@@ -1,20 +1,28 @@
 //! Bytes as text (RFC 4648, section 4), piece by piece.
 
+use std::io::{self, Write};
+
 const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
+/// Bytes of [`write()`] at a time, three a group.
+const BLOCK: usize = 3 << 10;
 
 /// What is left of the last piece: three bytes make four digits.
 #[derive(Default)]
 pub(super) struct Base64 {
-    held: Vec<u8>,
+    held: [u8; 3],
+    count: usize,
 }
 
 impl Base64 {
     /// Appends the digits of all whole groups of three bytes.
     pub(super) fn push(&mut self, bytes: &[u8], text: &mut Vec<u8>) {
         for &byte in bytes {
-            self.held.push(byte);
-            if self.held.len() == 3 {
-                self.group(text);
+            self.held[self.count] = byte;
+            self.count += 1;
+            if self.count == 3 {
+                text.extend(group(self.held));
+                self.count = 0;
             }
         }
     }
@@ -27,23 +35,31 @@ impl Base64 {
 
     /// Appends the digits of what is left, filled up with `=`.
     pub(super) fn finish(mut self, text: &mut Vec<u8>) {
-        let missing = (3 - self.held.len()) % 3;
-        if missing > 0 {
-            self.held.resize(3, 0);
-            self.group(text);
-            text.truncate(text.len() - missing);
-            text.extend_from_slice(&b"=="[..missing]);
+        if self.count > 0 {
+            self.held[self.count..].fill(0);
+            let mut digits = group(self.held);
+            digits[self.count + 1..].fill(b'=');
+            text.extend(digits);
         }
     }
+}
 
-    fn group(&mut self, text: &mut Vec<u8>) {
-        let bits = self
-            .held
-            .iter()
-            .fold(0, |bits, byte| bits << 8 | usize::from(*byte));
-        text.extend([18, 12, 6, 0].map(|shift| DIGITS[bits >> shift & 63]));
-        self.held.clear();
+fn group([a, b, c]: [u8; 3]) -> [u8; 4] {
+    let bits = u32::from_be_bytes([0, a, b, c]);
+    [18, 12, 6, 0].map(|shift| DIGITS[(bits >> shift & 63) as usize])
+}
+
+/// Writes all, without all of it as text in memory.
+pub(super) fn write(bytes: &[u8], out: &mut dyn Write) -> io::Result<()> {
+    let (mut text, mut digits) = (Vec::with_capacity(4 * BLOCK / 3), Base64::default());
+    for block in bytes.chunks(BLOCK) {
+        text.clear();
+        digits.push(block, &mut text);
+        out.write_all(&text)?;
     }
+    text.clear();
+    digits.finish(&mut text);
+    out.write_all(&text)
 }
 
 /// All at once.
@@ -72,6 +88,9 @@ mod tests {
             ("foobar", "Zm9vYmFy"),
         ] {
             assert_eq!(base64(bytes.as_bytes()), text.as_bytes());
+            let mut whole = Vec::new();
+            write(bytes.as_bytes(), &mut whole).unwrap();
+            assert_eq!(whole, text.as_bytes());
         }
         assert_eq!(base64(&[0xff, 0xef, 0xbe]), b"/+++");
     }
