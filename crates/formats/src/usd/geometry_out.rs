@@ -19,6 +19,8 @@ use crate::flight::succeeded;
 /// The width of lines and dots, in diagonals of what they are part of.
 const WIDTH: f64 = 1.0 / 500.0;
 
+const COLOURS: &str = "color3f[] primvars:displayColor";
+
 /// What of a mesh a prim holds.
 #[derive(Clone, Copy)]
 enum Part {
@@ -48,9 +50,16 @@ impl Part {
         let there = parts.into_iter().filter(|(_, there)| *there);
         there.map(|(part, _)| part).collect()
     }
+
+    /// Lines that follow each other as curves: the corners of all, and how many each has.
+    fn curves(self, mesh: &Mesh) -> Result<(Vec<u32>, Vec<u32>)> {
+        match self {
+            Self::Lines => curves(&mesh.lines),
+            Self::Triangles | Self::Points => Ok(Default::default()),
+        }
+    }
 }
 
-/// Lines that follow each other as curves: the points of all, and how many each has.
 fn curves(lines: &[[u32; 2]]) -> Result<(Vec<u32>, Vec<u32>)> {
     let (mut corners, mut counts) = (vec_with_room(2 * lines.len())?, Vec::new());
     for &[from, to] in lines {
@@ -134,10 +143,7 @@ impl Writer<'_, '_, '_> {
 
     fn part(&mut self, at: usize, object: &Object, part: Part, depth: usize) -> Result<()> {
         let mesh = object.mesh();
-        let (corners, counts) = match part {
-            Part::Lines => curves(&mesh.lines)?,
-            _ => Default::default(),
-        };
+        let (corners, counts) = part.curves(mesh)?;
         self.topology(mesh, part, &counts, depth)?;
         self.colours(at, mesh, &corners, depth)?;
         let moves = self.moves(at);
@@ -224,15 +230,19 @@ impl Writer<'_, '_, '_> {
     }
 
     fn colours(&mut self, at: usize, mesh: &Mesh, corners: &[u32], depth: usize) -> Result<()> {
-        const NAME: &str = "color3f[] primvars:displayColor";
         if mesh.colours.is_empty() {
-            return self.attribute(at, depth, NAME, &Channel::Colour, &|v| {
+            return self.attribute(at, depth, COLOURS, &Channel::Colour, &|v| {
                 format!("[{}]", super::colour(v))
             });
         }
+        self.point_colours(mesh, corners, depth)
+    }
+
+    /// The colours of the points, or of corners among them.
+    fn point_colours(&mut self, mesh: &Mesh, corners: &[u32], depth: usize) -> Result<()> {
         let linear = |colour: &[u8; 3]| Float3(colour.map(srgb::linear).into());
         let tail = " (interpolation = \"vertex\")";
-        let head = format!("{NAME} =");
+        let head = format!("{COLOURS} =");
         if corners.is_empty() {
             return self.list(depth, &head, mesh.colours.iter().map(linear), tail);
         }
@@ -275,8 +285,11 @@ impl Writer<'_, '_, '_> {
             for part in Part::of(mesh) {
                 let ident = self.ident(&format!("object_{}", part.kind().to_lowercase()));
                 self.open(depth, part.kind(), &ident, None, None, "")?;
-                let (corners, counts) = curves(&mesh.lines)?;
+                let (corners, counts) = part.curves(mesh)?;
                 self.topology(mesh, part, &counts, depth + 1)?;
+                if !mesh.colours.is_empty() {
+                    self.point_colours(mesh, &corners, depth + 1)?;
+                }
                 let place = |point: &DVec3| flight.place(*point);
                 let points: Vec<DVec3> = match part {
                     Part::Lines => {

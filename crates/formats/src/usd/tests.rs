@@ -312,3 +312,27 @@ fn morphed_objects_go_out_point_by_point() {
     let told = not_taken(&read(&text).report);
     assert_eq!(told, [("points.timeSamples".to_owned(), 1)]);
 }
+
+/// The colours of a path's object go along, of its faces and of its lines.
+#[test]
+fn the_object_of_a_path_keeps_its_colours() {
+    let text = "version = 1\n[object]\npoints = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]\n\
+                triangles = [[0, 1, 2]]\nlines = [[2, 3]]\n\
+                colours = [[255, 0, 0], [0, 255, 0], [0, 0, 255], [9, 90, 200]]\n\
+                [[point]]\nposition = [0, 0, 0]\n[[point]]\nposition = [0.5, 0, 0]\n";
+    let document = SceneDocument::from_toml(text).unwrap();
+    let file = written(&document);
+    let back = read(&file).document;
+    let colours = |name: &str| {
+        let at = back.scene.find(name).unwrap();
+        match &back.scene.nodes()[at].kind {
+            Kind::Object(object) => object.mesh().colours.clone(),
+            _ => panic!("{name} is no object"),
+        }
+    };
+    assert_eq!(
+        colours("object_mesh"),
+        [[255, 0, 0], [0, 255, 0], [0, 0, 255], [9, 90, 200]]
+    );
+    assert_eq!(colours("object_basiscurves"), [[0, 0, 255], [9, 90, 200]]);
+}
