@@ -54,11 +54,15 @@ impl Format for Json {
         };
         if let Some(states) = root.get("states") {
             report.add(Loss::FieldOfView);
+            let mut hidden = 0;
             for state in states.list()? {
+                let visible = state.get("visible").and_then(|at| at.value.as_bool());
+                hidden += usize::from(visible == Some(false));
                 let at = state.need("matrix")?;
                 let matrix = DMat4::from_cols_array(&at.numbers()?);
                 recording.push(at.pose(matrix, CameraAxes::Vides, DEFAULT_ZOOM)?)?;
             }
+            report.not_taken("visible", hidden);
             return Ok(Content::Poses(recording));
         }
         for pose in root.need("poses")?.list()? {

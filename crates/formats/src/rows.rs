@@ -100,14 +100,14 @@ pub(super) fn is_poses(beginning: &str, commas: bool) -> bool {
 /// heading on line 1 is skipped.
 ///
 /// # Errors
-/// [`Wanted::Number`], [`Cause::NumberCount`] with the line.
+/// [`Wanted::Number`], [`Cause::NumberCount`], [`Cause::NotFinite`] with the line.
 pub(super) fn poses_of_text(text: &str) -> Result<Recording> {
     let mut recording = Recording::default();
     let (mut frames, mut seconds): (Vec<f64>, Vec<f64>) = (Vec::new(), Vec::new());
     let mut width = None;
     for (line, row) in text.lines().enumerate() {
         let place = Place::Line(line + 1);
-        let (mut numbers, mut found, mut read) = ([0.0; POSE + 2], 0, true);
+        let (mut numbers, mut found, mut read) = ([0.0_f64; POSE + 2], 0, true);
         for word in words(row) {
             let number = word.parse();
             read &= number.is_ok();
@@ -130,6 +130,9 @@ pub(super) fn poses_of_text(text: &str) -> Result<Recording> {
         let wanted = *width.get_or_insert(first);
         if found != wanted {
             return Err(place.wrong(Cause::NumberCount { wanted, found }));
+        }
+        if !numbers.iter().all(|number| number.is_finite()) {
+            return Err(place.wrong(Cause::NotFinite));
         }
         if found > POSE {
             frames.try_reserve(1)?;

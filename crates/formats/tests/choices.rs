@@ -132,6 +132,21 @@ fn json_keeps_what_belongs_to_the_document() {
     );
 }
 
+/// A matrix has no place for what hides its node, nor a pose.
+#[test]
+fn states_that_are_not_seen_are_told() {
+    let state = |visible: bool| {
+        format!("{{\"matrix\": [1,0,0,0, 0,1,0,0, 0,0,1,0, 0,0,0,1], \"visible\": {visible}}}")
+    };
+    let text = format!("{{\"states\": [{}, {}]}}", state(true), state(false));
+    let told = taken("json", &text, "as=keys").unwrap().report;
+    let hidden = Loss::NotTaken {
+        what: "visible".into(),
+        count: 1,
+    };
+    assert_eq!(told.losses(), [Loss::FieldOfView, hidden]);
+}
+
 /// Frames of some lines alone would be dropped.
 #[test]
 fn lines_have_as_many_numbers_as_the_first() {

@@ -257,13 +257,18 @@ fn twelve_numbers_are_a_matrix_or_a_pose() {
     );
 }
 
+const TURNS: &str = "a matrix that turns and does not mirror";
+
+/// Reading fails with this sentence and nothing else.
+fn refused(name: &str, text: &str, said: &str) {
+    let source = Source::of_bytes("file", text.into());
+    let format = by_name(name).unwrap();
+    let error = import(&source, Some(format), &Options::default()).unwrap_err();
+    assert_eq!(error.to_string(), format!("file: {said}"), "{name}");
+}
+
 #[test]
-fn what_is_wrong_is_one_sentence_with_its_place() {
-    let deep = format!("{{\"frames\": {}", "[".repeat(200_000));
-    let frame = |matrix: &str| format!("{{\"frames\": [{{\"transform_matrix\": {matrix}}}]}}");
-    let zeros = frame("[[0,0,0,0],[0,0,0,0],[0,0,0,0]]");
-    let mirror = frame("[[1,0,0,0],[0,1,0,0],[0,0,-1,0],[0,0,0,1]]");
-    let turns = "a matrix that turns and does not mirror";
+fn what_is_wrong_in_lines_is_one_sentence_with_its_place() {
     for (name, text, said) in [
         (
             "tum",
@@ -300,7 +305,7 @@ fn what_is_wrong_is_one_sentence_with_its_place() {
         (
             "kitti",
             "1 0 0 0 0 1 0 0 0 0 -1 0",
-            &format!("line 1: expected {turns}"),
+            &format!("line 1: expected {TURNS}"),
         ),
         (
             "chan",
@@ -308,6 +313,29 @@ fn what_is_wrong_is_one_sentence_with_its_place() {
             "line 2: the times must increase",
         ),
         ("chan", "1 0 0 0 0 0", "line 1: expected 8 numbers, found 6"),
+        (
+            "ascii",
+            "0 0 0 0 0 -1 0 1 0 24\n0 0 0 0 0 -1 0 1 0 nan",
+            "line 2: the number must be finite",
+        ),
+        (
+            "csv",
+            "frame\n1,inf,0,0,0,0,-1,0,1,0,24",
+            "line 2: the number must be finite",
+        ),
+        ("colmap", "", "cameras.txt is not there"),
+    ] {
+        refused(name, text, said);
+    }
+}
+
+#[test]
+fn what_is_wrong_in_trees_is_one_sentence_with_its_place() {
+    let deep = format!("{{\"frames\": {}", "[".repeat(200_000));
+    let frame = |matrix: &str| format!("{{\"frames\": [{{\"transform_matrix\": {matrix}}}]}}");
+    let zeros = frame("[[0,0,0,0],[0,0,0,0],[0,0,0,0]]");
+    let mirror = frame("[[1,0,0,0],[0,1,0,0],[0,0,-1,0],[0,0,0,1]]");
+    for (name, text, said) in [
         ("nerfstudio", "{}", "keyframes is not there"),
         (
             "nerfstudio",
@@ -347,12 +375,12 @@ fn what_is_wrong_is_one_sentence_with_its_place() {
         (
             "transforms",
             &zeros,
-            &format!("frames[0].transform_matrix: expected {turns}"),
+            &format!("frames[0].transform_matrix: expected {TURNS}"),
         ),
         (
             "transforms",
             &mirror,
-            &format!("frames[0].transform_matrix: expected {turns}"),
+            &format!("frames[0].transform_matrix: expected {TURNS}"),
         ),
         (
             "transforms",
@@ -375,12 +403,8 @@ fn what_is_wrong_is_one_sentence_with_its_place() {
             "[{\"rotation\": [[1,0,0],[0,1,0],[0,0,1]], \"position\": [1, 2, 3], \"fy\": -1, \"height\": 2}]",
             "[0].fy: expected a number greater than 0",
         ),
-        ("colmap", "", "cameras.txt is not there"),
     ] {
-        let source = Source::of_bytes("file", text.into());
-        let format = by_name(name).unwrap();
-        let error = import(&source, Some(format), &Options::default()).unwrap_err();
-        assert_eq!(error.to_string(), format!("file: {said}"), "{name}");
+        refused(name, text, said);
     }
 }
 
