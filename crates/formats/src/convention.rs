@@ -12,15 +12,17 @@ use crate::math::orientation::quaternion_from_view;
 use crate::math::quaternion::continue_sign;
 use crate::path::{Pose, Up};
 
-/// Half the height of the film in mm (36 × 24 mm).
-const HALF_FILM: f64 = 12.0;
+/// The height of the film in mm (36 × 24 mm).
+pub const FILM_HEIGHT: f64 = 24.0;
+
+const HALF_FILM: f64 = 0.5 * FILM_HEIGHT;
 
 /// A matrix whose columns are farther than this from perpendicular unit vectors is no rotation.
 /// Files hold six digits, and some programs let rounding grow.
 const NEARLY: f64 = 1e-2;
 
 /// Half a turn about up: what looks along z looks along −z then, and back. (0, 0, 1, 0) as w x y z.
-pub const LOOKING_BACK: DQuat = DQuat::from_xyzw(0.0, 1.0, 0.0, 0.0);
+pub const HALF_TURN: DQuat = DQuat::from_xyzw(0.0, 1.0, 0.0, 0.0);
 
 /// The vertical field of view of a zoom, in radians.
 #[must_use]
@@ -149,7 +151,7 @@ fn handedness([first, middle, _]: [usize; 3]) -> f64 {
 fn to_ours(axes: CameraAxes) -> DQuat {
     match axes {
         CameraAxes::Vides => DQuat::IDENTITY,
-        CameraAxes::OpenGl => LOOKING_BACK,
+        CameraAxes::OpenGl => HALF_TURN,
         // By half a turn about the view: (0, 0, 0, 1).
         CameraAxes::OpenCv => DQuat::from_xyzw(0.0, 0.0, 1.0, 0.0),
         // Its x is our z, its y our x, its z our y.
@@ -280,7 +282,7 @@ pub fn turned(v: DVec3, from: Up, to: Up) -> DVec3 {
     }
 }
 
-/// The index of a whole frame count at a rate: pose n of a range is at (n − 1)/fps seconds.
+/// The time of a pose in seconds, by its index from 0: pose n is at (n − 1)/fps.
 #[must_use]
 pub fn seconds(index: usize, fps: f64) -> f64 {
     index as f64 / fps

@@ -74,7 +74,7 @@ pub(super) struct Keys {
 /// How a node's place goes into the file.
 #[derive(Clone, Copy)]
 pub(super) struct Place {
-    /// Turns a root upright, and scales.
+    /// Turns a root upright.
     pub(super) turn: DQuat,
     pub(super) from: crate::path::Up,
     pub(super) to: crate::path::Up,

@@ -13,7 +13,7 @@ use vides_engine::scene::{Channel, Interpolation, Node, Track, Warnings};
 use super::read::{Became, wrong};
 use super::{extensions, looks};
 use crate::convention;
-use crate::convention::LOOKING_BACK;
+use crate::convention::HALF_TURN;
 use crate::error::{Cause, Error, Result, Wanted};
 use crate::limits::{MAX_COORDINATE, MAX_KEYS, MAX_SCENE_NUMBERS};
 use crate::tree::At;
@@ -356,7 +356,7 @@ impl Reader<'_> {
                 let ours = |q: [f64; 4]| {
                     let q = DQuat::from_array(q);
                     let q = if became.turned {
-                        q * LOOKING_BACK.inverse()
+                        q * HALF_TURN.inverse()
                     } else {
                         q
                     };

@@ -18,7 +18,7 @@ use super::motion::{self, Users};
 use super::{extensions, looks, space};
 use crate::content::{DEFAULT_FPS, one_line, rate, shortened};
 use crate::convention;
-use crate::convention::LOOKING_BACK;
+use crate::convention::HALF_TURN;
 use crate::error::{Cause, Error, Result};
 use crate::limits::MAX_FILE_BYTES;
 use crate::loss::{Loss, Report};
@@ -275,7 +275,7 @@ impl<'a> Reader<'a> {
             } => {
                 translation == DVec3::ZERO
                     && scale == DVec3::ONE
-                    && rotation.dot(LOOKING_BACK).abs() > 1.0 - NEARLY
+                    && rotation.dot(HALF_TURN).abs() > 1.0 - NEARLY
             }
             _ => false,
         };
@@ -361,7 +361,7 @@ impl<'a> Reader<'a> {
                 let name = self.names.unique(&format!("{wanted} view"))?;
                 let mut child = Node::new(&name, Kind::Group);
                 child.parent = Some(number);
-                child.rest.rotation = LOOKING_BACK.inverse();
+                child.rest.rotation = HALF_TURN.inverse();
                 self.push(child)?;
                 self.nodes.len() - 1
             };
@@ -398,7 +398,7 @@ impl<'a> Reader<'a> {
         };
         own.rest.position = position - own.pivot;
         own.rest.rotation = match turned {
-            true => rotation * LOOKING_BACK.inverse(),
+            true => rotation * HALF_TURN.inverse(),
             false => rotation,
         };
         own.rest.scale = scale;

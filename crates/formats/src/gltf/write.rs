@@ -16,7 +16,7 @@ use super::keys::{self, Animation};
 use super::meshes::Meshes;
 use crate::blocks::Progress;
 use crate::convention;
-use crate::convention::LOOKING_BACK;
+use crate::convention::HALF_TURN;
 use crate::error::Result;
 use crate::flight::Flight;
 use crate::loss::{Loss, Report};
@@ -189,12 +189,12 @@ impl<'f, 'd> Writer<'f, 'd> {
         let look = if has_children {
             DQuat::IDENTITY
         } else {
-            LOOKING_BACK
+            HALF_TURN
         };
         let own = self.moved(at, node, &node.name, look, false)?;
         let seen = if has_children {
             let child = self.push(&format!("{} view", node.name))?;
-            self.set_place(child, DVec3::ZERO, LOOKING_BACK, DVec3::ONE);
+            self.set_place(child, DVec3::ZERO, HALF_TURN, DVec3::ONE);
             self.nodes[child]
                 .json
                 .insert("extras".into(), json!({"vides": {"part": "view"}}));

@@ -9,7 +9,7 @@ use vides_engine::scene::{Channel, Interpolation, NodeState, Track, Warnings};
 use super::text::{Double3, Quat};
 use super::write::{Writer, keeps_keys, put};
 use crate::blocks::failed;
-use crate::convention::{LOOKING_BACK, rolled};
+use crate::convention::{HALF_TURN, rolled};
 use crate::error::Result;
 use crate::flight::succeeded;
 use crate::math::orientation::quaternion_from_view;
@@ -359,7 +359,7 @@ impl Writer<'_, '_, '_> {
             Double3(flight.place(state.pose.vrp.into())).to_string()
         })?;
         self.frames_of_state(at, depth, "quatd xformOp:orient", |state| {
-            Quat((flight.rotation(rotation(state)) * LOOKING_BACK).normalize()).to_string()
+            Quat((flight.rotation(rotation(state)) * HALF_TURN).normalize()).to_string()
         })?;
         let order = ["xformOp:translate", "xformOp:orient"];
         put!(self, depth, "uniform token[] xformOpOrder = {order:?}")?;

@@ -16,7 +16,7 @@ use super::ops::Room;
 use super::stage::{Prim, Stage};
 use super::{role, unit};
 use crate::content::{Content, Recording, one_line, rate, shortened};
-use crate::convention::LOOKING_BACK;
+use crate::convention::HALF_TURN;
 use crate::error::{Cause, Error, Result};
 use crate::limits::MAX_COORDINATE;
 use crate::loss::{Loss, Report};
@@ -340,7 +340,7 @@ impl<'a> Reader<'_, 'a> {
             let name = self.names.unique(&format!("{name} {}", kind.name()))?;
             let mut looking = Node::new(&name, kind);
             looking.parent = Some(at);
-            looking.rest.rotation = LOOKING_BACK;
+            looking.rest.rotation = HALF_TURN;
             self.fill(held, &mut looking)?;
             self.nodes.push(looking);
         } else {
@@ -367,7 +367,7 @@ impl<'a> Reader<'_, 'a> {
             .filter(|curve| looks && curve.width == 4)
         {
             curve.map(|turn| {
-                let q = quaternion(turn) * LOOKING_BACK.conjugate();
+                let q = quaternion(turn) * HALF_TURN.conjugate();
                 turn.copy_from_slice(&[q.w, q.x, q.y, q.z]);
             });
         } else if looks {

@@ -137,7 +137,7 @@ fn turns_of_more_than_one_round_are_kept() {
         for (frame, degrees) in [(2.0, 144.0_f64), (5.0, 576.0)] {
             let turn = DQuat::from_rotation_y(degrees.to_radians());
             let wanted = if kind == "Camera" {
-                turn * crate::convention::LOOKING_BACK
+                turn * crate::convention::HALF_TURN
             } else {
                 turn
             };

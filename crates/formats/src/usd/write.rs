@@ -8,7 +8,7 @@ use vides_engine::scene::{Camera, Channel, Extrapolation, Interpolation, Kind, L
 use super::text::{Names, Quoted, single};
 use super::{role, unit};
 use crate::blocks::failed;
-use crate::convention::LOOKING_BACK;
+use crate::convention::{FILM_HEIGHT, HALF_TURN};
 use crate::error::Result;
 use crate::flight::Flight;
 use crate::loss::{Loss, Report};
@@ -217,7 +217,7 @@ impl<'d> Writer<'_, '_, 'd> {
             (_, Some(Stand::Alone)) => {
                 let (kind, schema) = prim_kind(&node.kind);
                 self.open(depth, kind, &ident, Some(&node.name), None, schema)?;
-                self.transform(at, depth + 1, LOOKING_BACK, self.rigid[at])?;
+                self.transform(at, depth + 1, HALF_TURN, self.rigid[at])?;
                 self.visibility(at, depth + 1)?;
                 self.looks(at, depth + 1)?;
             }
@@ -293,9 +293,9 @@ impl<'d> Writer<'_, '_, 'd> {
         let scale = self.flight.options().scale;
         let [near, far] = [camera.near, camera.far].map(|plane| single(plane * scale));
         put!(self, depth, "float2 clippingRange = ({near:?}, {far:?})")?;
-        let wide = single(24.0 * tenth * width / height);
+        let wide = single(FILM_HEIGHT * tenth * width / height);
         put!(self, depth, "float horizontalAperture = {wide:?}")?;
-        let high = single(24.0 * tenth);
+        let high = single(FILM_HEIGHT * tenth);
         put!(self, depth, "float verticalAperture = {high:?}")?;
         self.attribute(at, depth, "float focalLength", &Channel::Zoom, &|v| {
             format!("{:?}", single(v[0] * tenth))
