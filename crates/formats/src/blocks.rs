@@ -11,8 +11,8 @@ use super::error::{Error, Result};
 /// Called now and then with the number of poses written and the total.
 pub type Progress<'a> = &'a mut dyn FnMut(usize, usize);
 
-/// Poses per block: large enough to amortise the write call, small enough for the cache.
-const BLOCK: usize = 512;
+/// Poses or states per block: large enough to amortise the write call, small enough for the cache.
+pub(super) const BLOCK: usize = 512;
 
 /// Expected bytes per pose; more only costs a reallocation.
 const BYTES: usize = 256;

@@ -6,7 +6,8 @@ use vides_engine::scene::{Channel, Kind, Node, NodeState, Track, Values, Warning
 
 use super::channels::{self, aims, rolled, rolls, values};
 use super::keys::{self, Keys, Place, Target, stored};
-use super::write::{BLOCK, Writer};
+use super::write::Writer;
+use crate::blocks::BLOCK;
 use crate::convention::{self, Continued};
 use crate::error::Result;
 use crate::flight::{Flight, succeeded};

@@ -21,9 +21,6 @@ use crate::error::Result;
 use crate::flight::Flight;
 use crate::loss::{Loss, Report};
 
-/// States that are asked for at a time.
-pub(super) const BLOCK: usize = 512;
-
 /// A node that is written.
 pub(super) struct Out {
     pub(super) json: Map<String, Value>,

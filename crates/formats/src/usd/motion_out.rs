@@ -8,7 +8,7 @@ use vides_engine::scene::{Channel, Interpolation, NodeState, Track, Warnings};
 
 use super::text::{Double3, Quat};
 use super::write::{Writer, keeps_keys, put};
-use crate::blocks::failed;
+use crate::blocks::{BLOCK, failed};
 use crate::convention::{HALF_TURN, rolled};
 use crate::error::Result;
 use crate::flight::succeeded;
@@ -17,9 +17,6 @@ use crate::math::orientation::quaternion_from_view;
 /// How long before a key of a step the value before it is told again, in frames: between the two
 /// the file goes from one to the other.
 pub(super) const JUST_BEFORE: f64 = 1e-6;
-
-/// Frames sampled at once: memory does not grow with the film.
-const BLOCK: usize = 512;
 
 /// Makes a value of the numbers of a channel.
 type Value<'a> = &'a dyn Fn(&[f64]) -> String;
