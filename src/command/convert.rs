@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
-use vides::formats::{self, Format, OPTIONS, Options, Report};
+use vides::formats::{self, As, Format, OPTIONS, Options, Report};
 
 use super::sample::write_out;
 use super::{Failure, complain, input, one_line, scene};
@@ -112,7 +112,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     for interpolation in &arguments.interpolation {
         scene::register(interpolation)?;
     }
-    let options = &arguments.choices.0;
+    let mut options = arguments.choices.0.clone();
+    // What is not kept as a path need not become one on the way.
+    if !to.row().whole {
+        options.as_ = options.as_.or(Some(As::Keys));
+    }
+    let options = &options;
     let source = input::source(file)?;
     let imported = formats::import(&source, from, options)?;
     let name = &source.name;

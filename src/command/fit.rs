@@ -12,7 +12,7 @@ use vides::tools::fit::{Options, Tolerance, fit};
 use super::moves::{numbers, up};
 use super::output::Output;
 use super::progress::Bar;
-use super::{Failure, complain, input};
+use super::{Failure, complain, input, one_line};
 
 #[derive(Args)]
 pub(super) struct Arguments {
@@ -27,9 +27,9 @@ pub(super) struct Arguments {
     /// How far view, up and field of view may be from theirs
     #[arg(long, value_name = "DEGREES", default_value_t = 0.5)]
     angle: f64,
-    /// Frames in a second
-    #[arg(long, value_name = "NUMBER", default_value_t = 25.0)]
-    fps: f64,
+    /// Frames in a second [default: the file's, else 25]
+    #[arg(long, value_name = "NUMBER")]
+    fps: Option<f64>,
     /// The object that is shown with the path: a mesh (.obj, .ply, .stl, .gltf, .glb),
     /// or the object of a .vid file
     #[arg(long, value_name = "FILE")]
@@ -108,18 +108,21 @@ const LISTED: usize = 50;
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let name = input::name(&arguments.file);
     let object = arguments.object.as_deref().map(input::object).transpose()?;
+    let mut report = Report::default();
+    let source = input::source(&arguments.file)?;
+    let recording = formats::recording(&source, &formats::Options::default(), &mut report)?;
+    for loss in report.losses() {
+        complain(&one_line(&format!("{name}: {loss}")));
+    }
+    let fps = arguments.fps.or(recording.fps).unwrap_or(25.0);
     let Recording {
         poses,
         frames,
         seconds,
         ..
-    } = formats::recording(
-        &input::source(&arguments.file)?,
-        &formats::Options::default(),
-        &mut Report::default(),
-    )?;
-    let times = |frames: &Vec<f64>| frames.iter().map(|frame| frame / arguments.fps).collect();
-    let times: Option<Vec<f64>> = frames.as_ref().map(times);
+    } = recording;
+    let by_frames = |frames: &Vec<f64>| frames.iter().map(|frame| frame / fps).collect();
+    let times: Option<Vec<f64>> = frames.as_ref().map(by_frames).or_else(|| seconds.clone());
     let options = Options {
         tolerance: Tolerance {
             position: arguments.tolerance,
@@ -135,25 +138,19 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut bar = io::stderr()
         .is_terminal()
         .then(|| Bar::new(io::stderr(), Some("poses")));
-    let fitted = fit(
-        &poses,
-        times.as_deref(),
-        arguments.fps,
-        &options,
-        &mut |done, all| {
-            if let Some(bar) = &mut bar {
-                bar.update(done, all);
-            }
-            true
-        },
-    )
+    let fitted = fit(&poses, times.as_deref(), fps, &options, &mut |done, all| {
+        if let Some(bar) = &mut bar {
+            bar.update(done, all);
+        }
+        true
+    })
     .map_err(|error| vides::Error::from(error).at(name.clone()))?;
     if let (Some(frames), Some(seconds)) = (&frames, &seconds) {
-        compare(&name, frames, seconds, arguments.fps);
+        compare(&name, frames, seconds, fps);
     }
     let first = frames.as_ref().and_then(|frames| frames.first());
     let info = Info {
-        fps: arguments.fps,
+        fps,
         first_frame: first.map_or(1, |first| first.round() as i32),
         object: object.unwrap_or_default(),
         ..Info::default()

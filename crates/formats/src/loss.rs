@@ -64,6 +64,8 @@ pub enum Loss {
         seconds: f64,
         by_frame: f64,
     },
+    /// The file has this axis upright, and what it is put into another one.
+    Upright(&'static str),
     /// Anything else that is not taken, by its name in the file.
     NotTaken { what: Text, count: usize },
 }
@@ -151,6 +153,9 @@ impl fmt::Display for Loss {
                  by its frame it is at {by_frame} s",
                 pose + 1
             ),
+            Self::Upright(axis) => {
+                write!(f, "the file has {axis} upright, and this document has not")
+            }
             Self::NotTaken { what, count } => write!(f, "{what} is not taken, {count} of it"),
         }
     }

@@ -10,6 +10,7 @@ use std::path::{Path, PathBuf};
 use egui::{Button, Context, Key, Label, Modifiers, RichText, ScrollArea, Sense, Ui, vec2};
 
 use super::listing::{Folder, MAX_ENTRIES, fits, is_hidden};
+use super::naming::{described, filter_of, is_export, tidy, with_ending};
 use crate::actions::Action;
 use crate::files::exchange::DEFAULT;
 use crate::files::folders;
@@ -17,9 +18,9 @@ use crate::files::picture::{self, Picture};
 use crate::files::{Purpose, readable, short};
 use crate::formats::{self, formats};
 use crate::state::Editor;
+use crate::texts::fill;
 use crate::texts::formats::title_of;
 use crate::texts::refusals::of_system;
-use crate::texts::{Language, fill};
 use crate::theme;
 use crate::windows::modal;
 
@@ -384,9 +385,11 @@ impl FileWindow {
             ending.filter(|ending| old.endings.iter().any(|of| ending.eq_ignore_ascii_case(of)));
         let cut = known.map_or(0, |ending| ending.len() + 1);
         let stem = &name[..name.len() - cut];
-        self.name = match new.endings {
-            [ending, ..] => format!("{stem}.{ending}"),
-            [] => stem.to_owned(),
+        self.name = match (new.endings, new.file_names) {
+            ([ending, ..], _) => format!("{stem}.{ending}"),
+            ([], [name, ..]) => (*name).to_owned(),
+            // A folder.
+            ([], []) => stem.to_owned(),
         };
     }
 
@@ -563,74 +566,13 @@ impl FileWindow {
         if self.loads() {
             return Some(path);
         }
-        let path = with_ending(path, self.purpose);
+        let path = with_ending(path, self.purpose, self.format);
         if path.symlink_metadata().is_ok() {
             self.overwrite = Some(path);
             self.fresh = true;
             return None;
         }
         Some(path)
-    }
-}
-
-/// A format by what people call it and how its files end.
-fn described(language: Language, row: &formats::Row) -> String {
-    let title = title_of(language, row);
-    let names = row.file_names.iter().map(|name| (*name).to_owned());
-    let endings = row.endings.iter().map(|ending| format!("*.{ending}"));
-    let files: Vec<_> = names.chain(endings).collect();
-    match files.as_slice() {
-        [] => title.to_owned(),
-        files => format!("{title} ({})", files.join(", ")),
-    }
-}
-
-/// Whether poses or scenes are written in it; saving is another thing.
-fn is_export(row: &formats::Row) -> bool {
-    row.writes && row.name != "vid"
-}
-
-/// All endings of files of some formats.
-fn filter_of(which: impl Fn(&formats::Row) -> bool) -> String {
-    let rows = formats().iter().map(|format| format.row());
-    let endings = rows.filter(|row| which(row)).flat_map(|row| row.endings);
-    let mut endings: Vec<_> = endings.map(|ending| format!("*.{ending}")).collect();
-    endings.sort_unstable();
-    endings.dedup();
-    endings.join(" ")
-}
-
-/// Without `.` and, where that surely means the same, without `..`.
-fn tidy(path: &Path) -> PathBuf {
-    let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
-    if path
-        .components()
-        .any(|part| part == std::path::Component::ParentDir)
-    {
-        // After a link, `..` is not the directory before it.
-        let folder = path.parent().and_then(|parent| parent.canonicalize().ok());
-        return match (path.canonicalize(), folder, path.file_name()) {
-            (Ok(whole), _, _) => whole,
-            (_, Some(folder), Some(name)) => folder.join(name),
-            _ => path,
-        };
-    }
-    path
-}
-
-/// Adds the usual ending to a name without one.
-fn with_ending(path: PathBuf, purpose: Purpose) -> PathBuf {
-    let ending = match purpose {
-        Purpose::Export => "txt",
-        Purpose::LoadSetup | Purpose::SaveSetup => "toml",
-        Purpose::LoadObject => "obj",
-        Purpose::Import => "csv",
-        Purpose::LoadPath | Purpose::SavePath(_) | Purpose::LoadBlock | Purpose::SaveBlock => "vid",
-    };
-    if path.extension().is_some() {
-        path
-    } else {
-        path.with_extension(ending)
     }
 }
 

@@ -5,7 +5,7 @@ use std::path::Path;
 use crate::document::tool::{Needs, ToolInput, tools};
 use crate::document::{Edit, SceneDocument};
 use crate::files::{Question, short};
-use crate::formats::{self, Content, Flight, Format, Options, Report, Source};
+use crate::formats::{self, Content, Flight, Format, Loss, Options, Report, Source};
 use crate::state::Editor;
 use crate::texts::fill;
 use crate::texts::formats::{losses_of, reason_of};
@@ -38,7 +38,10 @@ impl Editor {
         if chosen.row().is_named(file) {
             return Ok(chosen);
         }
-        Ok(formats::by_target(file).unwrap_or(chosen))
+        match formats::by_target(file) {
+            Err(error @ formats::Error::SharedEnding { .. }) => Err(error),
+            told => Ok(told.unwrap_or(chosen)),
+        }
     }
 
     /// The same, whatever is lost.
@@ -78,6 +81,10 @@ impl Editor {
             Content::Poses(recording) => {
                 let fps = recording.fps.unwrap_or(self.document.info().fps);
                 let seconds = recording.seconds_at(fps);
+                let up = self.document.path().space.up;
+                if let Some(other) = recording.up.filter(|other| *other != up) {
+                    report.add(Loss::Upright(other.name()));
+                }
                 let poses = ToolInput::Poses(recording.poses, seconds);
                 let waits = self
                     .windows
@@ -87,6 +94,7 @@ impl Editor {
                 let fit = tools().find(|tool| tool.needs() == Needs::Poses);
                 if waits || fit.is_some_and(|fit| self.prepare_tool(fit)) {
                     self.begin_tool_with(poses);
+                    self.tell_loaded(file, &report);
                 }
             }
             Content::Scene(document) => {
@@ -98,13 +106,18 @@ impl Editor {
                 let done = self.document.apply_all(edits);
                 done.map_err(|error| self.refusal(self.texts().errors.cannot_load, file, &error))?;
                 self.windows.path_replaced();
-                let mut text = fill(self.texts().output.loaded, &[&short(file)]);
-                for loss in losses_of(self.language(), &report) {
-                    text += &format!(" · {loss}");
-                }
-                self.say(text);
+                self.tell_loaded(file, &report);
             }
         }
         Ok(())
+    }
+
+    /// That a file was taken over, and what of it was not.
+    fn tell_loaded(&mut self, file: &Path, report: &Report) {
+        let mut text = fill(self.texts().output.loaded, &[&short(file)]);
+        for loss in losses_of(self.language(), report) {
+            text += &format!(" · {loss}");
+        }
+        self.say(text);
     }
 }

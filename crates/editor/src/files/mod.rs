@@ -5,6 +5,7 @@ mod chooser;
 mod exchange;
 pub(crate) mod folders;
 mod listing;
+mod naming;
 mod picture;
 mod question;
 mod recent;

@@ -336,7 +336,10 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui) -> Option<Action> {
     let memory = Id::unique("menu bar");
     let mut bar: Bar = ui.data(|data| data.get_temp(memory)).unwrap_or_default();
     let menus = menus(editor);
-    let mut picked = walk(ui.ctx(), &mut bar, &menus);
+    // A question has the keyboard.
+    let mut picked = (!editor.windows.has_modal())
+        .then(|| walk(ui.ctx(), &mut bar, &menus))
+        .flatten();
     let open = bar.open(ui.ctx());
     bar.popups.clear();
     bar.entries.clear();

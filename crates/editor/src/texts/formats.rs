@@ -140,6 +140,7 @@ german! {
         Seconds { pose, seconds, by_frame } =>
             "es gelten die Zeiten der Bilder; nach den Sekunden wäre Pose {} bei {} s, nach ihrem Bild ist sie bei {} s",
             pose + 1, number(*seconds), number(*by_frame);
+        Upright(axis) => "in der Datei steht {axis} senkrecht, in diesem Dokument nicht";
         NotTaken { what, count } => "{what} wird nicht übernommen: {count}";
     }
 }

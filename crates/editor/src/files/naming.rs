@@ -1,0 +1,77 @@
+//! How files are called: by format, by purpose.
+
+use std::path::{Path, PathBuf};
+
+use super::exchange::DEFAULT;
+use crate::files::Purpose;
+use crate::formats::{self, formats};
+use crate::texts::Language;
+use crate::texts::formats::title_of;
+
+/// A format by what people call it and how its files end.
+pub(super) fn described(language: Language, row: &formats::Row) -> String {
+    let title = title_of(language, row);
+    let names = row.file_names.iter().map(|name| (*name).to_owned());
+    let endings = row.endings.iter().map(|ending| format!("*.{ending}"));
+    let files: Vec<_> = names.chain(endings).collect();
+    match files.as_slice() {
+        [] => title.to_owned(),
+        files => format!("{title} ({})", files.join(", ")),
+    }
+}
+
+/// Whether poses or scenes are written in it; saving is another thing.
+pub(super) fn is_export(row: &formats::Row) -> bool {
+    row.writes && row.name != "vid"
+}
+
+/// All endings of files of some formats.
+pub(super) fn filter_of(which: impl Fn(&formats::Row) -> bool) -> String {
+    let rows = formats().iter().map(|format| format.row());
+    let endings = rows.filter(|row| which(row)).flat_map(|row| row.endings);
+    let mut endings: Vec<_> = endings.map(|ending| format!("*.{ending}")).collect();
+    endings.sort_unstable();
+    endings.dedup();
+    endings.join(" ")
+}
+
+/// Without `.` and, where that surely means the same, without `..`.
+pub(super) fn tidy(path: &Path) -> PathBuf {
+    let path = std::path::absolute(path).unwrap_or_else(|_| path.to_owned());
+    if path
+        .components()
+        .any(|part| part == std::path::Component::ParentDir)
+    {
+        // After a link, `..` is not the directory before it.
+        let folder = path.parent().and_then(|parent| parent.canonicalize().ok());
+        return match (path.canonicalize(), folder, path.file_name()) {
+            (Ok(whole), _, _) => whole,
+            (_, Some(folder), Some(name)) => folder.join(name),
+            _ => path,
+        };
+    }
+    path
+}
+
+/// Adds the usual ending to a name without one; a format that is a folder of files has none.
+pub(super) fn with_ending(path: PathBuf, purpose: Purpose, format: Option<&str>) -> PathBuf {
+    let ending = match purpose {
+        Purpose::Export => {
+            let format = formats::by_name(format.unwrap_or(DEFAULT));
+            let endings = format.map_or(&["txt"][..], |format| format.row().endings);
+            match endings.first() {
+                Some(ending) => *ending,
+                None => return path,
+            }
+        }
+        Purpose::LoadSetup | Purpose::SaveSetup => "toml",
+        Purpose::LoadObject => "obj",
+        Purpose::Import => "csv",
+        Purpose::LoadPath | Purpose::SavePath(_) | Purpose::LoadBlock | Purpose::SaveBlock => "vid",
+    };
+    if path.extension().is_some() {
+        path
+    } else {
+        path.with_extension(ending)
+    }
+}
