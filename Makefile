@@ -15,6 +15,7 @@
 #   make install     PREFIX=/usr/local DESTDIR=
 #   make uninstall   the same
 #   make header      writes include/libvides.h anew
+#   make completions writes what shells complete, completions/, anew
 #   make clean
 #
 # Each target installs by itself what it misses (mk/need.sh).
@@ -34,7 +35,13 @@ DESTDIR ?=
 bindir = $(PREFIX)/bin
 libdir = $(PREFIX)/lib
 includedir = $(PREFIX)/include
-mandir = $(PREFIX)/share/man
+datadir = $(PREFIX)/share
+mandir = $(datadir)/man
+# What lies below the share of a desktop and of the shells, as FILE:WHERE.
+SHARED = desktop/vides.desktop:applications desktop/vides.xml:mime/packages \
+    desktop/vides.svg:icons/hicolor/scalable/apps \
+    completions/vides:bash-completion/completions completions/_vides:zsh/site-functions \
+    completions/vides.fish:fish/vendor_completions.d
 
 CARGO ?= cargo
 CC ?= cc
@@ -59,7 +66,7 @@ X_TOOLS = python3=python3 Xvfb=xvfb xauth=xauth xdotool=xdotool xprop=x11-utils 
     xwd=x11-apps /usr/include/Xm/Xm.h=libmotif-dev
 LINT = -D warnings
 
-.PHONY: all libs demo test check bench soak soak-calls soak-x fuzz coverage miri threads install uninstall header clean side-by-side FORCE \
+.PHONY: all libs demo test check bench soak soak-calls soak-x fuzz coverage miri threads install uninstall header completions clean side-by-side FORCE \
 	toolchain check-format check-lints check-rust check-c check-linking \
 	check-calls check-x check-demo check-install check-docs check-dependencies \
 	check-hosts soak-hosts check-formats check-formats-small
@@ -85,6 +92,9 @@ $(LIB)/libvides.a: $(RELEASE)/libvides_archive.a $(wildcard mk/*)
 
 header: toolchain
 	UPDATE_HEADER=1 $(CARGO) test --locked --all-features --test header
+
+completions: toolchain
+	UPDATE_COMPLETIONS=1 $(CARGO) test --locked --all-features --bin vides completions
 
 # ---- Seeing it ------------------------------------------------------------------
 
@@ -194,7 +204,9 @@ check-demo: all
 	    sh -c 'for time in 1 2; do env -u DISPLAY $(MAKE) demo || exit; done'
 
 check-install: all
-	@mk/need.sh pkg-config=pkg-config groff=groff-base
+	@mk/need.sh pkg-config=pkg-config groff=groff-base c++=g++ cmake=cmake xmllint=libxml2-utils \
+	    desktop-file-validate=desktop-file-utils update-mime-database=shared-mime-info \
+	    gio=libglib2.0-bin zsh=zsh fish=fish
 	tests/install/run.sh
 
 check-docs:
@@ -284,23 +296,33 @@ fuzz: toolchain
 
 # ---- Laying it down -------------------------------------------------------------
 
+# So that the loader finds the library at once, and the desktop the type of .vid files;
+# in a package's folder that is the package's business.
+TELL = [ -n '$(DESTDIR)' ] || { [ "$$(id -u)" -ne 0 ] || ldconfig; mk/desktop.sh '$(datadir)'; }
+
 install: all
-	install -d '$(DESTDIR)$(libdir)/pkgconfig' '$(DESTDIR)$(includedir)' \
-	    '$(DESTDIR)$(bindir)' '$(DESTDIR)$(mandir)/man1' '$(DESTDIR)$(mandir)/man3'
+	install -d '$(DESTDIR)$(libdir)/pkgconfig' '$(DESTDIR)$(libdir)/cmake/vides' \
+	    '$(DESTDIR)$(includedir)' '$(DESTDIR)$(bindir)' '$(DESTDIR)$(mandir)/man1' '$(DESTDIR)$(mandir)/man3'
 	install -m 644 $(LIB)/libvides.a '$(DESTDIR)$(libdir)'
 	install -m 644 $(LIB)/libvides.so.$(VERSION) '$(DESTDIR)$(libdir)'
 	ln -sf libvides.so.$(VERSION) '$(DESTDIR)$(libdir)/libvides.so.1'
 	ln -sf libvides.so.1 '$(DESTDIR)$(libdir)/libvides.so'
 	install -m 644 include/libvides.h '$(DESTDIR)$(includedir)'
 	install -m 755 $(RELEASE)/vides '$(DESTDIR)$(bindir)'
-	sed -e 's|@prefix@|$(PREFIX)|' -e 's|@version@|$(VERSION)|' vides.pc.in \
-	    >'$(DESTDIR)$(libdir)/pkgconfig/vides.pc'
-	chmod 644 '$(DESTDIR)$(libdir)/pkgconfig/vides.pc'
+	for file in pkgconfig/vides.pc cmake/vides/videsConfig.cmake \
+	        cmake/vides/videsConfigVersion.cmake; do \
+	    sed -e 's|@prefix@|$(PREFIX)|' -e 's|@libdir@|$(libdir)|' -e 's|@includedir@|$(includedir)|' \
+	        -e 's|=$(PREFIX)/|=$${prefix}/|' -e 's|@version@|$(VERSION)|' \
+	        -e "s|@include@|$$(realpath -ms --relative-to='$(libdir)' '$(includedir)')|" \
+	        "mk/$${file##*/}.in" >'$(DESTDIR)$(libdir)/'"$$file" && \
+	    chmod 644 '$(DESTDIR)$(libdir)/'"$$file" || exit; \
+	done
 	install -m 644 man/vides.1 '$(DESTDIR)$(mandir)/man1'
 	install -m 644 man/libvides.3 '$(DESTDIR)$(mandir)/man3'
-	@# So that the loader finds the library at once; in a package's folder
-	@# that is the package's business.
-	@if [ -z '$(DESTDIR)' ] && [ "$$(id -u)" -eq 0 ]; then ldconfig; fi
+	for shared in $(SHARED); do \
+	    install -D -m 644 -t '$(DESTDIR)$(datadir)/'"$${shared#*:}" "$${shared%:*}" || exit; \
+	done
+	@$(TELL)
 
 uninstall:
 	rm -f '$(DESTDIR)$(libdir)/libvides.a' \
@@ -311,8 +333,14 @@ uninstall:
 	    '$(DESTDIR)$(bindir)/vides' \
 	    '$(DESTDIR)$(libdir)/pkgconfig/vides.pc' \
 	    '$(DESTDIR)$(mandir)/man1/vides.1' \
-	    '$(DESTDIR)$(mandir)/man3/libvides.3'
-	@if [ -z '$(DESTDIR)' ] && [ "$$(id -u)" -eq 0 ]; then ldconfig; fi
+	    '$(DESTDIR)$(mandir)/man3/libvides.3' \
+	    '$(DESTDIR)$(libdir)/cmake/vides/videsConfig.cmake' \
+	    '$(DESTDIR)$(libdir)/cmake/vides/videsConfigVersion.cmake'
+	rmdir '$(DESTDIR)$(libdir)/cmake/vides' 2>/dev/null || true
+	for shared in $(SHARED); do \
+	    file=$${shared%:*}; rm -f '$(DESTDIR)$(datadir)/'"$${shared#*:}/$${file##*/}"; \
+	done
+	@$(TELL)
 
 clean:
 	$(CARGO) clean

@@ -5,6 +5,8 @@
 //! read or written; 2 bad usage; 3 a check found something.
 
 mod check;
+#[cfg(test)]
+mod completions_tests;
 mod convert;
 mod edit;
 mod fit;

@@ -35,13 +35,21 @@ files() { # every file and link below a folder; a link with where it leads
 
 laid_down="bin/vides 755
 include/libvides.h 644
+lib/cmake/vides/videsConfig.cmake 644
+lib/cmake/vides/videsConfigVersion.cmake 644
 lib/libvides.a 644
 lib/libvides.so -> libvides.so.1
 lib/libvides.so.$version 644
 lib/libvides.so.1 -> libvides.so.$version
 lib/pkgconfig/vides.pc 644
+share/applications/vides.desktop 644
+share/bash-completion/completions/vides 644
+share/fish/vendor_completions.d/vides.fish 644
+share/icons/hicolor/scalable/apps/vides.svg 644
 share/man/man1/vides.1 644
-share/man/man3/libvides.3 644"
+share/man/man3/libvides.3 644
+share/mime/packages/vides.xml 644
+share/zsh/site-functions/_vides 644"
 laid_down=$(LC_ALL=C sort <<<"$laid_down")
 
 # A folder for a package, and a prefix of one's own with a blank in its name.
@@ -88,6 +96,42 @@ for name in window path; do
     check "README's $name program says something" test -n "$said"
 done
 
+# ---- A tree that was moved after it was installed -----------------------------
+# By CMake and by pkg-config; nothing is left where it was installed first.
+moved="$work/moved on"
+mv "$own" "$moved"
+# A blank in a folder's name comes out of pkg-config behind a backslash.
+for library in -lvides -l:libvides.a; do
+    flags=$(env -u PKG_CONFIG_SYSROOT_DIR PKG_CONFIG_LIBDIR="$moved/lib/pkgconfig" \
+        pkg-config --define-prefix --cflags --libs vides)
+    eval "flags=(${flags/-lvides/$library})"
+    check "moved, pkg-config, $library" "$cc" "${warnings[@]}" -o "$work/moved$library" \
+        "$work/path.c" "${flags[@]}"
+    check "moved, pkg-config, $library: runs" \
+        env LD_LIBRARY_PATH="$moved/lib" "$work/moved$library"
+done
+built=$work/built
+check "moved, CMake finds it, in versions that fit" \
+    cmake -S tests/install/cmake -B "$built" -DCMAKE_PREFIX_PATH="$moved" -DC_HOST="$work/path.c"
+check "moved, CMake builds hosts" env -u MAKE -u MAKEFLAGS cmake --build "$built"
+for host in c-vides c-static cxx-vides cxx-static; do
+    check "moved, CMake: $host runs" "$built/$host"
+    case $host in *vides) asks=libvides.so.1 ;; *) asks= ;; esac
+    check "moved, CMake: $host asks for ${asks:-no libvides}" same "$asks" \
+        "$(readelf -dW "$built/$host" | sed -n 's/.*NEEDED.*\[\(libvides.*\)\]/\1/p')"
+done
+check "moved, CMake: both libraries say the same" \
+    same "$("$built/cxx-vides")" "$("$built/cxx-static")"
+check "moved, CMake: the version" test "$("$built/cxx-vides" | sed 's/:.*//')" = "$version"
+# As where /lib is a link to /usr/lib: what includes lie beside is the folder behind the link.
+mkdir -p "$work/linked" && ln -s "$moved/lib" "$work/linked/lib"
+check "moved, CMake finds it through a link" cmake -S tests/install/cmake -B "$built-by-link" \
+    -DCMAKE_PREFIX_PATH="$work/linked" -DC_HOST="$work/path.c"
+rm "$moved/lib/libvides.a"
+check "CMake: a library that is gone is missed" grep -q 'libvides.a is missing' \
+    <(cmake -S tests/install/cmake -B "$built-missing" -DCMAKE_PREFIX_PATH="$moved" 2>&1)
+mv "$moved" "$own"
+
 # ---- The command and the manual ----------------------------------------------
 # Each command that the README shows, on the path that it shows.
 mkdir "$work/shell"
@@ -103,6 +147,41 @@ for page in 1/vides.1 3/libvides.3; do
     check "manual page ${page#*/}" \
         same "" "$(groff -man -Tutf8 -ww -z "$stage/usr/share/man/man$page" 2>&1)"
 done
+
+# ---- The shells complete the command -------------------------------------------
+share=$stage/usr/share
+check "bash completes" tests/install/completes.bash "$share/bash-completion/completions/vides"
+check "zsh completes" timeout 30 tests/install/completes.zsh "$share/zsh/site-functions"
+for typed in "vides conv:convert" "vides convert --to gl:glb" "vides convert a.vid --fr:--frames"; do
+    check "fish completes ${typed%:*}" grep -q "^${typed##*:}" \
+        <(fish --no-config -c "source '$share/fish/vendor_completions.d/vides.fish'
+            complete -C '${typed%:*}'")
+done
+
+# ---- The desktop -----------------------------------------------------------------
+desktop=$own/share/applications/vides.desktop
+check "the desktop file is one" desktop-file-validate --warn-kde "$desktop"
+check "the type and the icon are XML" xmllint --noout "$own/share/mime/packages/vides.xml" \
+    "$own/share/icons/hicolor/scalable/apps/vides.svg"
+check "the desktop file has the class of the windows" grep -qF \
+    "b\"\\0$(sed -n 's/^StartupWMClass=//p' "$desktop")\\0\"" crates/x11/src/window.rs
+# Where a desktop looks, `make install` tells it. A double click is played by what GLib's
+# desktops do: the type of a file, its program, the command line of that.
+export XDG_DATA_DIRS=$own/share:/usr/share
+mkdir "$work/home" "$work/bin"
+printf '#!/bin/sh\nprintf "%%s|" "$@" >"%s"\n' "$work/called" >"$work/bin/vides"
+chmod +x "$work/bin/vides"
+cp examples/pyramid.vid "$work/a flight.vid"
+desk() { env HOME="$work/home" PATH="$work/bin:$PATH" "$@"; }
+check "into a prefix where a desktop looks" "$make" install PREFIX="$own"
+check ".vid files have their type" grep -q 'content-type: application/x-vides$' \
+    <(desk gio info -a standard::content-type "$work/a flight.vid")
+check "the type's icon is the program's" grep -q 'icon: vides' \
+    <(desk gio info -a standard::icon "$work/a flight.vid")
+check "the type has its program" grep -q ': vides.desktop$' <(desk gio mime application/x-vides)
+check "a double click" desk gio launch "$desktop" "$work/a flight.vid"
+for _ in $(seq 50); do [ -s "$work/called" ] && break; sleep 0.1; done
+check "a double click opens the editor" same "edit|$work/a flight.vid|" "$(cat "$work/called")"
 
 # ---- The texts -----------------------------------------------------------------
 for text in *.md docs/*.md benches/*.md; do

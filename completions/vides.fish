@@ -1,0 +1,302 @@
+# Print an optspec for argparse to handle cmd's options that are independent of any subcommand.
+function __fish_vides_global_optspecs
+    string join \n h/help V/version
+end
+
+function __fish_vides_needs_command
+    # Figure out if the current invocation already has a command.
+    set -l cmd (commandline -opc)
+    set -e cmd[1]
+    argparse -s (__fish_vides_global_optspecs) -- $cmd 2>/dev/null
+    or return
+    if set -q argv[1]
+        # Also print the command, so this can be used to figure out what it is.
+        echo $argv[1]
+        return 1
+    end
+    return 0
+end
+
+function __fish_vides_using_subcommand
+    set -l cmd (__fish_vides_needs_command)
+    test -z "$cmd"
+    and return 1
+    contains -- $cmd[1] $argv
+end
+
+complete -c vides -n "__fish_vides_needs_command" -s h -l help -d 'Print help'
+complete -c vides -n "__fish_vides_needs_command" -s V -l version -d 'Print version'
+complete -c vides -n "__fish_vides_needs_command" -f -a "edit" -d 'Opens the editor in a window'
+complete -c vides -n "__fish_vides_needs_command" -f -a "sample" -d 'Writes every camera pose of a path'
+complete -c vides -n "__fish_vides_needs_command" -f -a "info" -d 'Shows points, sections, lengths, frames and seconds of a path; of a scene its nodes and what moves them'
+complete -c vides -n "__fish_vides_needs_command" -f -a "get" -d 'Writes properties of a path by their names'
+complete -c vides -n "__fish_vides_needs_command" -f -a "set" -d 'Sets properties of a path by their names'
+complete -c vides -n "__fish_vides_needs_command" -f -a "fit" -d 'Makes a path of few points of recorded poses'
+complete -c vides -n "__fish_vides_needs_command" -f -a "check" -d 'Tells what will look wrong in a film'
+complete -c vides -n "__fish_vides_needs_command" -f -a "plot" -d 'Draws a path, its views and what changes over its frames'
+complete -c vides -n "__fish_vides_needs_command" -f -a "move" -d 'Makes a path by a ready-made move'
+complete -c vides -n "__fish_vides_needs_command" -f -a "transform" -d 'Moves, turns, scales or mirrors points of a path'
+complete -c vides -n "__fish_vides_needs_command" -f -a "deform" -d 'Tapers, twists, bends or freely deforms points of a path'
+complete -c vides -n "__fish_vides_needs_command" -f -a "extract" -d 'Writes a range of points as a path of its own'
+complete -c vides -n "__fish_vides_needs_command" -f -a "insert" -d 'Puts a path into another one'
+complete -c vides -n "__fish_vides_needs_command" -f -a "reverse" -d 'Turns the way of a path round'
+complete -c vides -n "__fish_vides_needs_command" -f -a "repeat" -d 'Lets a path go its way several times'
+complete -c vides -n "__fish_vides_needs_command" -f -a "frames" -d 'Brings a path, or points of it, to a number of frames'
+complete -c vides -n "__fish_vides_needs_command" -f -a "blend" -d 'Mixes paths by weights that sum to 1'
+complete -c vides -n "__fish_vides_needs_command" -f -a "convert" -d 'Writes a path or scene in the format of another program, and back'
+complete -c vides -n "__fish_vides_using_subcommand edit" -l object -d 'A mesh or a point cloud (.obj, .ply, .stl, .gltf, .glb) to be shown as the object; a new path lies in a space around it' -r -F
+complete -c vides -n "__fish_vides_using_subcommand edit" -s h -l help -d 'Print help'
+complete -c vides -n "__fish_vides_using_subcommand sample" -s o -l output -d 'Where the poses go; - is standard output. A file appears when all of it is written, and is wholly the old one until then' -r -F
+complete -c vides -n "__fish_vides_using_subcommand sample" -l format -d 'How the poses are written' -r -f -a "ascii\t'Ten numbers a line, four decimals: VRP, VPN, VUP (x y z each) and zoom'
+csv\t'A header, then the frame\'s number, the ten numbers and the seconds, all digits'
+json\t'Title, frames per second and the poses, all digits'"
+complete -c vides -n "__fish_vides_using_subcommand sample" -l digits -d 'Decimals of the format ascii, at most 30 [default: 4]' -r
+complete -c vides -n "__fish_vides_using_subcommand sample" -l node -d 'A node of a scene, at each of the scene\'s frames: cameras and lights as poses, others as matrices (16 numbers, column by column)' -r
+complete -c vides -n "__fish_vides_using_subcommand sample" -l interpolation -d 'A function of the type V_INTERPOLATE for the interpolation "host:NAME" of a scene\'s tracks' -r
+complete -c vides -n "__fish_vides_using_subcommand sample" -l move-frames -d 'Frames for a way of half the space\'s size at speed 50' -r
+complete -c vides -n "__fish_vides_using_subcommand sample" -l turn-frames -d 'Frames for a turn of 180 degrees at speed 50' -r
+complete -c vides -n "__fish_vides_using_subcommand sample" -l zoom-frames -d 'Frames for a zoom from 1 to 100 mm at speed 50' -r
+complete -c vides -n "__fish_vides_using_subcommand sample" -l roll-frames -d 'Frames for a roll of 90 degrees at speed 50' -r
+complete -c vides -n "__fish_vides_using_subcommand sample" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c vides -n "__fish_vides_using_subcommand info" -l json -d 'Writes one object, with all digits'
+complete -c vides -n "__fish_vides_using_subcommand info" -s h -l help -d 'Print help'
+complete -c vides -n "__fish_vides_using_subcommand get" -s h -l help -d 'Print help'
+complete -c vides -n "__fish_vides_using_subcommand set" -s o -l output -d 'Where the path goes; - is standard output [default: FILE.vid]' -r -F
+complete -c vides -n "__fish_vides_using_subcommand set" -s h -l help -d 'Print help'
+complete -c vides -n "__fish_vides_using_subcommand fit" -l tolerance -d 'How far a position may be from its pose' -r
+complete -c vides -n "__fish_vides_using_subcommand fit" -l angle -d 'How far view, up and field of view may be from theirs' -r
+complete -c vides -n "__fish_vides_using_subcommand fit" -l fps -d 'Frames in a second' -r
+complete -c vides -n "__fish_vides_using_subcommand fit" -l object -d 'The object that is shown with the path: a mesh (.obj, .ply, .stl, .gltf, .glb), or the object of a .vid file' -r -F
+complete -c vides -n "__fish_vides_using_subcommand fit" -l up -d 'Which axis stands upright' -r -f -a "y\t''
+z\t''"
+complete -c vides -n "__fish_vides_using_subcommand fit" -l space -d 'The space of the path: its centre and half its size; else the smallest round the positions, with a tenth to spare' -r
+complete -c vides -n "__fish_vides_using_subcommand fit" -s o -l output -d 'Where the path goes; - is standard output' -r -F
+complete -c vides -n "__fish_vides_using_subcommand fit" -l robust -d 'Leaves out poses that are off by more than the tolerance from what those around them say, and tells how many'
+complete -c vides -n "__fish_vides_using_subcommand fit" -s h -l help -d 'Print help'
+complete -c vides -n "__fish_vides_using_subcommand check" -l object -d 'The object in place of the path\'s: a mesh (.obj, .ply, .stl, .gltf, .glb), or the object of a .vid file' -r -F
+complete -c vides -n "__fish_vides_using_subcommand check" -l limit -d 'Another limit than the file\'s, as turning=90; turning=off does not look for it' -r
+complete -c vides -n "__fish_vides_using_subcommand check" -s o -l output -d 'Where --fix writes the path' -r -F
+complete -c vides -n "__fish_vides_using_subcommand check" -l fix -d 'Does what helps as long as something gets better, writes the path to --output and tells what was fixed and what is left'
+complete -c vides -n "__fish_vides_using_subcommand check" -l json -d 'Writes the findings and notes as an array of objects'
+complete -c vides -n "__fish_vides_using_subcommand check" -s h -l help -d 'Print help'
+complete -c vides -n "__fish_vides_using_subcommand plot" -s o -l output -d 'Where the picture goes, as .svg or .png; - is standard output, as SVG' -r -F
+complete -c vides -n "__fish_vides_using_subcommand plot" -l object -d 'The object in place of the path\'s: a mesh (.obj, .ply, .stl, .gltf, .glb), or the object of a .vid file' -r -F
+complete -c vides -n "__fish_vides_using_subcommand plot" -l dark -d 'On a dark ground'
+complete -c vides -n "__fish_vides_using_subcommand plot" -s h -l help -d 'Print help'
+complete -c vides -n "__fish_vides_using_subcommand move; and not __fish_seen_subcommand_from orbit spiral arc flyby approach dolly-zoom crane pan figure-eight" -s h -l help -d 'Print help'
+complete -c vides -n "__fish_vides_using_subcommand move; and not __fish_seen_subcommand_from orbit spiral arc flyby approach dolly-zoom crane pan figure-eight" -f -a "orbit" -d 'On a circle round a target'
+complete -c vides -n "__fish_vides_using_subcommand move; and not __fish_seen_subcommand_from orbit spiral arc flyby approach dolly-zoom crane pan figure-eight" -f -a "spiral" -d 'Round a target with another radius and height at the end'
+complete -c vides -n "__fish_vides_using_subcommand move; and not __fish_seen_subcommand_from orbit spiral arc flyby approach dolly-zoom crane pan figure-eight" -f -a "arc" -d 'On a part of a circle, from one heading to another'
+complete -c vides -n "__fish_vides_using_subcommand move; and not __fish_seen_subcommand_from orbit spiral arc flyby approach dolly-zoom crane pan figure-eight" -f -a "flyby" -d 'Straight past a target that stays in view'
+complete -c vides -n "__fish_vides_using_subcommand move; and not __fish_seen_subcommand_from orbit spiral arc flyby approach dolly-zoom crane pan figure-eight" -f -a "approach" -d 'Straight towards a target'
+complete -c vides -n "__fish_vides_using_subcommand move; and not __fish_seen_subcommand_from orbit spiral arc flyby approach dolly-zoom crane pan figure-eight" -f -a "dolly-zoom" -d 'Towards a target that keeps its size in the picture'
+complete -c vides -n "__fish_vides_using_subcommand move; and not __fish_seen_subcommand_from orbit spiral arc flyby approach dolly-zoom crane pan figure-eight" -f -a "crane" -d 'Straight up or down beside a target that stays in view'
+complete -c vides -n "__fish_vides_using_subcommand move; and not __fish_seen_subcommand_from orbit spiral arc flyby approach dolly-zoom crane pan figure-eight" -f -a "pan" -d 'Turns on the spot'
+complete -c vides -n "__fish_vides_using_subcommand move; and not __fish_seen_subcommand_from orbit spiral arc flyby approach dolly-zoom crane pan figure-eight" -f -a "figure-eight" -d 'On an eight that lies before the target'
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from orbit" -l around -d 'The place in the middle of the view [default: 0,0,0]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from orbit" -l radius -d 'How far the way is from the axis [default: 1]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from orbit" -l height -d 'How far above the target the camera is [default: 0.4]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from orbit" -l from -d 'Heading at which the camera begins [default: 0]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from orbit" -l turns -d 'How often round; negative: clockwise from above [default: 1]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from orbit" -l zoom -d 'Focal length [default: 24]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from orbit" -l seconds -d 'How long it takes; 0: by its length [default: 10]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from orbit" -l fps -d 'Frames in a second [default: 25]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from orbit" -l up -d 'Which axis stands upright [default: that of --object, else y]' -r -f -a "y\t''
+z\t''"
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from orbit" -l object -d 'Goes round this object: a mesh (.obj, .ply, .stl, .gltf, .glb) with a space around it, or that of a .vid file in its space' -r -F
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from orbit" -s o -l output -d 'Where the path goes; - is standard output [default: -]' -r -F
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from orbit" -s h -l help -d 'Print help'
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from spiral" -l around -d 'The place in the middle of the view [default: 0,0,0]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from spiral" -l radius -d 'How far the way is from the axis [default: 1]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from spiral" -l height -d 'How far above the target the camera is [default: 0.4]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from spiral" -l from -d 'Heading at which the camera begins [default: 0]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from spiral" -l turns -d 'How often round; negative: clockwise from above [default: 1]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from spiral" -l zoom -d 'Focal length [default: 24]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from spiral" -l seconds -d 'How long it takes; 0: by its length [default: 10]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from spiral" -l end-radius -d 'The radius at the end [default: 0.5]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from spiral" -l end-height -d 'The height at the end [default: 1]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from spiral" -l fps -d 'Frames in a second [default: 25]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from spiral" -l up -d 'Which axis stands upright [default: that of --object, else y]' -r -f -a "y\t''
+z\t''"
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from spiral" -l object -d 'Goes round this object: a mesh (.obj, .ply, .stl, .gltf, .glb) with a space around it, or that of a .vid file in its space' -r -F
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from spiral" -s o -l output -d 'Where the path goes; - is standard output [default: -]' -r -F
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from spiral" -s h -l help -d 'Print help'
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from arc" -l around -d 'The place in the middle of the view [default: 0,0,0]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from arc" -l radius -d 'How far the way is from the axis [default: 1]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from arc" -l height -d 'How far above the target the camera is [default: 0.4]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from arc" -l from -d 'Heading at which the camera begins [default: -45]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from arc" -l to -d 'Heading at which it ends [default: 45]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from arc" -l zoom -d 'Focal length [default: 24]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from arc" -l seconds -d 'How long it takes; 0: by its length [default: 10]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from arc" -l fps -d 'Frames in a second [default: 25]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from arc" -l up -d 'Which axis stands upright [default: that of --object, else y]' -r -f -a "y\t''
+z\t''"
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from arc" -l object -d 'Goes round this object: a mesh (.obj, .ply, .stl, .gltf, .glb) with a space around it, or that of a .vid file in its space' -r -F
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from arc" -s o -l output -d 'Where the path goes; - is standard output [default: -]' -r -F
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from arc" -s h -l help -d 'Print help'
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from flyby" -l around -d 'The place in the middle of the view [default: 0,0,0]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from flyby" -l distance -d 'How near the way comes, seen from above [default: 1]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from flyby" -l height -d 'How far above the target the camera is [default: 0.4]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from flyby" -l from -d 'Heading of the camera when it is nearest [default: 0]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from flyby" -l length -d 'How long the way is [default: 2]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from flyby" -l zoom -d 'Focal length [default: 24]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from flyby" -l seconds -d 'How long it takes; 0: by its length [default: 10]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from flyby" -l fps -d 'Frames in a second [default: 25]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from flyby" -l up -d 'Which axis stands upright [default: that of --object, else y]' -r -f -a "y\t''
+z\t''"
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from flyby" -l object -d 'Goes round this object: a mesh (.obj, .ply, .stl, .gltf, .glb) with a space around it, or that of a .vid file in its space' -r -F
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from flyby" -s o -l output -d 'Where the path goes; - is standard output [default: -]' -r -F
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from flyby" -s h -l help -d 'Print help'
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from approach" -l around -d 'The place in the middle of the view [default: 0,0,0]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from approach" -l distance -d 'How far from the target it begins [default: 1]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from approach" -l end-distance -d 'How far from the target it ends [default: 0.4]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from approach" -l from -d 'Heading at which the camera begins [default: 0]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from approach" -l rise -d 'How steeply the camera is above the target [default: 15]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from approach" -l zoom -d 'Focal length [default: 24]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from approach" -l seconds -d 'How long it takes; 0: by its length [default: 10]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from approach" -l fps -d 'Frames in a second [default: 25]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from approach" -l up -d 'Which axis stands upright [default: that of --object, else y]' -r -f -a "y\t''
+z\t''"
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from approach" -l object -d 'Goes round this object: a mesh (.obj, .ply, .stl, .gltf, .glb) with a space around it, or that of a .vid file in its space' -r -F
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from approach" -s o -l output -d 'Where the path goes; - is standard output [default: -]' -r -F
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from approach" -s h -l help -d 'Print help'
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from dolly-zoom" -l around -d 'The place in the middle of the view [default: 0,0,0]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from dolly-zoom" -l distance -d 'How far from the target it begins [default: 1]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from dolly-zoom" -l end-distance -d 'How far from the target it ends [default: 0.4]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from dolly-zoom" -l from -d 'Heading at which the camera begins [default: 0]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from dolly-zoom" -l rise -d 'How steeply the camera is above the target [default: 15]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from dolly-zoom" -l zoom -d 'Focal length at the beginning [default: 60]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from dolly-zoom" -l seconds -d 'How long it takes; 0: by its length [default: 10]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from dolly-zoom" -l fps -d 'Frames in a second [default: 25]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from dolly-zoom" -l up -d 'Which axis stands upright [default: that of --object, else y]' -r -f -a "y\t''
+z\t''"
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from dolly-zoom" -l object -d 'Goes round this object: a mesh (.obj, .ply, .stl, .gltf, .glb) with a space around it, or that of a .vid file in its space' -r -F
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from dolly-zoom" -s o -l output -d 'Where the path goes; - is standard output [default: -]' -r -F
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from dolly-zoom" -s h -l help -d 'Print help'
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from crane" -l around -d 'The place in the middle of the view [default: 0,0,0]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from crane" -l radius -d 'How far the way is from the axis [default: 1]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from crane" -l height -d 'How far above the target it begins [default: -0.2]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from crane" -l end-height -d 'How far above the target it ends [default: 1]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from crane" -l from -d 'Heading at which the camera begins [default: 0]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from crane" -l zoom -d 'Focal length [default: 24]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from crane" -l seconds -d 'How long it takes; 0: by its length [default: 10]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from crane" -l fps -d 'Frames in a second [default: 25]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from crane" -l up -d 'Which axis stands upright [default: that of --object, else y]' -r -f -a "y\t''
+z\t''"
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from crane" -l object -d 'Goes round this object: a mesh (.obj, .ply, .stl, .gltf, .glb) with a space around it, or that of a .vid file in its space' -r -F
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from crane" -s o -l output -d 'Where the path goes; - is standard output [default: -]' -r -F
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from crane" -s h -l help -d 'Print help'
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from pan" -l at -d 'Where the camera stands [default: 0,0,0]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from pan" -l from -d 'Heading of the first view [default: -45]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from pan" -l to -d 'Heading of the last view [default: 45]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from pan" -l tilt -d 'How far it looks up [default: 0]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from pan" -l zoom -d 'Focal length [default: 24]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from pan" -l seconds -d 'How long it takes; 0: by its length [default: 10]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from pan" -l fps -d 'Frames in a second [default: 25]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from pan" -l up -d 'Which axis stands upright [default: that of --object, else y]' -r -f -a "y\t''
+z\t''"
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from pan" -l object -d 'Goes round this object: a mesh (.obj, .ply, .stl, .gltf, .glb) with a space around it, or that of a .vid file in its space' -r -F
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from pan" -s o -l output -d 'Where the path goes; - is standard output [default: -]' -r -F
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from pan" -s h -l help -d 'Print help'
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from figure-eight" -l around -d 'The place in the middle of the view [default: 0,0,0]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from figure-eight" -l radius -d 'How far from the axis it crosses itself [default: 0.7]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from figure-eight" -l height -d 'How far above the target the camera is [default: 0.4]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from figure-eight" -l width -d 'How wide it is, twice as wide as deep [default: 1.2]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from figure-eight" -l from -d 'Heading at which the camera begins [default: 0]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from figure-eight" -l zoom -d 'Focal length [default: 24]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from figure-eight" -l seconds -d 'How long it takes; 0: by its length [default: 10]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from figure-eight" -l fps -d 'Frames in a second [default: 25]' -r
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from figure-eight" -l up -d 'Which axis stands upright [default: that of --object, else y]' -r -f -a "y\t''
+z\t''"
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from figure-eight" -l object -d 'Goes round this object: a mesh (.obj, .ply, .stl, .gltf, .glb) with a space around it, or that of a .vid file in its space' -r -F
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from figure-eight" -s o -l output -d 'Where the path goes; - is standard output [default: -]' -r -F
+complete -c vides -n "__fish_vides_using_subcommand move; and __fish_seen_subcommand_from figure-eight" -s h -l help -d 'Print help'
+complete -c vides -n "__fish_vides_using_subcommand transform" -l points -d 'The points, as 3 or 2-5; all unless told' -r
+complete -c vides -n "__fish_vides_using_subcommand transform" -l move -d 'Moves by this, after all else' -r
+complete -c vides -n "__fish_vides_using_subcommand transform" -l turn -d 'Turns by so many degrees about --axis' -r
+complete -c vides -n "__fish_vides_using_subcommand transform" -l axis -d 'The axis of --turn' -r -f -a "x\t''
+y\t''
+z\t''"
+complete -c vides -n "__fish_vides_using_subcommand transform" -l scale -d 'Scales by this' -r
+complete -c vides -n "__fish_vides_using_subcommand transform" -l mirror -d 'Mirrors along this axis' -r -f -a "x\t''
+y\t''
+z\t''"
+complete -c vides -n "__fish_vides_using_subcommand transform" -l about -d 'What stays where it is; the middle of the points unless told' -r
+complete -c vides -n "__fish_vides_using_subcommand transform" -s o -l output -d 'Where the path goes; - is standard output' -r -F
+complete -c vides -n "__fish_vides_using_subcommand transform" -l with-targets -d 'What the cameras see goes along'
+complete -c vides -n "__fish_vides_using_subcommand transform" -s h -l help -d 'Print help'
+complete -c vides -n "__fish_vides_using_subcommand deform" -l points -d 'The points, as 3 or 2-5; all unless told' -r
+complete -c vides -n "__fish_vides_using_subcommand deform" -l box -d 'Least x,y,z and greatest x,y,z of the box; that of the points unless told' -r
+complete -c vides -n "__fish_vides_using_subcommand deform" -s o -l output -d 'Where the path goes; - is standard output' -r -F
+complete -c vides -n "__fish_vides_using_subcommand deform" -l with-targets -d 'The targets are deformed too'
+complete -c vides -n "__fish_vides_using_subcommand deform" -s h -l help -d 'Print help'
+complete -c vides -n "__fish_vides_using_subcommand extract" -l points -d 'The points, as 2-5; on a closed path as 5-2 too' -r
+complete -c vides -n "__fish_vides_using_subcommand extract" -s o -l output -d 'Where the path goes; - is standard output' -r -F
+complete -c vides -n "__fish_vides_using_subcommand extract" -s h -l help -d 'Print help'
+complete -c vides -n "__fish_vides_using_subcommand insert" -l at -d 'The point behind which it is put; the last one unless told' -r
+complete -c vides -n "__fish_vides_using_subcommand insert" -l fit -d 'How it is brought to its place' -r -f -a "none\t'As it lies'
+move\t'Moved, so that it begins where the path is'
+turn\t'Turned too, in the direction of travel'
+scale\t'Moved, turned and scaled, so that it ends at the next point'"
+complete -c vides -n "__fish_vides_using_subcommand insert" -s o -l output -d 'Where the path goes; - is standard output' -r -F
+complete -c vides -n "__fish_vides_using_subcommand insert" -l keep-targets -d 'Its absolute targets stay where they are'
+complete -c vides -n "__fish_vides_using_subcommand insert" -s h -l help -d 'Print help (see more with \'--help\')'
+complete -c vides -n "__fish_vides_using_subcommand reverse" -s o -l output -d 'Where the path goes; - is standard output' -r -F
+complete -c vides -n "__fish_vides_using_subcommand reverse" -s h -l help -d 'Print help'
+complete -c vides -n "__fish_vides_using_subcommand repeat" -s o -l output -d 'Where the path goes; - is standard output' -r -F
+complete -c vides -n "__fish_vides_using_subcommand repeat" -s h -l help -d 'Print help'
+complete -c vides -n "__fish_vides_using_subcommand frames" -l points -d 'The points, as 2-5; all unless told' -r
+complete -c vides -n "__fish_vides_using_subcommand frames" -s o -l output -d 'Where the path goes; - is standard output' -r -F
+complete -c vides -n "__fish_vides_using_subcommand frames" -s h -l help -d 'Print help'
+complete -c vides -n "__fish_vides_using_subcommand blend" -l weights -d 'A weight for each path; without it all have the same' -r
+complete -c vides -n "__fish_vides_using_subcommand blend" -s o -l output -d 'Where the path goes; - is standard output' -r -F
+complete -c vides -n "__fish_vides_using_subcommand blend" -s h -l help -d 'Print help'
+complete -c vides -n "__fish_vides_using_subcommand convert" -l interpolation -d 'A function of the type V_INTERPOLATE for the interpolation "host:NAME" of a scene\'s tracks' -r
+complete -c vides -n "__fish_vides_using_subcommand convert" -l node -d 'The node of a scene that is written [default: the shown camera]' -r
+complete -c vides -n "__fish_vides_using_subcommand convert" -l frames -d 'The frames that are written, first and last, as people count them [default: all]' -r
+complete -c vides -n "__fish_vides_using_subcommand convert" -l fps -d 'Frames per second of what is written, in the same time; of a file that has none when it is read' -r
+complete -c vides -n "__fish_vides_using_subcommand convert" -l size -d 'Width and height of the picture in pixels [default: 1920x1080]' -r
+complete -c vides -n "__fish_vides_using_subcommand convert" -l up -d 'The axis that stands upright in the file [default: as the format says]' -r
+complete -c vides -n "__fish_vides_using_subcommand convert" -l scale -d 'Lengths in the file for one of the path\'s [default: 1]' -r
+complete -c vides -n "__fish_vides_using_subcommand convert" -l as -d 'What the camera\'s motion becomes: a path of few points (path) or keys (keys) [default: of a list of poses a path; keys stay keys]' -r
+complete -c vides -n "__fish_vides_using_subcommand convert" -l tolerance -d 'How far a fitted path may be from the positions [default: 1/1000 of the diagonal of their bounds]' -r
+complete -c vides -n "__fish_vides_using_subcommand convert" -l angle -d 'How far its view, up and field of view may be from theirs [default: 0.5]' -r
+complete -c vides -n "__fish_vides_using_subcommand convert" -l compact -d 'Curves of few keys that stay this near, for formats that have curves [default: a key for each frame]' -r
+complete -c vides -n "__fish_vides_using_subcommand convert" -l digits -d 'Decimals of the format ascii, at most 30 [default: 4]' -r
+complete -c vides -n "__fish_vides_using_subcommand convert" -l rotation-order -d 'The order of the turns in files of the format chan [default: zxy]' -r
+complete -c vides -n "__fish_vides_using_subcommand convert" -l from -d 'The format of IN [default: as its content shows]' -r -f -a "vid\t''
+ascii\t''
+csv\t''
+json\t''
+gltf\t''
+glb\t''
+usda\t''
+paraview\t''
+nerfstudio\t''
+transforms\t''
+cameras\t''
+tum\t''
+kitti\t''
+colmap\t''
+osg\t''
+chan\t''"
+complete -c vides -n "__fish_vides_using_subcommand convert" -l to -d 'The format of OUT [default: as its name says]' -r -f -a "vid\t''
+ascii\t''
+csv\t''
+json\t''
+gltf\t''
+glb\t''
+usda\t''
+blender\t''
+paraview\t''
+vtk\t''
+html\t''
+nerfstudio\t''
+transforms\t''
+cameras\t''
+tum\t''
+kitti\t''
+colmap\t''
+osg\t''
+chan\t''"
+complete -c vides -n "__fish_vides_using_subcommand convert" -s h -l help -d 'Print help'
