@@ -65,7 +65,7 @@ complete -c vides -n "__fish_vides_using_subcommand set" -s o -l output -d 'Wher
 complete -c vides -n "__fish_vides_using_subcommand set" -s h -l help -d 'Print help'
 complete -c vides -n "__fish_vides_using_subcommand fit" -l tolerance -d 'How far a position may be from its pose' -r
 complete -c vides -n "__fish_vides_using_subcommand fit" -l angle -d 'How far view, up and field of view may be from theirs' -r
-complete -c vides -n "__fish_vides_using_subcommand fit" -l fps -d 'Frames in a second' -r
+complete -c vides -n "__fish_vides_using_subcommand fit" -l fps -d 'Frames in a second [default: the file\'s, else 25]' -r
 complete -c vides -n "__fish_vides_using_subcommand fit" -l object -d 'The object that is shown with the path: a mesh (.obj, .ply, .stl, .gltf, .glb), or the object of a .vid file' -r -F
 complete -c vides -n "__fish_vides_using_subcommand fit" -l up -d 'Which axis stands upright' -r -f -a "y\t''
 z\t''"
