@@ -15,6 +15,7 @@
 #   make install     PREFIX=/usr/local DESTDIR=
 #   make uninstall   the same
 #   make header      writes include/libvides.h anew
+#   make reference   pages of the C interface, target/reference: HTML and section 3
 #   make completions writes what shells complete, completions/, anew
 #   make clean
 #
@@ -66,7 +67,7 @@ X_TOOLS = python3=python3 Xvfb=xvfb xauth=xauth xdotool=xdotool xprop=x11-utils 
     xwd=x11-apps /usr/include/Xm/Xm.h=libmotif-dev
 LINT = -D warnings
 
-.PHONY: all libs demo test check bench soak soak-calls soak-x fuzz coverage miri threads install uninstall header completions clean side-by-side FORCE \
+.PHONY: all libs demo test check bench soak soak-calls soak-x fuzz coverage miri threads install uninstall header completions reference clean side-by-side FORCE \
 	toolchain check-format check-lints check-rust check-c check-linking \
 	check-calls check-x check-demo check-install check-docs check-dependencies \
 	check-hosts soak-hosts check-formats check-formats-small
@@ -92,6 +93,10 @@ $(LIB)/libvides.a: $(RELEASE)/libvides_archive.a $(wildcard mk/*)
 
 header: toolchain
 	UPDATE_HEADER=1 $(CARGO) test --locked --all-features --test header
+
+reference:
+	@mk/need.sh python3=python3
+	python3 mk/reference.py include/libvides.h $(CARGO_TARGET_DIR)/reference $(VERSION)
 
 completions: toolchain
 	UPDATE_COMPLETIONS=1 $(CARGO) test --locked --all-features --bin vides completions
@@ -204,7 +209,7 @@ check-demo: all
 	    sh -c 'for time in 1 2; do env -u DISPLAY $(MAKE) demo || exit; done'
 
 check-install: all
-	@mk/need.sh pkg-config=pkg-config groff=groff-base c++=g++ cmake=cmake xmllint=libxml2-utils \
+	@mk/need.sh python3=python3 pkg-config=pkg-config groff=groff-base c++=g++ cmake=cmake xmllint=libxml2-utils \
 	    desktop-file-validate=desktop-file-utils update-mime-database=shared-mime-info \
 	    gio=libglib2.0-bin zsh=zsh fish=fish
 	tests/install/run.sh

@@ -725,6 +725,9 @@ typedef struct v_view V_VIEW;
 extern "C" {
 #endif
 
+
+/* ---- Errors, warnings, the version of the library ---------------------------- */
+
 /**
  * What went wrong in the calling thread's last call of the library: one
  * sentence in English, UTF-8, "" after a success. Never NULL. Of a sentence
@@ -3249,6 +3252,8 @@ int v_pose_projection(const V_POSE *pose,
 #ifdef __cplusplus
 }
 #endif
+
+/* ---- Structs that begin with size -------------------------------------------- */
 
 /* Tells the library which fields the program knows. */
 #define v_editor_options_init(options) \

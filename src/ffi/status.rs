@@ -436,6 +436,8 @@ pub(super) fn with_last_error(show: impl FnOnce(&[u8])) {
     with_message(|message| show(&message.text[..message.used]));
 }
 
+/// ==== Errors, warnings, the version of the library ====
+///
 /// What went wrong in the calling thread's last call of the library: one
 /// sentence in English, UTF-8, "" after a success. Never NULL. Of a sentence
 /// longer than 1023 bytes the middle is left out. It calls parameters as this

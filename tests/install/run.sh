@@ -111,9 +111,11 @@ for library in -lvides -l:libvides.a; do
         env LD_LIBRARY_PATH="$moved/lib" "$work/moved$library"
 done
 built=$work/built
+# Its own make is nobody's child.
+cmake() { env -u MAKE -u MAKEFLAGS -u MAKELEVEL cmake "$@"; }
 check "moved, CMake finds it, in versions that fit" \
     cmake -S tests/install/cmake -B "$built" -DCMAKE_PREFIX_PATH="$moved" -DC_HOST="$work/path.c"
-check "moved, CMake builds hosts" env -u MAKE -u MAKEFLAGS cmake --build "$built"
+check "moved, CMake builds hosts" cmake --build "$built"
 for host in c-vides c-static cxx-vides cxx-static; do
     check "moved, CMake: $host runs" "$built/$host"
     case $host in *vides) asks=libvides.so.1 ;; *) asks= ;; esac
@@ -147,6 +149,25 @@ for page in 1/vides.1 3/libvides.3; do
     check "manual page ${page#*/}" \
         same "" "$(groff -man -Tutf8 -ww -z "$stage/usr/share/man/man$page" 2>&1)"
 done
+
+# ---- The reference -------------------------------------------------------------
+reference=$work/reference
+check "make reference" "$make" reference CARGO_TARGET_DIR="$work"
+exported=$(readelf --dyn-syms -W "$stage/usr/lib/libvides.so" |
+    sed -n 's/.* FUNC .* \(v_[a-z0-9_]*\)@.*/\1/p' | LC_ALL=C sort)
+check "the library has functions" test "$(wc -l <<<"$exported")" -gt 40
+check "every function has its manual page" same "$exported" \
+    "$(cd "$reference/man3" && ls v_*.3 | sed 's/\.3$//' | LC_ALL=C sort)"
+check "every function has its place in HTML" same "" "$(comm -23 <(echo "$exported") \
+    <(sed -n 's/.*<section id="\([^"]*\)".*/\1/p' "$reference"/html/*.html | LC_ALL=C sort))"
+check "manual pages of the reference" same "" \
+    "$(cd "$reference" && grep -L '^\.so ' man3/* | xargs groff -man -Tutf8 -ww -z 2>&1)"
+check "names of others lead to a page" same "" "$(cd "$reference" &&
+    sed -n 's/^\.so //p' man3/* | sort -u | while read -r page; do [ -e "$page" ] || echo "$page"; done)"
+check "HTML of the reference" xmllint --noout "$reference"/html/*.html
+check "links of the reference lead somewhere" same "" "$(cd "$reference/html" && comm -23 \
+    <(grep -oh 'href="[^"]*"' ./* | sed 's/^href="//; s/"$//' | sort -u) \
+    <({ ls; grep -o ' id="[^"]*"' ./* | sed 's/^\.\///; s/: id="/#/; s/"$//'; } | sort -u))"
 
 # ---- The shells complete the command -------------------------------------------
 share=$stage/usr/share
