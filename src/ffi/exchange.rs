@@ -38,7 +38,7 @@ pub unsafe extern "C" fn v_scene_export(
         };
         scene_handles::read(scene, |document| {
             let report = formats::export(document, file, format, &options, &mut |_, _| {})?;
-            tell(&report);
+            tell(&report, &[]);
             Ok(V_OK)
         })
     })
@@ -69,9 +69,7 @@ pub unsafe extern "C" fn v_scene_import(
         let (file, (format, options)) =
             unsafe { (file_name(file, "file")?, choices(format, options)?) };
         let imported = formats::import(&Source::open(file)?, format, &options)?;
-        let warnings = imported.document.warnings().iter();
-        tell(&imported.report);
-        warnings.for_each(|warning| add_last_warning(format_args!("{warning}.\n")));
+        tell(&imported.report, imported.document.warnings());
         let made = insert(imported.document)?;
         // SAFETY: room for a handle, as the header says.
         unsafe { out.answer(made) }
@@ -95,10 +93,10 @@ unsafe fn choices(
     Ok((format, Options::parse(options.as_deref().unwrap_or(""))?))
 }
 
-/// A line for each loss.
-fn tell(report: &Report) {
+/// A line for each loss, and for each mesh with which something is wrong.
+fn tell(report: &Report, meshes: &[crate::Error]) {
     clear_last_warning();
-    for loss in report.losses() {
-        add_last_warning(format_args!("{loss}.\n"));
-    }
+    let losses = report.losses().iter().map(|loss| format!("{loss}."));
+    let lines = losses.chain(meshes.iter().map(|warning| format!("{warning}.")));
+    add_last_warning(format_args!("{}", lines.collect::<Vec<_>>().join("\n")));
 }

@@ -59,7 +59,7 @@ static void losses(const char *folder)
     V_SCENE *scene = flight(), *again = NULL;
     OK(v_scene_export(scene, in(folder, "a.tum"), NULL, ""));
     CHECK(strcmp(v_last_warning(),
-                 "points, speeds and holds become poses, one a frame.\nthe field of view is left out.\n") == 0);
+                 "points, speeds and holds become poses, one a frame.\nthe field of view is left out.") == 0);
     OK(v_scene_export(scene, in(folder, "a.csv"), NULL, "frames=2..4\n"));
     CHECK(strcmp(v_last_warning(), "") == 0);
     OK(v_scene_import(file, NULL, NULL, &again));
