@@ -34,7 +34,7 @@ position = [1.0, 0.0, 0.0]
 [[point.orientation]]
 offset = [0.0, 0.0, -1.0]
 """
-CSV = "0 0 0 0 0 1 0 1 0 24\n1 0 0 0 0 1 0 1 0 24\n"
+CSV = "0 0 0 0 0 1 0 1 0 24\n1 0 0 0 0 1 0 1 0 24\n2 0 0 0 0 1 0 1 0 24\n"
 OBJ = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\n"
 
 faults = 0
@@ -164,7 +164,7 @@ SIZES = {"capacity": 50000, "count": 2, "keys": 2, "points": 4, "size": len(VID)
          ("v_editor_options_init_sized", "size"): 1000}
 DOUBLES = {"fps": 25.0, "frame": 2.5, "back": 10.0, "rise": 0.2, "fall": 0.2, "cruise": 50.0, "s": 0.1,
            "tolerance": 0.01, "half_size": 1.0, "far_plane": 10.0, "move_frames": 20.0}
-TEXTS = {"format": "csv", "options": "as=keys", ("v_scene_import", "file"): folder + "/a.csv", "channel": "position", "interpolation": "hermite", "kind": "twist", "move": "orbit", "up": "point",
+TEXTS = {"format": "csv", "options": "as=keys", ("v_scene_import", "file"): folder + "/a.csv", ("v_scene_export", "file"): folder + "/written.csv", "channel": "position", "interpolation": "hermite", "kind": "twist", "move": "orbit", "up": "point",
          "marker": "meet", "text": VID, "name": "wheel", ("v_scene_find_node", "name"): "sheet",
          ("v_path_set_curve", "kind"): "cubic", ("v_path_set_limit", "kind"): "turning",
          ("v_path_get_limit", "kind"): "turning", ("v_scene_set_limit", "kind"): "turning",
