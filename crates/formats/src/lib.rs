@@ -36,6 +36,7 @@ mod osg;
 mod rows;
 mod script;
 mod source;
+mod space;
 mod transforms;
 mod tree;
 mod tum;
