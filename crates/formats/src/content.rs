@@ -345,8 +345,12 @@ pub(super) fn shortened(text: &str) -> String {
     text[..end].to_owned()
 }
 
-/// How far a path is at most from poses at their times: a length, and an angle in degrees.
-fn missed(path: &CameraPath, poses: &[Pose], times: Option<&[f64]>) -> Result<(f64, f64)> {
+/// How far a path is at most from poses at their times in frames from the first, or a pose a frame:
+/// a length, and an angle in degrees.
+///
+/// # Errors
+/// Those of sampling.
+pub fn missed(path: &CameraPath, poses: &[Pose], times: Option<&[f64]>) -> Result<(f64, f64)> {
     let plan = Plan::new();
     let sampler = plan.sampler(path)?;
     let last = sampler.frame_count() as f64;

@@ -185,10 +185,7 @@ impl fmt::Display for Loss {
                 write!(f, "the file has {axis} upright, and this document has not")
             }
             Self::Epoch(start) => {
-                write!(
-                    f,
-                    "the times begin at {start} s: they count from 0 here (--start {start} puts it back)"
-                )
+                write!(f, "the times begin at {start} s: they count from 0 here")
             }
             Self::Rates(n) => write!(f, "{n} rate{} beyond 0 to {MAX_FPS} left out", several(n)),
             Self::Markers(n) => write!(f, "{n} marker{} left out", several(n)),
