@@ -359,7 +359,7 @@ impl FileWindow {
             current_text_value: Some(title_of(language, current).to_owned()),
             ..egui::WidgetInfo::labeled(egui::Role::ComboBox, true, texts.format)
         });
-        egui::Popup::menu(&open).show(|ui| {
+        egui::Popup::menu(&open).width(320.0).show(|ui| {
             // All of them, where the window is high enough.
             let room = ui.ctx().content_rect().height() - 40.0;
             ScrollArea::vertical().max_height(room).show(ui, |ui| {
