@@ -1,7 +1,9 @@
 //! Poses and places in arrays of numpy: ten and three doubles a row, row by row.
 
 use numpy::ndarray::Array2;
-use numpy::{PyArray2, PyReadonlyArray1, PyReadonlyArray2, PyReadwriteArray2, PyUntypedArrayMethods};
+use numpy::{
+    PyArray2, PyReadonlyArray1, PyReadonlyArray2, PyReadwriteArray2, PyUntypedArrayMethods,
+};
 use pyo3::prelude::*;
 use vides::glam::DVec3;
 use vides::math::orientation::{quaternion_from_view, view_from_quaternion};
@@ -133,14 +135,19 @@ pub(crate) fn poses_of<'py>(
     let (turns, _) = turns.as_chunks::<4>();
     let zoom = numbers(&zoom);
     if places.len() != turns.len() || places.len() != zoom.len() {
-        return Err(Failure::argument("there must be as many positions as rotations and zooms").into());
+        return Err(
+            Failure::argument("there must be as many positions as rotations and zooms").into(),
+        );
     }
     let mut all = Vec::with_capacity(places.len());
     for (at, ((place, &[w, x, y, z]), zoom)) in places.iter().zip(turns).zip(zoom).enumerate() {
         let q = vides::glam::DQuat::from_xyzw(x, y, z, w);
         let length = q.length();
         if !(length.is_finite() && length > 0.0) {
-            return Err(Failure::argument(format!("pose {at}: the rotation is zero or not finite")).into());
+            return Err(Failure::argument(format!(
+                "pose {at}: the rotation is zero or not finite"
+            ))
+            .into());
         }
         let (view, up) = view_from_quaternion(q / length);
         all.push(row(&Pose {

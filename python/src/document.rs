@@ -21,7 +21,17 @@ use crate::{edits, values};
 pub(crate) struct Document(RwLock<document::Document>);
 
 /// Kind, first and last frame, point, orientation, value, limit, sentence, remedy.
-type Found = (&'static str, f64, f64, usize, usize, f64, f64, String, &'static str);
+type Found = (
+    &'static str,
+    f64,
+    f64,
+    usize,
+    usize,
+    f64,
+    f64,
+    String,
+    &'static str,
+);
 
 /// Point, orientation, what changes, amount, frames, first frame, length.
 type SectionRow = (usize, usize, &'static str, f64, usize, usize, f64);
@@ -187,7 +197,9 @@ impl Document {
     }
 
     fn point_count(&self, py: Python<'_>) -> Result<usize> {
-        self.read(py, |document| Ok::<_, Failure>(document.path().points.len()))
+        self.read(py, |document| {
+            Ok::<_, Failure>(document.path().points.len())
+        })
     }
 
     fn orientation_count(&self, py: Python<'_>, point: usize) -> Result<usize> {
@@ -199,7 +211,11 @@ impl Document {
     fn positions<'py>(&self, py: Python<'py>) -> Result<Bound<'py, PyArray2<f64>>> {
         let places = self.read(py, |document| {
             let points = document.path().points.iter();
-            Ok::<_, Failure>(points.map(|point| point.position.to_array()).collect::<Vec<_>>())
+            Ok::<_, Failure>(
+                points
+                    .map(|point| point.position.to_array())
+                    .collect::<Vec<_>>(),
+            )
         })?;
         Ok(table(py, places.into_iter()))
     }
@@ -274,7 +290,9 @@ impl Document {
             if first == 0 || count > (sampler.frame_count() + 1).saturating_sub(first) {
                 return Err(Failure::frames(first, count, sampler.frame_count()));
             }
-            Ok(fill(rows, |after, poses| sampler.sample(first + after, poses))?)
+            Ok(fill(rows, |after, poses| {
+                sampler.sample(first + after, poses)
+            })?)
         })
     }
 
@@ -287,7 +305,11 @@ impl Document {
         let poses = self.read(py, |document| {
             let sampler = document.sampler()?;
             let poses = frames.iter().map(|&frame| sampler.pose(frame));
-            Ok::<_, Failure>(poses.map(|pose| pose.map(|pose| arrays::row(&pose))).collect::<Result<Vec<_>, _>>()?)
+            Ok::<_, Failure>(
+                poses
+                    .map(|pose| pose.map(|pose| arrays::row(&pose)))
+                    .collect::<Result<Vec<_>, _>>()?,
+            )
         })?;
         Ok(table(py, poses.into_iter()))
     }
@@ -303,7 +325,12 @@ impl Document {
             let mut rows = Vec::with_capacity(frames.len());
             for &frame in &frames {
                 let motion = sampler.motion(frame)?;
-                rows.push([motion.distance, motion.speed, motion.turning.to_degrees(), motion.curvature]);
+                rows.push([
+                    motion.distance,
+                    motion.speed,
+                    motion.turning.to_degrees(),
+                    motion.curvature,
+                ]);
             }
             Ok::<_, Failure>(rows)
         })?;
@@ -311,7 +338,9 @@ impl Document {
     }
 
     fn length(&self, py: Python<'_>) -> Result<f64> {
-        self.read(py, |document| document.timeline(vides::path::Timeline::length))
+        self.read(py, |document| {
+            document.timeline(vides::path::Timeline::length)
+        })
     }
 
     fn sections(&self, py: Python<'_>) -> Result<Vec<SectionRow>> {
@@ -327,9 +356,19 @@ impl Document {
                         Change::Zoom => ("zoom", 0.0),
                         Change::Nothing => ("nothing", 0.0),
                     };
-                    (section.point, section.orientation, change, section.amount, section.frames, sampler.first_frame(number), length)
+                    (
+                        section.point,
+                        section.orientation,
+                        change,
+                        section.amount,
+                        section.frames,
+                        sampler.first_frame(number),
+                        length,
+                    )
                 };
-                (0..timeline.section_count()).map(row).collect::<Vec<SectionRow>>()
+                (0..timeline.section_count())
+                    .map(row)
+                    .collect::<Vec<SectionRow>>()
             })
         })
     }
@@ -388,7 +427,11 @@ impl Document {
     fn object_points<'py>(&self, py: Python<'py>) -> Result<Bound<'py, PyArray2<f64>>> {
         let places = self.read(py, |document| {
             let points = document.info().object.iter();
-            Ok::<_, Failure>(points.map(|point| point.position.to_array()).collect::<Vec<_>>())
+            Ok::<_, Failure>(
+                points
+                    .map(|point| point.position.to_array())
+                    .collect::<Vec<_>>(),
+            )
         })?;
         Ok(table(py, places.into_iter()))
     }
@@ -414,6 +457,8 @@ impl Document {
 
     /// The up of an orientation, roll included.
     fn up_at(&self, py: Python<'_>, point: usize, orientation: usize) -> Result<[f64; 3]> {
-        self.read(py, |document| document.up(point, orientation).map(DVec3::into))
+        self.read(py, |document| {
+            document.up(point, orientation).map(DVec3::into)
+        })
     }
 }

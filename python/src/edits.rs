@@ -82,10 +82,6 @@ pub(crate) fn by_name(name: &str, given: Option<&Bound<'_, PyDict>>) -> PyResult
             from: given.take("source")?,
             to: given.take("to")?,
         },
-        "set_position" => Edit::SetPosition {
-            at: given.take("at")?,
-            position: given.take::<[f64; 3]>("position")?.into(),
-        },
         "insert_orientation" => Edit::InsertOrientation {
             point: given.take("point")?,
             at: given.take("at")?,
@@ -106,7 +102,9 @@ pub(crate) fn by_name(name: &str, given: Option<&Bound<'_, PyDict>>) -> PyResult
         _ => return Err(Failure::argument(format!("there is no edit {name:?}")).into()),
     };
     if given.all.is_some_and(|all| all.len() > given.taken) {
-        return Err(PyTypeError::new_err(format!("{name} takes no more than that")));
+        return Err(PyTypeError::new_err(format!(
+            "{name} takes no more than that"
+        )));
     }
     Ok(edit)
 }
@@ -144,23 +142,34 @@ pub(crate) fn tool(
     let Some(tool) = tools().find(|tool| tool.name == name) else {
         let names: Vec<_> = tools().map(|tool| tool.name).collect();
         let names = names.join(", ");
-        return Err(Failure::argument(format!("there is no tool {name:?}; tools are {names}")));
+        return Err(Failure::argument(format!(
+            "there is no tool {name:?}; tools are {names}"
+        )));
     };
     let mut numbers = tool.defaults(document)?;
     for (name, chosen) in given {
         let parameter = tool.parameters().find(|parameter| parameter.name == name);
         let (Some(parameter), Some(place)) = (parameter, tool.place_of(name)) else {
-            let names: Vec<_> = tool.parameters().map(|known| known.name.replace('-', "_")).collect();
+            let names: Vec<_> = tool
+                .parameters()
+                .map(|known| known.name.replace('-', "_"))
+                .collect();
             return Err(Failure::argument(format!(
-                "{} takes no {}; it takes {}", tool.name, name.replace('-', "_"), names.join(", ")
+                "{} takes no {}; it takes {}",
+                tool.name,
+                name.replace('-', "_"),
+                names.join(", ")
             )));
         };
         let wanted = match (chosen, parameter.unit) {
             (Chosen::Name(text), Unit::Choice(names)) => {
                 let at = names.iter().position(|name| name == text);
-                let at = at.ok_or_else(|| Failure::argument(format!(
-                    "{name} is one of {}, not {text:?}", names.join(", ")
-                )))?;
+                let at = at.ok_or_else(|| {
+                    Failure::argument(format!(
+                        "{name} is one of {}, not {text:?}",
+                        names.join(", ")
+                    ))
+                })?;
                 vec![at as f64]
             }
             (Chosen::Name(_), _) => return Err(Failure::argument(format!("{name} takes numbers"))),
@@ -169,7 +178,9 @@ pub(crate) fn tool(
         let room = numbers.get_mut(place..place + parameter.width);
         let Some(room) = room.filter(|room| room.len() == wanted.len()) else {
             return Err(Failure::argument(format!(
-                "{name} takes {} numbers, not {}", parameter.width, wanted.len()
+                "{name} takes {} numbers, not {}",
+                parameter.width,
+                wanted.len()
             )));
         };
         room.copy_from_slice(&wanted);
@@ -177,6 +188,9 @@ pub(crate) fn tool(
     let material = block.map_or(ToolInput::None, |block| ToolInput::Block(Box::new(block)));
     match tool.edit(document, &material, &numbers)? {
         Some(edit) => Ok(document.apply(edit)?),
-        None => Err(Failure::argument(format!("{} needs another path, or is not for Python", tool.name))),
+        None => Err(Failure::argument(format!(
+            "{} needs another path, or is not for Python",
+            tool.name
+        ))),
     }
 }

@@ -67,9 +67,18 @@ impl Failure {
     #[expect(clippy::cast_precision_loss)]
     pub(crate) fn frames(first: usize, count: usize, last: usize) -> Self {
         let end = first.saturating_add(count.saturating_sub(1));
-        let frame = if (1..=last).contains(&first) { end } else { first };
+        let frame = if (1..=last).contains(&first) {
+            end
+        } else {
+            first
+        };
         let (frame, last) = (frame as f64, last as f64);
-        EngineError::from(OutOfRange::NoFrame { frame, first: 1.0, last }).into()
+        EngineError::from(OutOfRange::NoFrame {
+            frame,
+            first: 1.0,
+            last,
+        })
+        .into()
     }
 
     fn engine(&mut self, error: &EngineError) {

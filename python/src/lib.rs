@@ -20,13 +20,13 @@ use pyo3::prelude::*;
 #[pymodule]
 mod _vides {
     #[pymodule_export]
+    use super::arrays::{poses_of, quaternions};
+    #[pymodule_export]
     use super::document::Document;
     #[pymodule_export]
     use super::files::{convert, fit, recording};
     #[pymodule_export]
     use super::listed::{formats, keys, options, tools};
-    #[pymodule_export]
-    use super::arrays::{poses_of, quaternions};
     #[pymodule_export]
     use super::scene::Scene;
     #[pymodule_export]

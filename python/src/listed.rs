@@ -11,19 +11,35 @@ use vides::tools::Unit;
 #[pyfunction]
 pub(crate) fn formats() -> Vec<(&'static str, &'static str, Vec<&'static str>, bool, bool)> {
     let rows = all_formats().iter().map(|format| format.row());
-    rows.map(|row| (row.name, row.title, row.endings.to_vec(), row.reads, row.writes))
-        .collect()
+    rows.map(|row| {
+        (
+            row.name,
+            row.title,
+            row.endings.to_vec(),
+            row.reads,
+            row.writes,
+        )
+    })
+    .collect()
 }
 
 /// Name, what stands for the value, what it does.
 #[pyfunction]
 pub(crate) fn options() -> Vec<(&'static str, &'static str, &'static str)> {
-    OPTIONS.iter().map(|row| (row.name, row.value, row.help)).collect()
+    OPTIONS
+        .iter()
+        .map(|row| (row.name, row.value, row.help))
+        .collect()
 }
 
 /// Name, what it does, whether it wants another path, and its parameters: name, what it does, unit
 /// or choices, how many numbers.
-type ToolRow = (&'static str, &'static str, bool, Vec<(String, &'static str, String, usize)>);
+type ToolRow = (
+    &'static str,
+    &'static str,
+    bool,
+    Vec<(String, &'static str, String, usize)>,
+);
 
 #[pyfunction]
 pub(crate) fn tools() -> Vec<ToolRow> {
@@ -38,17 +54,36 @@ pub(crate) fn tools() -> Vec<ToolRow> {
             };
             (known.name.replace('-', "_"), known.does, unit, known.width)
         });
-        (tool.name, tool.does, tool.needs() == Needs::Block, parameters.collect())
+        (
+            tool.name,
+            tool.does,
+            tool.needs() == Needs::Block,
+            parameters.collect(),
+        )
     })
     .collect()
 }
 
 /// A property: its key, what it is for, its kind, its unit, and its range.
-type Row = (&'static str, &'static str, String, &'static str, Option<(f64, f64)>);
+type Row = (
+    &'static str,
+    &'static str,
+    String,
+    &'static str,
+    Option<(f64, f64)>,
+);
 
 fn rows<T>(table: &'static [Property<T>]) -> impl Iterator<Item = Row> {
     table.iter().flat_map(|row| {
-        let one = |key: &&'static str| (*key, row.does.trim(), row.kind.to_string(), row.unit.name(), row.range);
+        let one = |key: &&'static str| {
+            (
+                *key,
+                row.does.trim(),
+                row.kind.to_string(),
+                row.unit.name(),
+                row.range,
+            )
+        };
         row.keys.iter().map(one)
     })
 }

@@ -33,6 +33,9 @@ impl From<SceneDocument> for Scene {
 /// Name, kind, parent, aim.
 type NodeRow = (String, String, Option<usize>, Option<usize>);
 
+/// Channel, interpolation, frames, values.
+type TrackRow = (String, String, Vec<f64>, Vec<f64>);
+
 /// What does not change from frame to frame: colours, intensities, cones, visible.
 type Looks = (Vec<[f64; 3]>, Vec<f64>, Vec<[f64; 2]>, Vec<bool>);
 
@@ -96,7 +99,9 @@ fn extrapolation(name: &str) -> Result<Extrapolation> {
 
 /// What went wrong while the rest went on is an error here: Python has no functions of the host's.
 fn told(warnings: Warnings) -> Result<()> {
-    warnings.into_error().map_or(Ok(()), |error| Err(error.into()))
+    warnings
+        .into_error()
+        .map_or(Ok(()), |error| Err(error.into()))
 }
 
 #[pymethods]
@@ -164,7 +169,12 @@ impl Scene {
 
     /// The same in memory.
     #[pyo3(signature = (write_as, choices))]
-    fn render(&self, py: Python<'_>, write_as: &str, choices: Choices) -> Result<(Vec<u8>, Vec<String>)> {
+    fn render(
+        &self,
+        py: Python<'_>,
+        write_as: &str,
+        choices: Choices,
+    ) -> Result<(Vec<u8>, Vec<String>)> {
         let (to, options) = (formats::by_name(write_as)?, options(&choices)?);
         self.read(py, |document| {
             let mut bytes = Vec::new();
@@ -211,7 +221,13 @@ impl Scene {
 
     /// Changes values of a node at rest, by their names.
     #[pyo3(signature = (node, name, value))]
-    fn set_rest(&self, py: Python<'_>, node: usize, name: &str, value: &Bound<'_, PyAny>) -> PyResult<()> {
+    fn set_rest(
+        &self,
+        py: Python<'_>,
+        node: usize,
+        name: &str,
+        value: &Bound<'_, PyAny>,
+    ) -> PyResult<()> {
         let mut changed = self.read(py, |document| document.scene.node(node).cloned())?;
         let rest = &mut changed.rest;
         match name {
@@ -285,12 +301,20 @@ impl Scene {
     }
 
     /// Channel and interpolation of each track of a node, its frames and its values.
-    fn tracks(&self, py: Python<'_>, node: usize) -> Result<Vec<(String, String, Vec<f64>, Vec<f64>)>> {
+    fn tracks(&self, py: Python<'_>, node: usize) -> Result<Vec<TrackRow>> {
         self.read(py, |document| {
             let tracks = document.scene.node(node)?.keys().tracks().iter();
             let row = |track: &Track| {
-                let names = (track.channel().to_string(), track.interpolation().to_string());
-                (names.0, names.1, track.frames().to_vec(), track.values().to_vec())
+                let names = (
+                    track.channel().to_string(),
+                    track.interpolation().to_string(),
+                );
+                (
+                    names.0,
+                    names.1,
+                    track.frames().to_vec(),
+                    track.values().to_vec(),
+                )
             };
             Ok::<_, Failure>(tracks.map(row).collect())
         })
@@ -351,7 +375,9 @@ impl Scene {
 
     fn load_mesh(&self, py: Python<'_>, node: usize, file: PathBuf) -> Result<()> {
         let (source, mesh) = py.detach(|| document::load_mesh(&file))?;
-        self.write(py, |document| document.scene.set_mesh_of(node, source, mesh))
+        self.write(py, |document| {
+            document.scene.set_mesh_of(node, source, mesh)
+        })
     }
 
     fn triangles(&self, py: Python<'_>, node: usize) -> Result<Vec<[u32; 3]>> {
@@ -361,12 +387,19 @@ impl Scene {
         })
     }
 
-    fn vertices<'py>(&self, py: Python<'py>, node: usize, frame: f64) -> Result<Bound<'py, PyArray2<f64>>> {
+    fn vertices<'py>(
+        &self,
+        py: Python<'py>,
+        node: usize,
+        frame: f64,
+    ) -> Result<Bound<'py, PyArray2<f64>>> {
         let points = self.read(py, |document| {
             let mut warnings = Warnings::default();
             let count = document.scene.object(node)?.mesh().points.len();
             let mut points = vec![DVec3::ZERO; count];
-            document.scene.vertices(node, frame, &mut points, &mut warnings)?;
+            document
+                .scene
+                .vertices(node, frame, &mut points, &mut warnings)?;
             told(warnings).map(|()| points)
         })?;
         Ok(table(py, points.iter().map(DVec3::to_array)))
@@ -374,7 +407,9 @@ impl Scene {
 
     #[getter]
     fn camera(&self, py: Python<'_>) -> Result<Option<usize>> {
-        self.read(py, |document| Ok::<_, Failure>(document.scene.shown_camera()))
+        self.read(py, |document| {
+            Ok::<_, Failure>(document.scene.shown_camera())
+        })
     }
 
     #[setter]
@@ -384,7 +419,9 @@ impl Scene {
 
     #[getter]
     fn range(&self, py: Python<'_>) -> Result<(f64, f64)> {
-        self.read(py, |document| Ok::<_, Failure>(document.scene.frame_range()))
+        self.read(py, |document| {
+            Ok::<_, Failure>(document.scene.frame_range())
+        })
     }
 
     #[setter]
@@ -468,7 +505,9 @@ impl Scene {
                 let mut warnings = Warnings::default();
                 #[expect(clippy::cast_precision_loss)]
                 let from = first + step * (block * BLOCK) as f64;
-                document.scene.sample(node, from, step, states, &mut warnings)?;
+                document
+                    .scene
+                    .sample(node, from, step, states, &mut warnings)?;
                 told(warnings)?;
                 for ((state, pose), matrix) in states.iter().zip(poses).zip(matrices) {
                     *pose = arrays::row(&state.pose);

@@ -103,7 +103,10 @@ impl Window {
         file: Option<PathBuf>,
         title: Option<String>,
     ) -> Result<Self> {
-        let document = path.get().read(py, document::Document::try_clone)?.as_opened();
+        let document = path
+            .get()
+            .read(py, document::Document::try_clone)?
+            .as_opened();
         let host = Rc::new(Watching {
             path,
             on_view,

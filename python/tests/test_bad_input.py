@@ -34,7 +34,7 @@ def nasty(rng: random.Random) -> Any:
             np.asfortranarray(table), frozen, with_nan, np.zeros((0, 10)), np.zeros((0, 3)), np.zeros((2, 3), int),
             table.astype(np.float32), table.astype(">f8"), table.astype(complex), table.astype(str),
             np.array([object()]), np.array(3.0), np.float32(2), np.int8(-3), np.zeros((1, 1, 1)),
-            np.full((3, 3), np.inf), np.ma.masked_array([1.0, 2, 3], [0, 1, 0]), vides.Path(), vides.Scene(),
+            np.full((3, 3), np.inf), np.ma.masked_array([1.0, 2, 3], [False, True, False]), vides.Path(), vides.Scene(),
             vides.Path().sample(1, 3), vides.Path().points, vides.Path().points[0],
         ]
     )  # fmt: skip

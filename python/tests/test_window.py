@@ -52,14 +52,15 @@ def at(display: str, monkeypatch: pytest.MonkeyPatch) -> str:
 def press(*keys: str) -> None:
     """Keys for the window, when it is there."""
     for _ in range(200):
-        found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "VIDES|vides|flight"], capture_output=True, text=True)
+        search = ["xdotool", "search", "--onlyvisible", "--name", "VIDES"]
+        found = subprocess.run(search, capture_output=True, text=True)
         if found.stdout.strip():
             break
         time.sleep(0.05)
     window = found.stdout.split()[-1]
     subprocess.run(["xdotool", "windowfocus", "--sync", window], check=True, timeout=30)
     for key in keys:
-        subprocess.run(["xdotool", "key", "--window", window, key], check=True)
+        subprocess.run(["xdotool", "key", key], check=True, timeout=30)
         time.sleep(0.2)
 
 

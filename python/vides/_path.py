@@ -1,14 +1,12 @@
-"""A camera path: its points, their orientations, the sections between them."""
+"""A camera path."""
 
 from __future__ import annotations
 
-import difflib
 import html
 import operator
 import os
-import re
-from collections.abc import Iterator, Sequence
-from typing import Any, Literal, NamedTuple, SupportsIndex, TypeVar, overload
+from collections.abc import Sequence
+from typing import Any, Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -17,407 +15,15 @@ from . import _vides
 from ._arrays import Array, Vector, doubles, vector
 from ._error import Error
 from ._files import choices, path_of
+from ._points import Keyed, Points, index_of
 from ._samples import Samples
+from ._told import SVG, Finding, Section
 
 Curve = Literal["tcb", "cubic", "linear"]
 Axis = Literal["y", "z"]
-_Item = TypeVar("_Item")
 
 
-def _index(at: SupportsIndex, count: int, what: str) -> int:
-    number = operator.index(at)
-    if not -count <= number < count:
-        raise IndexError(f"there is no {what} {number}: there are {count}, counted from 0")
-    return number % count
-
-
-class _Keyed:
-    """Something whose properties have names that the engine's table lists."""
-
-    __slots__ = ()
-
-    def _document(self) -> _vides.Document:
-        raise NotImplementedError
-
-    def _prefix(self) -> str:
-        raise NotImplementedError
-
-    def __getattr__(self, name: str) -> Any:
-        """A property by its key in files, with or without its unit; ``None`` where it is not set."""
-        if name.startswith("_"):
-            raise AttributeError(f"{type(self).__name__} has no {name}")
-        try:
-            return self._document().property(self._prefix() + name)
-        except AttributeError:
-            raise self._unknown(name) from None
-
-    def __setattr__(self, name: str, value: Any) -> None:
-        """Sets a property; ``None`` gives back what a new path has."""
-        known = getattr(type(self), name, None)
-        if name.startswith("_") or known is not None:
-            object.__setattr__(self, name, value)
-        else:
-            try:
-                self._document().set_property(self._prefix() + name, value)
-            except AttributeError:
-                raise self._unknown(name) from None
-            except Error as error:
-                # In files points count from 1.
-                sentence = str(error).removeprefix(self._prefix())
-                place = name if error.place == self._prefix() + name else error.place
-                raise Error(sentence, error.kind, place, error.line) from None
-
-    def _unknown(self, name: str) -> AttributeError:
-        kind = type(self).__name__
-        near = difflib.get_close_matches(name, dir(self), 1, 0.7)
-        meant = f": is {near[0]} meant?" if near else "; dir() lists what it has"
-        return AttributeError(f"{kind} has no {name}{meant}", name=name, obj=self)
-
-    def __dir__(self) -> list[str]:
-        return [*object.__dir__(self), *self._keys()]
-
-    def _keys(self) -> list[str]:
-        return []
-
-
-def _bare_keys() -> list[str]:
-    """Keys of orientations, without their units."""
-    return [re.sub("_(mm|degrees|frames)$", "", row[0]) for row in _vides.keys()]
-
-
-class Orientation(_Keyed):
-    """One camera orientation at a point: what the camera looks at, and how it goes on.
-
-    Its properties have the keys of ``.vid`` files, with or without their unit: ``target`` or
-    ``offset`` (x, y, z), ``roll`` (degrees), ``zoom`` (mm, 1 to 2000), ``hold`` (frames),
-    ``speed_curve`` (ten numbers, 1 to 100) and so on; :func:`vides.properties` lists them.
-
-    >>> path = Path()
-    >>> view = path.points[0].orientations[0]
-    >>> view.zoom, view.roll, view.hold
-    (24.0, 0.0, 0)
-    >>> view.target = [0, 0, 0]
-    >>> view.hold = 25
-    >>> path.frame_count
-    146
-    """
-
-    __slots__ = ("_owner", "_point", "_at")
-
-    def __init__(self, path: Path, point: int, at: int) -> None:
-        self._owner = path
-        self._point = point
-        self._at = at
-
-    def _document(self) -> _vides.Document:
-        return self._owner._native
-
-    def _prefix(self) -> str:
-        return f"point.{self._point + 1}.view.{self._at + 1}."
-
-    def _keys(self) -> list[str]:
-        return _bare_keys()
-
-    @property
-    def up_vector(self) -> Array:
-        """(3,): the camera's up, roll included; a unit vector perpendicular to its view."""
-        return np.array(self._document().up_at(self._point, self._at))
-
-    def make_absolute(self, absolute: bool = True) -> None:
-        """Makes the target a place of the world, or an offset from the point; the view stays."""
-        self._document().edit("set_absolute", point=self._point, at=self._at, absolute=absolute)
-
-    def __repr__(self) -> str:
-        return f"<vides.Orientation {self._at} of point {self._point}>"
-
-
-class _Sequence(Sequence[_Item]):
-    """Counted from 0, from the end below 0; slices give lists."""
-
-    __slots__ = ()
-
-    def _item(self, at: int) -> _Item:
-        raise NotImplementedError
-
-    def _what(self) -> str:
-        raise NotImplementedError
-
-    @overload
-    def __getitem__(self, index: int) -> _Item: ...
-    @overload
-    def __getitem__(self, index: slice) -> list[_Item]: ...
-
-    def __getitem__(self, index: int | slice) -> _Item | list[_Item]:
-        if isinstance(index, slice):
-            return [self._item(at) for at in range(*index.indices(len(self)))]
-        return self._item(_index(index, len(self), self._what()))
-
-    def __iter__(self) -> Iterator[_Item]:
-        return (self._item(at) for at in range(len(self)))
-
-
-class Orientations(_Sequence[Orientation]):
-    """The orientations of a point in the order in which the camera takes them; at least one."""
-
-    __slots__ = ("_owner", "_point")
-
-    def __init__(self, path: Path, point: int) -> None:
-        self._owner = path
-        self._point = point
-
-    def __len__(self) -> int:
-        return self._owner._native.orientation_count(self._point)
-
-    def _item(self, at: int) -> Orientation:
-        return Orientation(self._owner, self._point, at)
-
-    def _what(self) -> str:
-        return "orientation"
-
-    def insert(self, at: int) -> Orientation:
-        """A new orientation before number ``at``: a copy of the one before it.
-
-        >>> path = Path()
-        >>> path.points[0].orientations.append().roll = 90
-        >>> [view.roll for view in path.points[0].orientations]
-        [0.0, 90.0]
-        """
-        at = _index(at, len(self) + 1, "place")
-        self._owner._native.edit("insert_orientation", point=self._point, at=at)
-        return Orientation(self._owner, self._point, at)
-
-    def append(self) -> Orientation:
-        """A new orientation behind the others: a copy of the last one."""
-        return self.insert(len(self))
-
-    def __delitem__(self, at: int) -> None:
-        at = _index(at, len(self), "orientation")
-        self._owner._native.edit("remove_orientation", point=self._point, at=at)
-
-    def __repr__(self) -> str:
-        return f"<vides.Orientations: {len(self)} of point {self._point}>"
-
-
-class Point(_Keyed):
-    """A support point: the camera passes through it.
-
-    It is the point of this number: after one before it was removed, it is another.
-
-    The properties of its first orientation are its own, too: ``point.zoom = 30``. Beside them it
-    has ``position``, ``name``, ``preset`` (0 to 9) or ``own`` (``{"tension": 0.5}``) for the shape
-    of the curve, and ``tangents``.
-
-    >>> path = Path()
-    >>> path.points[0].position = (-1, 0, 1)
-    >>> path.points[0].position
-    array([-1.,  0.,  1.])
-    >>> path.points[0].zoom = 50
-    >>> path.points[0].name = "start"
-    """
-
-    __slots__ = ("_owner", "_at")
-
-    def __init__(self, path: Path, at: int) -> None:
-        self._owner = path
-        self._at = at
-
-    def _document(self) -> _vides.Document:
-        return self._owner._native
-
-    def _prefix(self) -> str:
-        return f"point.{self._at + 1}."
-
-    def _keys(self) -> list[str]:
-        return ["name", "own", "preset", "tangents", *_bare_keys()]
-
-    @property
-    def index(self) -> int:
-        """Its number, counted from 0."""
-        return self._at
-
-    @property
-    def position(self) -> Array:
-        """(3,): where it lies; a copy, so assign a whole position."""
-        return np.array(self._document().position(self._at))
-
-    @position.setter
-    def position(self, position: Vector) -> None:
-        self._document().edit("set_position", at=self._at, position=vector(position, "position"))
-
-    @property
-    def orientations(self) -> Orientations:
-        """Its orientations."""
-        return Orientations(self._owner, self._at)
-
-    def look_at(self, target: Vector) -> None:
-        """Lets all its orientations look at a place of the world."""
-        place = list(vector(target, "target"))
-        for orientation in self.orientations:
-            orientation.target = place
-
-    def __repr__(self) -> str:
-        x, y, z = self.position
-        return f"<vides.Point {self._at} at ({x:g}, {y:g}, {z:g})>"
-
-
-class Points(_Sequence[Point]):
-    """The points of a path; at least two.
-
-    >>> path = Path()
-    >>> path.points.insert(1, (0, 0.5, 0.5))
-    <vides.Point 1 at (0, 0.5, 0.5)>
-    >>> del path.points[0]
-    >>> len(path.points)
-    2
-    """
-
-    __slots__ = ("_owner",)
-
-    def __init__(self, path: Path) -> None:
-        self._owner = path
-
-    def __len__(self) -> int:
-        return self._owner._native.point_count()
-
-    def _item(self, at: int) -> Point:
-        return Point(self._owner, at)
-
-    def _what(self) -> str:
-        return "point"
-
-    def insert(self, at: int, position: Vector) -> Point:
-        """A new point before number ``at``; all but its name is as at the one before it."""
-        at = _index(at, len(self) + 1, "place")
-        self._owner._native.edit("insert_point", at=at, position=vector(position, "position"))
-        return Point(self._owner, at)
-
-    def append(self, position: Vector) -> Point:
-        """A new point behind the last one."""
-        return self.insert(len(self), position)
-
-    def __delitem__(self, at: int) -> None:
-        self._owner._native.edit("remove_point", at=_index(at, len(self), "point"))
-
-    def move(self, source: int, to: int) -> None:
-        """Gives a point another number; those between move up or down by one."""
-        count = len(self)
-        self._owner._native.edit(
-            "move_point", source=_index(source, count, "point"), to=_index(to, count, "point")
-        )
-
-    def __repr__(self) -> str:
-        return f"<vides.Points: {len(self)}>"
-
-
-class Section(NamedTuple):
-    """The way from one orientation to the next, at one point or on to the next point."""
-
-    point: int
-    """The point at which it begins."""
-    orientation: int
-    """The orientation of that point with which it begins; it has the section's speeds."""
-    change: str
-    """What changes: ``"position"``, ``"view"``, ``"roll"``, ``"zoom"`` or ``"nothing"``."""
-    amount: float
-    """By how much, in units of its base speed: half sizes, half turns, …"""
-    frames: int
-    """How many frames it takes; 0 if nothing changes."""
-    first_frame: int
-    """The first frame behind the orientation with which it begins."""
-    length: float
-    """Length of the way, in the world's lengths."""
-
-
-class Finding(NamedTuple):
-    """Something that will look wrong in the film."""
-
-    kind: str
-    """A name, as in ``vides check``."""
-    first_frame: float
-    """The first frame, from 1."""
-    last_frame: float
-    """The last frame."""
-    point: int
-    """The point at which the section begins."""
-    orientation: int
-    """The orientation of that point with which it begins."""
-    value: float
-    """The worst value."""
-    limit: float
-    """The limit."""
-    text: str
-    """The finding in a sentence."""
-    remedy: str
-    """What helps."""
-
-
-class Tool(NamedTuple):
-    """A tool of :meth:`Path.tool`."""
-
-    name: str
-    """What :meth:`Path.tool` takes."""
-    does: str
-    """What it does."""
-    wants_path: bool
-    """Whether it takes another path."""
-    parameters: dict[str, str]
-    """What it takes by name, and what that is."""
-
-
-def tools() -> list[Tool]:
-    """The tools of :meth:`Path.tool`.
-
-    >>> [tool.name for tool in tools()][:3]
-    ['orbit', 'spiral', 'arc']
-    """
-
-    def row(name: str, does: str, unit: str, width: int) -> tuple[str, str]:
-        numbers = "" if width == 1 else f", {width} numbers"
-        return name, does + (f" ({unit})" if unit else "") + numbers
-
-    return [
-        Tool(name, does, block, dict(row(*parameter) for parameter in parameters))
-        for name, does, block, parameters in _vides.tools()
-    ]
-
-
-class Property(NamedTuple):
-    """A property of an orientation."""
-
-    key: str
-    """Its key in files; its unit at the end may be left out."""
-    does: str
-    """What it is for."""
-    kind: str
-    """What its values are."""
-    unit: str
-    """What its numbers count."""
-    range: tuple[float, float] | None
-    """The least and the greatest, if they are fixed."""
-
-
-def properties() -> list[Property]:
-    """The properties of orientations, as the engine's table has them.
-
-    >>> [row for row in properties() if row.key == "zoom_mm"][0].range
-    (1.0, 2000.0)
-    """
-    return [Property(*row) for row in _vides.keys()]
-
-
-class SVG(str):
-    """A picture as SVG text, which a notebook shows.
-
-    ``pathlib.Path("plot.svg").write_text(picture)`` keeps it.
-    """
-
-    __slots__ = ()
-
-    def _repr_svg_(self) -> str:
-        return str(self)
-
-
-class Path(_Keyed):
+class Path(Keyed):
     """A camera path: points in space, each with one or more camera orientations.
 
     Without arguments it is the path with which a new window begins, of two points. Points and
@@ -466,7 +72,8 @@ class Path(_Keyed):
         fps: float = 25.0,
     ) -> None:
         if positions is None:
-            if (look_at, up, closed, frames, zoom, curve, fps) != (None, "y", False, None, 24.0, "tcb", 25.0):
+            others = (up, closed, frames, zoom, curve, fps)
+            if look_at is not None or others != ("y", False, None, 24.0, "tcb", 25.0):
                 raise Error("positions are missing: the other arguments belong to them")
             native = _vides.Document()
         else:
@@ -560,7 +167,9 @@ class Path(_Keyed):
         return type(self).from_str, (self.to_str(),)
 
     def __eq__(self, other: object) -> bool:
-        return self._native.same(other._native) if isinstance(other, Path) else NotImplemented
+        if not isinstance(other, Path):
+            return NotImplemented
+        return other is self or self._native.same(other._native)
 
     __hash__ = None  # type: ignore[assignment]
 
@@ -629,8 +238,8 @@ class Path(_Keyed):
         count = len(self.points)
         self._native.edit(
             "fit_frames",
-            first=_index(first, count, "point"),
-            last=_index(last, count, "point"),
+            first=index_of(first, count, "point"),
+            last=index_of(last, count, "point"),
             frames=frames,
         )
 

@@ -238,7 +238,8 @@ def _quaternion(matrix: Array) -> Array:
     columns = _vides.quaternions(
         np.concatenate([np.zeros(3), matrix[:, 2], matrix[:, 1], [24.0]])[np.newaxis]
     )
-    return columns[0]
+    quaternion: Array = columns[0]
+    return quaternion
 
 
 def _product(a: Array, b: Array) -> Array:
