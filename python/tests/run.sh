@@ -43,7 +43,8 @@ tests() {
     place=$out/$1
     shift
     (cd "$out/lies" && env -u DISPLAY -u PYTHONPATH PATH="$path" VIDES_LIBRARY="$library" \
-        PYTHONDONTWRITEBYTECODE=1 "$@" "$place/bin/python" -m pytest -q -p no:cacheprovider tests)
+        PYTHONDONTWRITEBYTECODE=1 VIDES_FORMATS="${VIDES_FORMATS:-}" \
+        "$place/bin/python" -m pytest -q -p no:cacheprovider "$@" tests)
 }
 
 types() {
@@ -54,8 +55,9 @@ types() {
 
 environment usual python3 "$wanted/test.txt" "$wanted/types.txt"
 types usual
-[ "$size" = large ] || { tests usual env; exit; }
+[ "$size" = large ] || { tests usual; exit; }
 
+export VIDES_MANY=1
 # All that there are from 3.10 on, the oldest and the newest.
 versions=
 for minor in 10 11 12 13 14 15 16; do
@@ -76,9 +78,9 @@ if [ "$oldest" = "$newest" ]; then
 else
     environment oldest "$oldest" "$wanted/test.txt"
     echo "The tests with $("$oldest" -V), with many calls"
-    tests oldest env VIDES_MANY=1
+    tests oldest
 fi
 environment large "$newest" "$wanted/test.txt" "$wanted/types.txt" "$wanted/large.txt"
 echo "The tests with $("$newest" -V), with many calls, examples and notebooks"
-tests large env VIDES_MANY=1 VIDES_LARGE=1 VIDES_FORMATS="${VIDES_FORMATS:-}"
+tests large -m ''
 (cd "$out/lies" && PATH="$out/large/bin:$PATH" pyright -p .)

@@ -2,7 +2,6 @@
 
 import importlib.util
 import json
-import os
 from pathlib import Path as File
 from types import ModuleType
 
@@ -12,7 +11,6 @@ import pytest
 import vides
 
 HERE = File(__file__).resolve().parent.parent / "examples"
-large = pytest.mark.skipif(not os.environ.get("VIDES_LARGE"), reason="VIDES_LARGE is not set")
 
 
 def example(name: str) -> ModuleType:
@@ -49,7 +47,7 @@ def test_transforms_are_matrices_of_opengl(tmp_path: File) -> None:
     assert path.up == "z"
 
 
-@large
+@pytest.mark.large
 def test_a_camera_flies_through_pyvista(tmp_path: File) -> None:
     from PIL import Image
 
@@ -61,7 +59,7 @@ def test_a_camera_flies_through_pyvista(tmp_path: File) -> None:
         assert before.std() > 5 and np.abs(before - after).mean() > 1
 
 
-@large
+@pytest.mark.large
 def test_a_surface_is_drawn_along_a_path(tmp_path: File) -> None:
     from PIL import Image
 

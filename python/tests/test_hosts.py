@@ -10,7 +10,7 @@ import pytest
 
 import vides
 
-pytestmark = pytest.mark.skipif(not os.environ.get("VIDES_LARGE"), reason="VIDES_LARGE is not set")
+pytestmark = pytest.mark.large
 
 PACKAGE = str(File(vides.__file__).parent.parent)
 
