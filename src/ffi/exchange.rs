@@ -12,13 +12,17 @@ use crate::formats::{self, Format, Options, Report, Source};
 /// Writes a scene in the format of another program: gltf, glb, usda, blender,
 /// paraview, vtk, nerfstudio, transforms, cameras, tum, kitti, colmap (a folder), osg, chan,
 /// html, ascii, csv, json or vid; format NULL: the one that the file's name tells. options are
-/// lines name=value of the long options of `vides convert` ("fps=30\nnode=camera"); NULL: none.
-/// Each file is afterwards wholly the old or wholly the new one.
+/// lines name=value ("fps=30\nnode=camera"), NULL: none; the names are node, frames, fps, start,
+/// size, up, scale, as, tolerance, angle, compact, digits and rotation-order, as `vides convert
+/// --help` explains them; of two alike the last counts, and one that a format has no use for is
+/// ignored. Each file is afterwards wholly the old or wholly the new one; a missing folder is made
+/// only for colmap, in one that is there.
 ///
 /// What the format cannot hold is left out: the answer is V_OK, and v_last_warning()
 /// tells, a line each, "" if nothing is.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY, V_ERR_ARGUMENT (format,
-/// options, no such node), V_ERR_RANGE (frames), V_ERR_IO, V_ERR_LIMIT, V_ERR_MEMORY.
+/// options, no such node, a host interpolation that fails), V_ERR_RANGE (frames, fps), V_ERR_FORMAT
+/// (a folder that holds what would be read first), V_ERR_IO, V_ERR_LIMIT, V_ERR_MEMORY.
 /// Memory that runs out while a file is opened or written may end the program; the old file
 /// stays.
 #[unsafe(no_mangle)]
@@ -29,6 +33,7 @@ pub unsafe extern "C" fn v_scene_export(
     options: *const c_char,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
+        clear_last_warning();
         // SAFETY: texts ended by zero, or NULL where it may be, as the header says.
         let (file, (format, options)) =
             unsafe { (file_name(file, "file")?, choices(format, options)?) };
@@ -48,7 +53,7 @@ pub unsafe extern "C" fn v_scene_export(
 /// usda, nerfstudio, transforms, cameras, tum, kitti, colmap, osg, chan, paraview (what
 /// v_scene_export() wrote; nothing is run), ascii, csv, json and vid; format NULL: the one that
 /// the content shows. options as of v_scene_export(). Poses become a path of few points, fitted,
-/// or with "as=keys" a camera with a key for each. *scene is the caller's, to be freed
+/// or with "as=keys", or fewer than three, a camera with a key for each. *scene is the caller's, to be freed
 /// with v_scene_free().
 ///
 /// What is not taken, and how well a path fits, is told by v_last_warning() beside V_OK, a line
@@ -64,6 +69,7 @@ pub unsafe extern "C" fn v_scene_import(
     scene: *mut *mut V_SCENE,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
+        clear_last_warning();
         let out = Out::new(scene, "scene")?;
         // SAFETY: texts ended by zero, or NULL where it may be, as the header says.
         let (file, (format, options)) =

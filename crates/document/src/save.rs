@@ -51,55 +51,99 @@ pub fn save_with(file: &Path, write: &mut dyn FnMut(&mut dyn Write) -> Result<()
     replace(file, write, &|_| true).map(drop)
 }
 
+/// As [`save_with`], of several files: none is replaced before all are written. `write` gets the
+/// number of the file, from 0.
+///
+/// # Errors
+/// As [`save_with`]; of a system that fails while they are replaced some may be new.
+pub fn save_all(
+    files: &[PathBuf],
+    write: &mut dyn FnMut(usize, &mut dyn Write) -> Result<()>,
+) -> Result<()> {
+    let mut written = Vec::new();
+    for (number, file) in files.iter().enumerate() {
+        written.push(Written::new(file, &mut |out| write(number, out))?);
+    }
+    written.into_iter().try_for_each(Written::replace)
+}
+
 /// [`save_with`] if `may` agrees just before the rename; returns whether it did.
 fn replace(
     file: &Path,
     write: &mut dyn FnMut(&mut dyn Write) -> Result<()>,
     may: &dyn Fn(&Path) -> bool,
 ) -> Result<bool> {
-    can_allocate(ROOM)?;
-    let io = |error| failed(file, error);
-    let target = destination(file).map_err(io)?;
-    let old = match fs::metadata(&target) {
-        Ok(metadata) => {
-            NotAFile::refuse(&metadata).map_err(io)?;
-            Some(metadata)
-        }
-        Err(error) if error.kind() == io::ErrorKind::NotFound => None,
-        Err(error) => return Err(io(error)),
-    };
-    // Renaming needs only the folder to be writable; require the file to be, too.
-    if old.is_some() {
-        OpenOptions::new().write(true).open(&target).map_err(io)?;
-    }
-    let folder = match target.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent,
-        _ => Path::new("."),
-    };
-    let mut temporary = Temporary::beside(&target, folder).map_err(io)?;
-    let mut out = BufWriter::with_capacity(BUFFER, &temporary.file);
-    write(&mut out).map_err(|error| match error {
-        Error::Io { source, .. } => io(source),
-        other => other,
-    })?;
-    out.flush().map_err(io)?;
-    drop(out);
-    if let Some(old) = old {
-        // The group first: changing it may clear permission bits.
-        let _ = std::os::unix::fs::fchown(&temporary.file, None, Some(old.gid()));
-        let permissions = Permissions::from_mode(old.mode() & 0o7777);
-        temporary.file.set_permissions(permissions).map_err(io)?;
-    }
-    temporary.file.sync_all().map_err(io)?;
-    if !may(&target) {
+    let written = Written::new(file, write)?;
+    if !may(&written.target) {
         return Ok(false);
     }
-    fs::rename(&temporary.path, &target).map_err(io)?;
-    temporary.renamed = true;
-    // Else a power cut could bring the old file back. Some file systems cannot sync a folder.
-    match File::open(folder).and_then(|folder| folder.sync_all()) {
-        Err(error) if !unsupported(&error) => Err(io(error)),
-        _ => Ok(true),
+    written.replace().map(|()| true)
+}
+
+/// A new file beside the one that it will replace, whole and on the disk.
+struct Written<'a> {
+    file: &'a Path,
+    target: PathBuf,
+    temporary: Temporary,
+}
+
+impl<'a> Written<'a> {
+    fn new(file: &'a Path, write: &mut dyn FnMut(&mut dyn Write) -> Result<()>) -> Result<Self> {
+        can_allocate(ROOM)?;
+        let io = |error| failed(file, error);
+        let target = destination(file).map_err(io)?;
+        let old = match fs::metadata(&target) {
+            Ok(metadata) => {
+                NotAFile::refuse(&metadata).map_err(io)?;
+                Some(metadata)
+            }
+            Err(error) if error.kind() == io::ErrorKind::NotFound => None,
+            Err(error) => return Err(io(error)),
+        };
+        // Renaming needs only the folder to be writable; require the file to be, too.
+        if old.is_some() {
+            OpenOptions::new().write(true).open(&target).map_err(io)?;
+        }
+        let temporary = Temporary::beside(&target, folder_of(&target)).map_err(io)?;
+        let mut out = BufWriter::with_capacity(BUFFER, &temporary.file);
+        write(&mut out).map_err(|error| match error {
+            Error::Io { source, .. } => io(source),
+            other => other,
+        })?;
+        out.flush().map_err(io)?;
+        drop(out);
+        if let Some(old) = old {
+            // The group first: changing it may clear permission bits.
+            let _ = std::os::unix::fs::fchown(&temporary.file, None, Some(old.gid()));
+            let permissions = Permissions::from_mode(old.mode() & 0o7777);
+            temporary.file.set_permissions(permissions).map_err(io)?;
+        }
+        temporary.file.sync_all().map_err(io)?;
+        Ok(Self {
+            file,
+            target,
+            temporary,
+        })
+    }
+
+    fn replace(mut self) -> Result<()> {
+        let io = |error| failed(self.file, error);
+        fs::rename(&self.temporary.path, &self.target).map_err(io)?;
+        self.temporary.renamed = true;
+        let folder = folder_of(&self.target);
+        // Else a power cut could bring the old file back. Some file systems cannot sync a folder.
+        match File::open(folder).and_then(|folder| folder.sync_all()) {
+            Err(error) if !unsupported(&error) => Err(io(error)),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// The folder that a file is in.
+fn folder_of(file: &Path) -> &Path {
+    match file.parent() {
+        Some(parent) if !parent.as_os_str().is_empty() => parent,
+        _ => Path::new("."),
     }
 }
 

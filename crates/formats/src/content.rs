@@ -84,14 +84,23 @@ impl Recording {
     /// are enough to be seen as motion.
     #[must_use]
     pub fn rate(&self) -> Option<f64> {
-        if self.fps.is_some() || self.frames.is_some() {
+        if self.fps.is_some() {
             return self.fps;
         }
         let seconds = self.seconds.as_ref()?;
         let mut steps: Vec<f64> = seconds.windows(2).map(|pair| pair[1] - pair[0]).collect();
         let middle = steps.len().checked_sub(1)? / 2;
-        let (_, step, _) = steps.select_nth_unstable_by(middle, f64::total_cmp);
-        let rate = step.recip().round();
+        let step = match &self.frames {
+            Some(frames) => (seconds.last()? - seconds[0]) / (frames.last()? - frames[0]),
+            // The mean of those that no gap is in.
+            None => {
+                let (_, step, _) = steps.select_nth_unstable_by(middle, f64::total_cmp);
+                let most = 1.5 * *step;
+                let even = || steps.iter().filter(|step| **step <= most);
+                even().sum::<f64>() / even().count() as f64
+            }
+        };
+        let rate = usual(step.recip());
         (SEEN_AS_MOTION..=MAX_FPS).contains(&rate).then_some(rate)
     }
 
@@ -139,7 +148,13 @@ impl Recording {
         }
         self.compare(fps, report);
         let up = options.up.or(self.up).unwrap_or_default();
-        let scene = match options.as_.unwrap_or(As::Path) {
+        // Fewer than three are no path.
+        let usual = if self.poses.len() < 3 {
+            As::Keys
+        } else {
+            As::Path
+        };
+        let scene = match options.as_.unwrap_or(usual) {
             As::Path => self.fitted(times.as_deref(), fps, up, options, report)?,
             As::Keys => self.keyed(times, up)?,
         };
@@ -305,6 +320,18 @@ fn check(pose: &Pose) -> Result<(), vides_engine::Error> {
         return Err(Invalid::RotationZero.into());
     }
     Ok(())
+}
+
+/// The rate that a measured one is likely to be: a whole one, one of television's, else to a
+/// thousandth.
+fn usual(rate: f64) -> f64 {
+    let of_television = rate.round() * 1000.0 / 1001.0;
+    let near = |usual: &f64| (rate / usual - 1.0).abs() <= 2e-4;
+    let likely = [rate.round(), of_television];
+    likely
+        .into_iter()
+        .find(near)
+        .unwrap_or((rate * 1e3).round() / 1e3)
 }
 
 /// Frames per second: what the file says first, then the user, else `otherwise`. A rate beyond the

@@ -57,17 +57,25 @@ pub fn export(
         file
     };
     format.check_folder(folder)?;
-    if !folder.as_os_str().is_empty() {
-        std::fs::create_dir_all(folder).map_err(|source| DocumentError::Io {
-            place: folder.display().to_string(),
-            source,
-        })?;
+    let io = |source| DocumentError::Io {
+        place: folder.display().to_string(),
+        source,
+    };
+    let is_new = !folder.as_os_str().is_empty() && !folder.exists();
+    if is_new {
+        std::fs::create_dir(folder).map_err(io)?;
     }
-    for (part, name) in parts.iter().enumerate() {
-        let write = &mut |out: &mut dyn Write| format.write(&mut flight, part, out, &mut report);
-        save_with(&folder.join(name), write)?;
+    let files: Vec<_> = parts.iter().map(|name| folder.join(name)).collect();
+    let saved = saved(|failure| {
+        save::save_all(&files, &mut |part, out| {
+            let written = format.write(&mut flight, part, out, &mut report);
+            written.map_err(|error| kept(failure, error))
+        })
+    });
+    if is_new && saved.is_err() {
+        let _ = std::fs::remove_dir(folder);
     }
-    Ok(report)
+    saved.map(|()| report)
 }
 
 /// Writes onto a stream.
@@ -119,6 +127,13 @@ pub fn read(
             Some(format) => format,
             None => recognised(source)?,
         };
+        if source.is_folder && format.row().parts.is_empty() {
+            let directory = io::Error::other(vides_document::NotAFile::Directory);
+            return Err(Error::Document(DocumentError::Io {
+                place: source.name.clone(),
+                source: directory,
+            }));
+        }
         let content = format.read(source, options, report)?;
         if let Content::Poses(recording) = &content {
             recording.tell_epoch(report);
@@ -219,18 +234,29 @@ pub(super) fn save_with(
     file: &Path,
     write: &mut dyn FnMut(&mut dyn Write) -> Result<()>,
 ) -> Result<()> {
-    let mut failure = None;
-    let saved = save::save_with(file, &mut |out| {
-        write(out).map_err(|error| match error {
-            Error::Document(error) => error,
-            other => {
-                failure = Some(other);
-                EngineError::Memory.into()
-            }
+    saved(|failure| {
+        save::save_with(file, &mut |out| {
+            write(out).map_err(|error| kept(failure, error))
         })
-    });
+    })
+}
+
+/// Saves with what fails by our errors, which are kept aside.
+fn saved(save: impl FnOnce(&mut Option<Error>) -> Result<(), DocumentError>) -> Result<()> {
+    let mut failure = None;
+    let saved = save(&mut failure);
     match failure {
         Some(error) => Err(error),
         None => Ok(saved?),
+    }
+}
+
+fn kept(failure: &mut Option<Error>, error: Error) -> DocumentError {
+    match error {
+        Error::Document(error) => error,
+        other => {
+            *failure = Some(other);
+            EngineError::Memory.into()
+        }
     }
 }

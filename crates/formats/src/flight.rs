@@ -365,7 +365,9 @@ impl<'a> Flight<'a> {
         let scene = self.scene();
         let mut warnings = Warnings::default();
         scene.sample(node, self.frame(from), self.step, states, &mut warnings)?;
-        succeeded(warnings, &scene.nodes()[node])
+        // It may be one that this depends on.
+        let failed = warnings.first().map_or(node, |(failed, _)| failed);
+        succeeded(warnings, &scene.nodes()[failed])
     }
 
     /// Writes `head`, then each pose as `push` appends it, in blocks.

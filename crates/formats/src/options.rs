@@ -127,9 +127,10 @@ pub const OPTIONS: &[OptionRow] = &[
         name: "start",
         value: "SECONDS",
         help: "The time of the first pose in files of the formats tum and osg [default: 0]",
-        wanted: "a number of seconds",
+        wanted: "a number of seconds, at most 1e12,",
         set: |options, text| {
-            options.start = number(text)?;
+            // So that two frames are two times.
+            options.start = number(text).filter(|start| start.abs() <= 1e12)?;
             Some(())
         },
     },
@@ -159,7 +160,7 @@ pub const OPTIONS: &[OptionRow] = &[
         name: "scale",
         value: "NUMBER",
         help: "Lengths in the file for one of the path's [default: 1]",
-        wanted: "a number greater than 0",
+        wanted: "a number between 1e-30 and 1e30",
         set: |options, text| {
             let sane = |scale: &f64| *scale > 1.0 / MAX_HALF_SIZE && *scale < MAX_HALF_SIZE;
             options.scale = number(text).filter(sane)?;
@@ -196,9 +197,9 @@ pub const OPTIONS: &[OptionRow] = &[
         name: "angle",
         value: "DEGREES",
         help: "How far its view, up and field of view may be from theirs [default: 0.5]",
-        wanted: "a number of degrees greater than 0",
+        wanted: "a number of degrees from 0 to 180",
         set: |options, text| {
-            options.angle = positive(text)?;
+            options.angle = positive(text).filter(|angle| *angle <= 180.0)?;
             Some(())
         },
     },
@@ -317,7 +318,7 @@ mod tests {
             ),
             (
                 "angle=nan",
-                "angle: a number of degrees greater than 0 is wanted, not \"nan\"",
+                "angle: a number of degrees from 0 to 180 is wanted, not \"nan\"",
             ),
             ("as", "as: path or keys is wanted, not \"\""),
         ] {

@@ -60,7 +60,7 @@ impl Source {
     /// # Errors
     /// [`Cause::NotUtf8`] with the line.
     pub fn text(&self) -> Result<&str> {
-        utf8(&self.bytes)
+        utf8(&self.bytes).map(without_mark)
     }
 
     /// The beginning as text, as far as it is some: for [`super::Format::recognises`].
@@ -68,8 +68,10 @@ impl Source {
     pub fn beginning(&self) -> &str {
         let start = &self.bytes[..self.bytes.len().min(4096)];
         match std::str::from_utf8(start) {
-            Ok(text) => text,
-            Err(error) => std::str::from_utf8(&start[..error.valid_up_to()]).unwrap_or(""),
+            Ok(text) => without_mark(text),
+            Err(error) => {
+                std::str::from_utf8(&start[..error.valid_up_to()]).map_or("", without_mark)
+            }
         }
     }
 
@@ -99,6 +101,11 @@ impl Source {
         let read = read_bytes(&place, most.min(MAX_FILE_BYTES));
         read.map_err(|error| Error::from(error.at(place.display())))
     }
+}
+
+/// Some editors put a mark of the byte order before a text.
+fn without_mark(text: &str) -> &str {
+    text.strip_prefix('\u{feff}').unwrap_or(text)
 }
 
 /// Bytes as text.

@@ -503,10 +503,64 @@ fn times_of_a_recording_are_told_and_put_back() {
         .collect();
     assert_eq!(times[0], epoch);
     assert!((times[30] - epoch - 1.0).abs() < 1e-6);
+    for (rate, told) in [(29.97, 30_000.0 / 1001.0), (24.9, 24.9), (60.0, 60.0)] {
+        let line = |n: u32| format!("{:.7} {n} 0 0 0 0 0 1\n", f64::from(n) / rate);
+        let text: String = (0..600).map(line).collect();
+        let source = Source::of_bytes("file", format!("\u{feff}{text}").into());
+        let read = import(&source, Some(tum), &options("as=keys")).unwrap();
+        assert!((read.document.info.fps - told).abs() < 1e-3, "{rate}");
+        import(&source, Some(tum), &options("")).unwrap();
+    }
     // Keys of a viewer are no recording.
     let sparse = Source::of_bytes("file", b"0 0 0 0 0 0 0 1\n4 1 0 0 0 0 0 1\n".to_vec());
     let read = import(&sparse, Some(tum), &options("as=keys")).unwrap();
     assert_eq!(read.document.info.fps, 25.0);
+}
+
+/// All files of a folder are new, or none is; a folder is not made for nothing.
+#[test]
+fn a_folder_is_written_wholly_or_not_at_all() {
+    let folder = tempfile::tempdir().unwrap();
+    let colmap = by_name("colmap").unwrap();
+    let model = folder.path().join("model");
+    std::fs::create_dir_all(model.join("points3D.txt")).unwrap();
+    std::fs::write(model.join("cameras.txt"), "old").unwrap();
+    let document = pyramid();
+    let write = |to: &Path, options: &Options| {
+        export(&document, to, colmap, options, &mut |_, _| {}).map(drop)
+    };
+    assert!(write(&model, &Options::default()).is_err());
+    let old = std::fs::read_to_string(model.join("cameras.txt")).unwrap();
+    assert_eq!(old, "old");
+    assert!(!model.join("images.txt").exists());
+    let fresh = folder.path().join("fresh");
+    assert!(write(&fresh.join("deeper"), &Options::default()).is_err());
+    assert!(!fresh.exists());
+    write(&fresh, &Options::default()).unwrap();
+    let source = Source::open(&fresh).unwrap();
+    let tum = import(&source, by_name("tum").ok(), &Options::default());
+    let said = tum.unwrap_err().to_string();
+    assert!(said.ends_with("this is a directory, not a file"), "{said}");
+}
+
+/// What interpolates is missing: nothing is written as if all were well.
+#[test]
+fn a_host_interpolation_that_is_missing_is_no_export() {
+    let text = include_str!("../../../examples/car.vid");
+    let text = text.replacen("\"catmull-rom\"", "\"host:missing\"", 1);
+    let document = SceneDocument::load_from(&mut text.as_bytes(), "car").unwrap();
+    let folder = tempfile::tempdir().unwrap();
+    for (name, file, ..) in LISTS {
+        let to = folder.path().join(file);
+        let format = by_name(name).unwrap();
+        let refused = export(&document, &to, format, &Options::default(), &mut |_, _| {});
+        let said = refused.unwrap_err().to_string();
+        assert!(
+            said.contains("node \"car\": channel \"position\": no interpolation"),
+            "{said}"
+        );
+        assert!(!to.exists());
+    }
 }
 
 /// The keys of `camera_path.json` alone give the same places at their times.

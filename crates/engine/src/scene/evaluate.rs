@@ -100,10 +100,19 @@ impl Scene {
         check_frame(step).map_err(|error| error.at(Place::Step))?;
         check_frame(first + step * states.len().saturating_sub(1) as f64)?;
         let chain = self.chain(node)?;
+        let asks = |at: &usize| self.nodes[*at].keys.tracks().iter().any(Track::asks_host);
+        let aims = chain.iter().filter_map(|&at| self.nodes[at].aim);
+        let mut asked = vec_with_room(chain.len())?;
+        asked.extend(aims.filter(asks));
         let mut scratch = self.scratch()?;
         for (at, state) in states.iter_mut().enumerate() {
             let frame = first + step * at as f64;
             self.run(&chain, frame, &mut scratch, warnings, Search::Back)?;
+            // Of a node that is only aimed at nothing else tells what went wrong.
+            for &aim in &asked {
+                warnings.node = aim;
+                self.nodes[aim].values(frame, warnings)?;
+            }
             *state = scratch[node];
         }
         Ok(())

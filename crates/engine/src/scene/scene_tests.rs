@@ -557,6 +557,12 @@ fn a_host_function_that_is_missing_leaves_the_rest() {
         "channel \"position\": no interpolation \"host:nowhere\" is registered"
     );
     assert_eq!(states[1].pose.vpn, [1.0, 0.0, 0.0]);
+
+    // Of a camera that only aims there it is told, too.
+    let mut warnings = Warnings::default();
+    let states = &mut states[..1];
+    scene.sample(1, 1.5, 1.0, states, &mut warnings).unwrap();
+    assert_eq!(warnings.first().map(|(node, _)| node), Some(0));
 }
 
 #[test]
