@@ -4,7 +4,7 @@
 use glam::{DMat4, DQuat, DVec3};
 use proptest::prelude::*;
 use vides::deform::Deformation;
-use vides::document::{Document, Edit, Info, ObjectPoint, Selection};
+use vides::document::{At, Document, Edit, Info, ObjectPoint, Selection};
 use vides::path::{
     BaseFrames, CameraPath, CurveParameters, Orientation, OrientationMode, Space, SupportPoint,
     Target, Tcb, Up, ZoomMode,
@@ -106,24 +106,16 @@ impl Raw {
                 points: self.b % 12,
             },
             4 => Edit::RemovePoint { at },
-            5 => Edit::SetPosition {
-                at,
-                position: self.vector(),
-            },
-            6 => Edit::SetName {
-                at,
-                name: self.flag.then(|| {
+            5 => Edit::set(At::Point(at), "position", self.vector()),
+            6 => Edit::set(
+                At::Point(at),
+                "name",
+                self.flag.then(|| {
                     ["", "eck\u{e4} \"q\" \\ #", "tab\tis refused", "start"][self.b % 4].to_owned()
                 }),
-            },
-            7 => Edit::SetOwn {
-                at,
-                tcb: self.tcb(),
-            },
-            8 => Edit::UsePreset {
-                at,
-                preset: self.b % 11,
-            },
+            ),
+            7 => Edit::set(At::Point(at), "own", self.tcb()),
+            8 => Edit::set(At::Point(at), "preset", self.b % 11),
             9 => Edit::SetPreset {
                 preset: self.b % 11,
                 tcb: self.tcb(),
@@ -147,13 +139,17 @@ impl Raw {
                 at: orientation,
                 absolute: self.flag,
             },
-            14 => Edit::SetBaseFrames(BaseFrames {
-                movement: self.x[0].abs(),
-                turning: 100.0,
-                zoom: self.x[1].abs(),
-                rolling: 1.0,
-            }),
-            15 => Edit::SetClosed(self.flag),
+            14 => Edit::set(
+                At::Path,
+                "base_speeds",
+                BaseFrames {
+                    movement: self.x[0].abs(),
+                    turning: 100.0,
+                    zoom: self.x[1].abs(),
+                    rolling: 1.0,
+                },
+            ),
+            15 => Edit::set(At::Path, "closed", self.flag),
             16 => Edit::SetModes(
                 [
                     OrientationMode::Tcb,

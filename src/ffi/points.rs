@@ -7,7 +7,7 @@ use super::path::{edit, read};
 use super::pointers::{Out, TextOut, copied, count, how_many, index, read_vector, text};
 use super::status::{Answer, V_ERR_INTERNAL, V_OK};
 use super::types::V_PATH;
-use crate::document::{Document, Edit};
+use crate::document::{At, Document, Edit};
 use crate::error::OutOfRange;
 use crate::path::camera_path::check_name;
 use crate::path::{CurveParameters, SupportPoint, Tcb};
@@ -107,7 +107,7 @@ pub unsafe extern "C" fn v_path_set_position(
         // SAFETY: three doubles, as the header says.
         let position = unsafe { read_vector(xyz, "xyz") }?;
         let at = index(at, "at")?;
-        edit(path, Edit::SetPosition { at, position })
+        edit(path, Edit::set(At::Point(at), "position", position))
     })
 }
 
@@ -155,7 +155,7 @@ pub unsafe extern "C" fn v_path_set_point_name(
         check_name(name)?;
         let name = (!name.is_empty()).then(|| copied(name)).transpose()?;
         let at = index(at, "at")?;
-        edit(path, Edit::SetName { at, name })
+        edit(path, Edit::set(At::Point(at), "name", name))
     })
 }
 
@@ -195,7 +195,7 @@ pub unsafe extern "C" fn v_path_set_tcb(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         let (at, tcb) = (index(at, "at")?, Tcb::new(tension, continuity, bias));
-        edit(path, Edit::SetOwn { at, tcb })
+        edit(path, Edit::set(At::Point(at), "own", tcb))
     })
 }
 
@@ -206,7 +206,7 @@ pub unsafe extern "C" fn v_path_set_tcb(
 pub unsafe extern "C" fn v_path_use_preset(path: *mut V_PATH, at: c_int, preset: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
         let (at, preset) = (index(at, "at")?, index(preset, "preset")?);
-        edit(path, Edit::UsePreset { at, preset })
+        edit(path, Edit::set(At::Point(at), "preset", preset))
     })
 }
 

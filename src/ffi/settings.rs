@@ -9,7 +9,7 @@ use super::pointers::{GrowingOut, Out, TextOut, copied, text};
 use super::scene_types::V_MESH;
 use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
 use super::types::V_PATH;
-use crate::document::Edit;
+use crate::document::{At, Edit};
 use crate::error::{Place, TooMany};
 use crate::limits::MAX_COMMENT_BYTES;
 use crate::path::camera_path::{check_base_speed, check_name};
@@ -84,7 +84,7 @@ pub unsafe extern "C" fn v_path_set_base_frames(
             zoom: zoom_frames,
             rolling: roll_frames,
         };
-        edit(path, Edit::SetBaseFrames(speeds))
+        edit(path, Edit::set(At::Path, "base_speeds", speeds))
     })
 }
 
@@ -125,7 +125,9 @@ pub unsafe extern "C" fn v_path_get_base_frames(
 /// V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_closed(path: *mut V_PATH, closed: c_int) -> c_int {
-    border(V_ERR_INTERNAL, || edit(path, Edit::SetClosed(closed != 0)))
+    border(V_ERR_INTERNAL, || {
+        edit(path, Edit::set(At::Path, "closed", closed != 0))
+    })
 }
 
 /// Whether a path is closed: 1 or 0.

@@ -8,7 +8,7 @@ use super::pointers::{Out, bytes, count, index, read_vector};
 use super::points::point;
 use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
 use super::types::V_PATH;
-use crate::document::Edit;
+use crate::document::{At, Edit};
 use crate::path::{CurveKind, Tangents, curve};
 
 const KINDS: [(CurveKind, &std::ffi::CStr); 3] = [
@@ -37,7 +37,7 @@ pub unsafe extern "C" fn v_path_set_curve(path: *mut V_PATH, kind: *const c_char
     border(V_ERR_INTERNAL, || {
         // SAFETY: a text ended by zero, as the header says.
         let kind = curve_kind(unsafe { bytes(kind, "kind") }?)?;
-        edit(path, Edit::SetCurveKind(kind))
+        edit(path, Edit::set(At::Path, "curve", kind))
     })
 }
 
@@ -79,7 +79,7 @@ pub unsafe extern "C" fn v_path_set_tangents(
             Some(Tangents { before, after })
         };
         let at = index(at, "at")?;
-        edit(path, Edit::SetTangents { at, tangents })
+        edit(path, Edit::set(At::Point(at), "tangents", tangents))
     })
 }
 

@@ -36,7 +36,7 @@ pub mod tool;
 pub mod vid;
 mod wireframe;
 
-pub use edit::Edit;
+pub use edit::{At, Edit};
 pub use edited_scene::{EditedScene, Poses};
 pub use editing::{Document, Selection};
 pub use error::{Error, Result};
@@ -50,6 +50,7 @@ pub use notes::Note;
 pub use wireframe::features;
 
 pub use prepare::no_longer_ahead;
+pub use property::properties;
 pub use scene::SceneDocument;
 pub use step_name::StepName;
 #[doc(hidden)]

@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::change::{Change, State, count_orientations};
-use super::edit::Edit;
+use super::edit::{At, Edit};
 use super::edited_scene::{self, EditedScene, Pins};
 use super::editing::Selection;
 use super::place;
@@ -13,15 +13,16 @@ use crate::error::{
 };
 use crate::limits;
 use crate::math::orientation::wrap_degrees;
-use crate::path::camera_path::check_base_frames;
 use crate::path::fit_frames::{Fixed, fit_frames};
 use crate::path::insertion::{self, Insertion};
 use crate::path::space::Move;
 use crate::path::{
-    CameraPath, CurveParameters, Orientation, Pace, Plan, Space, SupportPoint, Target, Timeline,
+    CameraPath, Orientation, OrientationOverrides, Pace, Plan, Space, SupportPoint, Target,
+    Timeline,
 };
 use crate::path::{ahead, change_up};
 use crate::tools::{block, transform};
+use vides_engine::property::{Property, Table, Value, find};
 use vides_engine::scene::pins::pinned;
 
 /// The record of an edit, and the selection it sets, if any.
@@ -65,14 +66,6 @@ pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
             return Ok(inserted(segment + 1, copies(state, segment, positions)?));
         }
         Edit::InsertOnCurve { frame } => return on_curve(state, frame),
-        Edit::SetTangents { at, tangents } => {
-            point(path, at)?;
-            if let Some(tangents) = tangents {
-                tangents.check(path.space)?;
-            }
-            Change::Tangents { at, tangents }
-        }
-        Edit::SetCurveKind(curve) => Change::CurveKind(curve),
         Edit::FitFrames {
             first,
             last,
@@ -93,34 +86,11 @@ pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
             point(path, to)?;
             return Ok((Change::MovePoint { from, to }, Some(Selection::at(to, 0))));
         }
-        Edit::SetPosition { at, position } => {
-            check_position(point(path, at)?, at, position, path.space)?;
-            Change::Position { at, position }
-        }
-        Edit::SetName { at, name } => {
-            point(path, at)?;
-            let name = name.filter(|name| !name.is_empty());
-            if let Some(name) = &name {
-                super::info::check_line(name, Place::Name)?;
-            }
-            Change::Name { at, name }
-        }
-        Edit::SetOwn { at, tcb } => {
-            point(path, at)?;
-            tcb.check()?;
-            let curve = CurveParameters::Own(tcb);
-            Change::Curve { at, curve }
-        }
-        Edit::UsePreset { at, preset } => {
-            point(path, at)?;
-            let curve = CurveParameters::Preset(preset_number(preset)?);
-            Change::Curve { at, curve }
-        }
-        Edit::SetPreset { preset, tcb } => {
-            preset_number(preset)?;
-            tcb.check()?;
-            Change::Preset { preset, tcb }
-        }
+        Edit::Set {
+            place,
+            property,
+            value,
+        } => set(state, place, property, value)?,
         Edit::InsertOrientation {
             point,
             at,
@@ -139,16 +109,7 @@ pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
             point,
             at,
             orientation: new,
-        } => {
-            let old = orientation(path, point, at)?;
-            let new = checked(new, path.points[point].position, path.space)?;
-            let orientation = without_the_outdated(old, new)?;
-            Change::Orientation {
-                point,
-                at,
-                orientation,
-            }
-        }
+        } => view(path, point, at, new)?,
         Edit::SetAbsolute {
             point,
             at,
@@ -164,12 +125,6 @@ pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
                 orientation,
             }
         }
-        Edit::SetBaseFrames(frames) => {
-            check_base_frames(frames)?;
-            Change::BaseFrames(frames)
-        }
-        Edit::SetClosed(closed) => Change::Closed(closed),
-        Edit::SetModes(orientation, zoom) => Change::Modes(orientation, zoom),
         Edit::SetInfo(mut info) => {
             info.check(path.space)?;
             info.normalise();
@@ -232,13 +187,120 @@ pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
                 _ => change,
             }
         }
-        Edit::ChangeUp(up) if up == path.space.up => Change::Several(Vec::new()),
+        Edit::ChangeUp(up) if up == path.space.up => IDLE,
         Edit::ChangeUp(up) => {
             let changed = change_up::change_up(path, up)?;
             return Ok((replaced(state, changed, |point| point)?.0, None));
         }
     };
     Ok((change, None))
+}
+
+/// The record of what changes nothing.
+const IDLE: Change = Change::Several(Vec::new());
+
+/// The record of setting a property.
+fn set(state: &State, place: At, property: &'static str, mut value: Value) -> Result<Change> {
+    let path = &state.path;
+    if value == Value::Text(String::new()) {
+        value = Value::Unset;
+    }
+    match place {
+        At::Path => {
+            let points = Vec::new();
+            let own = CameraPath { points, ..*path };
+            let row = record(path, own, property, &mut value, path.space)?;
+            Ok(row.map_or(IDLE, |row| Change::OfPath(row, value)))
+        }
+        At::Point(at) => {
+            let there = point(path, at)?;
+            match (property, &value) {
+                ("position", Value::Place(position)) => {
+                    check_position(there, at, *position, path.space)?;
+                }
+                ("preset", Value::Whole(preset)) => check_preset(*preset)?,
+                _ => {}
+            }
+            let (name, orientations) = (None, Vec::new());
+            let own = SupportPoint {
+                name,
+                orientations,
+                ..*there
+            };
+            let row = record(there, own, property, &mut value, path.space);
+            let row = row.map_err(|error| match property {
+                "name" => error.at(Place::Name),
+                _ => error,
+            })?;
+            Ok(row.map_or(IDLE, |row| Change::OfPoint(at, row, value)))
+        }
+        At::View(point, at) => {
+            let mut new = orientation(path, point, at)?.clone();
+            if find(OrientationOverrides::PROPERTIES, property).is_some() {
+                let mut own = OrientationOverrides::clone(&new.own);
+                exchange(&mut own, property, &mut value, &OrientationOverrides::NEW)?;
+                new.own = new.own.with(|there| *there = own)?;
+            } else {
+                let fresh = Orientation::new_in(path.space);
+                let row = exchange(&mut new, property, &mut value, &fresh)?;
+                if row.key() == "target" {
+                    new.own = new.own.with(|own| own.ahead = None)?;
+                }
+            }
+            view(path, point, at, new)
+        }
+    }
+}
+
+/// Exchanges a property for a value; one that is not set is that of `new`.
+fn exchange<T: Table>(
+    of: &mut T,
+    property: &'static str,
+    value: &mut Value,
+    new: &T,
+) -> Result<&'static Property<T>> {
+    let row = find(T::PROPERTIES, property).ok_or_else(|| Refused::NoProperty(property.into()))?;
+    if *value == Value::Unset {
+        *value = (row.value)(new);
+    }
+    match (row.exchange)(of, value) {
+        true => Ok(row),
+        false => Err(Refused::NotOfKind(property, row.kind(property)).into()),
+    }
+}
+
+/// The row by which what is there gets a checked value, `own` being a copy of it; none if it has it.
+fn record<T: Table>(
+    there: &T,
+    mut own: T,
+    property: &'static str,
+    value: &mut Value,
+    space: Space,
+) -> Result<Option<&'static Property<T>>> {
+    let row = exchange(&mut own, property, value, &T::NEW)?;
+    (row.check)(&own, space)?;
+    let same = (row.same)(&own, there);
+    (row.exchange)(&mut own, value);
+    Ok((!same).then_some(row))
+}
+
+fn check_preset(preset: i64) -> Result<()> {
+    match usize::try_from(preset) {
+        Ok(preset) if preset < limits::PRESETS => Ok(()),
+        other => Err(OutOfRange::NoPreset(other.unwrap_or(usize::MAX)).into()),
+    }
+}
+
+/// The record of setting all values of an orientation.
+fn view(path: &CameraPath, point: usize, at: usize, new: Orientation) -> Result<Change> {
+    let old = orientation(path, point, at)?;
+    let new = checked(new, path.points[point].position, path.space)?;
+    let orientation = without_the_outdated(old, new)?;
+    Ok(Change::Orientation {
+        point,
+        at,
+        orientation,
+    })
 }
 
 /// The scene with its edited path in another space.
@@ -278,12 +340,12 @@ fn replaced(
 fn other_node(state: &State, node: Option<usize>) -> Result<Prepared> {
     let Some(edited) = &state.edited_scene else {
         return match node {
-            Some(0) => Ok((Change::Several(Vec::new()), None)),
+            Some(0) => Ok((IDLE, None)),
             _ => Err(Refused::NoScene.into()),
         };
     };
     if edited.node() == node {
-        return Ok((Change::Several(Vec::new()), None));
+        return Ok((IDLE, None));
     }
     let (edited, path) = edited_scene::edit(edited.with(&state.path)?, node)?;
     exchanged_scene(Some(edited), path)
@@ -490,15 +552,15 @@ fn copies(state: &State, from: usize, positions: &[DVec3]) -> Result<Vec<Support
             new.own = old.own.for_a_copy()?;
             orientations.push(new);
         }
-        points.push(SupportPoint {
-            position,
-            // Names identify a point and are not copied.
-            name: None,
-            curve: source.curve,
-            // Tangents belong to their place.
-            tangents: None,
-            orientations,
-        });
+        let mut new = SupportPoint::nowhere();
+        for row in SupportPoint::PROPERTIES
+            .iter()
+            .filter(|row| row.copied[0] && !row.keys.is_empty())
+        {
+            (row.take)(&mut new, source);
+        }
+        (new.position, new.orientations) = (position, orientations);
+        points.push(new);
     }
     Ok(points)
 }
@@ -577,13 +639,6 @@ pub(super) fn orientation(path: &CameraPath, number: usize, at: usize) -> Result
             last: point.orientations.len() - 1,
         })
     })
-}
-
-fn preset_number(preset: usize) -> Result<u8> {
-    match u8::try_from(preset) {
-        Ok(number) if preset < limits::PRESETS => Ok(number),
-        _ => Err(OutOfRange::NoPreset(preset).into()),
-    }
 }
 
 #[cfg(test)]

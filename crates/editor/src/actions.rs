@@ -6,7 +6,7 @@ use egui::Pos2;
 use glam::DVec3;
 
 use crate::document::tool::{Tool, ToolInput};
-use crate::document::{Edit, Selection, no_longer_ahead};
+use crate::document::{At, Edit, Selection, no_longer_ahead};
 use crate::error::Result;
 use crate::files::{AfterSave, Purpose};
 use crate::limits::SPEEDS;
@@ -373,7 +373,7 @@ impl Editor {
                 self.edit(Edit::PrependBeforeFirst);
             }
             Action::SetClosed(closed) => {
-                self.edit(Edit::SetClosed(closed));
+                self.edit(Edit::set(At::Path, "closed", closed));
             }
             Action::OwnTangents(own) => self.set_own_tangents(own),
             Action::Join(joint) => self.join(joint),
@@ -562,7 +562,7 @@ impl Editor {
         let mut all = Vec::new();
         for edit in edits {
             let replaced = self.replaces_tangents(&edit);
-            all.extend(replaced.map(|at| Edit::SetTangents { at, tangents: None }));
+            all.extend(replaced.map(|at| Edit::set(At::Point(at), "tangents", None)));
             all.push(edit);
         }
         let done = self.document.apply_all(all);

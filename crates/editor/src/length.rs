@@ -1,7 +1,7 @@
 //! The length of the path: a change that alters it says so, with a way back from there; or the
 //! length is kept, and the frames of all sections adapt within the same step.
 
-use crate::document::{Edit, StepName};
+use crate::document::{At, Edit, StepName};
 use crate::error::Result;
 use crate::path::Timeline;
 use crate::state::{Editor, Message};
@@ -227,10 +227,7 @@ mod tests {
             }
             act(&mut window, Action::Enter(Entry::End));
             assert_eq!(said(&window).as_deref(), Some(text));
-            let name = Edit::SetName {
-                at: 0,
-                name: Some("A".into()),
-            };
+            let name = Edit::set(At::Point(0), "name", Some("A".into()));
             act(&mut window, Action::Edit(name));
             assert_eq!(said(&window), None);
             // Who types the length knows it.
@@ -255,7 +252,7 @@ mod tests {
                 },
                 Edit::AppendAfterLast,
                 Edit::RemovePoint { at: 1 },
-                Edit::SetClosed(true),
+                Edit::set(At::Path, "closed", true),
                 Edit::Repeat(2),
             ];
             for (at, edit) in edits.into_iter().enumerate() {

@@ -5,7 +5,7 @@
 
 use glam::DMat4;
 
-use crate::document::{Document, Edit, Selection};
+use crate::document::{At, Document, Edit, Selection};
 use crate::error::Result;
 use crate::path::{Orientation, OrientationOverrides, SupportPoint};
 use crate::state::Editor;
@@ -211,10 +211,10 @@ fn for_all(document: &Document, points: &[usize], edit: Edit) -> Result<Vec<Edit
             });
         }
         Edit::SetOwn { at, tcb } => {
-            all.extend(others(at).map(|at| Edit::SetOwn { at, tcb }));
+            all.extend(others(at).map(|at| Edit::set(At::Point(at), "own", tcb)));
         }
         Edit::UsePreset { at, preset } => {
-            all.extend(others(at).map(|at| Edit::UsePreset { at, preset }));
+            all.extend(others(at).map(|at| Edit::set(At::Point(at), "preset", preset)));
         }
         Edit::SetAbsolute {
             point,

@@ -385,7 +385,9 @@ fn the_hosts_speeds_and_object_stand() {
     let mut hosts = Document::new();
     let mut speeds = hosts.path().base_frames;
     speeds.movement = 7.0;
-    hosts.apply(Edit::SetBaseFrames(speeds)).expect("possible");
+    hosts
+        .apply(Edit::set(At::Path, "base_speeds", speeds))
+        .expect("possible");
     let mut info = hosts.info().clone();
     let point = ObjectPoint {
         position: DVec3::ONE,

@@ -252,7 +252,7 @@ fn bias_continuity_and_tension_of_this_point_and_the_next_are_shown() {
     for name in ["Bias (b2)", "Continuity (c2)", "Tension (t2)"] {
         assert_eq!(value(&window, name), "–");
     }
-    window.state_mut().edit(Edit::SetClosed(true));
+    window.state_mut().edit(Edit::set(At::Path, "closed", true));
     window.run();
     assert_eq!(value(&window, "Bias (b2)"), "0,00");
 }

@@ -24,7 +24,7 @@ fn marks_lie_where_the_sampler_puts_the_keys() {
     for closed in [false, true] {
         let mut document = pyramid();
         document
-            .apply(crate::document::Edit::SetClosed(closed))
+            .apply(crate::document::Edit::set(At::Path, "closed", closed))
             .unwrap();
         let mut marks = Marks::default();
         marks.update(&document).unwrap();

@@ -14,7 +14,9 @@ use super::space::Space;
 use super::up_vector::UpVector;
 use crate::error::{Invalid, OutOfRange, Quantity, Result, can_allocate, try_arc};
 use crate::limits;
-use crate::property::{Check, Copied, Row, SameBits, Stored, Unit, properties};
+use crate::property::{
+    Affects, Check, Copied, Kind, Row, SameBits, Stored, Unit, Value, properties,
+};
 
 /// The derivatives with which the curve passes a point, per segment parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -39,6 +41,25 @@ impl Tangents {
 impl SameBits for Tangents {
     fn same_bits(&self, other: &Self) -> bool {
         self.before.same_bits(&other.before) && self.after.same_bits(&other.after)
+    }
+}
+
+impl Stored for Tangents {
+    const KINDS: &'static [Kind] = &[Kind::Pair(["before", "after"])];
+    fn value(self) -> Value {
+        Value::Pair(["before", "after"], [self.before, self.after])
+    }
+    fn of(value: Value) -> Option<Self> {
+        match value {
+            Value::Pair(_, [before, after]) => Some(Self { before, after }),
+            _ => None,
+        }
+    }
+}
+
+impl From<Tangents> for Value {
+    fn from(tangents: Tangents) -> Self {
+        tangents.value()
     }
 }
 
@@ -137,7 +158,26 @@ impl SameBits for Pace {
     }
 }
 
-impl Stored for Pace {}
+impl Stored for Pace {
+    const KINDS: &'static [Kind] = &[Kind::Ease, Kind::Distance, Kind::Part];
+    fn value(self) -> Value {
+        match self {
+            Self::Speeds => Value::Unset,
+            Self::Ease(ease) => Value::Ease(ease),
+            Self::Distance(keys) => Value::Distance(keys),
+            Self::Part(part) => Value::Part(part),
+        }
+    }
+    fn of(value: Value) -> Option<Self> {
+        match value {
+            Value::Unset => Some(Self::Speeds),
+            Value::Ease(ease) => Some(Self::Ease(ease)),
+            Value::Distance(keys) => Some(Self::Distance(keys)),
+            Value::Part(part) => Some(Self::Part(part)),
+            _ => None,
+        }
+    }
+}
 
 impl SameBits for PaceSource {
     fn same_bits(&self, other: &Self) -> bool {
@@ -218,7 +258,18 @@ impl SameBits for Velocities {
     }
 }
 
-impl Stored for Option<Velocities> {}
+impl Stored for Velocities {
+    const KINDS: &'static [Kind] = &[Kind::Pair(["reach", "leave"])];
+    fn value(self) -> Value {
+        Value::Pair(["reach", "leave"], [self.reach, self.leave])
+    }
+    fn of(value: Value) -> Option<Self> {
+        match value {
+            Value::Pair(_, [reach, leave]) => Some(Self { reach, leave }),
+            _ => None,
+        }
+    }
+}
 
 /// How a section turned before it was divided. It counts as long as it leads from key to key.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -252,7 +303,18 @@ impl SameBits for TurningPart {
     }
 }
 
-impl Stored for Option<TurningPart> {}
+impl Stored for TurningPart {
+    const KINDS: &'static [Kind] = &[Kind::Turning];
+    fn value(self) -> Value {
+        Value::Turning(self)
+    }
+    fn of(value: Value) -> Option<Self> {
+        match value {
+            Value::Turning(part) => Some(part),
+            _ => None,
+        }
+    }
+}
 
 fn check_part(from: f64, to: f64) -> Result<()> {
     if 0.0 <= from && from < to && to <= 1.0 {
@@ -268,11 +330,13 @@ properties! {
         pub ahead: Option<f64> = None => Row {
             unit: Unit::Length,
             check: Check::By(|ahead, space| ahead.map_or(Ok(()), |far| check_ahead(far, space))),
+            affects: Affects::Frames,
             ..Row::new(&["ahead"])
         },
         /// Which way is up before the roll.
         pub up: UpVector = UpVector::Axis => Row {
             check: Check::By(|up, space| up.check(space)),
+            affects: Affects::Frames,
             ..Row::new(&["up", "up_point", "up_path"])
         },
         /// Frames of the section that begins here, whatever its length; 0: by length.
@@ -280,10 +344,15 @@ properties! {
             unit: Unit::Frames,
             check: Check::UpTo(limits::MAX_FRAMES as u32, || OutOfRange::SectionFrames),
             copied: Copied::IfAsked,
+            affects: Affects::Frames,
             ..Row::new(&["frames"])
         },
         /// Whether that section keeps its frames where a whole is brought to a number of frames.
-        pub locked: bool = false => Row { copied: Copied::IfAsked, ..Row::new(&["locked"]) },
+        pub locked: bool = false => Row {
+            affects: Affects::Nothing,
+            copied: Copied::IfAsked,
+            ..Row::new(&["locked"])
+        },
         /// How the section that begins here goes through its time.
         pub pace: Pace = Pace::Speeds => Row {
             check: Check::By(|pace, _| pace.check()),
@@ -292,18 +361,21 @@ properties! {
                     *pace = Pace::Speeds;
                 }
             }),
+            affects: Affects::Frames,
             ..Row::new(&["ease", "distance", "pace_part"])
         },
         /// Angular velocities, in place of those by tension, continuity and bias.
         pub velocities: Option<Velocities> = None => Row {
             check: Check::By(|velocities, _| velocities.map_or(Ok(()), Velocities::check)),
             copied: Copied::Nowhere,
+            affects: Affects::Views,
             ..Row::new(&["velocity_degrees"])
         },
         /// How the section that begins here turns, if it is a part of a divided one; in the mode tcb.
         pub turning: Option<TurningPart> = None => Row {
             check: Check::By(|part, _| part.map_or(Ok(()), |part| part.check())),
             copied: Copied::Nowhere,
+            affects: Affects::Views,
             ..Row::new(&["turning_part"])
         },
         /// Slope of the roll in tracked sections: degrees for each frame at speed 50.
@@ -311,6 +383,7 @@ properties! {
             unit: Unit::Degrees,
             copied: Copied::Nowhere,
             check: Check::By(|slope, _| check_rates(slope.as_slice())),
+            affects: Affects::Views,
             ..Row::new(&["roll_slope_degrees"])
         },
         /// Slope of the zoom: mm for each frame at speed 50.
@@ -318,6 +391,7 @@ properties! {
             unit: Unit::Millimetres,
             check: Check::By(|slope, _| check_rates(slope.as_slice())),
             copied: Copied::Nowhere,
+            affects: Affects::Views,
             ..Row::new(&["zoom_slope_mm"])
         },
     }

@@ -198,7 +198,7 @@ fn it_follows_the_current_point_and_orientation() {
         click(&mut window, texts.speed_window.ease_in);
         assert!(speeds(&window)[0] < speeds(&window)[9]);
         press(&mut window, Modifiers::CTRL, Key::Z);
-        let edit = Edit::SetClosed(true);
+        let edit = Edit::set(At::Path, "closed", true);
         window.state_mut().document.apply(edit).unwrap();
         window.run();
         assert!(shown(&window, "6", "1"));
