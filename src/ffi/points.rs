@@ -3,7 +3,7 @@
 use std::ffi::{c_char, c_int};
 
 use super::border::border;
-use super::path::{edit, read};
+use super::path::{edit, edit_by, read};
 use super::pointers::{Out, TextOut, copied, count, how_many, index, read_vector, text};
 use super::status::{Answer, V_ERR_INTERNAL, V_OK};
 use super::types::V_PATH;
@@ -257,8 +257,14 @@ pub unsafe extern "C" fn v_path_set_preset(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         let tcb = Tcb::new(tension, continuity, bias);
-        let preset = index(preset, "preset")?;
-        edit(path, Edit::SetPreset { preset, tcb })
+        let number = index(preset, "preset")?;
+        edit_by(path, |document| {
+            let mut presets = document.path().presets;
+            *presets
+                .get_mut(number)
+                .ok_or(OutOfRange::NoPreset(number))? = tcb;
+            Ok(Edit::set(At::Path, "presets", presets))
+        })
     })
 }
 

@@ -1,6 +1,6 @@
 use super::*;
-use crate::Info;
 use crate::path::{CurveKind, SupportPoint, Target};
+use crate::{At, Info};
 
 /// The first finding of a kind.
 fn found(document: &Document, kind: &str) -> Option<Finding> {

@@ -1,6 +1,6 @@
 //! What a step of the history changed, so that a window can say what it takes back.
 
-use super::edit::{At, Edit};
+use super::edit::Edit;
 use super::info::Info;
 use crate::path::{CameraPath, Orientation};
 
@@ -168,7 +168,7 @@ fn of_values(old: &Orientation, new: &Orientation) -> StepName {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Document;
+    use crate::{At, Document};
 
     /// What is added to a step is taken back with it; it keeps its name.
     #[test]

@@ -12,7 +12,7 @@ use crate::files::{AfterSave, Purpose};
 use crate::limits::SPEEDS;
 use crate::number::Entry;
 use crate::panels::orientation::OwnedMotion;
-use crate::path::{CameraPath, Target, UpVector, insertion};
+use crate::path::{CameraPath, Tangents, Target, UpVector, insertion};
 use crate::playing::Pace;
 use crate::selected::SelectionChange;
 use crate::setup::{CameraPlace, ColourWindow, DisplayWindow, Setup, Theme, View};
@@ -562,7 +562,7 @@ impl Editor {
         let mut all = Vec::new();
         for edit in edits {
             let replaced = self.replaces_tangents(&edit);
-            all.extend(replaced.map(|at| Edit::set(At::Point(at), "tangents", None)));
+            all.extend(replaced.map(|at| Edit::set(At::Point(at), "tangents", None::<Tangents>)));
             all.push(edit);
         }
         let done = self.document.apply_all(all);
@@ -571,7 +571,12 @@ impl Editor {
 
     /// The point whose own tangents an edit replaces by the shape that it chooses.
     fn replaces_tangents(&self, edit: &Edit) -> Option<usize> {
-        let (Edit::SetOwn { at, .. } | Edit::UsePreset { at, .. }) = *edit else {
+        let Edit::Set {
+            place: At::Point(at),
+            property: "own" | "preset",
+            ..
+        } = *edit
+        else {
             return None;
         };
         let owns = self.document.path().points.get(at)?.tangents.is_some();

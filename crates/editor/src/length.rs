@@ -1,7 +1,7 @@
 //! The length of the path: a change that alters it says so, with a way back from there; or the
 //! length is kept, and the frames of all sections adapt within the same step.
 
-use crate::document::{At, Edit, StepName};
+use crate::document::{Edit, StepName};
 use crate::error::Result;
 use crate::path::Timeline;
 use crate::state::{Editor, Message};
@@ -164,7 +164,7 @@ impl Editor {
 #[cfg(test)]
 mod tests {
     use crate::actions::Action;
-    use crate::document::{Edit, Selection};
+    use crate::document::{At, Edit, Selection};
     use crate::number::Entry;
     use crate::panels::orientation::with;
     use crate::path::Timeline;

@@ -13,13 +13,13 @@ use glam::{DQuat, DVec3};
 
 use crate::error::{Invalid, OutOfRange, Quantity, Result};
 use crate::limits::{PRESETS, SPEEDS};
-use crate::path::{Space, Tcb};
+use crate::path::{BaseFrames, Space, Tangents, Tcb, TurningPart, Velocities};
 
 mod listed;
 mod value;
 
 pub use listed::{Listed, Owner, list};
-pub use value::{Quoted, Value};
+pub use value::{Kind, Quoted, Value};
 
 /// What a property's numbers count.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -48,105 +48,6 @@ impl Unit {
             Self::Frames => "frames",
             Self::Length => "lengths",
         }
-    }
-}
-
-/// What a property is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// A finite number.
-    Number,
-    /// A whole number.
-    Whole,
-    /// Yes or no.
-    Switch,
-    /// One of these names.
-    Choice(&'static [&'static str]),
-    /// A text.
-    Text,
-    /// A place in the world.
-    Place,
-    /// A vector of the world.
-    Vector,
-    /// Two vectors of the world, by their names.
-    Pair([&'static str; 2]),
-    /// The ten speeds of a speed curve.
-    Speeds,
-    /// Tension, continuity and bias.
-    Shape,
-    /// The ten presets of tension, continuity and bias.
-    Presets,
-    /// Four base speeds.
-    BaseFrames,
-    /// Speeding up, cruising and slowing down.
-    Ease,
-    /// Shares of time and way.
-    Distance,
-    /// A part of a pace.
-    Part,
-    /// A part of a turning.
-    Turning,
-    /// A second path.
-    UpPath,
-    /// A structure that files write in a way of their own.
-    Nested,
-}
-
-impl Kind {
-    /// Whether a value is of this kind.
-    #[must_use]
-    pub fn has(self, value: &Value) -> bool {
-        match value {
-            Value::Unset => false,
-            Value::Number(_) => self == Self::Number,
-            Value::Whole(_) => self == Self::Whole,
-            Value::Switch(_) => self == Self::Switch,
-            Value::Choice(name) => matches!(self, Self::Choice(names) if names.contains(name)),
-            Value::Text(_) => self == Self::Text,
-            Value::Place(_) => self == Self::Place,
-            Value::Vector(_) => self == Self::Vector,
-            Value::Pair(names, _) => self == Self::Pair(*names),
-            Value::Speeds(_) => self == Self::Speeds,
-            Value::Shape(_) => self == Self::Shape,
-            Value::Presets(_) => self == Self::Presets,
-            Value::BaseFrames(_) => self == Self::BaseFrames,
-            Value::Ease(_) => self == Self::Ease,
-            Value::Distance(_) => self == Self::Distance,
-            Value::Part(_) => self == Self::Part,
-            Value::Turning(_) => self == Self::Turning,
-            Value::UpPath(_) => self == Self::UpPath,
-        }
-    }
-}
-
-impl fmt::Display for Kind {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        out.write_str(match self {
-            Self::Number => "number",
-            Self::Whole => "whole number",
-            Self::Switch => "switch",
-            Self::Choice(names) => {
-                let (last, others) = names.split_last().unwrap_or((&"", &[]));
-                others
-                    .iter()
-                    .try_for_each(|name| write!(out, "{name:?}, "))?;
-                return write!(out, "{last:?}");
-            }
-            Self::Text => "text",
-            Self::Place => "place",
-            Self::Vector => "vector",
-            Self::Pair([one, other]) => return write!(out, "two vectors, {one} and {other}"),
-            Self::Speeds => "ten numbers",
-            Self::Shape => "tension, continuity, bias",
-            Self::Presets => "ten of tension, continuity, bias",
-            Self::BaseFrames => "four numbers",
-            Self::Ease => "kind, rise, fall, cruise",
-            Self::Distance => "list of time and way",
-            Self::Part => "part of a pace",
-            Self::Turning => "part of a turning",
-            Self::UpPath => "list of places with tangents",
-            Self::Nested => "structure",
-        })
     }
 }
 
@@ -334,13 +235,7 @@ pub trait Stored: SameBits + Clone {
 
 /// Types that are a kind of [`Value`] of their own.
 macro_rules! stored {
-    ($($type:ty: $kind:ident, |$a:ident, $b:ident| $same:expr;)*) => { $(
-        impl SameBits for $type {
-            fn same_bits(&self, other: &Self) -> bool {
-                let ($a, $b) = (self, other);
-                $same
-            }
-        }
+    ($($type:ty: $kind:ident;)*) => { $(
         impl Stored for $type {
             const KINDS: &'static [Kind] = &[Kind::$kind];
             fn value(self) -> Value {
@@ -362,31 +257,25 @@ macro_rules! stored {
 }
 
 stored! {
-    f64: Number, |a, b| a.to_bits() == b.to_bits();
-    bool: Switch, |a, b| a == b;
-    String: Text, |a, b| a == b;
-    DVec3: Place, |a, b| a.to_array()[..].same_bits(&b.to_array()[..]);
-    [f64; SPEEDS]: Speeds, |a, b| a[..].same_bits(&b[..]);
-    Tcb: Shape, |a, b| {
-        let numbers = |tcb: &Tcb| [tcb.tension, tcb.continuity, tcb.bias];
-        numbers(a)[..].same_bits(&numbers(b)[..])
-    };
-    [Tcb; PRESETS]: Presets, |a, b| a[..].same_bits(&b[..]);
+    f64: Number;
+    bool: Switch;
+    String: Text;
+    DVec3: Place;
+    [f64; SPEEDS]: Speeds;
+    Tcb: Shape;
+    [Tcb; PRESETS]: Presets;
+    BaseFrames: BaseFrames;
+    TurningPart: Turning;
 }
 
 /// Whole numbers.
 macro_rules! whole {
     ($($type:ty)*) => { $(
-        impl SameBits for $type {
-            fn same_bits(&self, other: &Self) -> bool {
-                self == other
-            }
-        }
         impl Stored for $type {
             const KINDS: &'static [Kind] = &[Kind::Whole];
             const RANGE: Option<(f64, f64)> = Some((<$type>::MIN as f64, <$type>::MAX as f64));
             fn value(self) -> Value {
-                self.into()
+                Value::Whole(self.into())
             }
             fn of(value: Value) -> Option<Self> {
                 match value {
@@ -395,15 +284,50 @@ macro_rules! whole {
                 }
             }
         }
+    )* };
+}
+
+whole! { u32 i32 }
+
+impl From<usize> for Value {
+    fn from(number: usize) -> Self {
+        Self::Whole(number.try_into().unwrap_or(i64::MAX))
+    }
+}
+
+/// Two vectors that files name.
+macro_rules! pairs {
+    ($($type:ty: $one:ident, $other:ident;)*) => { $(
+        impl SameBits for $type {
+            fn same_bits(&self, other: &Self) -> bool {
+                [self.$one, self.$other].same_bits(&[other.$one, other.$other])
+            }
+        }
+        impl Stored for $type {
+            const KINDS: &'static [Kind] =
+                &[Kind::Pair([stringify!($one), stringify!($other)])];
+            fn value(self) -> Value {
+                self.into()
+            }
+            fn of(value: Value) -> Option<Self> {
+                match value {
+                    Value::Pair(_, [$one, $other]) => Some(Self { $one, $other }),
+                    _ => None,
+                }
+            }
+        }
         impl From<$type> for Value {
-            fn from(number: $type) -> Self {
-                Self::Whole(number.into())
+            fn from(pair: $type) -> Self {
+                Self::Pair([stringify!($one), stringify!($other)], [pair.$one, pair.$other])
             }
         }
     )* };
 }
 
-whole! { u32 i32 }
+pairs! {
+    Tangents: before, after;
+    Velocities: reach, leave;
+}
 
 /// A field that need not be set.
 impl<T: Stored> Stored for Option<T> {
@@ -451,15 +375,36 @@ impl<T: SameBits> SameBits for [T] {
     }
 }
 
-impl SameBits for [f64; 2] {
+impl<T: SameBits, const N: usize> SameBits for [T; N] {
     fn same_bits(&self, other: &Self) -> bool {
         self[..].same_bits(&other[..])
     }
 }
 
-impl SameBits for DQuat {
+macro_rules! same_bits {
+    ($($type:ty: |$a:ident| $numbers:expr;)*) => { $(
+        impl SameBits for $type {
+            fn same_bits(&self, other: &Self) -> bool {
+                let numbers = |$a: &Self| $numbers;
+                numbers(self) == numbers(other)
+            }
+        }
+    )* };
+}
+
+same_bits! {
+    f64: |a| a.to_bits();
+    bool: |a| *a;
+    u32: |a| *a;
+    i32: |a| *a;
+    DVec3: |a| a.to_array().map(f64::to_bits);
+    DQuat: |a| a.to_array().map(f64::to_bits);
+    Tcb: |a| [a.tension, a.continuity, a.bias].map(f64::to_bits);
+}
+
+impl SameBits for String {
     fn same_bits(&self, other: &Self) -> bool {
-        self.to_array()[..].same_bits(&other.to_array()[..])
+        self == other
     }
 }
 

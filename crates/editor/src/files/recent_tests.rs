@@ -1,5 +1,6 @@
 //! Recent files in the File menu.
 
+use crate::document::At;
 use crate::tests::*;
 
 #[test]

@@ -1,5 +1,6 @@
 //! Unsaved work that was left behind is offered at the start.
 
+use crate::document::At;
 use crate::screenshots::screenshot;
 use crate::tests::*;
 

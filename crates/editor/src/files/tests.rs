@@ -6,8 +6,7 @@ use std::os::unix::ffi::OsStrExt;
 use std::os::unix::fs::PermissionsExt;
 use std::path::Path;
 
-use crate::document::Object;
-use crate::document::ObjectPoint;
+use crate::document::{At, Object, ObjectPoint};
 use crate::tests::*;
 
 /// A window whose file windows begin in this folder.

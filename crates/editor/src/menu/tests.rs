@@ -3,6 +3,7 @@
 use egui_kittest::kittest::by;
 
 use crate::Request;
+use crate::document::At;
 use crate::tests::*;
 
 #[test]

@@ -83,8 +83,11 @@ fn presets(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
             let button = button.on_disabled_hover_text(without.unwrap_or_default());
             if button.clicked() {
                 let at = editor.document.selection().point;
-                let preset = preset.into();
-                actions.push(Action::Edit(Edit::set(At::Point(at), "preset", preset)));
+                actions.push(Action::Edit(Edit::set(
+                    At::Point(at),
+                    "preset",
+                    usize::from(preset),
+                )));
             }
         }
     });

@@ -7,6 +7,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
 use super::*;
+use crate::document::At;
 use crate::path::Pose;
 use crate::space::tests::{
     editor, image, motion, press, pyramid, pyramid_window, release, tap, window,

@@ -7,6 +7,7 @@ use super::super::projection::tests::{view, viewport};
 use super::*;
 use crate::document::{At, Edit};
 use crate::path::SupportPoint;
+use crate::path::camera_path::DEFAULT_PRESETS;
 use crate::setup::View;
 
 pub(in crate::space) struct Eye {
@@ -57,7 +58,11 @@ pub(in crate::space) fn edit(count: usize) -> impl Strategy<Value = Edit> {
         1 => (0..count, -1.0..1.0f64).prop_map(|(at, t)| Edit::set(At::Point(at), "own", Tcb::new(t, 0.0, t))),
         1 => (0..count, 0..10usize).prop_map(|(at, preset)| Edit::set(At::Point(at), "preset", preset)),
         1 => (0..10usize, -1.0..1.0f64)
-            .prop_map(|(preset, b)| Edit::SetPreset { preset, tcb: Tcb::new(0.0, 0.0, b) }),
+            .prop_map(|(preset, b)| {
+                let mut presets = DEFAULT_PRESETS;
+                presets[preset].bias = b;
+                Edit::set(At::Path, "presets", presets)
+            }),
         1 => (0..count, position()).prop_map(|(at, position)| Edit::InsertPoint { at, position }),
         1 => (0..count).prop_map(|at| Edit::RemovePoint { at }),
         1 => any::<bool>().prop_map(|value| Edit::set(At::Path, "closed", value)),

@@ -9,6 +9,7 @@ use super::tests::{
     tap, text, tips, viewport, window,
 };
 use super::*;
+use crate::document::At;
 use crate::path::CurveParameters;
 use crate::screenshots::screenshot;
 use crate::selected::SelectionChange;

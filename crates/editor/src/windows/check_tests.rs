@@ -1,6 +1,6 @@
 use egui_kittest::kittest::NodeT;
 
-use crate::document::Selection;
+use crate::document::{At, Selection};
 use crate::screenshots::screenshot;
 use crate::tests::*;
 

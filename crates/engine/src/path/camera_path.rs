@@ -362,25 +362,6 @@ impl Default for BaseFrames {
     }
 }
 
-impl Stored for BaseFrames {
-    const KINDS: &'static [Kind] = &[Kind::BaseFrames];
-    fn value(self) -> Value {
-        self.into()
-    }
-    fn of(value: Value) -> Option<Self> {
-        match value {
-            Value::BaseFrames(frames) => Some(frames),
-            _ => None,
-        }
-    }
-}
-
-impl From<BaseFrames> for Value {
-    fn from(frames: BaseFrames) -> Self {
-        Self::BaseFrames(frames)
-    }
-}
-
 choices! {
     /// How the camera turns between its orientations (`docs/path.md`, orientation curve).
     pub enum OrientationMode {

@@ -38,31 +38,6 @@ impl Tangents {
     }
 }
 
-impl SameBits for Tangents {
-    fn same_bits(&self, other: &Self) -> bool {
-        self.before.same_bits(&other.before) && self.after.same_bits(&other.after)
-    }
-}
-
-impl Stored for Tangents {
-    const KINDS: &'static [Kind] = &[Kind::Pair(["before", "after"])];
-    fn value(self) -> Value {
-        Value::Pair(["before", "after"], [self.before, self.after])
-    }
-    fn of(value: Value) -> Option<Self> {
-        match value {
-            Value::Pair(_, [before, after]) => Some(Self { before, after }),
-            _ => None,
-        }
-    }
-}
-
-impl From<Tangents> for Value {
-    fn from(tangents: Tangents) -> Self {
-        tangents.value()
-    }
-}
-
 /// The pace that a [`PacePart`] is taken from.
 #[derive(Debug, Clone, PartialEq)]
 pub enum PaceSource {
@@ -151,7 +126,7 @@ impl SameBits for Pace {
             (Self::Ease(a), Self::Ease(b)) => a.same_bits(b),
             (Self::Distance(a), Self::Distance(b)) => a.same_bits(b),
             (Self::Part(a), Self::Part(b)) => {
-                a.of.same_bits(&b.of) && [a.from, a.to][..].same_bits(&[b.from, b.to][..])
+                a.of.same_bits(&b.of) && [a.from, a.to].same_bits(&[b.from, b.to])
             }
             _ => false,
         }
@@ -252,25 +227,6 @@ impl Velocities {
     }
 }
 
-impl SameBits for Velocities {
-    fn same_bits(&self, other: &Self) -> bool {
-        self.reach.same_bits(&other.reach) && self.leave.same_bits(&other.leave)
-    }
-}
-
-impl Stored for Velocities {
-    const KINDS: &'static [Kind] = &[Kind::Pair(["reach", "leave"])];
-    fn value(self) -> Value {
-        Value::Pair(["reach", "leave"], [self.reach, self.leave])
-    }
-    fn of(value: Value) -> Option<Self> {
-        match value {
-            Value::Pair(_, [reach, leave]) => Some(Self { reach, leave }),
-            _ => None,
-        }
-    }
-}
-
 /// How a section turned before it was divided. It counts as long as it leads from key to key.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TurningPart {
@@ -298,21 +254,8 @@ impl TurningPart {
 
 impl SameBits for TurningPart {
     fn same_bits(&self, other: &Self) -> bool {
-        self.control[..].same_bits(&other.control[..])
-            && [self.from, self.to][..].same_bits(&[other.from, other.to][..])
-    }
-}
-
-impl Stored for TurningPart {
-    const KINDS: &'static [Kind] = &[Kind::Turning];
-    fn value(self) -> Value {
-        Value::Turning(self)
-    }
-    fn of(value: Value) -> Option<Self> {
-        match value {
-            Value::Turning(part) => Some(part),
-            _ => None,
-        }
+        self.control.same_bits(&other.control)
+            && [self.from, self.to].same_bits(&[other.from, other.to])
     }
 }
 

@@ -8,32 +8,77 @@ use glam::DVec3;
 use crate::limits::{PRESETS, SPEEDS};
 use crate::path::{BaseFrames, Ease, PacePart, PaceSource, Tcb, TurningPart, UpPath};
 
-/// A value on its way into or out of a property that is not nested. [`super::Kind`] says what each
-/// is.
-#[derive(Clone, Debug, Default, PartialEq)]
-#[allow(missing_docs)]
-pub enum Value {
-    /// Not set; set, it stands for what a new one has.
-    #[default]
-    Unset,
-    Number(f64),
-    Whole(i64),
-    Switch(bool),
-    Choice(&'static str),
-    Text(String),
-    Place(DVec3),
-    Vector(DVec3),
-    /// By the names of their kind.
-    Pair([&'static str; 2], [DVec3; 2]),
-    Speeds([f64; SPEEDS]),
-    Shape(Tcb),
-    Presets([Tcb; PRESETS]),
-    BaseFrames(BaseFrames),
-    Ease(Ease),
-    Distance(Arc<[[f64; 2]]>),
-    Part(PacePart),
-    Turning(TurningPart),
-    UpPath(Arc<UpPath>),
+macro_rules! kinds {
+    ($($kind:ident($type:ty) $words:literal,)*) => {
+        /// What a property is.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        #[allow(missing_docs)]
+        pub enum Kind {
+            $($kind,)*
+            /// One of these names.
+            Choice(&'static [&'static str]),
+            /// Two vectors of the world, by their names.
+            Pair([&'static str; 2]),
+            /// A structure that files write in a way of their own.
+            Nested,
+        }
+
+        /// A value on its way into or out of a property that is not nested.
+        #[derive(Clone, Debug, Default, PartialEq)]
+        #[allow(missing_docs)]
+        pub enum Value {
+            /// Not set; set, it stands for what a new one has.
+            #[default]
+            Unset,
+            $($kind($type),)*
+            Choice(&'static str),
+            Pair([&'static str; 2], [DVec3; 2]),
+        }
+
+        impl Kind {
+            /// Whether a value is of this kind.
+            #[must_use]
+            pub fn has(self, value: &Value) -> bool {
+                match value {
+                    Value::Unset => false,
+                    $(Value::$kind(_) => self == Self::$kind,)*
+                    Value::Choice(name) => {
+                        matches!(self, Self::Choice(names) if names.contains(name))
+                    }
+                    Value::Pair(names, _) => self == Self::Pair(*names),
+                }
+            }
+        }
+
+        impl fmt::Display for Kind {
+            fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+                match self {
+                    $(Self::$kind => out.write_str($words),)*
+                    Self::Choice(names) => write!(out, "\"{}\"", names.join("\", \"")),
+                    Self::Pair([one, other]) => write!(out, "two vectors, {one} and {other}"),
+                    Self::Nested => out.write_str("structure"),
+                }
+            }
+        }
+    };
+}
+
+kinds! {
+    Number(f64) "number",
+    Whole(i64) "whole number",
+    Switch(bool) "switch",
+    Text(String) "text",
+    Place(DVec3) "place",
+    Vector(DVec3) "vector",
+    Speeds([f64; SPEEDS]) "ten numbers",
+    Shape(Tcb) "tension, continuity, bias",
+    Presets([Tcb; PRESETS]) "ten of tension, continuity, bias",
+    BaseFrames(BaseFrames) "four numbers",
+    Ease(Ease) "kind, rise, fall, cruise",
+    Distance(Arc<[[f64; 2]]>) "list of time and way",
+    Part(PacePart) "part of a pace",
+    Turning(TurningPart) "part of a turning",
+    UpPath(Arc<UpPath>) "list of places with tangents",
 }
 
 /// As files have it: TOML with the fewest digits that give the same bits back.
@@ -57,13 +102,13 @@ impl fmt::Display for Value {
                 "{{ tension = {:?}, continuity = {:?}, bias = {:?} }}",
                 tcb.tension, tcb.continuity, tcb.bias
             ),
-            Self::Presets(presets) => list(out, presets.iter().copied().map(Self::Shape)),
+            Self::Presets(presets) => {
+                let presets = presets.iter().copied().map(Self::Shape).enumerate();
+                table(out, presets)
+            }
             Self::BaseFrames(frames) => {
-                for (at, row) in BaseFrames::PROPERTIES.iter().enumerate() {
-                    let separator = if at == 0 { "{" } else { "," };
-                    write!(out, "{separator} {} = {}", row.key(), (row.value)(frames))?;
-                }
-                out.write_str(" }")
+                let rows = BaseFrames::PROPERTIES.iter();
+                table(out, rows.map(|row| (row.key(), (row.value)(frames))))
             }
             Self::Ease(ease) => write!(
                 out,
@@ -97,12 +142,16 @@ impl fmt::Display for Value {
     }
 }
 
-fn list(out: &mut fmt::Formatter<'_>, all: impl Iterator<Item = Value>) -> fmt::Result {
-    for (at, value) in all.enumerate() {
-        let separator = if at == 0 { "[" } else { ", " };
-        write!(out, "{separator}{value}")?;
+/// An inline table.
+fn table(
+    out: &mut fmt::Formatter<'_>,
+    all: impl Iterator<Item = (impl fmt::Display, Value)>,
+) -> fmt::Result {
+    for (at, (key, value)) in all.enumerate() {
+        let separator = if at == 0 { "{" } else { "," };
+        write!(out, "{separator} {key} = {value}")?;
     }
-    out.write_str("]")
+    out.write_str(" }")
 }
 
 fn pace_part(out: &mut fmt::Formatter<'_>, part: &PacePart) -> fmt::Result {

@@ -3,6 +3,8 @@
 //! Only what was entered is pending: the rest follows the document. So a point that is dragged
 //! while the window is open shows its new place, and applying changes only what was entered.
 
+use glam::DVec3;
+
 use crate::document::{At, Document, Edit, Selection, no_longer_ahead};
 use crate::limits::PRESETS;
 use crate::path::{CurveParameters, Orientation, SupportPoint, Target, Tcb};
@@ -131,8 +133,12 @@ impl Pending {
             orientation: number,
         } = document.selection();
         let mut edits = Vec::new();
-        for (preset, tcb) in self.presets.iter().enumerate() {
-            edits.extend(tcb.map(|tcb| Edit::SetPreset { preset, tcb }));
+        if self.presets.iter().any(Option::is_some) {
+            let mut presets = document.path().presets;
+            for (preset, pending) in presets.iter_mut().zip(self.presets) {
+                *preset = pending.unwrap_or(*preset);
+            }
+            edits.push(Edit::set(At::Path, "presets", presets));
         }
         if self.shapes() {
             edits.push(match self.choice(document) {
@@ -160,7 +166,7 @@ impl Pending {
             edits.push(Edit::set(
                 At::Point(at),
                 "position",
-                self.position(document).into(),
+                DVec3::from(self.position(document)),
             ));
         }
         if turns {

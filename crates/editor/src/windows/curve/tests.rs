@@ -1,5 +1,6 @@
 //! The curve window (thesis A.4.1).
 
+use crate::document::At;
 use crate::path::{CameraPath, CurveParameters, Tcb};
 use crate::screenshots::screenshot;
 use crate::tests::*;

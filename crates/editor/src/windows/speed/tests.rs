@@ -5,6 +5,7 @@ use egui::{Pos2, vec2};
 use egui_kittest::kittest::NodeT;
 
 use super::pace_tests::{choose, drag_handle, frames, handle};
+use crate::document::At;
 use crate::screenshots::screenshot;
 use crate::tests::*;
 
