@@ -75,7 +75,7 @@
 mod ffi;
 
 pub use glam;
-pub use vides_document::{self as document, Error, Result, error};
+pub use vides_document::{self as document, Error, Result, error, properties};
 pub use vides_engine::{deform, limits, math, path, property, scene, tools};
 #[cfg(feature = "formats")]
 pub use vides_formats as formats;

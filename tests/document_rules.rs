@@ -388,7 +388,7 @@ fn what_is_not_there_is_named() {
     for edit in [
         Edit::RemovePoint { at: 2 },
         Edit::set(At::Point(2), "position", DVec3::ZERO),
-        Edit::set(At::Point(2), "name", None),
+        Edit::set(At::Point(2), "name", String::new()),
         Edit::set(At::Point(2), "own", Tcb::default()),
         Edit::set(At::Point(2), "preset", 0),
         Edit::InsertOrientation {

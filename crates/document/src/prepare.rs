@@ -6,6 +6,7 @@ use super::change::{Change, State, count_orientations};
 use super::edit::{At, Edit};
 use super::edited_scene::{self, EditedScene, Pins};
 use super::editing::Selection;
+use super::info::Info;
 use super::place;
 use super::target;
 use crate::error::{
@@ -30,6 +31,15 @@ pub(super) type Prepared = (Change, Option<Selection>);
 
 pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
     let path = &state.path;
+    if let Edit::Set {
+        place: At::Path,
+        property,
+        value,
+    } = &edit
+        && find(Info::PROPERTIES, property).is_some()
+    {
+        return Ok((set_info(state, property, value.clone())?, None));
+    }
     let none_edited = matches!(&state.edited_scene, Some(edited) if edited.node().is_none());
     let needs_path = !matches!(
         edit,
@@ -250,6 +260,16 @@ fn set(state: &State, place: At, property: &'static str, mut value: Value) -> Re
             view(path, point, at, new)
         }
     }
+}
+
+fn set_info(state: &State, property: &'static str, mut value: Value) -> Result<Change> {
+    let mut info = Box::new(state.info.try_clone()?);
+    let row = exchange(&mut *info, property, &mut value, &Info::NEW)?;
+    info.check(state.path.space)?;
+    Ok(match (row.same)(&info, &state.info) {
+        true => IDLE,
+        false => Change::Info(info),
+    })
 }
 
 /// Exchanges a property for a value; one that is not set is that of `new`.

@@ -113,11 +113,11 @@ impl Document {
                 };
                 read_value(key, &new_value, read).map_err(told)?;
                 let key = key.split('.').next().unwrap_or(key);
-                match find(CameraPath::PROPERTIES, key) {
-                    Some(row) => self.apply(Edit::set(At::Path, row.key(), (row.value)(&new))),
-                    None if info == *self.info() => Ok(()),
-                    None => self.apply(Edit::SetInfo(Box::new(info))),
-                }
+                let info = find(Info::PROPERTIES, key).map(|row| (row.key(), (row.value)(&info)));
+                let path = find(CameraPath::PROPERTIES, key);
+                let path = path.map(|row| (row.key(), (row.value)(&new)));
+                let (key, value) = info.or(path).unwrap_or((TEXTS[0], Value::Unset));
+                self.apply(Edit::set(At::Path, key, value))
             }
             Place::Point(at, key) => {
                 let mut new = prepare::point(path, at)?.clone();

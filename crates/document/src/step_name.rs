@@ -103,6 +103,8 @@ impl StepName {
                 "name" => Self::SetName,
                 "tangents" => Self::Tangents,
                 "curve" | "preset" | "own" | "presets" => Self::Curve,
+                "fps" => Self::Fps,
+                "title" | "comment" | "first_frame" => Self::Info,
                 "closed" => Self::Closed,
                 "orientation_mode" | "zoom_mode" => Self::Modes,
                 "base_speeds" => Self::BaseFrames,

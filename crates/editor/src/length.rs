@@ -227,7 +227,7 @@ mod tests {
             }
             act(&mut window, Action::Enter(Entry::End));
             assert_eq!(said(&window).as_deref(), Some(text));
-            let name = Edit::set(At::Point(0), "name", Some("A".into()));
+            let name = Edit::set(At::Point(0), "name", "A".to_owned());
             act(&mut window, Action::Edit(name));
             assert_eq!(said(&window), None);
             // Who types the length knows it.
