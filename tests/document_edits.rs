@@ -5,6 +5,7 @@ use glam::{DMat4, DQuat, DVec3};
 use proptest::prelude::*;
 use vides::deform::Deformation;
 use vides::document::{At, Document, Edit, Info, ObjectPoint, Selection, properties};
+use vides::error::ErrorKind;
 use vides::path::camera_path::DEFAULT_PRESETS;
 use vides::path::{
     BaseFrames, CameraPath, CurveParameters, Ease, EaseKind, Orientation, PacePart, PaceSource,
@@ -291,7 +292,10 @@ impl Raw {
                 from: 0.0,
                 to: x[3].abs(),
             }),
-            Kind::UpPath => UpPath::of(&self.path()).map_or(Value::Unset, Value::UpPath),
+            Kind::UpPath => match self.path() {
+                path if path.check().is_ok() => Value::UpPath(UpPath::of(&path).unwrap()),
+                _ => Value::Unset,
+            },
             Kind::Nested => Value::Unset,
         }
     }
@@ -303,8 +307,12 @@ impl Raw {
             let kind = [scene::Kind::Group, scene::Kind::Camera(Camera::default())][at % 2].clone();
             let mut node = Node::new(&format!("node {at}"), kind);
             if (self.b + at) % 3 > 0 {
-                let path = FollowPath::new(self.path(), 1.0 + self.b as f64, Extrapolation::Hold);
-                let _ = path.and_then(|path| node.set_path(Some(path)));
+                // As the document would have it, rolls and names included.
+                if let Ok(document) = Document::from_parts(self.path(), Info::default()) {
+                    let (path, start) = (document.into_parts().0, 1.0 + self.b as f64);
+                    let path = FollowPath::new(path, start, Extrapolation::Hold);
+                    let _ = path.and_then(|path| node.set_path(Some(path)));
+                }
             }
             let _ = scene.add(node);
         }
@@ -360,9 +368,8 @@ fn whole(document: &Document) -> String {
 }
 
 fn content(document: &Document) -> String {
-    let scene = document
-        .edited_scene()
-        .map(|edited| (edited.node(), document.scene().unwrap()));
+    let scene = document.edited_scene();
+    let scene = scene.map(|edited| (edited.node(), edited.scene()));
     format!("{:?} {:?} {scene:?}", document.path(), document.info())
 }
 
@@ -376,7 +383,15 @@ fn assert_sound(document: &Document) {
             assert!(orientation.roll > -180.0 && orientation.roll <= 180.0);
         }
     }
-    let text = document.to_toml().unwrap();
+    let text = match document.to_toml() {
+        Ok(text) => text,
+        // Where a node of a scene is too late, its path can have too many frames for it.
+        Err(error) => {
+            assert!(document.edited_scene().is_some(), "{error}");
+            assert_eq!(error.kind(), ErrorKind::Limit);
+            return;
+        }
+    };
     if document.edited_scene().is_some() {
         let loaded = Document::scene_from_toml(&text, "".as_ref());
         let (loaded, _) = loaded.unwrap_or_else(|error| panic!("{error} in\n{text}"));
@@ -543,11 +558,7 @@ proptest! {
             }
         }
         let middle = whole(&document);
-        let mut one_by_one = Document::from_parts(
-            document.path().clone(), document.info().clone(),
-        ).unwrap();
-        let at = document.selection();
-        one_by_one.select(at.point, at.orientation).unwrap();
+        let mut one_by_one = document.try_clone().unwrap();
         let possible = edits.iter().all(|edit| one_by_one.apply(edit.clone()).is_ok());
         prop_assert_eq!(document.apply_all(edits).is_ok(), possible);
         prop_assert_eq!(document.in_step(), part);
