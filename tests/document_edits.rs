@@ -368,8 +368,11 @@ fn whole(document: &Document) -> String {
 }
 
 fn content(document: &Document) -> String {
-    let scene = document.edited_scene();
-    let scene = scene.map(|edited| (edited.node(), edited.scene()));
+    let scene = document.edited_scene().map(|edited| {
+        let path = |node: &Node| node.path().map(|follow| format!("{:?}", follow.path()));
+        let nodes: Vec<_> = edited.scene().nodes().iter().map(path).collect();
+        (edited.node(), edited.scene().space(), nodes)
+    });
     format!("{:?} {:?} {scene:?}", document.path(), document.info())
 }
 

@@ -9,6 +9,7 @@ use super::status::{Answer, V_ERR_INTERNAL, V_OK};
 use super::types::V_PATH;
 use crate::document::{At, Document, Edit};
 use crate::error::OutOfRange;
+use crate::limits::PRESETS;
 use crate::path::camera_path::check_name;
 use crate::path::{CurveParameters, SupportPoint, Tcb};
 
@@ -206,6 +207,9 @@ pub unsafe extern "C" fn v_path_set_tcb(
 pub unsafe extern "C" fn v_path_use_preset(path: *mut V_PATH, at: c_int, preset: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
         let (at, preset) = (index(at, "at")?, index(preset, "preset")?);
+        if preset >= PRESETS {
+            return Err(OutOfRange::NoPreset(preset).into());
+        }
         edit(path, Edit::set(At::Point(at), "preset", preset))
     })
 }

@@ -29,6 +29,7 @@ mod property;
 mod remedy;
 pub mod save;
 mod scene;
+mod set;
 mod step_name;
 mod target;
 pub mod tool;

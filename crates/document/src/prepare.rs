@@ -8,6 +8,7 @@ use super::edited_scene::{self, EditedScene, Pins};
 use super::editing::Selection;
 use super::info::Info;
 use super::place;
+use super::set;
 use super::target;
 use crate::error::{
     End, Error, OutOfRange, Place, Refused, Result, TooMany, can_allocate, vec_with_room,
@@ -17,13 +18,10 @@ use crate::math::orientation::wrap_degrees;
 use crate::path::fit_frames::{Fixed, fit_frames};
 use crate::path::insertion::{self, Insertion};
 use crate::path::space::Move;
-use crate::path::{
-    CameraPath, Orientation, OrientationOverrides, Pace, Plan, Space, SupportPoint, Target,
-    Timeline,
-};
+use crate::path::{CameraPath, Orientation, Pace, Plan, Space, SupportPoint, Target, Timeline};
 use crate::path::{ahead, change_up};
 use crate::tools::{block, transform};
-use vides_engine::property::{Property, Table, Value, find};
+use vides_engine::property::find;
 use vides_engine::scene::pins::pinned;
 
 /// The record of an edit, and the selection it sets, if any.
@@ -38,7 +36,7 @@ pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
     } = &edit
         && find(Info::PROPERTIES, property).is_some()
     {
-        return Ok((set_info(state, property, value.clone())?, None));
+        return Ok((set::set_info(state, property, value.clone())?, None));
     }
     let none_edited = matches!(&state.edited_scene, Some(edited) if edited.node().is_none());
     let needs_path = !matches!(
@@ -100,7 +98,7 @@ pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
             place,
             property,
             value,
-        } => set(state, place, property, value)?,
+        } => set::set(state, place, property, value)?,
         Edit::InsertOrientation {
             point,
             at,
@@ -207,112 +205,10 @@ pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
 }
 
 /// The record of what changes nothing.
-const IDLE: Change = Change::Several(Vec::new());
-
-/// The record of setting a property.
-fn set(state: &State, place: At, property: &'static str, mut value: Value) -> Result<Change> {
-    let path = &state.path;
-    if value == Value::Text(String::new()) {
-        value = Value::Unset;
-    }
-    match place {
-        At::Path => {
-            let points = Vec::new();
-            let own = CameraPath { points, ..*path };
-            let row = record(path, own, property, &mut value, path.space)?;
-            Ok(row.map_or(IDLE, |row| Change::OfPath(row, value)))
-        }
-        At::Point(at) => {
-            let there = point(path, at)?;
-            match (property, &value) {
-                ("position", Value::Place(position)) => {
-                    check_position(there, at, *position, path.space)?;
-                }
-                ("preset", Value::Whole(preset)) => check_preset(*preset)?,
-                _ => {}
-            }
-            let (name, orientations) = (None, Vec::new());
-            let own = SupportPoint {
-                name,
-                orientations,
-                ..*there
-            };
-            let row = record(there, own, property, &mut value, path.space);
-            let row = row.map_err(|error| match property {
-                "name" => error.at(Place::Name),
-                _ => error,
-            })?;
-            Ok(row.map_or(IDLE, |row| Change::OfPoint(at, row, value)))
-        }
-        At::View(point, at) => {
-            let mut new = orientation(path, point, at)?.clone();
-            if find(OrientationOverrides::PROPERTIES, property).is_some() {
-                let mut own = OrientationOverrides::clone(&new.own);
-                exchange(&mut own, property, &mut value, &OrientationOverrides::NEW)?;
-                new.own = new.own.with(|there| *there = own)?;
-            } else {
-                let fresh = Orientation::new_in(path.space);
-                let row = exchange(&mut new, property, &mut value, &fresh)?;
-                if row.key() == "target" {
-                    new.own = new.own.with(|own| own.ahead = None)?;
-                }
-            }
-            view(path, point, at, new)
-        }
-    }
-}
-
-fn set_info(state: &State, property: &'static str, mut value: Value) -> Result<Change> {
-    let mut info = Box::new(state.info.try_clone()?);
-    let row = exchange(&mut *info, property, &mut value, &Info::NEW)?;
-    info.check(state.path.space)?;
-    Ok(match (row.same)(&info, &state.info) {
-        true => IDLE,
-        false => Change::Info(info),
-    })
-}
-
-/// Exchanges a property for a value; one that is not set is that of `new`.
-fn exchange<T: Table>(
-    of: &mut T,
-    property: &'static str,
-    value: &mut Value,
-    new: &T,
-) -> Result<&'static Property<T>> {
-    let row = find(T::PROPERTIES, property).ok_or_else(|| Refused::NoProperty(property.into()))?;
-    if *value == Value::Unset {
-        *value = (row.value)(new);
-    }
-    match (row.exchange)(of, value) {
-        true => Ok(row),
-        false => Err(Refused::NotOfKind(property, row.kind(property)).into()),
-    }
-}
-
-/// The row by which what is there gets a checked value, `own` being a copy of it; none if it has it.
-fn record<T: Table>(
-    there: &T,
-    mut own: T,
-    property: &'static str,
-    value: &mut Value,
-    space: Space,
-) -> Result<Option<&'static Property<T>>> {
-    let row = exchange(&mut own, property, value, &T::NEW)?;
-    (row.check)(&own, space)?;
-    let same = (row.same)(&own, there);
-    (row.exchange)(&mut own, value);
-    Ok((!same).then_some(row))
-}
-
-fn check_preset(preset: i64) -> Result<()> {
-    match usize::try_from(preset) {
-        Ok(preset) if preset < limits::PRESETS => Ok(()),
-        other => Err(OutOfRange::NoPreset(other.unwrap_or(usize::MAX)).into()),
-    }
-}
+pub(super) const IDLE: Change = Change::Several(Vec::new());
 
 /// The record of setting all values of an orientation.
-fn view(path: &CameraPath, point: usize, at: usize, new: Orientation) -> Result<Change> {
+pub(super) fn view(path: &CameraPath, point: usize, at: usize, new: Orientation) -> Result<Change> {
     let old = orientation(path, point, at)?;
     let new = checked(new, path.points[point].position, path.space)?;
     let orientation = without_the_outdated(old, new)?;
@@ -620,7 +516,12 @@ fn checked(mut orientation: Orientation, position: DVec3, space: Space) -> Resul
     Ok(orientation)
 }
 
-fn check_position(point: &SupportPoint, at: usize, position: DVec3, space: Space) -> Result<()> {
+pub(super) fn check_position(
+    point: &SupportPoint,
+    at: usize,
+    position: DVec3,
+    space: Space,
+) -> Result<()> {
     space.check_place(position)?;
     for (index, orientation) in point.orientations.iter().enumerate() {
         if orientation.target == Target::Absolute(position) {
