@@ -6,10 +6,11 @@ use vides_engine::property::{Kind, Listed, Owner, Table, Value, find, list};
 
 use crate::edit::{At, Edit};
 use crate::editing::{Document, Selection};
-use crate::error::{EngineError, Error, Malformed, Refused, Result};
+use crate::error::{EngineError, Error, Malformed, Result};
 use crate::info::{Info, Object};
 use crate::path::{CameraPath, Orientation, OrientationOverrides, SupportPoint};
 use crate::prepare;
+use crate::set::{keys, no_property};
 use crate::vid::{self, PATH_KEYS, point_keys, quoted, view_keys};
 
 /// What is known of all properties, key by key in the order of files.
@@ -41,7 +42,7 @@ fn full(mut known: impl Iterator<Item = &'static str>, key: &str) -> Option<&'st
 }
 
 fn place(name: &str) -> Result<Place<'_>> {
-    let none = || Error::from(Refused::NoProperty((&name.escape_debug()).into()));
+    let none = || no_property(name, point_keys().chain(view_keys()));
     let number = |text: &str| match text.parse::<usize>() {
         Ok(number) => number.checked_sub(1),
         Err(_) => None,
@@ -50,7 +51,10 @@ fn place(name: &str) -> Result<Place<'_>> {
         let key = name.split('.').next().unwrap_or(name);
         return match PATH_KEYS.contains(&key) {
             true => Ok(Place::Path(name)),
-            false => Err(none()),
+            false => Err(no_property(
+                name,
+                PATH_KEYS.iter().copied().chain(["point.N."]),
+            )),
         };
     };
     let (point, key) = rest.split_once('.').ok_or_else(none)?;
@@ -208,7 +212,7 @@ fn view_of(view: &Orientation, key: &str) -> (Kind, Value) {
 fn read_value<T: Table>(key: &str, value: &str, of: &T) -> Result<(&'static str, Value)> {
     let first = key.split('.').next().unwrap_or(key);
     let row = find(T::PROPERTIES, first);
-    let row = row.ok_or_else(|| Refused::NoProperty((&key.escape_debug()).into()))?;
+    let row = row.ok_or_else(|| no_property(key, keys::<T>()))?;
     let known = row.keys.iter().find(|known| **known == first);
     let property = known.copied().unwrap_or(row.key());
     // A position has no value that it had when it was new.

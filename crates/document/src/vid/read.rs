@@ -19,7 +19,8 @@ use crate::path::{
     BaseFrames, CameraPath, Orientation, OrientationOverrides, Overrides, Space, SupportPoint, Tcb,
     space,
 };
-use vides_engine::property::{Property, Table, Value, find};
+use crate::set::keys;
+use vides_engine::property::{Table, Value, find};
 use vides_engine::scene::{Mesh, Scene};
 use vides_engine::tools::check::{FindingKind, Limits, OFF};
 
@@ -54,8 +55,7 @@ const REPEATED: [&str; 3] = ["point", "marker", "node"];
 
 /// The keys of a path, which in a scene belong to its nodes.
 fn of_path() -> impl Iterator<Item = &'static str> {
-    let rows = CameraPath::PROPERTIES.iter().flat_map(|row| row.keys);
-    rows.copied().chain(once("point"))
+    keys::<CameraPath>().chain(once("point"))
 }
 
 pub(crate) fn from_toml(text: &str) -> Result<(CameraPath, Info)> {
@@ -228,8 +228,7 @@ pub(super) fn read_setting<T: Table>(field: Field<'_>, of: &mut T) -> Result<boo
 pub(super) fn base_speeds(table: Field<'_>, speeds: &mut BaseFrames) -> Result<()> {
     for field in table.fields()? {
         if !read_setting(field, speeds)? {
-            let rows = BaseFrames::PROPERTIES.iter();
-            return Err(field.unknown(&rows.map(Property::key).collect::<Vec<_>>()));
+            return Err(field.unknown(&keys::<BaseFrames>().collect::<Vec<_>>()));
         }
     }
     Ok(())
@@ -432,19 +431,12 @@ fn read_view<'a>(
 
 /// The keys of an orientation.
 pub(crate) fn view_keys() -> impl Iterator<Item = &'static str> {
-    let views = Orientation::PROPERTIES.iter().flat_map(|row| row.keys);
-    let owned = OrientationOverrides::PROPERTIES
-        .iter()
-        .flat_map(|row| row.keys);
-    views.chain(owned).copied()
+    keys::<Orientation>().chain(keys::<OrientationOverrides>())
 }
 
 /// The keys of a point, but for its orientations.
 pub(crate) fn point_keys() -> impl Iterator<Item = &'static str> {
-    SupportPoint::PROPERTIES
-        .iter()
-        .flat_map(|row| row.keys)
-        .copied()
+    keys::<SupportPoint>()
 }
 
 /// The value that `key = value`, as it stands in a file, gives a property of `of`, but for its
