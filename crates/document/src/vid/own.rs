@@ -58,7 +58,9 @@ impl Rows {
         // An axis may stand beside a point or a path.
         if row.keys.len() > 1 && value != Value::Choice("axis") {
             let free = self.met.iter_mut().find(|met| met.is_none());
-            free.map(|free| *free = Some(row.key()));
+            if let Some(free) = free {
+                *free = Some(row.key());
+            }
         }
         (row.exchange)(into, &mut value);
         field.checked((row.check)(into, space))?;
