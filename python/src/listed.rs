@@ -3,8 +3,7 @@
 use pyo3::prelude::*;
 use vides::document::tool::{Needs, tools as all_tools};
 use vides::formats::{OPTIONS, formats as all_formats};
-use vides::path::{Orientation, OrientationOverrides};
-use vides::property::Property;
+use vides::property::Owner;
 use vides::tools::Unit;
 
 /// Name, title, endings, whether it is read, whether it is written.
@@ -73,25 +72,20 @@ type Row = (
     Option<(f64, f64)>,
 );
 
-fn rows<T>(table: &'static [Property<T>]) -> impl Iterator<Item = Row> {
-    table.iter().flat_map(|row| {
-        let one = |key: &&'static str| {
+/// The properties of an orientation, as the engine's table has them.
+#[pyfunction]
+pub(crate) fn keys() -> Vec<Row> {
+    let views = vides::properties().into_iter();
+    let views = views.filter(|row| row.owner == Owner::View);
+    views
+        .map(|row| {
             (
-                *key,
-                row.does.trim(),
+                row.key,
+                row.does,
                 row.kind.to_string(),
                 row.unit.name(),
                 row.range,
             )
-        };
-        row.keys.iter().map(one)
-    })
-}
-
-/// The properties of an orientation, as the engine's table has them.
-#[pyfunction]
-pub(crate) fn keys() -> Vec<Row> {
-    rows(Orientation::PROPERTIES)
-        .chain(rows(OrientationOverrides::PROPERTIES))
+        })
         .collect()
 }

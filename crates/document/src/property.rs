@@ -2,15 +2,28 @@
 //! `point.2.view.3.zoom` that of its third, `fps` that of the whole file. Keys are those of a
 //! `.vid` file, and need not have the unit at their end.
 
-use vides_engine::property::find;
+use vides_engine::property::{Kind, Listed, Owner, Table, Value, find, list};
 
+use crate::edit::{At, Edit};
 use crate::editing::{Document, Selection};
-use crate::error::{Error, Malformed, Refused, Result};
+use crate::error::{EngineError, Error, Malformed, Result};
 use crate::info::{Info, Object};
-use crate::path::{CameraPath, CurveParameters, Orientation, OrientationOverrides, Overrides};
+use crate::path::{CameraPath, Orientation, OrientationOverrides, SupportPoint};
 use crate::prepare;
-use crate::vid::{self, PATH_KEYS, POINT_KEYS, view_keys};
-use crate::{Edit, vid::quoted};
+use crate::set::{keys, no_property};
+use crate::vid::{self, PATH_KEYS, point_keys, quoted, view_keys};
+
+/// What is known of all properties, key by key in the order of files.
+#[must_use]
+pub fn properties() -> Vec<Listed> {
+    let mut all = Vec::new();
+    list(Owner::Path, &Info::NEW, &mut all);
+    list(Owner::Path, &CameraPath::NEW, &mut all);
+    list(Owner::Point, &SupportPoint::NEW, &mut all);
+    list(Owner::View, &Orientation::NEW, &mut all);
+    list(Owner::View, &OrientationOverrides::NEW, &mut all);
+    all
+}
 
 /// What a name leads to.
 enum Place<'a> {
@@ -18,25 +31,6 @@ enum Place<'a> {
     Point(usize, &'static str),
     View(Selection, &'static str),
 }
-
-/// Keys whose values are texts, which need no quotes in a value that is set.
-const TEXTS: [&str; 7] = [
-    "title",
-    "comment",
-    "name",
-    "curve",
-    "orientation_mode",
-    "zoom_mode",
-    "up",
-];
-
-/// What stands where a file says nothing.
-const UNSAID: [(&str, &str); 4] = [
-    ("title", "\"\""),
-    ("comment", "\"\""),
-    ("curve", "\"tcb\""),
-    ("up", "\"axis\""),
-];
 
 /// The key that is meant: itself, or that which has a unit besides.
 fn full(mut known: impl Iterator<Item = &'static str>, key: &str) -> Option<&'static str> {
@@ -48,7 +42,7 @@ fn full(mut known: impl Iterator<Item = &'static str>, key: &str) -> Option<&'st
 }
 
 fn place(name: &str) -> Result<Place<'_>> {
-    let none = || Error::from(Refused::NoProperty((&name.escape_debug()).into()));
+    let none = || no_property(name, point_keys().chain(view_keys()));
     let number = |text: &str| match text.parse::<usize>() {
         Ok(number) => number.checked_sub(1),
         Err(_) => None,
@@ -57,12 +51,15 @@ fn place(name: &str) -> Result<Place<'_>> {
         let key = name.split('.').next().unwrap_or(name);
         return match PATH_KEYS.contains(&key) {
             true => Ok(Place::Path(name)),
-            false => Err(none()),
+            false => Err(no_property(
+                name,
+                PATH_KEYS.iter().copied().chain(["point.N."]),
+            )),
         };
     };
     let (point, key) = rest.split_once('.').ok_or_else(none)?;
     let point = number(point).ok_or_else(none)?;
-    if let Some(key) = full(POINT_KEYS.into_iter(), key) {
+    if let Some(key) = full(point_keys(), key) {
         return Ok(Place::Point(point, key));
     }
     let (view, key) = match key.strip_prefix("view.").map(|view| view.split_once('.')) {
@@ -86,95 +83,41 @@ impl Document {
     /// `ErrorKind::Argument` or `Range` with the name and the reason; `ErrorKind::Memory`. The
     /// path is as it was then.
     pub fn set_property(&mut self, name: &str, value: &str) -> Result<()> {
-        let (place, value) = (place(name)?, value.trim());
+        let (place, path) = (place(name)?, self.path());
         let told = |error| match error {
             Error::Format { cause, .. } => Error::Property {
                 name: (&name).into(),
                 cause,
             },
+            Error::Engine(error) if !matches!(error, EngineError::Memory | EngineError::At(..)) => {
+                Error::Property {
+                    name: (&name).into(),
+                    cause: error.into(),
+                }
+            }
             other => other,
         };
-        let path = self.path();
-        match place {
-            Place::Path(key) => {
-                let mut info = self.info().clone();
-                let mut new = CameraPath {
-                    points: Vec::new(),
-                    ..*path
-                };
-                let read = |text: &str| vid::change_path(text, &mut new, &mut info);
-                let new_value = match value {
-                    "" => Self::new().property(key)?,
-                    given => given.to_owned(),
-                };
-                read_value(key, &new_value, read).map_err(told)?;
-                let presets = new.presets.into_iter().enumerate();
-                let presets = presets.map(|(preset, tcb)| Edit::SetPreset { preset, tcb });
-                let others = [
-                    Edit::SetClosed(new.closed),
-                    Edit::SetCurveKind(new.curve),
-                    Edit::SetModes(new.orientation_mode, new.zoom_mode),
-                    Edit::SetBaseFrames(new.base_frames),
-                ];
-                let told = (info != *self.info()).then(|| Edit::SetInfo(Box::new(info)));
-                self.apply_all(others.into_iter().chain(told).chain(presets))
+        let value = value.trim();
+        let (at, read) = match place {
+            Place::Path(key) if find(Info::PROPERTIES, key).is_some() => {
+                (At::Path, read_value(key, value, self.info()))
             }
+            Place::Path(key) => (At::Path, read_value(key, value, path)),
             Place::Point(at, key) => {
-                let mut new = prepare::point(path, at)?.clone();
-                // A position has no value that it had when it was new.
-                if value.is_empty() && key != "position" {
-                    match key {
-                        "name" => new.name = None,
-                        "tangents" => new.tangents = None,
-                        "preset" | "own" => new.curve = CurveParameters::Preset(0),
-                        _ => {}
-                    }
-                } else {
-                    let read = |text: &str| vid::change_point(text, &mut new, path.space);
-                    read_value(key, value, read).map_err(told)?;
-                }
-                self.apply(match (key, new.curve) {
-                    ("name", _) => Edit::SetName { at, name: new.name },
-                    ("tangents", _) => Edit::SetTangents {
-                        at,
-                        tangents: new.tangents,
-                    },
-                    ("position", _) => Edit::SetPosition {
-                        at,
-                        position: new.position,
-                    },
-                    (_, CurveParameters::Own(tcb)) => Edit::SetOwn { at, tcb },
-                    (_, CurveParameters::Preset(preset)) => Edit::UsePreset {
-                        at,
-                        preset: preset.into(),
-                    },
-                })
+                let point = prepare::point(path, at)?;
+                (At::Point(at), read_value(key, value, point))
             }
             Place::View(Selection { point, orientation }, key) => {
-                let position = prepare::point(path, point)?.position;
-                let mut new = prepare::orientation(path, point, orientation)?.clone();
-                if value.is_empty() {
-                    let fresh = Orientation::new_in(path.space);
-                    if let Some(row) = find(Orientation::PROPERTIES, key) {
-                        (row.take)(&mut new, &fresh);
-                    } else if let Some(row) = find(OrientationOverrides::PROPERTIES, key) {
-                        new.own = new.own.with(|own| (row.take)(own, &Overrides::NOTHING))?;
-                    }
-                } else {
-                    let read = |text: &str| vid::change_view(text, &mut new, position, path.space);
-                    read_value(key, value, read).map_err(told)?;
-                }
-                // Aiming at something ends looking along the path.
-                if matches!(key, "target" | "offset") {
-                    new.own = new.own.with(|own| own.ahead = None)?;
-                }
-                self.apply(Edit::SetOrientation {
-                    point,
-                    at: orientation,
-                    orientation: new,
-                })
+                let view = prepare::orientation(path, point, orientation)?;
+                let read = match find(Orientation::PROPERTIES, key) {
+                    Some(_) => read_value(key, value, view),
+                    None => read_value(key, value, &*view.own),
+                };
+                (At::View(point, orientation), read)
             }
-        }
+        };
+        let (property, value) = read.map_err(told)?;
+        self.apply(Edit::set(at, property, value)).map_err(told)
     }
 
     /// All properties by their full names, each with its value as it stands in a file; those that
@@ -220,55 +163,81 @@ impl Document {
     /// # Errors
     /// `ErrorKind::Range` if there is no such property; `ErrorKind::Memory`.
     pub fn property(&self, name: &str) -> Result<String> {
-        let (full, key) = match place(name)? {
-            Place::Path(key) => (key.to_owned(), key),
-            Place::Point(at, key) => {
-                prepare::point(self.path(), at)?;
-                (format!("point.{}.{key}", at + 1), key)
-            }
+        let path = self.path();
+        let (kind, value) = match place(name)? {
+            Place::Point(at, key) => of(prepare::point(path, at)?, key),
             Place::View(at, key) => {
-                let view = prepare::orientation(self.path(), at.point, at.orientation)?;
-                if let Some(value) =
-                    find(Orientation::PROPERTIES, key).and_then(|row| (row.value)(view))
-                {
-                    return Ok(value.to_string());
-                }
-                if let Some(value) = find(OrientationOverrides::PROPERTIES, key)
-                    .and_then(|row| (row.value)(&view.own))
-                {
-                    return Ok(value.to_string());
-                }
-                let (point, view) = (at.point + 1, at.orientation + 1);
-                (format!("point.{point}.view.{view}.{key}"), key)
+                let view = prepare::orientation(path, at.point, at.orientation)?;
+                view_of(view, key)
             }
+            Place::Path(key) => match key.split_once('.') {
+                Some(("base_speeds", key)) => of(&path.base_frames, key),
+                Some(("presets", number)) => {
+                    let preset = number
+                        .parse()
+                        .ok()
+                        .and_then(|at: usize| path.presets.get(at));
+                    (Kind::Shape, preset.copied().into())
+                }
+                _ if find(Info::PROPERTIES, key).is_some() => of(self.info(), key),
+                _ => of(path, key),
+            },
         };
-        let found = self
-            .properties()?
-            .into_iter()
-            .find(|(name, _)| *name == full);
-        let unsaid = || UNSAID.iter().find(|(known, _)| *known == key);
-        Ok(match found {
-            Some((_, value)) => value,
-            None => unsaid().map_or(String::new(), |(_, value)| (*value).to_owned()),
+        Ok(if kind.has(&value) {
+            value.to_string()
+        } else {
+            String::new()
         })
     }
 }
 
-/// Reads `key = value` as it stands in a file; what no value of a file is, is a text.
-fn read_value(key: &str, value: &str, mut read: impl FnMut(&str) -> Result<()>) -> Result<()> {
-    let as_text = format!("{key} = {}\n", quoted(value));
-    let is_text = TEXTS.contains(&key.rsplit('.').next().unwrap_or(key));
-    if is_text && !value.starts_with(['"', '\'', '{']) {
-        return read(&as_text);
+/// A property of what has a table, and of which kind it is under this key.
+fn of<T: Table>(has: &T, key: &str) -> (Kind, Value) {
+    let row = find(T::PROPERTIES, key);
+    row.map_or((Kind::Nested, Value::Unset), |row| {
+        (row.kind(key), (row.value)(has))
+    })
+}
+
+/// The same of a view, or of what it has of its own.
+fn view_of(view: &Orientation, key: &str) -> (Kind, Value) {
+    match find(Orientation::PROPERTIES, key) {
+        Some(_) => of(view, key),
+        None => of(&*view.own, key),
     }
-    // One line: more would be more keys.
-    match read(&format!("{key} = {}\n", value.replace(['\n', '\r'], " "))) {
-        Err(Error::Format {
-            cause: Malformed::Toml(_),
-            ..
-        }) => read(&as_text),
-        done => done,
+}
+
+/// Reads `key = value` as it stands in a file; what no value of a file is, is a text. Nothing is
+/// what a new one has.
+fn read_value<T: Table>(key: &str, value: &str, of: &T) -> Result<(&'static str, Value)> {
+    let first = key.split('.').next().unwrap_or(key);
+    let row = find(T::PROPERTIES, first);
+    let row = row.ok_or_else(|| no_property(key, keys::<T>()))?;
+    let known = row.keys.iter().find(|known| **known == first);
+    let property = known.copied().unwrap_or(row.key());
+    // A position has no value that it had when it was new.
+    if value.is_empty() && first == key && key != "position" {
+        return Ok((property, Value::Unset));
     }
+    let new = match value {
+        "" if first != key => Document::new().property(key)?,
+        given => given.replace(['\n', '\r'], " "),
+    };
+    let as_text = || vid::value_of(&format!("{key} = {}\n", quoted(value)), of);
+    let is_text = matches!(row.kind(first), Kind::Text | Kind::Choice(_));
+    let read = if is_text && !value.starts_with(['"', '\'', '{']) {
+        as_text()
+    } else {
+        // One line: more would be more keys.
+        match vid::value_of(&format!("{key} = {new}\n"), of) {
+            Err(Error::Format {
+                cause: Malformed::Toml(_),
+                ..
+            }) => as_text(),
+            done => done,
+        }
+    };
+    Ok((property, read?))
 }
 
 #[cfg(test)]

@@ -10,16 +10,19 @@ use super::up_vector::UpVector;
 use crate::error::{Error, Invalid, OutOfRange, Quantity, Result};
 use crate::limits;
 use crate::math::orientation;
+use crate::property::{SameBits, Stored, choices};
 
-/// The axis of the world that stands upright.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub enum Up {
-    /// y.
-    #[default]
-    Y,
-    /// z.
-    Z,
+choices! {
+    /// The axis of the world that stands upright.
+    #[derive(Hash)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+    pub enum Up {
+        /// y.
+        #[default]
+        Y = "y",
+        /// z.
+        Z = "z",
+    }
 }
 
 impl Up {
@@ -62,21 +65,6 @@ impl Up {
         orientation::roll_from_up(self.upright(view), self.upright(up))
     }
 
-    /// The axis of this name.
-    #[must_use]
-    pub fn named(name: &str) -> Option<Self> {
-        [Self::Y, Self::Z].into_iter().find(|up| up.name() == name)
-    }
-
-    /// "y" or "z".
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Y => "y",
-            Self::Z => "z",
-        }
-    }
-
     /// The number of the axis: y 1, z 2.
     #[must_use]
     pub const fn index(self) -> usize {
@@ -100,17 +88,27 @@ pub struct Space {
 }
 
 impl Default for Space {
-    /// The cube [−1, 1]³, y upright.
     fn default() -> Self {
-        Self {
-            centre: DVec3::ZERO,
-            half_size: 1.0,
-            up: Up::Y,
-        }
+        Self::NEW
     }
 }
 
+impl SameBits for Space {
+    fn same_bits(&self, other: &Self) -> bool {
+        self.centre.same_bits(&other.centre) && self == other
+    }
+}
+
+impl Stored for Space {}
+
 impl Space {
+    /// The cube [−1, 1]³, y upright.
+    pub const NEW: Self = Self {
+        centre: DVec3::ZERO,
+        half_size: 1.0,
+        up: Up::Y,
+    };
+
     /// Checks that centre and half size can be computed with.
     ///
     /// # Errors
