@@ -69,7 +69,7 @@ fn side_by_side_as_one_by_one() {
         assert!(packs >= if apart > 0.0 { 0 } else { 11 }, "{packs}");
         for frame in [0.0, 1.0, 5.3, 9.0, 30.0, 48.999, 49.0, 49.5, -3.0, 120.7] {
             let found = states(&packed, frame);
-            assert_eq!(found, states(&packed.clone(), frame), "at {frame}");
+            assert!(found == states(&packed.clone(), frame), "at {frame}");
             for (at, node) in packed.nodes().iter().enumerate() {
                 let mut values = node.rest;
                 node.keys()
