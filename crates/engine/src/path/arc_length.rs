@@ -26,6 +26,9 @@ const EVEN: f64 = 4.0;
 /// A Newton step below this is the last: on an even piece the error left is about its square.
 const SETTLED: f64 = 1e-8;
 
+/// Error of x of a good guess, that one of Newton's steps takes below rounding.
+const POLISHED: f64 = 1e-9;
+
 /// Vectors inverted side by side.
 const PAIR: usize = 2;
 
@@ -286,6 +289,11 @@ impl Piece {
         self.start / length
     }
 
+    /// Whether one of Newton's steps takes an error of the parameter below rounding.
+    pub(super) fn settles(&self, error: f64) -> bool {
+        self.even && error <= POLISHED * self.half
+    }
+
     /// x at the length `s` from the piece's start: Newton's method between bounds that close in.
     fn search(&self, s: f64) -> f64 {
         let (mut low, mut high) = (-1.0, 1.0);
@@ -402,17 +410,32 @@ fn newton<V: Vector>(
 
 /// One of Newton's steps, kept within the piece; gives the squares of the changes.
 #[inline(always)]
-fn step<V: Vector>(piece: &Piece, s: &[V; PAIR], at: &mut [V; PAIR]) -> [V; PAIR] {
+fn step<V: Vector, const U: usize>(piece: &Piece, s: &[V; U], at: &mut [V; U]) -> [V; U] {
     let (low, high) = (V::splat(-1.0), V::splat(1.0));
     let distance = horner_each(&piece.distance, at);
     let speed = horner_each(&piece.speed, at);
     let mut squares = *at;
-    for k in 0..PAIR {
+    for k in 0..U {
         let change = distance[k].sub(s[k]).div(speed[k]);
         at[k] = at[k].sub(change).max(low).min(high);
         squares[k] = change.mul(change);
     }
     squares
+}
+
+/// One of Newton's steps for parameters of a piece at `lengths` from the start of the curve.
+#[inline(always)]
+pub(super) fn polish<V: Vector, const U: usize>(
+    piece: &Piece,
+    lengths: &[V; U],
+    parameters: &mut [V; U],
+) {
+    let (middle, half) = (V::splat(piece.middle), V::splat(piece.half));
+    let larger = V::splat(1.0 / piece.half);
+    let s = lengths.map(|length| length.sub(V::splat(piece.start)));
+    let mut x = parameters.map(|t| t.sub(middle).mul(larger));
+    step(piece, &s, &mut x);
+    *parameters = x.map(|x| middle.add(half.mul(x)));
 }
 
 /// Which lanes need no further step, and whether none does.

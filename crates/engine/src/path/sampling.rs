@@ -1,6 +1,7 @@
 //! From a whole path to poses (thesis 5.2, 5.3, A.6.2; `docs/path.md`, speed and frames).
 
 use std::sync::OnceLock;
+use std::sync::atomic::AtomicBool;
 
 use super::ahead;
 use super::alignment::rolled;
@@ -96,6 +97,7 @@ impl<'a> Layout<'a> {
                 space: path.space,
                 zoom: [pose.zoom, 0.0, 0.0, 0.0],
                 tables: OnceLock::new(),
+                filled: AtomicBool::new(false),
             });
             number += section.frames;
         }

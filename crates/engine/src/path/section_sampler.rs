@@ -2,6 +2,7 @@
 //! length, arcs by sines. The fast way in [`super::fill`] is tested against it.
 
 use std::sync::OnceLock;
+use std::sync::atomic::AtomicBool;
 
 use glam::{DQuat, DVec3};
 
@@ -60,8 +61,10 @@ pub(super) struct SectionSampler {
     pub space: Space,
     /// Zoom in powers of φ.
     pub zoom: [f64; 4],
-    /// What fast sampling prepares once, if the section has many frames.
-    pub tables: OnceLock<Tables>,
+    /// What fast sampling prepares once, if the section has many frames or is filled again.
+    pub tables: OnceLock<Box<[Tables]>>,
+    /// Whether it has been filled before.
+    pub filled: AtomicBool,
 }
 
 impl SectionSampler {

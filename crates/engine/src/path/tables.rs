@@ -13,6 +13,9 @@ use crate::math::vector::Vector;
 /// Frames that a fitted piece must serve: about what its nodes cost.
 const WORTH: f64 = 32.0;
 
+/// The same for the curve's parameter, whose nodes cost as much as frames computed one by one.
+const WORTH_PLACE: f64 = 10.0;
+
 /// Share of the length that a fitted parameter may be wrong by.
 const PLACE_TOLERANCE: f64 = 2e-15;
 
@@ -26,6 +29,8 @@ pub(super) struct Fit<const COMPONENTS: usize> {
     pub end: f64,
     middle: f64,
     scale: f64,
+    /// The piece of the arc length whose Newton's step the value still needs.
+    pub polish: Option<usize>,
     pub powers: Option<[[f64; NODES]; COMPONENTS]>,
 }
 
@@ -57,20 +62,21 @@ impl Tables {
             _ => None,
         };
         #[allow(clippy::cast_precision_loss)]
-        let least = 0.5 * WORTH / section.frames as f64;
+        let frames = section.frames as f64;
         if let Some(way) = &section.way {
             arc_length::measure::<V>(&way.curve, &mut self.arc)?;
-            self.fit_place::<V>(way, least)?;
+            self.fit_place::<V>(way, frames)?;
         }
-        if section.turning.quaternion(0.0).is_some() {
-            self.fit_turning::<V>(&section.turning, least)?;
+        if section.turning.is_quaternion() {
+            self.fit_turning::<V>(&section.turning, 0.5 * WORTH / frames)?;
         }
         Ok(())
     }
 
     /// The inverse of the arc length is as smooth as the arc length, so its pieces are tried first.
     #[inline(always)]
-    fn fit_place<V: Vector>(&mut self, way: &ArcLengthCurve, least: f64) -> Result<()> {
+    fn fit_place<V: Vector>(&mut self, way: &ArcLengthCurve, frames: f64) -> Result<()> {
+        let (least, coarse) = (0.5 * WORTH_PLACE / frames, WORTH / frames);
         for index in 0..self.arc.len() {
             let start = self.arc[index].start_share(way.length);
             let end = match self.arc.get(index + 1) {
@@ -79,15 +85,19 @@ impl Tables {
             };
             let mut halving = Halving::new(start, end, least);
             while let Some((middle, half)) = halving.next() {
-                let mut powers = None;
+                let (mut powers, mut polish) = (None, None);
                 if half >= least {
-                    let fit = self.fit_parameter::<V>(way, middle, half);
-                    if fit.is_none() && halving.halve(middle, half) {
+                    let (fit, tail, error) = self.fit_parameter::<V>(way, middle, half);
+                    let piece = &self.arc[index];
+                    if error <= PLACE_TOLERANCE * way.length {
+                        powers = Some(fit);
+                    } else if half < coarse && piece.settles(tail) {
+                        (powers, polish) = (Some(fit), Some(index));
+                    } else if halving.halve(middle, half) {
                         continue;
                     }
-                    powers = fit;
                 }
-                push(&mut self.place, middle, half, powers)?;
+                push(&mut self.place, middle, half, powers, polish)?;
             }
         }
         // Rounding of the pieces' ends must not leave the last frame outside.
@@ -97,14 +107,14 @@ impl Tables {
         Ok(())
     }
 
-    /// The curve's parameter on a piece of φ, if one polynomial is enough.
+    /// The curve's parameter on a piece of φ as a polynomial, its error, and that as a length.
     #[inline(always)]
     fn fit_parameter<V: Vector>(
         &self,
         way: &ArcLengthCurve,
         middle: f64,
         half: f64,
-    ) -> Option<[[f64; NODES]; 1]> {
+    ) -> ([[f64; NODES]; 1], f64, f64) {
         let (mut s, mut t) = ([0.0; NODES], [0.0; NODES]);
         for k in 0..NODES {
             s[k] = (middle + half * chebyshev::POINTS[k]) * way.length;
@@ -115,8 +125,8 @@ impl Tables {
         for t in t {
             fastest = fastest.max(way.curve.derivative(t).length());
         }
-        let error = chebyshev::tail(&series) * fastest;
-        (error <= PLACE_TOLERANCE * way.length).then(|| [chebyshev::powers::<V>(&series)])
+        let tail = chebyshev::tail(&series);
+        ([chebyshev::powers::<V>(&series)], tail, tail * fastest)
     }
 
     #[inline(always)]
@@ -148,7 +158,7 @@ impl Tables {
                     powers = Some(fitted);
                 }
             }
-            push(&mut self.turn, middle, half, powers)?;
+            push(&mut self.turn, middle, half, powers, None)?;
         }
         Ok(())
     }
@@ -185,6 +195,7 @@ fn push<const C: usize>(
     middle: f64,
     half: f64,
     powers: Option<[[f64; NODES]; C]>,
+    polish: Option<usize>,
 ) -> Result<()> {
     // Direct pieces side by side are one.
     if let (None, Some(last)) = (&powers, fits.last_mut())
@@ -198,6 +209,7 @@ fn push<const C: usize>(
         end: middle + half,
         middle,
         scale: 1.0 / half,
+        polish,
         powers,
     });
     Ok(())
