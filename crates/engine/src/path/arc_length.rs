@@ -29,11 +29,12 @@ const SETTLED: f64 = 1e-8;
 /// Error of x of a good guess, that one of Newton's steps takes below rounding.
 const POLISHED: f64 = 1e-9;
 
-/// Vectors inverted side by side.
-const PAIR: usize = 2;
+/// Vectors inverted side by side: as many as keep the processor busy while each step waits for the
+/// one before it.
+const BESIDE: usize = 4;
 
-/// Room for the lanes of a pair of any vectors.
-const MAX_LANES: usize = 8;
+/// Room for the lanes of as many of any vectors.
+const MAX_LANES: usize = 16;
 
 /// A piece of the curve with its length as a polynomial in x ∈ [−1, 1].
 #[derive(Debug, Clone, Copy)]
@@ -353,7 +354,7 @@ pub(super) fn invert<V: Vector>(pieces: &[Piece], lengths: &[f64], parameters: &
 /// [`invert`] for lengths that all lie in one piece.
 #[inline(always)]
 fn invert_within<V: Vector>(piece: &Piece, lengths: &[f64], parameters: &mut [f64]) {
-    let lanes = PAIR * V::LANES;
+    let lanes = BESIDE * V::LANES;
     let mut from = 0;
     while from < lengths.len() {
         let count = lanes.min(lengths.len() - from);
@@ -378,7 +379,7 @@ fn invert_within<V: Vector>(piece: &Piece, lengths: &[f64], parameters: &mut [f6
     }
 }
 
-/// Newton's steps from a good guess, for a pair of vectors whose operations run beside each other;
+/// Newton's steps from a good guess, for vectors whose operations run beside each other;
 /// tells which lanes arrived. Two steps are the rule, a third serves only the lanes that need it,
 /// so that no lane depends on the others.
 #[inline(always)]
@@ -388,20 +389,20 @@ fn newton<V: Vector>(
     x: &mut [f64; MAX_LANES],
     arrived: &mut [bool; MAX_LANES],
 ) {
-    let s = [V::load(s), V::load(&s[V::LANES..])];
     let scale = V::splat(1.0 / piece.length);
-    let mut at = horner_each(&piece.guess, &[s[0].mul(scale), s[1].mul(scale)]);
+    let s = [0, 1, 2, 3].map(|k| V::load(&s[k * V::LANES..]));
+    let mut at = horner_each(&piece.guess, &s.map(|s| s.mul(scale)));
     step(piece, &s, &mut at);
     let second = step(piece, &s, &mut at);
-    store_pair(at, x);
+    store_all(at, x);
     if settled(second, arrived) {
         return;
     }
     let (mut third_x, mut third_arrived) = ([0.0; MAX_LANES], [false; MAX_LANES]);
     let third = step(piece, &s, &mut at);
-    store_pair(at, &mut third_x);
+    store_all(at, &mut third_x);
     settled(third, &mut third_arrived);
-    for k in 0..PAIR * V::LANES {
+    for k in 0..BESIDE * V::LANES {
         if !arrived[k] {
             (x[k], arrived[k]) = (third_x[k], third_arrived[k]);
         }
@@ -440,11 +441,11 @@ pub(super) fn polish<V: Vector, const U: usize>(
 
 /// Which lanes need no further step, and whether none does.
 #[inline(always)]
-fn settled<V: Vector>(squares: [V; PAIR], lanes: &mut [bool; MAX_LANES]) -> bool {
+fn settled<V: Vector>(squares: [V; BESIDE], lanes: &mut [bool; MAX_LANES]) -> bool {
     let mut values = [0.0; MAX_LANES];
-    store_pair(squares, &mut values);
+    store_all(squares, &mut values);
     let mut all = true;
-    for k in 0..PAIR * V::LANES {
+    for k in 0..BESIDE * V::LANES {
         lanes[k] = values[k] < SETTLED * SETTLED;
         all &= lanes[k];
     }
@@ -452,9 +453,10 @@ fn settled<V: Vector>(squares: [V; PAIR], lanes: &mut [bool; MAX_LANES]) -> bool
 }
 
 #[inline(always)]
-fn store_pair<V: Vector>(pair: [V; PAIR], to: &mut [f64; MAX_LANES]) {
-    pair[0].store(to);
-    pair[1].store(&mut to[V::LANES..]);
+fn store_all<V: Vector>(values: [V; BESIDE], to: &mut [f64; MAX_LANES]) {
+    for k in 0..BESIDE {
+        values[k].store(&mut to[k * V::LANES..]);
+    }
 }
 
 /// A cubic together with its arc length.

@@ -16,7 +16,7 @@ use super::speed_curve::{INTERVALS, SpeedCurve};
 use super::tables::{Fit, Tables, quaternions};
 use super::timing::Timing;
 use super::turning::{AT_TARGET, Turning};
-use crate::error::{Result, try_box};
+use crate::error::Result;
 use crate::math::orientation::POLE;
 use crate::math::vector::{Vector, horner, horner_each};
 
@@ -95,9 +95,8 @@ pub(super) fn fill<V: Vector>(
     let tables = match section.tables.get() {
         Some(tables) => &tables[0],
         None if section.frames >= KEEP || section.filled.swap(true, Ordering::Relaxed) => {
-            let mut tables = Tables::default();
-            tables.build::<V>(section)?;
-            let tables = try_box(tables)?;
+            scratch.tables.build::<V>(section)?;
+            let tables = scratch.tables.kept()?;
             &section.tables.get_or_init(|| tables)[0]
         }
         None => {

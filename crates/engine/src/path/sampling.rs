@@ -239,6 +239,7 @@ impl Sampler {
             let between = (section.start + section.frames - number).min(after.len());
             let (moved, after) = after.split_at_mut(between);
             if between > 0 {
+                SectionSampler::fetch(&self.sections[index + 1..]);
                 dispatch::fill(section, &mut scratch, number - section.start, moved)?;
             }
             number += between;

@@ -17,6 +17,7 @@ use crate::error::Result;
 use crate::math::monotone_cubic::{slope, value};
 use crate::math::orientation::quaternion_from_view;
 use crate::math::quaternion::{continue_sign, log};
+use crate::math::vector;
 
 /// Step in φ of the differences that give the turning, of the fourth order.
 const STEP: f64 = 1.0 / 4096.0;
@@ -129,6 +130,19 @@ impl SectionSampler {
         fingerprint.add(self.zoom);
         fingerprint.add([self.space.up.index() as f64, self.space.half_size]);
         fingerprint.0
+    }
+
+    /// Has the processor fetch what the next sections keep, while the one before them is filled:
+    /// tables of many sections are more than the caches hold. Of the second next it is what tells
+    /// where its tables are, of the next one, where that is there by then, the tables themselves.
+    pub(super) fn fetch(next: &[Self]) {
+        let kept = |at: usize| next.get(at)?.tables.get();
+        if let Some(tables) = kept(1) {
+            vector::fetch(tables);
+        }
+        if let Some(tables) = kept(0) {
+            tables[0].fetch();
+        }
     }
 
     /// φ at `u` = frame / frames: share of the way and of the curve time.

@@ -6,9 +6,9 @@ use super::arc_length::{self, Halving, Piece};
 use super::arcs::ShortBezier;
 use super::section_sampler::{ArcLengthCurve, SectionSampler};
 use super::turning::Turning;
-use crate::error::Result;
+use crate::error::{Result, vec_with_room};
 use crate::math::chebyshev::{self, NODES};
-use crate::math::vector::Vector;
+use crate::math::vector::{Vector, fetch};
 
 /// Frames that a fitted piece must serve: about what its nodes cost.
 const WORTH: f64 = 32.0;
@@ -71,6 +71,30 @@ impl Tables {
             self.fit_turning::<V>(&section.turning, 0.5 * WORTH / frames)?;
         }
         Ok(())
+    }
+
+    /// A copy in as little memory as it takes, all of it allocated in one go: on a path of many
+    /// sections the next one's tables lie behind, where the processor has begun to fetch them.
+    pub(super) fn kept(&self) -> Result<Box<[Self]>> {
+        fn copy<T: Copy>(from: &[T]) -> Result<Vec<T>> {
+            let mut copy = vec_with_room(from.len())?;
+            copy.extend_from_slice(from);
+            Ok(copy)
+        }
+        let mut kept = vec_with_room(1)?;
+        kept.push(Self {
+            arc: copy(&self.arc)?,
+            place: copy(&self.place)?,
+            turn: copy(&self.turn)?,
+            bezier: self.bezier,
+        });
+        Ok(kept.into_boxed_slice())
+    }
+
+    pub(super) fn fetch(&self) {
+        fetch(&self.arc);
+        fetch(&self.place);
+        fetch(&self.turn);
     }
 
     /// The inverse of the arc length is as smooth as the arc length, so its pieces are tried first.
