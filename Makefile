@@ -6,6 +6,8 @@
 #   make check       format, lints and Rust tests: what one runs while working
 #   make check-hosts the window beside hosts of many toolkits; large packages
 #   make check-formats what VIDES writes, read by Blender, ParaView and others; large packages
+#   make wheel       the Python package, in target/wheels
+#   make check-packages the Python package with several Pythons and much beside it; large packages
 #   make bench       speed, beside other libraries
 #   make soak        the random checks again, with many more cases, and fuzz
 #   make coverage    which share of the branches the tests take, by folder
@@ -14,6 +16,7 @@
 #   make threads     looks for races between threads
 #   make install     PREFIX=/usr/local DESTDIR=
 #   make uninstall   the same
+#   make deb         Debian packages, in target/deb
 #   make header      writes include/libvides.h anew
 #   make reference   pages of the C interface, target/reference: HTML and section 3
 #   make completions writes what shells complete, completions/, anew
@@ -67,10 +70,10 @@ X_TOOLS = python3=python3 Xvfb=xvfb xauth=xauth xdotool=xdotool xprop=x11-utils 
     xwd=x11-apps /usr/include/Xm/Xm.h=libmotif-dev
 LINT = -D warnings
 
-.PHONY: all libs demo test check bench soak soak-calls soak-x fuzz coverage miri threads install uninstall header completions reference clean side-by-side FORCE \
+.PHONY: all libs demo test check bench soak soak-calls soak-x fuzz coverage miri threads install uninstall deb check-deb header completions reference clean side-by-side FORCE \
 	toolchain check-format check-lints check-rust check-c check-linking \
 	check-calls check-x check-demo check-install check-docs check-dependencies \
-	check-hosts soak-hosts check-formats check-formats-small
+	check-hosts soak-hosts check-formats check-formats-small wheel check-python check-packages
 
 all: libs $(RELEASE)/vides
 
@@ -90,6 +93,12 @@ $(RELEASE)/libvides_archive.a $(RELEASE)/vides &: FORCE
 
 $(LIB)/libvides.a: $(RELEASE)/libvides_archive.a $(wildcard mk/*)
 	mk/libraries.sh $(RELEASE)/libvides_archive.a $(LIB) $(VERSION)
+
+# For CPython 3.10 and later.
+WHEELS = $(CARGO_TARGET_DIR)/wheels
+wheel: toolchain
+	@mk/need.sh python3=python3 python3:ensurepip=python3-venv
+	mk/wheel.sh $(TOOLS) $(WHEELS)
 
 header: toolchain
 	UPDATE_HEADER=1 $(CARGO) test --locked --all-features --test header
@@ -159,12 +168,13 @@ check: toolchain check-format check-lints check-rust
 # Beside what compiles runs what waits. The window from outside comes last and alone:
 # some of its checks look at the clock.
 side-by-side: check-lints all check-calls check-rust check-c \
-	check-linking check-demo check-install check-formats-small check-docs check-dependencies
+	check-linking check-demo check-install check-formats-small check-python check-docs check-dependencies
 
 check-format:
 	@command -v cargo-fmt >/dev/null || mk/component.sh rustfmt
 	$(CARGO) fmt --all --check
 	$(CARGO) fmt --check --manifest-path fuzz/Cargo.toml
+	$(CARGO) fmt --check --manifest-path python/Cargo.toml
 
 check-lints:
 	@command -v cargo-clippy >/dev/null || mk/component.sh clippy
@@ -223,6 +233,7 @@ check-docs:
 check-dependencies:
 	mk/deny.sh $(TOOLS) --locked check bans licenses sources
 	$(CARGO) metadata --locked --format-version 1 --manifest-path fuzz/Cargo.toml >/dev/null
+	mk/deny.sh $(TOOLS) --locked --manifest-path python/Cargo.toml --config deny.toml check bans licenses sources
 
 # Hosts of other toolkits. Their packages are large: not in `make test`.
 check-hosts: all
@@ -247,6 +258,17 @@ check-formats: all
 	@mk/need.sh chromium=chromium chromedriver=chromium-driver
 	tests/formats/install.sh $(FORMATS) large
 	tests/formats/run.sh $(FORMATS) $(RELEASE)/vides --large
+
+# The Python package: what is quick, and all.
+check-python: libs wheel
+	@mk/need.sh Xvfb=xvfb xdotool=xdotool
+	python/tests/run.sh $(WHEELS) $(CARGO_TARGET_DIR)/python $(LIB)/libvides.so.1
+
+check-packages: libs wheel
+	@mk/need.sh Xvfb=xvfb xdotool=xdotool
+	tests/formats/install.sh $(FORMATS) large
+	VIDES_FORMATS=$(abspath $(FORMATS)) \
+	    python/tests/run.sh $(WHEELS) $(CARGO_TARGET_DIR)/python $(LIB)/libvides.so.1 large
 
 bench: libs
 	@mk/need.sh python3=python3 python3:ensurepip=python3-venv
@@ -346,6 +368,21 @@ uninstall:
 	    file=$${shared%:*}; rm -f '$(DESTDIR)$(datadir)/'"$${shared#*:}/$${file##*/}"; \
 	done
 	@$(TELL)
+
+# ---- Packages -------------------------------------------------------------------
+
+DEB = $(CARGO_TARGET_DIR)/deb
+deb: toolchain
+	@mk/need.sh dh=debhelper dh_python3=dh-python python3:ensurepip=python3-venv
+	rm -rf $(DEB)
+	mkdir -p $(DEB)
+	CARGO_TARGET_DIR='$(abspath $(CARGO_TARGET_DIR))' DEBS='$(abspath $(DEB))' debian/rules binary
+	CARGO_TARGET_DIR='$(abspath $(CARGO_TARGET_DIR))' debian/rules clean
+
+# Installs them on this machine, and purges them again.
+check-deb: deb
+	@mk/need.sh lintian=lintian pkg-config=pkg-config cmake=cmake
+	tests/install/deb.sh $(DEB)
 
 clean:
 	$(CARGO) clean

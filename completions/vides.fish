@@ -65,7 +65,7 @@ complete -c vides -n "__fish_vides_using_subcommand set" -s o -l output -d 'Wher
 complete -c vides -n "__fish_vides_using_subcommand set" -s h -l help -d 'Print help'
 complete -c vides -n "__fish_vides_using_subcommand fit" -l tolerance -d 'How far a position may be from its pose' -r
 complete -c vides -n "__fish_vides_using_subcommand fit" -l angle -d 'How far view, up and field of view may be from theirs' -r
-complete -c vides -n "__fish_vides_using_subcommand fit" -l fps -d 'Frames in a second [default: the file\'s, else 25]' -r
+complete -c vides -n "__fish_vides_using_subcommand fit" -l fps -d 'Frames in a second [default: the file\'s, or as many as it has poses in one, else 25]' -r
 complete -c vides -n "__fish_vides_using_subcommand fit" -l object -d 'The object that is shown with the path: a mesh (.obj, .ply, .stl, .gltf, .glb), or the object of a .vid file' -r -F
 complete -c vides -n "__fish_vides_using_subcommand fit" -l up -d 'Which axis stands upright' -r -f -a "y\t''
 z\t''"
@@ -255,6 +255,7 @@ complete -c vides -n "__fish_vides_using_subcommand convert" -l interpolation -d
 complete -c vides -n "__fish_vides_using_subcommand convert" -l node -d 'The node of a scene that is written [default: the shown camera]' -r
 complete -c vides -n "__fish_vides_using_subcommand convert" -l frames -d 'The frames that are written, first and last, as people count them [default: all]' -r
 complete -c vides -n "__fish_vides_using_subcommand convert" -l fps -d 'Frames per second of what is written, in the same time; of a file that has none when it is read' -r
+complete -c vides -n "__fish_vides_using_subcommand convert" -l start -d 'The time of the first pose in files of the formats tum and osg [default: 0]' -r
 complete -c vides -n "__fish_vides_using_subcommand convert" -l size -d 'Width and height of the picture in pixels [default: 1920x1080]' -r
 complete -c vides -n "__fish_vides_using_subcommand convert" -l up -d 'The axis that stands upright in the file [default: as the format says]' -r
 complete -c vides -n "__fish_vides_using_subcommand convert" -l scale -d 'Lengths in the file for one of the path\'s [default: 1]' -r

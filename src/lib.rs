@@ -8,6 +8,7 @@
 //! |---|---|
 //! | – | the engine and the document |
 //! | `formats` | [`formats`]: files of other programs, out and in |
+//! | `plot` | [`plot`]: a path as a picture |
 //! | `window` | [`window`]: the editor in a window of its own |
 //! | `capi` | the functions of `include/libvides.h` |
 //! | `cli` | the command `vides` |
@@ -73,6 +74,8 @@
 
 #[cfg(feature = "capi")]
 mod ffi;
+#[cfg(feature = "plot")]
+pub mod plot;
 
 pub use glam;
 pub use vides_document::{self as document, Error, Result, error};

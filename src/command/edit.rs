@@ -10,5 +10,8 @@ pub(super) fn run(file: Option<&Path>, object: Option<&Path>) -> Result<(), Fail
             "the editor needs a file that it can save to, and not -".to_owned(),
         ));
     }
-    Ok(vides::window::edit(file, object)?)
+    vides::window::edit(file, object).map_err(|error| match (&error, file) {
+        (vides::window::Error::Document(_), Some(file)) => input::refused(file, &error),
+        _ => error.into(),
+    })
 }

@@ -27,7 +27,7 @@ pub(super) struct Arguments {
     /// How far view, up and field of view may be from theirs
     #[arg(long, value_name = "DEGREES", default_value_t = 0.5)]
     angle: f64,
-    /// Frames in a second [default: the file's, else 25]
+    /// Frames in a second [default: the file's, or as many as it has poses in one, else 25]
     #[arg(long, value_name = "NUMBER")]
     fps: Option<f64>,
     /// The object that is shown with the path: a mesh (.obj, .ply, .stl, .gltf, .glb),
@@ -114,7 +114,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     for loss in report.losses() {
         complain(&one_line(&format!("{name}: {loss}")));
     }
-    let fps = arguments.fps.or(recording.fps).unwrap_or(25.0);
+    let fps = arguments.fps.or(recording.rate()).unwrap_or(25.0);
     let Recording {
         poses,
         frames,

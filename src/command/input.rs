@@ -8,7 +8,7 @@ use std::path::Path;
 use vides::document::mesh::Format;
 use vides::document::{Document, Edit, Object, SceneDocument, load_object};
 use vides::error::reason;
-use vides::formats::Source;
+use vides::formats::{Source, formats};
 use vides::limits::MAX_FILE_BYTES;
 
 use super::{Failure, complain, one_line};
@@ -16,8 +16,23 @@ use super::{Failure, complain, one_line};
 pub(super) fn load(file: &Path) -> Result<Document, Failure> {
     match stream(file)? {
         Some(mut stream) => Ok(Document::load_from(&mut stream, &name(file))?),
-        None => Ok(Document::load(file)?),
+        None => Document::load(file).map_err(|error| refused(file, &error)),
     }
+}
+
+/// Why a file is not loaded; what helps where its name is that of another format.
+pub(super) fn refused(file: &Path, error: &dyn std::fmt::Display) -> Failure {
+    let mut others = formats().iter().map(|format| format.row());
+    let other = others.find(|row| row.reads && row.name != "vid" && row.is_named(file));
+    Failure::Input(match other {
+        Some(row) => format!(
+            "{0}: this is no .vid file but one of the format {1}: \"vides convert {0} OUT.vid\" \
+             makes one of it",
+            file.display(),
+            row.name
+        ),
+        None => error.to_string(),
+    })
 }
 
 /// A file of another program, or a folder of files.
@@ -53,7 +68,7 @@ pub(super) fn load_whole(file: &Path) -> Result<Document, Failure> {
     let name = name(file);
     let (document, warnings) = match stream(file)? {
         Some(mut stream) => Document::load_scene_from(&mut stream, &name)?,
-        None => Document::load_scene(file)?,
+        None => Document::load_scene(file).map_err(|error| refused(file, &error))?,
     };
     for warning in warnings {
         complain(&one_line(&format!("{name}: {warning}")));
@@ -94,7 +109,7 @@ pub(super) fn around(file: &Path) -> Result<Document, Failure> {
 pub(super) fn load_scene(file: &Path) -> Result<SceneDocument, Failure> {
     let document = match stream(file)? {
         Some(mut stream) => SceneDocument::load_from(&mut stream, &name(file))?,
-        None => SceneDocument::load(file)?,
+        None => SceneDocument::load(file).map_err(|error| refused(file, &error))?,
     };
     for warning in document.warnings() {
         complain(&one_line(&format!("{}: {warning}", name(file))));

@@ -21,6 +21,9 @@ pub(super) const DEFAULT_ZOOM: f64 = 24.0;
 /// Frames per second where neither file nor user says.
 pub(super) const DEFAULT_FPS: f64 = 25.0;
 
+/// Fewer poses in a second are not taken as frames.
+const SEEN_AS_MOTION: f64 = 12.0;
+
 /// What a file holds.
 #[derive(Debug)]
 pub enum Content {
@@ -77,6 +80,21 @@ impl Recording {
         Some(times.iter().map(|time| time / fps).collect())
     }
 
+    /// Frames per second: what the file says, else as many poses as it has in a second where they
+    /// are enough to be seen as motion.
+    #[must_use]
+    pub fn rate(&self) -> Option<f64> {
+        if self.fps.is_some() || self.frames.is_some() {
+            return self.fps;
+        }
+        let seconds = self.seconds.as_ref()?;
+        let mut steps: Vec<f64> = seconds.windows(2).map(|pair| pair[1] - pair[0]).collect();
+        let middle = steps.len().checked_sub(1)? / 2;
+        let (_, step, _) = steps.select_nth_unstable_by(middle, f64::total_cmp);
+        let rate = step.recip().round();
+        (SEEN_AS_MOTION..=MAX_FPS).contains(&rate).then_some(rate)
+    }
+
     /// The times of the poses in frames from the first, or none if there is one a frame.
     fn times(&self, fps: f64) -> Option<Vec<f64>> {
         let from_first = |times: &Vec<f64>, unit: f64| {
@@ -111,7 +129,8 @@ impl Recording {
         if self.poses.is_empty() {
             return Err(Place::Whole.wrong(Cause::Empty));
         }
-        let fps = rate(&[self.fps], options, DEFAULT_FPS, report);
+        let otherwise = self.rate().unwrap_or(DEFAULT_FPS);
+        let fps = rate(&[self.fps], options, otherwise, report);
         let times = self.times(fps);
         if let Some(times) = &times
             && !times.is_sorted_by(|a, b| a < b)
@@ -145,6 +164,14 @@ impl Recording {
             ..Info::default()
         };
         Ok(SceneDocument::new(scene, info)?)
+    }
+
+    /// Tells when the times begin, if not at once.
+    pub(super) fn tell_epoch(&self, report: &mut Report) {
+        let first = self.seconds.as_ref().and_then(|seconds| seconds.first());
+        if let (Some(&first), None) = (first.filter(|first| **first != 0.0), &self.frames) {
+            report.add(Loss::Epoch(first));
+        }
     }
 
     /// Tells where the seconds of poses are not those of their frames, which count.
@@ -290,7 +317,7 @@ pub(super) fn rate(
 ) -> f64 {
     let sane = |fps: &f64| *fps > 0.0 && *fps <= MAX_FPS;
     let said = said.iter().copied().flatten();
-    report.not_taken("the rate", said.clone().filter(|fps| !sane(fps)).count());
+    report.count(said.clone().filter(|fps| !sane(fps)).count(), Loss::Rates);
     let mut known = said.chain(options.fps).filter(sane);
     known.next().unwrap_or(otherwise)
 }
@@ -318,8 +345,12 @@ pub(super) fn shortened(text: &str) -> String {
     text[..end].to_owned()
 }
 
-/// How far a path is at most from poses at their times: a length, and an angle in degrees.
-fn missed(path: &CameraPath, poses: &[Pose], times: Option<&[f64]>) -> Result<(f64, f64)> {
+/// How far a path is at most from poses at their times in frames from the first, or a pose a frame:
+/// a length, and an angle in degrees.
+///
+/// # Errors
+/// Those of sampling.
+pub fn missed(path: &CameraPath, poses: &[Pose], times: Option<&[f64]>) -> Result<(f64, f64)> {
     let plan = Plan::new();
     let sampler = plan.sampler(path)?;
     let last = sampler.frame_count() as f64;

@@ -120,6 +120,9 @@ pub fn read(
             None => recognised(source)?,
         };
         let content = format.read(source, options, report)?;
+        if let Content::Poses(recording) = &content {
+            recording.tell_epoch(report);
+        }
         Ok((format.row().name, content))
     };
     whole().map_err(|error: Error| error.at(&source.name))

@@ -3,7 +3,7 @@
 
 use std::io::Write;
 
-use glam::DMat4;
+use glam::{DMat4, DVec4};
 
 use super::blocks;
 use super::content::{Content, DEFAULT_ZOOM, Recording};
@@ -54,15 +54,19 @@ impl Format for Json {
         };
         if let Some(states) = root.get("states") {
             report.add(Loss::FieldOfView);
-            let mut hidden = 0;
+            let (mut hidden, mut sized) = (0, 0);
             for state in states.list()? {
                 let visible = state.get("visible").and_then(|at| at.value.as_bool());
                 hidden += usize::from(visible == Some(false));
                 let at = state.need("matrix")?;
                 let matrix = DMat4::from_cols_array(&at.numbers()?);
+                let unit = |column: DVec4| (column.length() - 1.0).abs() <= 1e-9;
+                let axes = [matrix.x_axis, matrix.y_axis, matrix.z_axis];
+                sized += usize::from(!axes.into_iter().all(unit));
                 recording.push(at.pose(matrix, CameraAxes::Vides, DEFAULT_ZOOM)?)?;
             }
             report.not_taken("visible", hidden);
+            report.count(sized, Loss::Sizes);
             return Ok(Content::Poses(recording));
         }
         for pose in root.need("poses")?.list()? {

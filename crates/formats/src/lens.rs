@@ -62,6 +62,6 @@ impl Lenses {
         report.count(self.clamped, Loss::FieldsClamped);
         report.count(self.off_centre, Loss::OffCentre);
         report.count(self.distorted, Loss::Distortion);
-        report.not_taken("the width of pixels that are not square", self.oblong);
+        report.count(self.oblong, Loss::Oblong);
     }
 }

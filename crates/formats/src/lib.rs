@@ -36,6 +36,7 @@ mod osg;
 mod rows;
 mod script;
 mod source;
+mod space;
 mod transforms;
 mod tree;
 mod tum;
@@ -44,7 +45,7 @@ mod vid;
 
 pub use ascii::{MAX_DECIMALS, write_ascii, write_ascii_file};
 pub use blocks::Progress;
-pub use content::{Content, Recording};
+pub use content::{Content, Recording, missed};
 pub use doors::{Imported, export, export_to, import, losses, read, recording};
 pub use error::{Cause, Error, Place, Result, Wanted};
 pub use flight::Flight;

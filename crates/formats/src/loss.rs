@@ -4,6 +4,8 @@ use std::fmt;
 
 use vides_document::error::Text;
 
+use crate::limits::MAX_FPS;
+
 /// Something that is lost on the way, or worth a word.
 #[derive(Debug, Clone, PartialEq)]
 #[allow(missing_docs)]
@@ -66,6 +68,28 @@ pub enum Loss {
     },
     /// The file has this axis upright, and what it is put into another one.
     Upright(&'static str),
+    /// The times begin at so many seconds, and count from 0 here.
+    Epoch(f64),
+    /// Rates beyond the range.
+    Rates(usize),
+    /// Markers.
+    Markers(usize),
+    /// Colours of points.
+    PointColours,
+    /// Tracks of colours.
+    ColourTracks(usize),
+    /// Textures.
+    Textures(usize),
+    /// Cameras without perspective, taken as with it.
+    Orthographic(usize),
+    /// Pictures whose pixels are not square: the height counts.
+    Oblong(usize),
+    /// Scenes beside the first.
+    OtherScenes(usize),
+    /// Tracks of properties that nodes here do not have.
+    OtherTracks(usize),
+    /// Sizes of nodes whose matrices scale, in so many frames.
+    Sizes(usize),
     /// Anything else that is not taken, by its name in the file.
     NotTaken { what: Text, count: usize },
 }
@@ -78,10 +102,14 @@ impl fmt::Display for Loss {
             Self::OtherCameras(n) => write!(f, "{n} other camera{} left out", several(n)),
             Self::Object => write!(f, "the object is left out"),
             Self::Path => write!(f, "points, speeds and holds become poses, one a frame"),
-            Self::Aims(n) => write!(f, "{n} aim{} become rotations, one a frame", several(n)),
+            Self::Aims(n) => write!(
+                f,
+                "{n} aim{} turned into rotations, one a frame",
+                several(n)
+            ),
             Self::Interpolations(n) => write!(
                 f,
-                "{n} track{} of an interpolation that the format lacks become a key a frame",
+                "{n} track{} of an interpolation that the format lacks turned into a key a frame",
                 several(n)
             ),
             Self::Deformations(n) => {
@@ -156,6 +184,41 @@ impl fmt::Display for Loss {
             Self::Upright(axis) => {
                 write!(f, "the file has {axis} upright, and this document has not")
             }
+            Self::Epoch(start) => {
+                write!(f, "the times begin at {start} s: they count from 0 here")
+            }
+            Self::Rates(n) => write!(f, "{n} rate{} beyond 0 to {MAX_FPS} left out", several(n)),
+            Self::Markers(n) => write!(f, "{n} marker{} left out", several(n)),
+            Self::PointColours => write!(f, "the colours of points are left out"),
+            Self::ColourTracks(n) => {
+                write!(f, "{n} changing colour{} as at the first frame", several(n))
+            }
+            Self::Textures(n) => write!(f, "{n} texture{} left out", several(n)),
+            Self::Orthographic(n) => {
+                write!(
+                    f,
+                    "{n} camera{} without perspective, taken as with it",
+                    several(n)
+                )
+            }
+            Self::Oblong(n) => write!(
+                f,
+                "the width of {n} picture{} whose pixels are not square: their height counts",
+                several(n)
+            ),
+            Self::OtherScenes(n) => write!(f, "{n} other scene{} left out", several(n)),
+            Self::OtherTracks(n) => {
+                write!(
+                    f,
+                    "{n} animation{} of other properties left out",
+                    several(n)
+                )
+            }
+            Self::Sizes(n) => write!(
+                f,
+                "the scale in {n} matri{} left out",
+                if *n == 1 { "x" } else { "ces" }
+            ),
             Self::NotTaken { what, count } => write!(f, "{what} is not taken, {count} of it"),
         }
     }

@@ -22,6 +22,8 @@ pub struct Options {
     pub frames: Option<(f64, f64)>,
     /// Frames per second; none: those of the document, of a file that is read its own, else 25.
     pub fps: Option<f64>,
+    /// The time of the first pose in formats whose poses have times, in seconds.
+    pub start: f64,
     /// Width and height of a picture in pixels.
     pub size: [u32; 2],
     /// Which axis stands upright in the file; none: as the format says.
@@ -48,6 +50,7 @@ impl Default for Options {
             node: None,
             frames: None,
             fps: None,
+            start: 0.0,
             size: [1920, 1080],
             up: None,
             scale: 1.0,
@@ -117,6 +120,16 @@ pub const OPTIONS: &[OptionRow] = &[
         wanted: "a number greater than 0 and at most 100000",
         set: |options, text| {
             options.fps = Some(number(text).filter(|fps| *fps > 0.0 && *fps <= MAX_FPS)?);
+            Some(())
+        },
+    },
+    OptionRow {
+        name: "start",
+        value: "SECONDS",
+        help: "The time of the first pose in files of the formats tum and osg [default: 0]",
+        wanted: "a number of seconds",
+        set: |options, text| {
+            options.start = number(text)?;
             Some(())
         },
     },

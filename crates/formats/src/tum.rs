@@ -82,7 +82,9 @@ pub(super) fn write(
     report.add(Loss::FieldOfView);
     flight.write_poses(head.into(), out, |flight, text, index, pose| {
         let turn = convention::rotation(pose, axes).to_array();
-        let place = [flight.seconds(index)].into_iter().chain(pose.vrp);
+        let place = [flight.options().start + flight.seconds(index)]
+            .into_iter()
+            .chain(pose.vrp);
         rows::push(text, place.chain(turn), " ");
         text.push(b'\n');
     })

@@ -436,7 +436,7 @@ fn what_a_file_holds_and_is_not_taken_is_told() {
             "1 field of view beyond 0.69 to 170.5 degrees, clamped",
             "1 picture whose axis is off the centre: taken as in it",
             "the distortion of 1 camera is left out",
-            "the width of pixels that are not square is not taken, 1 of it",
+            "the width of 1 picture whose pixels are not square: their height counts",
             "there are no times: a pose is a frame",
         ]
     );
@@ -473,6 +473,40 @@ fn what_a_file_holds_and_is_not_taken_is_told() {
     // Its z axis is −y of the world, so it looks along y, z upright.
     assert!(poses[0].view().distance(DVec3::Y) < 1e-12 && poses[0].up().distance(DVec3::Z) < 1e-12);
     assert!((poses[0].zoom - 12.0).abs() < 1e-12);
+}
+
+/// Recorded times: how many poses there are in a second, and when they begin.
+#[test]
+fn times_of_a_recording_are_told_and_put_back() {
+    let line = |n: u32| {
+        let jitter = if n % 3 == 0 { 0.004 } else { 0.0 };
+        let time = 1_305_031_102.25 + f64::from(n) / 30.0 + jitter;
+        format!("{time:.4} {n} 0 0 0 0 0 1\n")
+    };
+    let text: String = (0..40).map(line).collect();
+    let source = Source::of_bytes("file", text.into());
+    let tum = by_name("tum").unwrap();
+    let read = import(&source, Some(tum), &options("as=keys")).unwrap();
+    assert_eq!(read.document.info.fps, 30.0);
+    let epoch = 1_305_031_102.254;
+    let losses = read.report.losses();
+    assert!(losses.contains(&Loss::Epoch(epoch)), "{losses:?}");
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("back.tum");
+    let start = options(&format!("start={epoch}"));
+    written(&read.document, "tum", &file, &start);
+    let back = std::fs::read_to_string(&file).unwrap();
+    let times: Vec<f64> = back
+        .lines()
+        .skip(1)
+        .map(|line| line.split(' ').next().unwrap().parse().unwrap())
+        .collect();
+    assert_eq!(times[0], epoch);
+    assert!((times[30] - epoch - 1.0).abs() < 1e-6);
+    // Keys of a viewer are no recording.
+    let sparse = Source::of_bytes("file", b"0 0 0 0 0 0 0 1\n4 1 0 0 0 0 0 1\n".to_vec());
+    let read = import(&sparse, Some(tum), &options("as=keys")).unwrap();
+    assert_eq!(read.document.info.fps, 25.0);
 }
 
 /// The keys of `camera_path.json` alone give the same places at their times.

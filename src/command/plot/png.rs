@@ -6,7 +6,7 @@ use egui::epaint::{PathShape, PathStroke};
 use egui::{Align2, Color32, FontData, FontDefinitions, FontId, Rect, Shape, pos2, vec2};
 use vides_raster::{Raster, Target, primitives};
 
-use super::svg::{Anchor, Form, Mark, Spot, Svg};
+use vides::plot::svg::{Anchor, Form, Mark, Spot, Svg};
 
 /// Pixels per pixel of the SVG.
 const FINE: f32 = 2.0;

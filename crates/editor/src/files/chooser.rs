@@ -7,7 +7,9 @@
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
-use egui::{Button, Context, Key, Label, Modifiers, RichText, ScrollArea, Sense, Ui, vec2};
+use egui::{
+    Align, Button, Context, Key, Label, Layout, Modifiers, RichText, ScrollArea, Sense, Ui, vec2,
+};
 
 use super::listing::{Folder, MAX_ENTRIES, fits, is_hidden};
 use super::naming::{described, filter_of, is_export, tidy, with_ending};
@@ -300,10 +302,12 @@ impl FileWindow {
         });
         ui.horizontal(|ui| {
             field(ui, texts.filter);
-            let (width, words) = (120.0, (texts.filter, texts.filter_hint));
-            theme::line_edit(ui, &mut self.filter, "files.filter", width, words);
-            ui.add_space(8.0);
-            theme::tick(ui, &mut self.hidden, texts.hidden).on_hover_text(texts.hidden_hint);
+            let layout = Layout::right_to_left(Align::Center);
+            ui.with_layout(layout, |ui| {
+                theme::tick(ui, &mut self.hidden, texts.hidden).on_hover_text(texts.hidden_hint);
+                let (width, words) = (ui.available_width(), (texts.filter, texts.filter_hint));
+                theme::line_edit(ui, &mut self.filter, "files.filter", width, words);
+            });
         });
         if self.purpose == Purpose::Export {
             ui.horizontal(|ui| {
@@ -355,7 +359,7 @@ impl FileWindow {
             current_text_value: Some(title_of(language, current).to_owned()),
             ..egui::WidgetInfo::labeled(egui::Role::ComboBox, true, texts.format)
         });
-        egui::Popup::menu(&open).show(|ui| {
+        egui::Popup::menu(&open).width(320.0).show(|ui| {
             // All of them, where the window is high enough.
             let room = ui.ctx().content_rect().height() - 40.0;
             ScrollArea::vertical().max_height(room).show(ui, |ui| {

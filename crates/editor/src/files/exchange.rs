@@ -79,7 +79,7 @@ impl Editor {
         })?;
         match content {
             Content::Poses(recording) => {
-                let fps = recording.fps.unwrap_or(self.document.info().fps);
+                let fps = recording.rate().unwrap_or(self.document.info().fps);
                 let seconds = recording.seconds_at(fps);
                 let up = self.document.path().space.up;
                 if let Some(other) = recording.up.filter(|other| *other != up) {

@@ -15,7 +15,7 @@ pub(super) fn described(language: Language, row: &formats::Row) -> String {
     let endings = row.endings.iter().map(|ending| format!("*.{ending}"));
     let files: Vec<_> = names.chain(endings).collect();
     match files.as_slice() {
-        [] => title.to_owned(),
+        [] => format!("{title} ({})", language.texts().files.folder),
         files => format!("{title} ({})", files.join(", ")),
     }
 }

@@ -112,6 +112,11 @@ fn row_of(
         .horizontal(|ui| {
             #[allow(clippy::cast_precision_loss)]
             ui.add_space(INDENT * level as f32);
+            // Readable, though nothing of it is edited here.
+            let name = match possible || chosen {
+                true => RichText::new(name),
+                false => RichText::new(name).color(theme::palette(ui).weak),
+            };
             let mut button = Button::selectable(chosen, name);
             if !kind.is_empty() {
                 let small = RichText::new(kind).size(11.0);
@@ -120,11 +125,11 @@ fn row_of(
             let button = button
                 .truncate()
                 .min_size(vec2(ui.available_width(), theme::ROW));
-            ui.add_enabled(possible, button)
+            ui.add(button)
         })
         .inner;
-    let clicked = response.clicked() && !chosen;
-    response.on_hover_text(hint).on_disabled_hover_text(hint);
+    let clicked = response.clicked() && !chosen && possible;
+    response.on_hover_text(hint);
     clicked.then_some(Action::EditNode(of.map(|(at, _)| at)))
 }
 

@@ -5,7 +5,7 @@ use super::{Language, fill, refusals};
 use crate::document::error::one_of;
 use crate::error::{EngineError, TooMany};
 use crate::formats::{Cause, Error, Loss, Place, Report, Row, Wanted};
-use crate::limits::MAX_FRAMES;
+use crate::limits::{MAX_FPS, MAX_FRAMES};
 use crate::state::Editor;
 
 /// Why a file could not be read or written, without its name.
@@ -141,6 +141,17 @@ german! {
             "es gelten die Zeiten der Bilder; nach den Sekunden wäre Pose {} bei {} s, nach ihrem Bild ist sie bei {} s",
             pose + 1, number(*seconds), number(*by_frame);
         Upright(axis) => "in der Datei steht {axis} senkrecht, in diesem Dokument nicht";
+        Epoch(start) => "die Zeiten beginnen bei {} s: hier zählen sie ab 0", number(*start);
+        Rates(count) => "Bildraten außerhalb von 0 bis {MAX_FPS} bleiben weg: {count}";
+        Markers(count) => "Marken bleiben weg: {count}";
+        PointColours => "die Farben von Punkten bleiben weg";
+        ColourTracks(count) => "Farben, die sich ändern, wie am Anfang: {count}";
+        Textures(count) => "Texturen bleiben weg: {count}";
+        Orthographic(count) => "Kameras ohne Perspektive, wie mit ihr: {count}";
+        Oblong(count) => "Bilder, deren Pixel nicht quadratisch sind: es gilt die Höhe: {count}";
+        OtherScenes(count) => "andere Szenen bleiben weg: {count}";
+        OtherTracks(count) => "Animationen anderer Eigenschaften bleiben weg: {count}";
+        Sizes(count) => "die Größe bleibt weg, Matrizen: {count}";
         NotTaken { what, count } => "{what} wird nicht übernommen: {count}";
     }
 }

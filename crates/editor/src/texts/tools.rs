@@ -15,6 +15,7 @@ texts! {
         cancel: "Cancel", "Abbrechen";
         cancel_hint: "Everything is as it was before", "Alles ist wieder wie vorher";
         result: "{0} points · {1} frames", "{0} Punkte · {1} Bilder";
+        missed: " · off by at most {0} and {1}°", " · höchstens {0} und {1}° daneben";
         draw_now: "Draw a line with the left button: in the space, or on the object in the camera's picture",
             "Mit der linken Taste eine Linie zeichnen: in den Raum, oder im Kamerabild auf das Objekt";
         only_path: "There is no path that is edited", "Es wird keine Bahn bearbeitet";

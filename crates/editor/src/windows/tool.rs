@@ -17,7 +17,9 @@ use crate::document::tool::{Cage, Needs, Tool, ToolInput};
 use crate::document::{Document, Selection, StepName};
 use crate::error::{EngineError, Error, OutOfRange, Result};
 use crate::files::Purpose;
+use crate::formats;
 use crate::number::{Entry, Number};
+use crate::path::Pose;
 use crate::state::Editor;
 use crate::texts::refusals::of_edit;
 use crate::texts::{Language, fill};
@@ -51,6 +53,8 @@ pub(crate) struct ToolWindow {
     drawn: Vec<(Pos2, DVec3)>,
     /// Points and frames of what is to be written to a file.
     written: Option<[usize; 2]>,
+    /// How far the path is from recorded poses: a length and degrees.
+    missed: Option<(f64, f64)>,
     /// Where the playhead stood.
     stood: (Option<f64>, Selection),
     fresh: bool,
@@ -194,7 +198,14 @@ impl ToolWindow {
             Ok([points, editor.document.sampler()?.frame_count()])
         };
         match self.written.map_or_else(of_path, Ok) {
-            Ok([points, frames]) => fill(editor.texts().tools.result, &[&points, &frames]),
+            Ok([points, frames]) => {
+                let texts = &editor.texts().tools;
+                let result = fill(texts.result, &[&points, &frames]);
+                self.missed.map_or(result.clone(), |(off, turned)| {
+                    let [off, turned] = [off, turned].map(|by| editor.language().number(by, 3));
+                    result + &fill(texts.missed, &[&off, &turned])
+                })
+            }
             Err(error) => of_edit(editor.language(), &error),
         }
     }
@@ -380,6 +391,16 @@ fn reason(language: Language, error: &Error) -> String {
     }
 }
 
+/// How far the path is from poses at their times in seconds.
+fn missed(document: &Document, poses: &[Pose], seconds: Option<&[f64]>) -> Option<(f64, f64)> {
+    let fps = document.info().fps;
+    let times: Option<Vec<f64>> = seconds.map(|seconds| {
+        let from_first = seconds.iter().map(|time| (time - seconds[0]) * fps);
+        from_first.collect()
+    });
+    formats::missed(document.path(), poses, times.as_deref()).ok()
+}
+
 impl Editor {
     /// Begins with a tool, or first asks for the file that it needs.
     pub(crate) fn open_tool(&mut self, tool: Tool) {
@@ -423,6 +444,7 @@ impl Editor {
             control: 0,
             drawn: Vec::new(),
             written: None,
+            missed: None,
             stood: (self.playing.frame(), self.document.selection()),
             fresh: true,
         });
@@ -485,6 +507,12 @@ impl Editor {
         window.applied = done.is_ok();
         window.written = match window.tool.needs() {
             Needs::Output if window.applied => window.to_write(document).ok(),
+            _ => None,
+        };
+        window.missed = match &window.material {
+            ToolInput::Poses(poses, seconds) if window.applied => {
+                missed(document, poses, seconds.as_deref())
+            }
             _ => None,
         };
         let language = self.language();

@@ -22,7 +22,7 @@ pub(super) struct Meshes {
     known: HashMap<(usize, usize), usize>,
     /// Materials that do not change, by the bits of their colour.
     colours: HashMap<[u32; 3], usize>,
-    pub(super) coloured_shapes: usize,
+    pub(super) coloured_shapes: bool,
 }
 
 fn scaled(points: impl Iterator<Item = DVec3>, count: usize, scale: f64) -> Result<Vec<f32>> {
@@ -60,7 +60,7 @@ impl Meshes {
             let moved = scaled(moved, mesh.points.len(), scale)?;
             targets.push(json!({"POSITION": binary.floats(&moved, 3, Use::Points)?}));
             names.push(shape.name.as_str().into());
-            self.coloured_shapes += usize::from(!shape.colours.is_empty());
+            self.coloured_shapes |= !shape.colours.is_empty();
         }
         let mut json = self.primitives(binary, mesh, scale, material, &targets)?;
         json["name"] = node.name.as_str().into();

@@ -14,7 +14,6 @@ mod meshes;
 mod motion;
 mod place;
 mod read;
-mod space;
 #[cfg(test)]
 mod tests;
 #[cfg(test)]

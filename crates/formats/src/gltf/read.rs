@@ -15,7 +15,7 @@ use vides_document::{Info, SceneDocument, mesh_source};
 use vides_engine::scene::{Kind, MeshSource, Node, Object, Scene, Shape};
 
 use super::motion::{self, Users};
-use super::{extensions, looks, space};
+use super::{extensions, looks};
 use crate::content::{DEFAULT_FPS, one_line, rate, shortened};
 use crate::convention;
 use crate::convention::HALF_TURN;
@@ -25,6 +25,7 @@ use crate::loss::{Loss, Report};
 use crate::names::Names;
 use crate::options::Options;
 use crate::source::Source;
+use crate::space;
 use crate::tree::At;
 
 /// How far a rotation may be from half a turn about y to be taken for it.
@@ -95,13 +96,13 @@ pub(super) fn read(
     report.count(reader.sheared, Loss::Sheared);
     report.count(reader.skins, Loss::Skins);
     report.count(reader.clamped, Loss::FieldsClamped);
-    report.not_taken("an orthographic projection", reader.flat);
+    report.count(reader.flat, Loss::Orthographic);
     let scenes = root
         .get("scenes")
         .map_or(Ok(0), |list| Ok::<_, Error>(list.list()?.len()))?;
     let textures = root.get("textures").and_then(|list| list.value.as_array());
-    report.not_taken("a texture", textures.map_or(0, Vec::len));
-    report.not_taken("another scene", scenes.saturating_sub(1));
+    report.count(textures.map_or(0, Vec::len), Loss::Textures);
+    report.count(scenes.saturating_sub(1), Loss::OtherScenes);
     let mut scene = Scene::from_nodes(reader.nodes).map_err(|(_, error)| error)?;
     let up = options.up.unwrap_or_default();
     let own = vides.and_then(|vides| {
@@ -116,7 +117,7 @@ pub(super) fn read(
     });
     let space = match own {
         Some(own) => own,
-        None => space::around(&scene, up)?,
+        None => space::around(&scene, std::iter::empty(), up)?,
     };
     scene.set_space(space)?;
     let text = |key| vides.and_then(|vides| vides.get(key)?.value.as_str());
@@ -515,7 +516,7 @@ impl<'a> Reader<'a> {
         };
         motion.animation(first)?;
         self.clamped += motion.clamped;
-        report.not_taken("the animation of another property", motion.left_out);
+        report.count(motion.left_out, Loss::OtherTracks);
         Ok(())
     }
 }

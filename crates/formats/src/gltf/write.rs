@@ -297,8 +297,10 @@ impl<'f, 'd> Writer<'f, 'd> {
         report.count(counts.deformations, Loss::Deformations);
         report.count(counts.host, Loss::HostChannels);
         report.count(counts.sheared, Loss::Sheared);
-        report.not_taken("a shape's colours", self.meshes.coloured_shapes);
-        report.not_taken("marker", self.flight.scene().markers().len());
+        if self.meshes.coloured_shapes {
+            report.add(Loss::PointColours);
+        }
+        report.count(self.flight.scene().markers().len(), Loss::Markers);
     }
 
     /// The JSON of the file without its buffers, and their bytes.

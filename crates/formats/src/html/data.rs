@@ -95,7 +95,7 @@ fn tell(flight: &Flight<'_>, report: &mut Report) {
     let hosts = tracks().filter(|track| matches!(track.channel(), Channel::Value { .. }));
     report.count(hosts.count(), Loss::HostChannels);
     let colours = tracks().filter(|track| *track.channel() == Channel::Colour);
-    report.not_taken("the change of a colour", colours.count());
+    report.count(colours.count(), Loss::ColourTracks);
     if nodes[flight.node()].aim.is_some() {
         report.add(Loss::Aims(1));
     }

@@ -110,13 +110,12 @@ fn push_object(text: &mut Vec<u8>, flight: &Flight<'_>, report: &mut Report) {
     }
     text.extend_from_slice(b"]\n},\n");
     let coloured = match object.mesh() {
-        Some(mesh) => mesh.colours.len(),
-        None => object
-            .lines()
-            .filter(|(_, colour)| colour.is_some())
-            .count(),
+        Some(mesh) => !mesh.colours.is_empty(),
+        None => object.lines().any(|(_, colour)| colour.is_some()),
     };
-    report.not_taken("colour of points", coloured);
+    if coloured {
+        report.add(Loss::PointColours);
+    }
 }
 
 fn push_rows<T: std::fmt::Debug>(text: &mut Vec<u8>, rows: impl IntoIterator<Item = T>) {

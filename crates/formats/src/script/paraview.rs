@@ -7,7 +7,7 @@ use vides_document::error::vec_with_room;
 use vides_engine::path::camera_path::Target;
 
 use crate::content::{Content, Recording};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::flight::Flight;
 use crate::format::{Format, Row};
 use crate::json::text;
@@ -21,6 +21,12 @@ const SCRIPT: &str = include_str!("for_paraview.py");
 
 /// How the file begins.
 const TITLE: &str = "\"\"\"A camera flight for ParaView";
+
+/// How the scripts for others begin, which have less in their data.
+const OTHERS: [(&str, &str); 2] = [
+    ("blender", "\"\"\"A camera flight for Blender"),
+    ("vtk", "\"\"\"A camera flight for VTK"),
+];
 
 /// Shares of the space's half size nearer than which nothing is focused.
 const NEAREST: f64 = 1e-6;
@@ -44,6 +50,11 @@ impl Format for ParaView {
     }
 
     fn read(&self, source: &Source, _: &Options, report: &mut Report) -> Result<Content> {
+        for (name, title) in OTHERS {
+            if source.beginning().starts_with(title) {
+                return Err(Error::NotRead(name));
+            }
+        }
         let (json, lines) = super::data(source.text()?)?;
         let parsed = tree::parse(json.as_bytes()).map_err(|error| super::in_file(error, lines))?;
         let root = At::root(&parsed);

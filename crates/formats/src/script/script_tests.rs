@@ -184,6 +184,19 @@ fn paraviews_focal_point_is_the_target() {
 }
 
 #[test]
+fn scripts_for_others_are_refused_by_name() {
+    for name in ["blender", "vtk"] {
+        let (script, _) = written(FLIGHT, name, "");
+        let source = Source::of_bytes("flight.py", script.into_bytes());
+        let refused = read(&source, None, &Options::default(), &mut Report::default());
+        assert_eq!(
+            refused.unwrap_err().to_string(),
+            format!("flight.py: the format {name} is written, not read")
+        );
+    }
+}
+
+#[test]
 fn paraviews_script_comes_back() {
     let (script, _) = written(FLIGHT, "paraview", "");
     let source = Source::of_bytes("flight.py", script.into_bytes());

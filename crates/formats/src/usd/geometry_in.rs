@@ -3,7 +3,7 @@
 use glam::DVec3;
 use vides_document::ObjectPoint;
 use vides_document::error::{EngineError, vec_with_room};
-use vides_engine::scene::{Kind, Mesh, Node};
+use vides_engine::scene::Mesh;
 use vides_mesh::srgb;
 
 use super::curve::Curve;
@@ -198,17 +198,4 @@ pub(super) fn wireframe(
         }));
     }
     Ok(())
-}
-
-/// The lowest and highest coordinates of a node's points, if it has some.
-pub(super) fn bounds(node: &Node) -> Option<[DVec3; 2]> {
-    let Kind::Object(object) = &node.kind else {
-        return None;
-    };
-    let points = &object.mesh().points;
-    let first = *points.first()?;
-    let ends = points.iter().fold([first; 2], |[low, high], point| {
-        [low.min(*point), high.max(*point)]
-    });
-    Some(ends)
 }

@@ -5,9 +5,7 @@ use std::collections::BTreeMap;
 use glam::DVec3;
 use vides_document::error::{Place as ScenePlace, vec_with_room};
 use vides_document::{Info, SceneDocument};
-use vides_engine::scene::{
-    Channel, Interpolation, Kind, Light, Node, NodeState, Object, Scene, Track, Warnings,
-};
+use vides_engine::scene::{Channel, Interpolation, Kind, Light, Node, Object, Scene, Track};
 
 use super::curve::{Curve, quaternion};
 use super::geometry_in::{self, Geometry};
@@ -15,7 +13,7 @@ use super::looks_in::clamped;
 use super::ops::Room;
 use super::stage::{Prim, Stage};
 use super::{role, unit};
-use crate::content::{Content, Recording, one_line, rate, shortened};
+use crate::content::{Content, one_line, rate, shortened};
 use crate::convention::HALF_TURN;
 use crate::error::{Cause, Error, Result};
 use crate::limits::MAX_COORDINATE;
@@ -23,6 +21,7 @@ use crate::loss::{Loss, Report};
 use crate::names::Names;
 use crate::options::Options;
 use crate::path::Up;
+use crate::space;
 
 /// Keys that may be computed between those of a file, beside one for each byte of it.
 const ROOM: usize = 100_000;
@@ -32,9 +31,6 @@ const MAX_PARTS: usize = 3;
 
 /// Time codes a second of a file that does not say (UsdStage).
 const RATE: f64 = 24.0;
-
-/// States that are looked at for the space round everything.
-const LOOKED_AT: usize = 100_000;
 
 /// Reads all of a file.
 ///
@@ -76,15 +72,9 @@ pub(super) fn read(text: &str, options: &Options, report: &mut Report) -> Result
         "Z" | "z" => Up::Z,
         _ => Up::Y,
     };
-    let places = wireframe
-        .iter()
-        .map(|point: &vides_document::ObjectPoint| point.position);
-    let points = places_of(&scene, places)?;
-    let space = Recording {
-        points,
-        ..Recording::default()
-    };
-    scene.set_space(space.space(options.up.unwrap_or(up))?)?;
+    let places = wireframe.iter().map(|point| point.position);
+    let space = space::around(&scene, places, options.up.unwrap_or(up))?;
+    scene.set_space(space)?;
     let rates = [stage.codes_per_second, stage.frames_per_second];
     let fps = rate(&rates, options, RATE, report);
     let info = Info {
@@ -453,47 +443,4 @@ impl<'a> Reader<'_, 'a> {
             Kind::Group => Ok(()),
         }
     }
-}
-
-/// Where everything is: corners of objects, cameras and lights, at frames all over the scene's.
-fn places_of(scene: &Scene, others: impl Iterator<Item = DVec3>) -> Result<Vec<DVec3>> {
-    let mut places = Vec::new();
-    let mut push = |place: DVec3| -> Result<()> {
-        places.try_reserve(1)?;
-        places.push(place);
-        Ok(())
-    };
-    for place in others {
-        push(place)?;
-    }
-    let nodes = scene.nodes();
-    let mut states = vec_with_room(nodes.len())?;
-    states.resize(nodes.len(), NodeState::default());
-    let bounds: Vec<Option<[DVec3; 2]>> = nodes.iter().map(geometry_in::bounds).collect();
-    let (first, last) = scene.frame_range();
-    let most = (LOOKED_AT / nodes.len().max(1)).clamp(1, 1000);
-    let steps = ((last - first).ceil() as usize).clamp(1, most);
-    for step in 0..=steps {
-        let frame = first + (last - first) * step as f64 / steps as f64;
-        scene.evaluate(frame, &mut states, &mut Warnings::default())?;
-        for ((node, state), bounds) in nodes.iter().zip(&states).zip(&bounds) {
-            let world = state.world();
-            match (&node.kind, bounds) {
-                (Kind::Camera(_) | Kind::Light(Light::Point | Light::Spot), _) => {
-                    push(world.translation)?;
-                }
-                (_, Some(ends)) => {
-                    for corner in 0..8 {
-                        let part = |axis: usize| ends[corner >> axis & 1][axis];
-                        push(world.transform_point3(DVec3::new(part(0), part(1), part(2))))?;
-                    }
-                }
-                _ => {}
-            }
-        }
-        if first == last {
-            break;
-        }
-    }
-    Ok(places)
 }

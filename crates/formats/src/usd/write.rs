@@ -358,7 +358,7 @@ impl<'d> Writer<'_, '_, 'd> {
         self.report
             .count(nodes.iter().map(host).sum(), Loss::HostChannels);
         self.report
-            .not_taken("marker", self.flight.scene().markers().len());
+            .count(self.flight.scene().markers().len(), Loss::Markers);
     }
 }
 

@@ -1,7 +1,7 @@
 //! Charts of what changes over the frames.
 
-use vides::tools::check::FindingKind;
-use vides::tools::profile::{self, Quantity};
+use crate::tools::check::FindingKind;
+use crate::tools::profile::{self, Quantity};
 
 use super::svg::{Anchor, Spot, Svg};
 use super::{Film, MARGIN, POSES, WIDTH};
@@ -27,7 +27,7 @@ pub(super) fn height(charts: usize) -> f64 {
     charts as f64 * (HEIGHT + NAME) + FRAMES
 }
 
-pub(super) fn of(film: &Film<'_>) -> vides::Result<Vec<Chart>> {
+pub(super) fn of(film: &Film<'_>) -> crate::Result<Vec<Chart>> {
     let (info, space) = (film.document.info(), film.document.path().space);
     // Fine enough that events within a frame show up in a long film.
     let poses = profile::samples(film.document.sampler()?, FRAMES_LOOKED_AT)?;

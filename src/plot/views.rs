@@ -1,8 +1,8 @@
 //! Three views of the way, the view directions on a sphere, and the findings.
 
-use vides::glam::DVec3;
-use vides::path::Pose;
-use vides::tools::check::Finding;
+use crate::glam::DVec3;
+use crate::path::Pose;
+use crate::tools::check::Finding;
 
 use super::svg::{Anchor, Spot, Svg, cut};
 use super::{Film, MARGIN};

@@ -3,23 +3,23 @@
 use std::fmt::Write;
 
 /// Pixels to the right and down.
-pub(super) type Spot = (f64, f64);
+pub type Spot = (f64, f64);
 
-pub(super) struct Svg {
+pub struct Svg {
     text: String,
-    pub(super) width: f64,
-    pub(super) height: f64,
-    pub(super) ground: &'static str,
+    pub width: f64,
+    pub height: f64,
+    pub ground: &'static str,
     /// What has been drawn, for other picture formats.
-    pub(super) marks: Vec<Mark>,
+    pub marks: Vec<Mark>,
 }
 
-pub(super) struct Mark {
-    pub(super) form: Form,
-    pub(super) attributes: String,
+pub struct Mark {
+    pub form: Form,
+    pub attributes: String,
 }
 
-pub(super) enum Form {
+pub enum Form {
     Line(Vec<Spot>),
     /// Corner, width and height.
     Rectangle(Spot, f64, f64),
@@ -29,7 +29,7 @@ pub(super) enum Form {
 
 /// Alignment of a text relative to its spot.
 #[derive(Clone, Copy)]
-pub(super) enum Anchor {
+pub enum Anchor {
     Start,
     Middle,
     End,

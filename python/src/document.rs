@@ -1,0 +1,464 @@
+//! A path: read, sampled, edited, saved.
+
+use std::path::PathBuf;
+use std::sync::{PoisonError, RwLock};
+
+use numpy::{PyArray2, PyReadonlyArray1, PyReadonlyArray2, PyReadwriteArray2};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use vides::document::{self, Edit, Info};
+use vides::glam::DVec3;
+use vides::path::{CameraPath, Change, CurveKind, Space, Up};
+use vides::tools::check::Finding;
+
+use crate::arrays::{self, WIDTH, fill, rows_mut, table};
+use crate::error::{Failure, Result};
+use crate::scene::Scene;
+use crate::{edits, values};
+
+/// A path with its info and its history.
+#[pyclass(frozen, module = "vides._vides")]
+pub(crate) struct Document(RwLock<document::Document>);
+
+/// Kind, first and last frame, point, orientation, value, limit, sentence, remedy.
+type Found = (
+    &'static str,
+    f64,
+    f64,
+    usize,
+    usize,
+    f64,
+    f64,
+    String,
+    &'static str,
+);
+
+/// Point, orientation, what changes, amount, frames, first frame, length.
+type SectionRow = (usize, usize, &'static str, f64, usize, usize, f64);
+
+impl From<document::Document> for Document {
+    fn from(document: document::Document) -> Self {
+        Self(RwLock::new(document))
+    }
+}
+
+impl Document {
+    /// Looks at it while the interpreter is free.
+    pub(crate) fn read<R: Send, E: Into<Failure>>(
+        &self,
+        py: Python<'_>,
+        look: impl FnOnce(&document::Document) -> Result<R, E> + Send,
+    ) -> Result<R> {
+        py.detach(|| {
+            let document = self.0.read().unwrap_or_else(PoisonError::into_inner);
+            look(&document).map_err(Into::into)
+        })
+    }
+
+    /// Changes it while the interpreter is free.
+    pub(crate) fn write<R: Send, E: Into<Failure>>(
+        &self,
+        py: Python<'_>,
+        change: impl FnOnce(&mut document::Document) -> Result<R, E> + Send,
+    ) -> Result<R> {
+        py.detach(|| {
+            let mut document = self.0.write().unwrap_or_else(PoisonError::into_inner);
+            change(&mut document).map_err(Into::into)
+        })
+    }
+
+    fn apply(&self, py: Python<'_>, edit: Edit) -> Result<()> {
+        self.write(py, |document| document.apply(edit))
+    }
+
+    /// Takes over what a window shows, as one step.
+    pub(crate) fn follow(&self, py: Python<'_>, path: CameraPath, info: Info) -> Result<()> {
+        self.write(py, |document| {
+            document.apply_all([
+                Edit::ReplacePath(Box::new(path)),
+                Edit::SetInfo(Box::new(info)),
+            ])
+        })
+    }
+}
+
+/// By its name in files.
+fn curve(name: &str) -> Result<CurveKind> {
+    match name {
+        "tcb" => Ok(CurveKind::Tcb),
+        "cubic" => Ok(CurveKind::Cubic),
+        "linear" => Ok(CurveKind::Linear),
+        _ => Err(Failure::argument(format!(
+            "the curve is \"tcb\", \"cubic\" or \"linear\", not {name:?}"
+        ))),
+    }
+}
+
+pub(crate) fn upright(name: &str) -> Result<Up> {
+    Up::named(name).ok_or_else(|| {
+        Failure::argument(format!("the upright axis is \"y\" or \"z\", not {name:?}"))
+    })
+}
+
+fn told(finding: &Finding) -> Found {
+    let kind = finding.kind;
+    // Counted from 0, as points are in Python.
+    let sentence = kind.sentence().replace("{2}", &finding.point.to_string());
+    let sentence = sentence.replace("{3}", &finding.orientation.to_string());
+    let number = |value: f64, decimals: usize| format!("{value:.decimals$}");
+    (
+        kind.name(),
+        finding.first_frame,
+        finding.last_frame,
+        finding.point,
+        finding.orientation,
+        finding.value,
+        finding.limit,
+        finding.say(&sentence, number),
+        kind.remedy(),
+    )
+}
+
+#[pymethods]
+impl Document {
+    #[new]
+    fn new() -> Result<Self> {
+        Ok(document::Document::try_new()?.into())
+    }
+
+    #[staticmethod]
+    fn load(py: Python<'_>, file: PathBuf) -> Result<Self> {
+        Ok(py.detach(|| document::Document::load(&file))?.into())
+    }
+
+    #[staticmethod]
+    fn from_text(py: Python<'_>, text: &str) -> Result<Self> {
+        Ok(py.detach(|| document::Document::from_toml(text))?.into())
+    }
+
+    #[staticmethod]
+    #[pyo3(signature = (positions, look_at, up, closed, frames, zoom, curve, fps))]
+    #[expect(clippy::too_many_arguments)]
+    fn through(
+        py: Python<'_>,
+        positions: PyReadonlyArray2<'_, f64>,
+        look_at: Option<[f64; 3]>,
+        up: &str,
+        closed: bool,
+        frames: Option<usize>,
+        zoom: f64,
+        curve: &str,
+        fps: f64,
+    ) -> Result<Self> {
+        let kind = self::curve(curve)?;
+        let builder = CameraPath::through(arrays::places(&positions)?);
+        let mut builder = builder.up(upright(up)?).zoom(zoom).curve(kind);
+        if closed {
+            builder = builder.closed();
+        }
+        if let Some(place) = look_at {
+            builder = builder.looking_at(place.into());
+        }
+        if let Some(frames) = frames {
+            builder = builder.frames(frames);
+        }
+        let info = Info {
+            fps,
+            ..Info::default()
+        };
+        let made = py.detach(|| document::Document::from_parts(builder.build()?, info));
+        Ok(made?.into())
+    }
+
+    fn copy(&self, py: Python<'_>) -> Result<Self> {
+        self.read(py, |document| document.try_clone().map(Self::from))
+    }
+
+    fn text(&self, py: Python<'_>) -> Result<String> {
+        self.read(py, document::Document::to_toml)
+    }
+
+    fn save(&self, py: Python<'_>, file: PathBuf) -> Result<()> {
+        self.write(py, |document| {
+            document.save(&file)?;
+            document.mark_saved();
+            Ok::<_, Failure>(())
+        })
+    }
+
+    fn same(&self, py: Python<'_>, other: &Self) -> Result<bool> {
+        // One lock at a time: two threads may compare the same two.
+        let (path, info) = other.read(py, |other| {
+            Ok::<_, Failure>((other.path().try_clone()?, other.info().clone()))
+        })?;
+        self.read(py, |document| {
+            Ok::<_, Failure>(*document.path() == path && *document.info() == info)
+        })
+    }
+
+    fn point_count(&self, py: Python<'_>) -> Result<usize> {
+        self.read(py, |document| {
+            Ok::<_, Failure>(document.path().points.len())
+        })
+    }
+
+    fn orientation_count(&self, py: Python<'_>, point: usize) -> Result<usize> {
+        self.read(py, |document| {
+            edits::point(document, point).map(|point| point.orientations.len())
+        })
+    }
+
+    fn positions<'py>(&self, py: Python<'py>) -> Result<Bound<'py, PyArray2<f64>>> {
+        let places = self.read(py, |document| {
+            let points = document.path().points.iter();
+            Ok::<_, Failure>(
+                points
+                    .map(|point| point.position.to_array())
+                    .collect::<Vec<_>>(),
+            )
+        })?;
+        Ok(table(py, places.into_iter()))
+    }
+
+    fn position(&self, py: Python<'_>, point: usize) -> Result<[f64; 3]> {
+        self.read(py, |document| {
+            edits::point(document, point).map(|point| point.position.to_array())
+        })
+    }
+
+    /// Everything that an edit changes goes by the name of the edit and what it takes.
+    #[pyo3(signature = (name, **given))]
+    fn edit(&self, py: Python<'_>, name: &str, given: Option<&Bound<'_, PyDict>>) -> PyResult<()> {
+        let edit = edits::by_name(name, given)?;
+        Ok(self.apply(py, edit)?)
+    }
+
+    fn property<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
+        let text = self.read(py, |document| document.property(name))?;
+        values::from_toml(py, &text)
+    }
+
+    fn set_property(&self, py: Python<'_>, name: &str, value: &Bound<'_, PyAny>) -> PyResult<()> {
+        let value = values::to_toml(value)?;
+        Ok(self.write(py, |document| document.set_property(name, &value))?)
+    }
+
+    fn properties(&self, py: Python<'_>) -> Result<Vec<(String, String)>> {
+        self.read(py, document::Document::properties)
+    }
+
+    fn space(&self, py: Python<'_>) -> Result<([f64; 3], f64, &'static str)> {
+        self.read(py, |document| {
+            let space = document.path().space;
+            Ok::<_, Failure>((space.centre.to_array(), space.half_size, space.up.name()))
+        })
+    }
+
+    fn set_space(
+        &self,
+        py: Python<'_>,
+        centre: [f64; 3],
+        half_size: f64,
+        up: &str,
+        fit: bool,
+    ) -> Result<()> {
+        let space = Space {
+            centre: centre.into(),
+            half_size,
+            up: upright(up)?,
+        };
+        self.apply(py, Edit::SetSpace { space, fit })
+    }
+
+    fn frame_count(&self, py: Python<'_>) -> Result<usize> {
+        self.read(py, |document| {
+            Ok::<_, vides::Error>(document.sampler()?.frame_count())
+        })
+    }
+
+    fn sample(
+        &self,
+        py: Python<'_>,
+        first: usize,
+        mut out: PyReadwriteArray2<'_, f64>,
+    ) -> Result<()> {
+        let rows = rows_mut(&mut out, WIDTH)?;
+        self.read(py, |document| {
+            let sampler = document.sampler()?;
+            // Refused before anything is written.
+            let count = rows.len() / WIDTH;
+            if first == 0 || count > (sampler.frame_count() + 1).saturating_sub(first) {
+                return Err(Failure::frames(first, count, sampler.frame_count()));
+            }
+            Ok(fill(rows, |after, poses| {
+                sampler.sample(first + after, poses)
+            })?)
+        })
+    }
+
+    fn poses<'py>(
+        &self,
+        py: Python<'py>,
+        frames: PyReadonlyArray1<'py, f64>,
+    ) -> Result<Bound<'py, PyArray2<f64>>> {
+        let frames = arrays::numbers(&frames);
+        let poses = self.read(py, |document| {
+            let sampler = document.sampler()?;
+            let poses = frames.iter().map(|&frame| sampler.pose(frame));
+            Ok::<_, Failure>(
+                poses
+                    .map(|pose| pose.map(|pose| arrays::row(&pose)))
+                    .collect::<Result<Vec<_>, _>>()?,
+            )
+        })?;
+        Ok(table(py, poses.into_iter()))
+    }
+
+    fn motion<'py>(
+        &self,
+        py: Python<'py>,
+        frames: PyReadonlyArray1<'py, f64>,
+    ) -> Result<Bound<'py, PyArray2<f64>>> {
+        let frames = arrays::numbers(&frames);
+        let rows = self.read(py, |document| {
+            let sampler = document.sampler()?;
+            let mut rows = Vec::with_capacity(frames.len());
+            for &frame in &frames {
+                let motion = sampler.motion(frame)?;
+                rows.push([
+                    motion.distance,
+                    motion.speed,
+                    motion.turning.to_degrees(),
+                    motion.curvature,
+                ]);
+            }
+            Ok::<_, Failure>(rows)
+        })?;
+        Ok(table(py, rows.into_iter()))
+    }
+
+    fn length(&self, py: Python<'_>) -> Result<f64> {
+        self.read(py, |document| {
+            document.timeline(vides::path::Timeline::length)
+        })
+    }
+
+    fn sections(&self, py: Python<'_>) -> Result<Vec<SectionRow>> {
+        self.read(py, |document| {
+            let sampler = document.sampler()?;
+            document.timeline(|timeline| {
+                let row = |number| {
+                    let section = timeline.section(number);
+                    let (change, length) = match section.change {
+                        Change::Position => ("position", timeline.segment_length(section.point)),
+                        Change::View => ("view", 0.0),
+                        Change::Roll => ("roll", 0.0),
+                        Change::Zoom => ("zoom", 0.0),
+                        Change::Nothing => ("nothing", 0.0),
+                    };
+                    (
+                        section.point,
+                        section.orientation,
+                        change,
+                        section.amount,
+                        section.frames,
+                        sampler.first_frame(number),
+                        length,
+                    )
+                };
+                (0..timeline.section_count())
+                    .map(row)
+                    .collect::<Vec<SectionRow>>()
+            })
+        })
+    }
+
+    fn check(&self, py: Python<'_>) -> Result<(Vec<Found>, Vec<String>)> {
+        self.read(py, |document| {
+            let clearance = document.clearance(None)?;
+            let found = document.check_against(clearance.as_ref())?;
+            let notes = document.notes(clearance.as_ref(), true)?;
+            Ok::<_, Failure>((
+                found.iter().map(told).collect(),
+                notes.iter().map(ToString::to_string).collect(),
+            ))
+        })
+    }
+
+    fn fix(&self, py: Python<'_>) -> Result<Vec<Found>> {
+        self.write(py, |document| {
+            let clearance = document.clearance(None)?;
+            let mut fixed = Vec::new();
+            document.fix(clearance.as_ref(), &mut |finding| fixed.push(told(finding)))?;
+            Ok::<_, Failure>(fixed)
+        })
+    }
+
+    #[pyo3(signature = (name, numbers, block=None))]
+    fn tool(
+        &self,
+        py: Python<'_>,
+        name: &str,
+        numbers: &Bound<'_, PyDict>,
+        block: Option<&Self>,
+    ) -> PyResult<()> {
+        let numbers = edits::tool_numbers(numbers)?;
+        let block = match block {
+            Some(block) => Some(block.read(py, |block| block.path().try_clone())?),
+            None => None,
+        };
+        Ok(self.write(py, |document| edits::tool(document, name, &numbers, block))?)
+    }
+
+    fn set_object(&self, py: Python<'_>, file: Option<PathBuf>) -> Result<()> {
+        self.write(py, |document| {
+            let object = match file {
+                Some(file) => document::load_object(&file)?,
+                None => document::Object::default(),
+            };
+            let info = Info {
+                object,
+                ..document.info().clone()
+            };
+            document.apply(Edit::SetInfo(Box::new(info)))
+        })
+    }
+
+    fn object_points<'py>(&self, py: Python<'py>) -> Result<Bound<'py, PyArray2<f64>>> {
+        let places = self.read(py, |document| {
+            let points = document.info().object.iter();
+            Ok::<_, Failure>(
+                points
+                    .map(|point| point.position.to_array())
+                    .collect::<Vec<_>>(),
+            )
+        })?;
+        Ok(table(py, places.into_iter()))
+    }
+
+    /// One camera on this path.
+    fn scene(&self, py: Python<'_>) -> Result<Scene> {
+        self.read(py, |document| document.scene_document().map(Scene::from))
+    }
+
+    fn svg(&self, py: Python<'_>, dark: bool) -> Result<String> {
+        self.read(py, |document| {
+            vides::plot::picture(document, None, dark).map(vides::plot::Picture::into_svg)
+        })
+    }
+
+    fn undo(&self, py: Python<'_>) -> Result<bool> {
+        self.write(py, |document| Ok::<_, Failure>(document.undo()))
+    }
+
+    fn redo(&self, py: Python<'_>) -> Result<bool> {
+        self.write(py, |document| Ok::<_, Failure>(document.redo()))
+    }
+
+    /// The up of an orientation, roll included.
+    fn up_at(&self, py: Python<'_>, point: usize, orientation: usize) -> Result<[f64; 3]> {
+        self.read(py, |document| {
+            document.up(point, orientation).map(DVec3::into)
+        })
+    }
+}

@@ -1,0 +1,183 @@
+//! Errors of the crates become `vides.Error`, in the words of who counts from 0.
+
+use pyo3::exceptions::PyAttributeError;
+use pyo3::prelude::*;
+use pyo3::sync::PyOnceLock;
+use pyo3::types::PyType;
+use vides::error::{EngineError, ErrorKind, FromZero, OutOfRange, Refused};
+use vides::{formats, window};
+
+/// What is raised.
+#[derive(Debug)]
+pub(crate) struct Failure {
+    kind: &'static str,
+    /// File, point, key: as far as they are known, the outermost first.
+    place: Vec<String>,
+    line: Option<usize>,
+    sentence: String,
+    /// Nothing has this name: what Python calls an error of attributes.
+    no_attribute: bool,
+}
+
+pub(crate) type Result<T, E = Failure> = std::result::Result<T, E>;
+
+const fn name(kind: ErrorKind) -> &'static str {
+    match kind {
+        ErrorKind::Argument => "argument",
+        ErrorKind::Range => "range",
+        ErrorKind::Limit => "limit",
+        ErrorKind::Memory => "memory",
+        ErrorKind::Io => "io",
+        ErrorKind::Format => "format",
+        ErrorKind::Display => "display",
+    }
+}
+
+impl Failure {
+    fn new(kind: ErrorKind, error: &dyn std::fmt::Display) -> Self {
+        Self {
+            kind: name(kind),
+            place: Vec::new(),
+            line: None,
+            sentence: FromZero(error).to_string(),
+            no_attribute: false,
+        }
+    }
+
+    /// An argument that makes no sense.
+    pub(crate) fn argument(sentence: impl Into<String>) -> Self {
+        Self {
+            kind: "argument",
+            place: Vec::new(),
+            line: None,
+            sentence: sentence.into(),
+            no_attribute: false,
+        }
+    }
+
+    /// The window was lost.
+    pub(crate) fn display(why: &str) -> Self {
+        Self {
+            kind: "display",
+            ..Self::argument(why)
+        }
+    }
+
+    /// A path of `last` frames has not so many from the first on.
+    #[expect(clippy::cast_precision_loss)]
+    pub(crate) fn frames(first: usize, count: usize, last: usize) -> Self {
+        let end = first.saturating_add(count.saturating_sub(1));
+        let frame = if (1..=last).contains(&first) {
+            end
+        } else {
+            first
+        };
+        let (frame, last) = (frame as f64, last as f64);
+        EngineError::from(OutOfRange::NoFrame {
+            frame,
+            first: 1.0,
+            last,
+        })
+        .into()
+    }
+
+    fn engine(&mut self, error: &EngineError) {
+        if let EngineError::At(place, cause) = error {
+            self.place.push(bare(place));
+            self.engine(cause);
+        }
+    }
+
+    fn document(&mut self, error: &vides::Error) {
+        match error {
+            vides::Error::Engine(error) => self.engine(error),
+            vides::Error::Refused(Refused::NoProperty(_)) => self.no_attribute = true,
+            vides::Error::Io { place, .. } => self.place.push(place.clone()),
+            vides::Error::Format { line, key, .. } => {
+                self.line = Some(*line);
+                self.place.extend(key.0.iter().map(ToString::to_string));
+            }
+            vides::Error::PieceTooLarge(line) => self.line = Some(*line),
+            vides::Error::Property { name, .. } => self.place.push(name.to_string()),
+            vides::Error::At(place, cause) => {
+                self.place.push(bare(place));
+                self.document(cause);
+            }
+            vides::Error::In(file, cause) => {
+                self.place.push(file.to_string());
+                self.document(cause);
+            }
+            _ => {}
+        }
+    }
+
+    fn formats(&mut self, error: &formats::Error) {
+        match error {
+            formats::Error::Document(error) => self.document(error),
+            formats::Error::Content { place, .. } => match place {
+                formats::Place::Line(line) => self.line = Some(*line),
+                formats::Place::Key(key) => self.place.push(key.to_string()),
+                formats::Place::Byte(byte) => self.place.push(format!("byte {byte}")),
+                formats::Place::Whole => {}
+            },
+            formats::Error::In(file, cause) => {
+                self.place.push(file.to_string());
+                self.formats(cause);
+            }
+            _ => {}
+        }
+    }
+}
+
+/// Without saying again how it counts.
+fn bare(place: &impl std::fmt::Display) -> String {
+    FromZero(place).to_string().replace(" (counted from 0)", "")
+}
+
+impl From<vides::Error> for Failure {
+    fn from(error: vides::Error) -> Self {
+        let mut failure = Self::new(error.kind(), &error);
+        failure.document(&error);
+        failure
+    }
+}
+
+impl From<EngineError> for Failure {
+    fn from(error: EngineError) -> Self {
+        vides::Error::from(error).into()
+    }
+}
+
+impl From<formats::Error> for Failure {
+    fn from(error: formats::Error) -> Self {
+        let mut failure = Self::new(error.kind(), &error);
+        failure.formats(&error);
+        failure
+    }
+}
+
+impl From<window::Error> for Failure {
+    fn from(error: window::Error) -> Self {
+        match error {
+            window::Error::Document(error) => error.into(),
+            other => Self::new(other.kind(), &other),
+        }
+    }
+}
+
+impl From<Failure> for PyErr {
+    fn from(failure: Failure) -> Self {
+        static CLASS: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+        Python::attach(|py| {
+            if failure.no_attribute {
+                return PyAttributeError::new_err(failure.sentence);
+            }
+            let place = (!failure.place.is_empty()).then(|| failure.place.join(": "));
+            let given = (failure.sentence, failure.kind, place, failure.line);
+            let error = CLASS
+                .import(py, "vides._error", "Error")
+                .and_then(|class| class.call1(given));
+            error.map_or_else(|raised| raised, Self::from_value)
+        })
+    }
+}

@@ -1,0 +1,171 @@
+//! Other programs' files, and recorded poses that become a path.
+
+use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
+use pyo3::prelude::*;
+use vides::document::{self, Info};
+use vides::formats::{self, As, Format, Options, Report, Source};
+use vides::tools::fit::{Options as FitOptions, Tolerance};
+
+use crate::arrays;
+use crate::document::{Document, upright};
+use crate::error::{Failure, Result};
+
+/// Options of the command, by their long names.
+pub(crate) type Choices = Vec<(String, String)>;
+
+pub(crate) fn options(choices: &Choices) -> Result<Options> {
+    let mut options = Options::default();
+    for (name, value) in choices {
+        options.set(name, value)?;
+    }
+    Ok(options)
+}
+
+pub(crate) fn format(name: Option<&str>) -> Result<Option<&'static dyn Format>> {
+    Ok(name.map(formats::by_name).transpose()?)
+}
+
+pub(crate) fn losses(report: &Report) -> Vec<String> {
+    report.losses().iter().map(ToString::to_string).collect()
+}
+
+/// From one program's file to another's, as `vides convert`. What is lost on the way.
+#[pyfunction]
+#[pyo3(signature = (source, target, read_as, write_as, choices))]
+pub(crate) fn convert(
+    py: Python<'_>,
+    source: PathBuf,
+    target: PathBuf,
+    read_as: Option<&str>,
+    write_as: Option<&str>,
+    choices: Choices,
+) -> Result<Vec<String>> {
+    let mut options = options(&choices)?;
+    let from = format(read_as)?;
+    let to = match format(write_as)? {
+        Some(to) => to,
+        None => formats::by_target(&target)?,
+    };
+    let same = |a: &PathBuf, b: &PathBuf| Some(a.canonicalize().ok()? == b.canonicalize().ok()?);
+    if same(&source, &target) == Some(true) {
+        let name = target.display();
+        return Err(Failure::argument(format!(
+            "{name}: the file would be replaced by what is made of it"
+        )));
+    }
+    // What is not kept as a path need not become one on the way.
+    if !to.row().whole {
+        options.as_ = options.as_.or(Some(As::Keys));
+    }
+    py.detach(|| {
+        let imported = formats::import(&Source::open(&source)?, from, &options)?;
+        let warned = imported.document.warnings().iter();
+        let mut told: Vec<String> = warned.map(ToString::to_string).collect();
+        told.extend(losses(&imported.report));
+        let report = formats::export(&imported.document, &target, to, &options, &mut |_, _| {})?;
+        told.extend(losses(&report));
+        Ok(told)
+    })
+}
+
+/// Poses, their frames and seconds where there are some, frames per second, losses.
+type Recorded<'py> = (
+    Bound<'py, PyArray2<f64>>,
+    Option<Bound<'py, PyArray1<f64>>>,
+    Option<Bound<'py, PyArray1<f64>>>,
+    Option<f64>,
+    Vec<String>,
+);
+
+/// The poses in a file.
+#[pyfunction]
+#[pyo3(signature = (file, read_as, choices))]
+pub(crate) fn recording<'py>(
+    py: Python<'py>,
+    file: PathBuf,
+    read_as: Option<&str>,
+    choices: Choices,
+) -> Result<Recorded<'py>> {
+    let (options, from) = (options(&choices)?, format(read_as)?);
+    let (recording, report) = py.detach(|| {
+        let mut report = Report::default();
+        let source = Source::open(&file)?;
+        let recording = match from {
+            None => formats::recording(&source, &options, &mut report)?,
+            some => match formats::read(&source, some, &options, &mut report)?.1 {
+                formats::Content::Poses(recording) => recording,
+                formats::Content::Scene(_) => {
+                    return Err(formats::Error::NotPoses.at(&source.name).into());
+                }
+            },
+        };
+        Ok::<_, Failure>((recording, report))
+    })?;
+    let fps = options.fps.or(recording.fps);
+    let row = |numbers: Option<Vec<f64>>| numbers.map(|numbers| PyArray1::from_vec(py, numbers));
+    Ok((
+        arrays::table(py, recording.poses.iter().map(arrays::row)),
+        row(recording.frames),
+        row(recording.seconds),
+        fps,
+        losses(&report),
+    ))
+}
+
+/// Signals are looked for so often.
+const SOMETIMES: Duration = Duration::from_millis(50);
+
+/// A path of few points near recorded poses, and the indices of those that were left out.
+#[pyfunction]
+#[pyo3(signature = (poses, seconds, fps, tolerance, angle, up, robust))]
+#[expect(clippy::too_many_arguments)]
+pub(crate) fn fit(
+    py: Python<'_>,
+    poses: PyReadonlyArray2<'_, f64>,
+    seconds: Option<PyReadonlyArray1<'_, f64>>,
+    fps: f64,
+    tolerance: f64,
+    angle: f64,
+    up: &str,
+    robust: bool,
+) -> PyResult<(Document, Vec<usize>)> {
+    let poses = arrays::poses(&poses)?;
+    let seconds = seconds.as_ref().map(arrays::numbers);
+    let up = upright(up)?;
+    let mut stopped = None;
+    let made = py.detach(|| {
+        let options = FitOptions {
+            up,
+            robust,
+            ..FitOptions::from(Tolerance {
+                position: tolerance,
+                angle,
+            })
+        };
+        let mut looked = Instant::now();
+        let mut go_on = |_, _| {
+            if looked.elapsed() >= SOMETIMES {
+                looked = Instant::now();
+                stopped = Python::attach(|py| py.check_signals()).err();
+            }
+            stopped.is_none()
+        };
+        let fitted = vides::tools::fit::fit(&poses, seconds.as_deref(), fps, &options, &mut go_on)?;
+        let info = Info {
+            fps,
+            ..Info::default()
+        };
+        let document = document::Document::from_parts(fitted.path, info)?;
+        Ok::<_, Failure>((document, fitted.left_out))
+    });
+    match stopped {
+        Some(stopped) => Err(stopped),
+        None => {
+            let (document, left_out) = made?;
+            Ok((document.into(), left_out))
+        }
+    }
+}

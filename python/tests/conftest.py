@@ -1,0 +1,19 @@
+"""What the tests share."""
+
+import os
+from collections.abc import Iterator
+from pathlib import Path as File
+
+import pytest
+
+MANY = bool(os.environ.get("VIDES_MANY"))
+"""Whether the tests take their time: `make check-packages`."""
+
+
+@pytest.fixture(autouse=True)
+def _folder(tmp_path: File, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    """Files that are written by the way lie in a folder that goes."""
+    monkeypatch.chdir(tmp_path)
+    for name in ("HOME", "XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME"):
+        monkeypatch.setenv(name, str(tmp_path))
+    yield

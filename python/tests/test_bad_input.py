@@ -1,0 +1,193 @@
+"""What makes no sense raises an exception with a sentence, and changes nothing."""
+
+import inspect
+import os
+import random
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+
+import vides
+from vides import _vides
+
+from .conftest import MANY
+
+CALLS = 1000 if MANY else 60
+
+
+def nasty(rng: random.Random) -> Any:
+    """One of many values that somebody may give by mistake."""
+    table = np.arange(40.0).reshape(4, 10)
+    frozen = table.copy()
+    frozen.flags.writeable = False
+    with_nan = np.full((3, 3), 1.0)
+    with_nan[2, 1] = np.nan
+    return rng.choice(
+        [
+            None, True, False, 0, 1, 2, -1, 3, 2**31, 2**63, -(2**70), 0.5, -1.5, 1e300, float("nan"),
+            float("inf"), 1j, "", "x", "y", "z", "tcb", "turn", "camera", "position", "linear", "\0", "ü\ud800",
+            "a\nb", "zoom", "/nowhere/at/all.vid", ".", "n" * 5000, b"", b"x", (), [], {}, [1, 2, 3], (0, 0, 0),
+            [1, "a"], [[1], [2, 3]], {"x": 1}, {1: 2}, object(), lambda *_: 1, int, Ellipsis, slice(0, 1),
+            np.zeros(3), np.zeros((3, 3)), np.zeros((3, 10)), table, table.T, table[::-1], table[:, ::2],
+            np.asfortranarray(table), frozen, with_nan, np.zeros((0, 10)), np.zeros((0, 3)), np.zeros((2, 3), int),
+            table.astype(np.float32), table.astype(">f8"), table.astype(complex), table.astype(str),
+            np.array([object()]), np.array(3.0), np.float32(2), np.int8(-3), np.zeros((1, 1, 1)),
+            np.full((3, 3), np.inf), np.ma.masked_array([1.0, 2, 3], [False, True, False]), vides.Path(), vides.Scene(),
+            vides.Path().sample(1, 3), vides.Path().points, vides.Path().points[0],
+        ]
+    )  # fmt: skip
+
+
+def path() -> vides.Path:
+    return vides.Path([[0, 0, 0], [1, 0, 0], [1, 1, 0]], frames=20)
+
+
+def scene() -> vides.Scene:
+    made = vides.Scene.of_path(path())
+    made.add("cube", "object").set_mesh(np.eye(3))
+    return made
+
+
+MAKERS: dict[str, Callable[[], Any]] = {
+    "Path": path,
+    "Points": lambda: path().points,
+    "Point": lambda: path().points[1],
+    "Orientations": lambda: path().points[1].orientations,
+    "Orientation": lambda: path().points[1].orientations[0],
+    "Samples": lambda: path().sample(),
+    "Scene": scene,
+    "Node": lambda: scene()["cube"],
+    "native Document": lambda: path()._native,
+    "native Scene": lambda: scene()._native,
+    "vides": lambda: vides,
+    "native": lambda: _vides,
+}
+
+SAFE = {"__init_subclass__", "__subclasshook__", "__class__", "__new__", "__getattribute__", "__slots__",
+        "__class_getitem__", "__subclasscheck__", "__instancecheck__", "__dict__", "__weakref__", "__doc__"}  # fmt: skip
+
+CASES = [
+    (owner, name)
+    for owner, make in MAKERS.items()
+    for name in sorted(set(dir(make())) | ({"zoom", "hold", "title", "position"} if "P" in owner else set()))
+    if name not in SAFE and not (inspect.ismodule(make()) and name.startswith("_"))
+    and not inspect.ismodule(inspect.getattr_static(make(), name, None))
+]  # fmt: skip
+
+
+@pytest.mark.filterwarnings("ignore")
+@pytest.mark.parametrize(("owner", "name"), CASES)
+def test_wrong_calls(owner: str, name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("DISPLAY", raising=False)
+    rng = random.Random(f"{owner} {name}")
+    make = MAKERS[owner]
+    target = make()
+    for number in range(CALLS):
+        if number % 16 == 0:
+            target = make()
+        given = [nasty(rng) for _ in range(rng.choice([0, 1, 1, 1, 2, 2, 3, 4, 6, 9]))]
+        named: dict[str, Any] = {}
+        try:
+            member = getattr(target, name)
+            if callable(member):
+                try:
+                    parameters = list(inspect.signature(member).parameters)
+                except (TypeError, ValueError):
+                    parameters = []
+                named = {key: nasty(rng) for key in parameters[len(given) :] if rng.random() < 0.4}
+                member(*given, **named)
+            elif given and not inspect.ismodule(target):
+                setattr(target, name, given[0])
+        except Exception as error:
+            said(error)
+    assert path() == path()
+
+
+def said(error: Exception) -> None:
+    """Errors of ours are a sentence in one line."""
+    if isinstance(error, vides.Error):
+        assert str(error) and "\n" not in str(error) and error.kind
+    assert "panicked" not in str(error)
+
+
+POSITIONS = [
+    ([1, 2, 3], r"positions must have the shape \(n, 3\), not \(3,\)"),
+    (np.zeros((3, 2)), r"positions must have the shape \(n, 3\), not \(3, 2\)"),
+    (np.zeros((3, 3)), "space|size|place"),
+    ([[0, 0, 0], [1, 0, np.nan]], r"positions\[1, 2\] is nan"),
+    ([[0, 0, 0]], "two"),
+    ([[0, 0, 0], [1, 0]], "positions"),
+]
+
+
+@pytest.mark.parametrize(("positions", "said"), POSITIONS)
+def test_positions(positions: Any, said: str) -> None:
+    with pytest.raises(vides.Error, match=said):
+        vides.Path(positions)
+
+
+def test_types() -> None:
+    for wrong in ("abc", [["a", "b", "c"]] * 2, np.zeros((2, 3), complex), [None, None]):
+        with pytest.raises((TypeError, vides.Error)):
+            vides.Path(wrong)  # type: ignore[arg-type]
+    for wrong_frame in (1.5, "1", None, [1]):
+        with pytest.raises(TypeError):
+            vides.Path().sample(wrong_frame)  # type: ignore[arg-type]
+
+
+def test_arrays_to_be_filled() -> None:
+    path = vides.Path()
+    frozen = np.zeros((121, 10))
+    frozen.flags.writeable = False
+    for wrong, said in (
+        (np.zeros((120, 10)), "shape"),
+        (np.zeros((121, 10), np.float32), "float64"),
+        (np.zeros((121, 10), ">f8"), "float64"),
+        (np.zeros((10, 121)).T, "order C"),
+        (np.zeros((242, 10))[::2], "order C"),
+        (np.zeros((121, 20))[:, ::2], "order C"),
+        (frozen, "writeable"),
+        ([[0.0] * 10] * 121, "array"),
+    ):
+        before = np.array(wrong)
+        with pytest.raises(vides.Error, match=said):
+            path.sample(out=wrong)  # type: ignore[arg-type]
+        np.testing.assert_array_equal(before, wrong)
+    for first, last in ((0, 5), (-1, 3), (1, 122), (5, 2), (200, 300)):
+        with pytest.raises(vides.Error, match="frame"):
+            path.sample(first, last)
+    for frame in (0.5, 121.5, 0, -3):
+        with pytest.raises(vides.Error, match="frame"):
+            path.evaluate([1, frame])
+
+
+def test_nothing_is_half_done() -> None:
+    path = vides.Path([[0, 0, 0], [1, 0, 0], [1, 1, 0]])
+    before = path.to_str()
+    for change in (
+        lambda: path.points.insert(1, (1, 2, np.nan)),
+        lambda: setattr(path.points[0], "zoom", 0),
+        lambda: setattr(path.points[0], "speed_curve", [50] * 9 + [200]),
+        lambda: setattr(path, "fps", 0),
+        lambda: setattr(path, "closed", "yes"),
+        lambda: path.set_frames(1),
+        lambda: path.tool("repeat", times=10**9),
+        lambda: path.set_space((0, 0, 0), -1),
+        lambda: path.divide(7),
+        lambda: path.points.move(0, 3),
+        lambda: setattr(path, "up", "x"),
+    ):
+        with pytest.raises((vides.Error, IndexError)):
+            change()
+        assert path.to_str() == before
+    file = "there.vid"
+    path.save(file)
+    os.chmod(".", 0o555)
+    try:
+        with pytest.raises(vides.Error):
+            path.save("missing/there.vid")
+    finally:
+        os.chmod(".", 0o755)
+    assert vides.Path.load(file) == path

@@ -1,0 +1,54 @@
+"""VIDES plans camera paths: a few points in space, each with camera orientations, become every
+camera pose in between.
+
+>>> path = Path([[3, 1, 0], [0, 2, 3], [-3, 1, 0]], look_at=(0, 0, 0), frames=250)
+>>> path.points[1].zoom = 50
+>>> samples = path.sample()
+>>> samples.positions.shape, samples.matrices("opengl").shape
+((250, 3), (250, 4, 4))
+
+World axes are right-handed; y or z stands upright, as ``path.up`` says. Lengths are the world's,
+angles are in degrees, zooms in mm of focal length for a picture of 36×24 mm (24: a vertical field
+of view of 53°). Points and orientations count from 0, frames from 1.
+
+:class:`Path` is one flight, :class:`Samples` its poses, :class:`Scene` whatever else moves with
+it; :func:`convert` goes between the files of other programs, :func:`edit` opens the window.
+"""
+
+from ._error import Error
+from ._files import Format, convert, formats, options
+from ._path import Path
+from ._points import Orientation, Orientations, Point, Points
+from ._samples import Samples
+from ._scene import Keys, Motion, Node, Scene, State
+from ._told import SVG, Finding, Property, Section, Tool, properties, tools
+from ._window import edit
+
+__version__ = "1.0.0"
+
+__all__ = [
+    "SVG",
+    "Error",
+    "Finding",
+    "Format",
+    "Keys",
+    "Motion",
+    "Node",
+    "Orientation",
+    "Orientations",
+    "Path",
+    "Point",
+    "Points",
+    "Property",
+    "Samples",
+    "Scene",
+    "Section",
+    "State",
+    "Tool",
+    "convert",
+    "edit",
+    "formats",
+    "options",
+    "properties",
+    "tools",
+]

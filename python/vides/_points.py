@@ -1,0 +1,308 @@
+"""The points of a path and their orientations: what is edited."""
+
+from __future__ import annotations
+
+import difflib
+import operator
+import re
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING, Any, SupportsIndex, TypeVar, overload
+
+import numpy as np
+
+from . import _vides
+from ._arrays import Array, Vector, vector
+from ._error import Error
+
+if TYPE_CHECKING:
+    from ._path import Path
+
+_Item = TypeVar("_Item")
+
+
+def index_of(at: SupportsIndex, count: int, what: str) -> int:
+    number = operator.index(at)
+    if not -count <= number < count:
+        raise IndexError(f"there is no {what} {number}: there are {count}, counted from 0")
+    return number % count
+
+
+class Keyed:
+    """Something whose properties have names that the engine's table lists."""
+
+    __slots__ = ()
+
+    def _document(self) -> _vides.Document:
+        raise NotImplementedError
+
+    def _prefix(self) -> str:
+        raise NotImplementedError
+
+    def __getattr__(self, name: str) -> Any:
+        """A property by its key in files, with or without its unit; ``None`` where it is not set."""
+        if name.startswith("_"):
+            raise AttributeError(f"{type(self).__name__} has no {name}")
+        try:
+            return self._document().property(self._prefix() + name)
+        except AttributeError:
+            raise self._unknown(name) from None
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        """Sets a property; ``None`` gives back what a new path has."""
+        known = getattr(type(self), name, None)
+        if name.startswith("_") or known is not None:
+            object.__setattr__(self, name, value)
+        else:
+            self._set_key(name, value)
+
+    def _set_key(self, name: str, value: object) -> None:
+        try:
+            self._document().set_property(self._prefix() + name, value)
+        except AttributeError:
+            raise self._unknown(name) from None
+        except Error as error:
+            # In files points count from 1.
+            sentence = str(error).removeprefix(self._prefix())
+            place = name if error.place == self._prefix() + name else error.place
+            raise Error(sentence, error.kind, place, error.line) from None
+
+    def _unknown(self, name: str) -> AttributeError:
+        kind = type(self).__name__
+        near = difflib.get_close_matches(name, dir(self), 1, 0.7)
+        meant = f": is {near[0]} meant?" if near else "; dir() lists what it has"
+        return AttributeError(f"{kind} has no {name}{meant}", name=name, obj=self)
+
+    def __dir__(self) -> list[str]:
+        return [*object.__dir__(self), *self._keys()]
+
+    def _keys(self) -> list[str]:
+        return []
+
+
+def _bare_keys() -> list[str]:
+    """Keys of orientations, without their units."""
+    return [re.sub("_(mm|degrees|frames)$", "", row[0]) for row in _vides.keys()]
+
+
+class Orientation(Keyed):
+    """One camera orientation at a point: what the camera looks at, and how it goes on.
+
+    Its properties have the keys of ``.vid`` files, with or without their unit: ``target`` or
+    ``offset`` (x, y, z), ``roll`` (degrees), ``zoom`` (mm, 1 to 2000), ``hold`` (frames),
+    ``speed_curve`` (ten numbers, 1 to 100) and so on; :func:`vides.properties` lists them.
+
+    >>> path = Path()
+    >>> view = path.points[0].orientations[0]
+    >>> view.zoom, view.roll, view.hold
+    (24.0, 0.0, 0)
+    >>> view.target = [0, 0, 0]
+    >>> view.hold = 25
+    >>> path.frame_count
+    146
+    """
+
+    __slots__ = ("_owner", "_point", "_at")
+
+    def __init__(self, path: Path, point: int, at: int) -> None:
+        self._owner = path
+        self._point = point
+        self._at = at
+
+    def _document(self) -> _vides.Document:
+        return self._owner._native
+
+    def _prefix(self) -> str:
+        return f"point.{self._point + 1}.view.{self._at + 1}."
+
+    def _keys(self) -> list[str]:
+        return _bare_keys()
+
+    @property
+    def up_vector(self) -> Array:
+        """(3,): the camera's up, roll included; a unit vector perpendicular to its view."""
+        return np.array(self._document().up_at(self._point, self._at))
+
+    def make_absolute(self, absolute: bool = True) -> None:
+        """Makes the target a place of the world, or an offset from the point; the view stays."""
+        self._document().edit("set_absolute", point=self._point, at=self._at, absolute=absolute)
+
+    def __repr__(self) -> str:
+        return f"<vides.Orientation {self._at} of point {self._point}>"
+
+
+class _Sequence(Sequence[_Item]):
+    """Counted from 0, from the end below 0; slices give lists."""
+
+    __slots__ = ()
+
+    def _item(self, at: int) -> _Item:
+        raise NotImplementedError
+
+    def _what(self) -> str:
+        raise NotImplementedError
+
+    @overload
+    def __getitem__(self, index: int) -> _Item: ...
+    @overload
+    def __getitem__(self, index: slice) -> list[_Item]: ...
+
+    def __getitem__(self, index: int | slice) -> _Item | list[_Item]:
+        if isinstance(index, slice):
+            return [self._item(at) for at in range(*index.indices(len(self)))]
+        return self._item(index_of(index, len(self), self._what()))
+
+    def __iter__(self) -> Iterator[_Item]:
+        return (self._item(at) for at in range(len(self)))
+
+
+class Orientations(_Sequence[Orientation]):
+    """The orientations of a point in the order in which the camera takes them; at least one."""
+
+    __slots__ = ("_owner", "_point")
+
+    def __init__(self, path: Path, point: int) -> None:
+        self._owner = path
+        self._point = point
+
+    def __len__(self) -> int:
+        return self._owner._native.orientation_count(self._point)
+
+    def _item(self, at: int) -> Orientation:
+        return Orientation(self._owner, self._point, at)
+
+    def _what(self) -> str:
+        return "orientation"
+
+    def insert(self, at: int) -> Orientation:
+        """A new orientation before number ``at``: a copy of the one before it.
+
+        >>> path = Path()
+        >>> path.points[0].orientations.append().roll = 90
+        >>> [view.roll for view in path.points[0].orientations]
+        [0.0, 90.0]
+        """
+        at = index_of(at, len(self) + 1, "place")
+        self._owner._native.edit("insert_orientation", point=self._point, at=at)
+        return Orientation(self._owner, self._point, at)
+
+    def append(self) -> Orientation:
+        """A new orientation behind the others: a copy of the last one."""
+        return self.insert(len(self))
+
+    def __delitem__(self, at: int) -> None:
+        at = index_of(at, len(self), "orientation")
+        self._owner._native.edit("remove_orientation", point=self._point, at=at)
+
+    def __repr__(self) -> str:
+        return f"<vides.Orientations: {len(self)} of point {self._point}>"
+
+
+class Point(Keyed):
+    """A support point: the camera passes through it.
+
+    It is the point of this number: after one before it was removed, it is another.
+
+    The properties of its first orientation are its own, too: ``point.zoom = 30``. Beside them it
+    has ``position``, ``name``, ``preset`` (0 to 9) or ``own`` (``{"tension": 0.5}``) for the shape
+    of the curve, and ``tangents``.
+
+    >>> path = Path()
+    >>> path.points[0].position = (-1, 0, 1)
+    >>> path.points[0].position
+    array([-1.,  0.,  1.])
+    >>> path.points[0].zoom = 50
+    >>> path.points[0].name = "start"
+    """
+
+    __slots__ = ("_owner", "_at")
+
+    def __init__(self, path: Path, at: int) -> None:
+        self._owner = path
+        self._at = at
+
+    def _document(self) -> _vides.Document:
+        return self._owner._native
+
+    def _prefix(self) -> str:
+        return f"point.{self._at + 1}."
+
+    def _keys(self) -> list[str]:
+        return ["name", "own", "preset", "tangents", *_bare_keys()]
+
+    @property
+    def index(self) -> int:
+        """Its number, counted from 0."""
+        return self._at
+
+    @property
+    def position(self) -> Array:
+        """(3,): where it lies; a copy, so assign a whole position."""
+        return np.array(self._document().position(self._at))
+
+    @position.setter
+    def position(self, position: Vector) -> None:
+        self._set_key("position", vector(position, "position"))
+
+    @property
+    def orientations(self) -> Orientations:
+        """Its orientations."""
+        return Orientations(self._owner, self._at)
+
+    def look_at(self, target: Vector) -> None:
+        """Lets all its orientations look at a place of the world."""
+        place = list(vector(target, "target"))
+        for orientation in self.orientations:
+            orientation.target = place
+
+    def __repr__(self) -> str:
+        x, y, z = self.position
+        return f"<vides.Point {self._at} at ({x:g}, {y:g}, {z:g})>"
+
+
+class Points(_Sequence[Point]):
+    """The points of a path; at least two.
+
+    >>> path = Path()
+    >>> path.points.insert(1, (0, 0.5, 0.5))
+    <vides.Point 1 at (0, 0.5, 0.5)>
+    >>> del path.points[0]
+    >>> len(path.points)
+    2
+    """
+
+    __slots__ = ("_owner",)
+
+    def __init__(self, path: Path) -> None:
+        self._owner = path
+
+    def __len__(self) -> int:
+        return self._owner._native.point_count()
+
+    def _item(self, at: int) -> Point:
+        return Point(self._owner, at)
+
+    def _what(self) -> str:
+        return "point"
+
+    def insert(self, at: int, position: Vector) -> Point:
+        """A new point before number ``at``; all but its name is as at the one before it."""
+        at = index_of(at, len(self) + 1, "place")
+        self._owner._native.edit("insert_point", at=at, position=vector(position, "position"))
+        return Point(self._owner, at)
+
+    def append(self, position: Vector) -> Point:
+        """A new point behind the last one."""
+        return self.insert(len(self), position)
+
+    def __delitem__(self, at: int) -> None:
+        self._owner._native.edit("remove_point", at=index_of(at, len(self), "point"))
+
+    def move(self, source: int, to: int) -> None:
+        """Gives a point another number; those between move up or down by one."""
+        count = len(self)
+        self._owner._native.edit(
+            "move_point", source=index_of(source, count, "point"), to=index_of(to, count, "point")
+        )
+
+    def __repr__(self) -> str:
+        return f"<vides.Points: {len(self)}>"

@@ -1,0 +1,256 @@
+"""Poses of a camera, one a row."""
+
+from __future__ import annotations
+
+import operator
+import os
+from collections.abc import Iterator
+from typing import Any, Literal, overload
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _vides
+from ._arrays import Array, doubles
+from ._error import Error
+from ._files import choices
+
+Convention = Literal["opengl", "opencv", "ros", "vides"]
+"""What the axes of a camera mean; see :meth:`Samples.matrices`."""
+
+# Columns of VIDES' camera (left, up, forward) that are x, y, z of the convention, and their signs.
+_AXES: dict[str, tuple[tuple[int, int, int], tuple[int, int, int]]] = {
+    "vides": ((0, 1, 2), (1, 1, 1)),
+    "opengl": ((0, 1, 2), (-1, 1, -1)),
+    "opencv": ((0, 1, 2), (-1, -1, 1)),
+    "ros": ((2, 0, 1), (1, 1, 1)),
+}
+
+
+class Samples:
+    """Camera poses in one array of doubles, shape (n, 10): C's ``V_POSE``.
+
+    ``positions``, ``view``, ``up`` and ``zoom`` are views of :attr:`array`: they copy nothing, and
+    what is written into them is written into it. ``numpy.asarray(samples)`` is the array.
+
+    >>> samples = Path().sample()
+    >>> len(samples), samples.array.shape, samples.array.dtype
+    (121, (121, 10), dtype('float64'))
+    >>> samples.positions[0]
+    array([-0.6,  0.2,  0.8])
+    >>> samples.positions.base is samples.array
+    True
+    >>> float(samples[10:20].frames[0])
+    11.0
+    """
+
+    __slots__ = ("array", "fps", "frames")
+
+    array: Array
+    """(n, 10): position x y z (``vrp``), view direction (``vpn``), up (``vup``), zoom in mm."""
+
+    fps: float
+    """Frames per second."""
+
+    frames: Array
+    """(n,): the number of each frame; the first of a path is 1."""
+
+    def __init__(
+        self, array: npt.ArrayLike, fps: float = 25.0, frames: npt.ArrayLike | None = None
+    ) -> None:
+        """Poses of an array of shape (n, 10), which is not copied if it is one of doubles.
+
+        ``frames`` are 1, 2, … unless given.
+        """
+        given = array if isinstance(array, np.ndarray) else None
+        self.array = (
+            given
+            if given is not None and given.dtype == np.float64 and given.ndim == 2
+            and given.shape[1] == 10
+            else doubles(array, (None, 10), "poses")
+        )
+        if not (isinstance(fps, (int, float, np.number)) and 0 < fps <= 100_000):
+            raise Error(f"fps must be greater than 0 and at most 100000, not {fps!r}", "range")
+        self.fps = float(fps)
+        count = len(self.array)
+        self.frames = (
+            np.arange(1.0, count + 1.0) if frames is None else doubles(frames, (count,), "frames")
+        )
+
+    @classmethod
+    def load(cls, file: str | os.PathLike[str], format: str | None = None, **options: object) -> Samples:
+        """The poses in a file: TUM, KITTI, COLMAP, ``transforms.json``, CSV and others.
+
+        ``format`` is a name of :func:`formats`, else it is found by the content; ``options`` are
+        those of :func:`convert`. Where the file has no frames of its own but seconds,
+        :attr:`frames` are made of them, from 1 on.
+        """
+        array, frames, seconds, fps, _ = _vides.recording(os.fspath(file), format, choices(options))
+        rate = 25.0 if fps is None else fps
+        if frames is None and seconds is not None and len(seconds) > 0:
+            frames = (seconds - seconds[0]) * rate + 1.0
+        return cls(array, rate, frames)
+
+    @classmethod
+    def of(
+        cls,
+        positions: npt.ArrayLike,
+        quaternions: npt.ArrayLike,
+        zoom: npt.ArrayLike = 24.0,
+        fps: float = 25.0,
+        convention: Convention = "vides",
+    ) -> Samples:
+        """Poses of positions (n, 3), quaternions (n, 4) w x y z and zooms (n,) or one, in mm.
+
+        The quaternions turn a camera of the convention into the world.
+
+        >>> samples = Path().sample()
+        >>> again = Samples.of(samples.positions, samples.quaternions, samples.zoom)
+        >>> bool(abs(again.array - samples.array).max() < 1e-12)
+        True
+        """
+        places = doubles(positions, (None, 3), "positions")
+        turns = doubles(quaternions, (len(places), 4), "quaternions")
+        axes, signs = _convention(convention)
+        zooms = np.broadcast_to(doubles(np.atleast_1d(zoom), (None,), "zoom"), (len(places),))
+        # From VIDES' camera to the convention's: its inverse turns the quaternion.
+        matrix = np.zeros((3, 3))
+        for column, (axis, sign) in enumerate(zip(axes, signs)):
+            matrix[axis, column] = sign
+        turned = _product(turns, _quaternion(matrix.T))
+        return cls(_vides.poses_of(places, turned, np.ascontiguousarray(zooms)), fps)
+
+    @property
+    def positions(self) -> Array:
+        """(n, 3), in the world's lengths: a view."""
+        return self.array[:, 0:3]
+
+    @property
+    def view(self) -> Array:
+        """(n, 3), unit vectors along which the camera looks: a view."""
+        return self.array[:, 3:6]
+
+    @property
+    def up(self) -> Array:
+        """(n, 3), unit vectors perpendicular to :attr:`view`, upwards in the picture: a view."""
+        return self.array[:, 6:9]
+
+    @property
+    def zoom(self) -> Array:
+        """(n,), focal lengths in mm for a picture of 36×24 mm, 1 to 2000: a view."""
+        return self.array[:, 9]
+
+    @property
+    def fov(self) -> Array:
+        """(n,), vertical fields of view in degrees, 2·atan(12/zoom).
+
+        >>> float(Path().sample().fov[0].round(3))
+        53.13
+        """
+        return np.degrees(2.0 * np.arctan(12.0 / self.zoom))
+
+    @property
+    def seconds(self) -> Array:
+        """(n,), when each is shown, the first frame of the path at 0.
+
+        >>> Path().sample().seconds[:3]
+        array([0.  , 0.04, 0.08])
+        """
+        return (self.frames - 1.0) / self.fps
+
+    @property
+    def quaternions(self) -> Array:
+        """(n, 4), w x y z, as in C: takes (0, 0, 1) to the view and (0, 1, 0) to the up.
+
+        The camera looks along its own +z, y is up, x is left. Neighbours may differ in sign.
+        """
+        return _vides.quaternions(np.ascontiguousarray(self.array))
+
+    def matrices(self, convention: Convention = "opengl") -> Array:
+        """(n, 4, 4), camera to world, for column vectors: ``world = matrix @ camera``.
+
+        ============  =======  =====  =========  ========================================
+        convention    x is     y is   z is       used by
+        ============  =======  =====  =========  ========================================
+        ``opengl``    right    up     backwards  OpenGL, Blender, glTF, USD, nerfstudio
+        ``opencv``    right    down   forward    OpenCV, COLMAP, Gaussian splatting, Open3D
+        ``ros``       forward  left   up         ROS
+        ``vides``     left     up     forward    this package's quaternions
+        ============  =======  =====  =========  ========================================
+
+        ``numpy.linalg.inv`` of it is world to camera.
+
+        >>> matrix = Path().sample().matrices("opencv")[0]
+        >>> matrix[:3, 2]  # looks along -z
+        array([ 0.,  0., -1.])
+        >>> matrix[:3, 3]  # stands here
+        array([-0.6,  0.2,  0.8])
+        """
+        axes, signs = _convention(convention)
+        own = np.stack([np.cross(self.up, self.view), self.up, self.view], axis=-1)
+        matrices = np.zeros((len(self), 4, 4))
+        matrices[:, :3, :3] = own[:, :, axes] * np.array(signs, dtype=np.float64)
+        matrices[:, :3, 3] = self.positions
+        matrices[:, 3, 3] = 1.0
+        return matrices
+
+    def __len__(self) -> int:
+        return len(self.array)
+
+    @overload
+    def __getitem__(self, index: slice) -> Samples: ...
+    @overload
+    def __getitem__(self, index: int) -> Array: ...
+
+    def __getitem__(self, index: int | slice) -> Samples | Array:
+        """A row of ten numbers; of a slice samples that share the array."""
+        if isinstance(index, slice):
+            part = Samples.__new__(Samples)
+            part.array, part.frames, part.fps = self.array[index], self.frames[index], self.fps
+            return part
+        row: Array = self.array[operator.index(index)]
+        return row
+
+    def __iter__(self) -> Iterator[Array]:
+        return iter(self.array)
+
+    def __array__(self, dtype: Any = None, copy: bool | None = None) -> npt.NDArray[Any]:
+        if copy:
+            return np.array(self.array, dtype=dtype)
+        return np.asarray(self.array, dtype=dtype)
+
+    def __repr__(self) -> str:
+        if len(self) == 0:
+            return "<vides.Samples: none>"
+        first, last = self.frames[0], self.frames[-1]
+        return f"<vides.Samples: {len(self)} poses, frames {first:g} to {last:g}, {self.fps:g} a second>"
+
+
+def _convention(name: str) -> tuple[tuple[int, int, int], tuple[int, int, int]]:
+    try:
+        return _AXES[name]
+    except (KeyError, TypeError):
+        raise Error(f"the convention is one of {', '.join(_AXES)}, not {name!r}") from None
+
+
+def _quaternion(matrix: Array) -> Array:
+    """Of a matrix that permutes the axes."""
+    columns = _vides.quaternions(
+        np.concatenate([np.zeros(3), matrix[:, 2], matrix[:, 1], [24.0]])[np.newaxis]
+    )
+    quaternion: Array = columns[0]
+    return quaternion
+
+
+def _product(a: Array, b: Array) -> Array:
+    w, x, y, z = a.T
+    s, i, j, k = b
+    return np.stack(
+        [
+            w * s - x * i - y * j - z * k,
+            w * i + x * s + y * k - z * j,
+            w * j - x * k + y * s + z * i,
+            w * k + x * j - y * i + z * s,
+        ],
+        axis=-1,
+    )

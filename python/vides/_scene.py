@@ -1,0 +1,427 @@
+"""A scene: cameras, objects and lights on one timeline."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, Literal, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _vides
+from ._arrays import Array, Vector, doubles, vector
+from ._error import Error
+from ._files import choices, path_of
+from ._path import Axis, Path
+from ._samples import Samples
+
+Extrapolation = Literal["hold", "repeat", "pingpong", "offset"]
+
+
+class Keys(NamedTuple):
+    """The keys of one channel of a node."""
+
+    channel: str
+    """What they move: ``"position"``, ``"rotation"``, …"""
+    interpolation: str
+    """How it goes from key to key."""
+    frames: Array
+    """(k,): the keys' frames."""
+    values: Array
+    """(k, m): the keys' numbers."""
+
+
+class State(NamedTuple):
+    """A node at a frame."""
+
+    matrix: Array
+    """(4, 4): from the node's coordinates into the world's, for column vectors."""
+    pose: Array
+    """(10,): of cameras and lights, as a row of :class:`Samples`; of others 0."""
+    visible: bool
+    """Whether it and all that it is in are visible."""
+    colour: tuple[float, float, float]
+    """Of lights and objects: linear red, green, blue."""
+    intensity: float
+    """Of lights."""
+    cone: tuple[float, float]
+    """Of lights: half angles in degrees, inner and outer."""
+
+
+class Motion(NamedTuple):
+    """A node at several frames."""
+
+    frames: Array
+    """(n,)."""
+    matrices: Array
+    """(n, 4, 4): from the node's coordinates into the world's, for column vectors."""
+    poses: Samples
+    """Of a camera or light; of others 0."""
+
+
+class Node:
+    """A node of a scene, found by its name.
+
+    Values at rest are attributes: ``position`` (3,), ``rotation`` (4,) w x y z, ``scale`` (3,),
+    ``pivot`` (3,), ``visible``; of cameras ``zoom`` (mm), ``roll`` (degrees), ``near`` and
+    ``far``; of lights and objects ``colour`` (linear red, green, blue); of lights ``intensity``
+    and ``cone`` (degrees). ``aim`` and ``parent`` are names of other nodes. Keys move them.
+
+    >>> scene = Scene()
+    >>> ball = scene.add("ball", "object")
+    >>> ball.position = (0, 1, 0)
+    >>> ball.set_keys("position", [1, 50], [[0, 1, 0], [2, 1, 0]], "linear")
+    >>> scene.evaluate(25.5)["ball"].matrix[:3, 3]
+    array([1., 1., 0.])
+    """
+
+    __slots__ = ("_owner", "_name")
+    _owner: Scene
+    _name: str
+
+    def __init__(self, scene: Scene, name: str) -> None:
+        object.__setattr__(self, "_owner", scene)
+        object.__setattr__(self, "_name", name)
+
+    @property
+    def _at(self) -> int:
+        return self._owner._native.find(self._name)
+
+    @property
+    def name(self) -> str:
+        """Its name; one that is not taken may be assigned."""
+        return self._name
+
+    @name.setter
+    def name(self, name: str) -> None:
+        self._owner._native.rename(self._at, name)
+        object.__setattr__(self, "_name", name)
+
+    @property
+    def kind(self) -> str:
+        """``"group"``, ``"object"``, ``"camera"``, ``"directional"``, ``"point"`` or ``"spot"``."""
+        return self._owner._native.nodes()[self._at][1]
+
+    @property
+    def parent(self) -> str | None:
+        """The node that it is in; it stays where it is in the world when that changes."""
+        return self._name_of(self._owner._native.nodes()[self._at][2])
+
+    @parent.setter
+    def parent(self, name: str | None) -> None:
+        self._set("parent", None if name is None else self._owner._native.find(name))
+
+    @property
+    def aim(self) -> str | None:
+        """The node at which a camera or light looks."""
+        return self._name_of(self._owner._native.nodes()[self._at][3])
+
+    @aim.setter
+    def aim(self, name: str | None) -> None:
+        self._set("aim", None if name is None else self._owner._native.find(name))
+
+    def _name_of(self, at: int | None) -> str | None:
+        return None if at is None else self._owner._native.nodes()[at][0]
+
+    def _set(self, name: str, value: object) -> None:
+        self._owner._native.set_rest(self._at, name, value)
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        if isinstance(getattr(type(self), name, None), property):
+            object.__setattr__(self, name, value)
+            return
+        if isinstance(value, np.ndarray):
+            value = doubles(value, (None,), name).tolist()
+        elif isinstance(value, np.generic):
+            value = value.item()
+        self._set(name, value)
+
+    def value(self, channel: str, frame: float) -> Array:
+        """(m,): the numbers of a channel at a frame, with or without keys."""
+        return np.array(self._owner._native.value(self._at, channel, frame))
+
+    def set_keys(
+        self,
+        channel: str,
+        frames: npt.ArrayLike,
+        values: npt.ArrayLike,
+        interpolation: str = "cubic",
+        *,
+        shape: npt.ArrayLike = (),
+        before: Extrapolation = "hold",
+        after: Extrapolation = "hold",
+    ) -> None:
+        """Moves a channel by keys, in place of those that it has.
+
+        ``frames`` (k,) rise, ``values`` are (k, m), or (k,) where m is 1: of ``"position"`` and
+        ``"scale"`` 3, of ``"rotation"`` 4 (w x y z), of ``"zoom"``, ``"roll"``, ``"visible"``,
+        ``"intensity"``, ``"aim_weight"`` 1, of ``"colour"`` 3, of ``"cone"`` 2, of ``"weights"``
+        one a shape. ``interpolation`` is ``"step"``, ``"linear"``, ``"cubic"``, ``"hermite"``
+        (``shape``: tangents before and after each key, per frame), ``"tcb"`` (``shape``: tension,
+        continuity, bias of each key) and others; ``before`` and ``after`` say what is shown beyond
+        the keys.
+        """
+        at = doubles(frames, (None,), "frames")
+        array = np.asarray(values)
+        if array.ndim == 1:
+            array = array[:, np.newaxis]
+        numbers = doubles(array, (len(at), None), "values")
+        more = doubles(np.asarray(shape, dtype=np.float64).ravel(), (None,), "shape")
+        self._owner._native.set_keys(
+            self._at, channel, interpolation, at, numbers, more, before, after
+        )
+
+    def remove_keys(self, channel: str) -> None:
+        """Lets a channel rest."""
+        self._owner._native.remove_keys(self._at, channel)
+
+    @property
+    def keys(self) -> list[Keys]:
+        """All keys, channel by channel; copies."""
+        return [
+            Keys(channel, interpolation, np.array(frames), np.array(values).reshape(len(frames), -1))
+            for channel, interpolation, frames, values in self._owner._native.tracks(self._at)
+        ]
+
+    @property
+    def path(self) -> Path | None:
+        """The path that it follows; a copy. See :meth:`follow`."""
+        try:
+            return Path._of(self._owner._native.path(self._at))
+        except Error as error:
+            if error.kind == "argument":
+                return None
+            raise
+
+    def follow(
+        self, path: Path | None, start_frame: float = 1.0, beyond: Extrapolation = "hold"
+    ) -> None:
+        """Follows a path from a frame on; ``beyond`` says what is shown before and after it."""
+        native = None if path is None else path._native
+        self._owner._native.set_path(self._at, native, start_frame, beyond)
+
+    def set_mesh(
+        self,
+        points: npt.ArrayLike,
+        triangles: npt.ArrayLike = (),
+        lines: npt.ArrayLike = (),
+    ) -> None:
+        """Gives an object a mesh: points (n, 3), triangles (m, 3) and lines (k, 2) of their indices."""
+        self._owner._native.set_mesh(
+            self._at,
+            doubles(points, (None, 3), "points"),
+            _corners(triangles, 3, "triangles"),
+            _corners(lines, 2, "lines"),
+        )
+
+    def load_mesh(self, file: str | os.PathLike[str]) -> None:
+        """Gives an object the mesh of an OBJ, PLY, STL or glTF file, whose name is saved."""
+        self._owner._native.load_mesh(self._at, path_of(file))
+
+    @property
+    def triangles(self) -> npt.NDArray[np.uint32]:
+        """(m, 3): indices of an object's points; a copy."""
+        return np.array(self._owner._native.triangles(self._at), dtype=np.uint32).reshape(-1, 3)
+
+    def vertices(self, frame: float) -> Array:
+        """(n, 3): an object's points at a frame, morphed and deformed, in its own coordinates."""
+        return self._owner._native.vertices(self._at, frame)
+
+    def __repr__(self) -> str:
+        return f"<vides.Node {self._name!r}, {self.kind}>"
+
+
+def _corners(values: npt.ArrayLike, width: int, name: str) -> list[Any]:
+    array = np.asarray(values)
+    if array.size == 0:
+        return []
+    if array.ndim != 2 or array.shape[1] != width or array.dtype.kind not in "iu":
+        raise Error(f"{name} must be whole numbers of the shape (n, {width}), not {array.dtype} {array.shape}")
+    if array.min() < 0 or array.max() >= 2**32:
+        raise Error(f"{name} must be indices of points, from 0", "range")
+    corners: list[Any] = array.tolist()
+    return corners
+
+
+class Scene(Mapping[str, Node]):
+    """A scene: nodes by name, each with a place, keys or a path, in a tree.
+
+    >>> scene = Scene()
+    >>> camera = scene.add("camera", "camera")
+    >>> camera.follow(Path())
+    >>> list(scene)
+    ['camera']
+    >>> scene.sample("camera", 1, 11).poses.positions[0]
+    array([-0.6,  0.2,  0.8])
+    """
+
+    __slots__ = ("_native", "losses", "__weakref__")
+
+    _native: _vides.Scene
+    losses: tuple[str, ...]
+    """What was lost when it was read, warnings of its meshes too."""
+
+    def __init__(self) -> None:
+        self._native = _vides.Scene()
+        self.losses = ()
+
+    @classmethod
+    def _of(cls, native: _vides.Scene, losses: Sequence[str] = ()) -> Scene:
+        scene = cls.__new__(cls)
+        scene._native, scene.losses = native, tuple(losses)
+        return scene
+
+    @classmethod
+    def of_path(cls, path: Path) -> Scene:
+        """One camera on a path."""
+        return cls._of(path._native.scene())
+
+    @classmethod
+    def load(cls, file: str | os.PathLike[str], format: str | None = None, **options: object) -> Scene:
+        """The scene in a ``.vid`` file or another program's; see :func:`options`."""
+        return cls._of(*_vides.Scene.load(path_of(file), format, choices(options)))
+
+    @classmethod
+    def from_str(cls, text: str) -> Scene:
+        """The scene in the text of a ``.vid`` file; mesh files that it names are not read."""
+        return cls._of(_vides.Scene.from_text(text))
+
+    def to_str(self) -> str:
+        """The text of a ``.vid`` file."""
+        return self._native.text()
+
+    def save(self, file: str | os.PathLike[str], format: str | None = None, **options: object) -> list[str]:
+        """Writes a ``.vid`` file or another program's; returns what that cannot hold."""
+        name = path_of(file)
+        if format in (None, "vid") and name.endswith(".vid") and not options:
+            self._native.save(name)
+            return []
+        return self._native.export(name, format, choices(options))
+
+    def copy(self) -> Scene:
+        """A scene of its own."""
+        return type(self)._of(self._native.copy(), self.losses)
+
+    __copy__ = copy
+
+    def __deepcopy__(self, memo: object) -> Scene:
+        return self.copy()
+
+    def __reduce__(self) -> tuple[Any, tuple[str]]:
+        return type(self).from_str, (self.to_str(),)
+
+    def add(self, name: str, kind: str = "group", parent: str | None = None) -> Node:
+        """A new node: ``"group"``, ``"object"``, ``"camera"``, or a light: ``"directional"``,
+        ``"point"`` or ``"spot"``."""
+        self._native.add(name, kind, None if parent is None else self._native.find(parent))
+        return Node(self, name)
+
+    def __delitem__(self, name: str) -> None:
+        self._native.remove(self[name]._at)
+
+    def __getitem__(self, name: str) -> Node:
+        if not any(name == node[0] for node in self._native.nodes()):
+            raise KeyError(name)
+        return Node(self, name)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter([node[0] for node in self._native.nodes()])
+
+    def __len__(self) -> int:
+        return len(self._native.nodes())
+
+    @property
+    def camera(self) -> str | None:
+        """The camera that is shown; assigning ``None`` leaves the choice to the scene."""
+        at = self._native.camera
+        return None if at is None else self._native.nodes()[at][0]
+
+    @camera.setter
+    def camera(self, name: str | None) -> None:
+        self._native.camera = None if name is None else self._native.find(name)
+
+    @property
+    def frame_range(self) -> tuple[float, float]:
+        """The first and the last frame; assigning ``None`` leaves them to what moves."""
+        return self._native.range
+
+    @frame_range.setter
+    def frame_range(self, frames: tuple[float, float] | None) -> None:
+        self._native.range = frames
+
+    @property
+    def fps(self) -> float:
+        """Frames per second."""
+        return self._native.fps
+
+    @fps.setter
+    def fps(self, fps: float) -> None:
+        self._native.fps = fps
+
+    @property
+    def up(self) -> str:
+        """Which axis stands upright: ``"y"`` or ``"z"``."""
+        return self._native.space()[2]
+
+    def set_space(self, centre: Vector, half_size: float, up: Axis = "y") -> None:
+        """Where the scene lies in the world: a cube."""
+        self._native.set_space(vector(centre, "centre"), half_size, up)
+
+    def evaluate(self, frame: float) -> dict[str, State]:
+        """All nodes at a frame, by their names.
+
+        >>> scene = Scene.of_path(Path())
+        >>> scene.evaluate(1)["camera"].pose[:3]
+        array([-0.6,  0.2,  0.8])
+        """
+        matrices, poses, (colours, intensities, cones, visible) = self._native.states(frame)
+        return {
+            name: State(
+                matrices[at].reshape(4, 4),
+                poses[at],
+                visible[at],
+                (colours[at][0], colours[at][1], colours[at][2]),
+                intensities[at],
+                (cones[at][0], cones[at][1]),
+            )
+            for at, name in enumerate(self)
+        }
+
+    def sample(
+        self,
+        node: str | None = None,
+        first: float | None = None,
+        last: float | None = None,
+        step: float = 1.0,
+    ) -> Motion:
+        """A node, unless given the shown camera, from frame ``first`` to ``last``, both included.
+
+        >>> Scene.of_path(Path()).sample(first=1, last=3).matrices.shape
+        (3, 4, 4)
+        """
+        name = self.camera if node is None else node
+        if name is None:
+            raise Error("this scene has no camera: name a node")
+        at = self._native.find(name)
+        start, end = self.frame_range
+        start = start if first is None else float(first)
+        end = end if last is None else float(last)
+        if not (np.isfinite([start, end, step]).all() and step > 0 and start <= end):
+            raise Error(f"frames {start:g} to {end:g} in steps of {step:g} are wanted: they must rise", "range")
+        many = (end - start) / step
+        if many >= 1e7:
+            raise Error("more than 10000000 frames are wanted", "limit")
+        count = int(np.floor(many + 1e-9)) + 1
+        poses, matrices = np.empty((count, 10)), np.empty((count, 16))
+        self._native.sample(at, start, step, poses, matrices)
+        frames = start + step * np.arange(count, dtype=np.float64)
+        return Motion(frames, matrices.reshape(count, 4, 4), Samples(poses, self.fps, frames))
+
+    def path(self) -> Path:
+        """The path that the shown camera follows; a copy."""
+        return Path._of(self._native.path())
+
+    def __repr__(self) -> str:
+        first, last = self.frame_range
+        return f"<vides.Scene: {len(self)} nodes, frames {first:g} to {last:g}>"

@@ -1,0 +1,115 @@
+"""What a path tells of itself, and what there is to be used with it."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from . import _vides
+
+
+class Section(NamedTuple):
+    """The way from one orientation to the next, at one point or on to the next point."""
+
+    point: int
+    """The point at which it begins."""
+    orientation: int
+    """The orientation of that point with which it begins; it has the section's speeds."""
+    change: str
+    """What changes: ``"position"``, ``"view"``, ``"roll"``, ``"zoom"`` or ``"nothing"``."""
+    amount: float
+    """By how much, in units of its base speed: half sizes, half turns, …"""
+    frames: int
+    """How many frames it takes; 0 if nothing changes."""
+    first_frame: int
+    """The first frame behind the orientation with which it begins."""
+    length: float
+    """Length of the way, in the world's lengths."""
+
+
+class Finding(NamedTuple):
+    """Something that will look wrong in the film."""
+
+    kind: str
+    """A name, as in ``vides check``."""
+    first_frame: float
+    """The first frame, from 1."""
+    last_frame: float
+    """The last frame."""
+    point: int
+    """The point at which the section begins."""
+    orientation: int
+    """The orientation of that point with which it begins."""
+    value: float
+    """The worst value."""
+    limit: float
+    """The limit."""
+    text: str
+    """The finding in a sentence."""
+    remedy: str
+    """What helps."""
+
+
+class Tool(NamedTuple):
+    """A tool of :meth:`Path.tool`."""
+
+    name: str
+    """What :meth:`Path.tool` takes."""
+    does: str
+    """What it does."""
+    wants_path: bool
+    """Whether it takes another path."""
+    parameters: dict[str, str]
+    """What it takes by name, and what that is."""
+
+
+def tools() -> list[Tool]:
+    """The tools of :meth:`Path.tool`.
+
+    >>> [tool.name for tool in tools()][:3]
+    ['orbit', 'spiral', 'arc']
+    """
+
+    def row(name: str, does: str, unit: str, width: int) -> tuple[str, str]:
+        numbers = "" if width == 1 else f", {width} numbers"
+        return name, does + (f" ({unit})" if unit else "") + numbers
+
+    return [
+        Tool(name, does, block, dict(row(*parameter) for parameter in parameters))
+        for name, does, block, parameters in _vides.tools()
+    ]
+
+
+class Property(NamedTuple):
+    """A property of an orientation."""
+
+    key: str
+    """Its key in files; its unit at the end may be left out."""
+    does: str
+    """What it is for."""
+    kind: str
+    """What its values are."""
+    unit: str
+    """What its numbers count."""
+    range: tuple[float, float] | None
+    """The least and the greatest, if they are fixed."""
+
+
+def properties() -> list[Property]:
+    """The properties of orientations, as the engine's table has them.
+
+    >>> [row for row in properties() if row.key == "zoom_mm"][0].range
+    (1.0, 2000.0)
+    """
+    return [Property(*row) for row in _vides.keys()]
+
+
+class SVG(str):
+    """A picture as SVG text, which a notebook shows.
+
+    ``pathlib.Path("plot.svg").write_text(picture)`` keeps it.
+    """
+
+    __slots__ = ()
+
+    def _repr_svg_(self) -> str:
+        return str(self)
