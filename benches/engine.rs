@@ -15,6 +15,7 @@ use vides::path::{
     CameraPath, CurveParameters, Orientation, Plan, Pose, Sampler, SupportPoint, Target, Tcb,
     Timeline,
 };
+use vides::scene::{Channel, Interpolation, Kind, Node, NodeState, Scene, Track, Warnings};
 
 /// About so many poses, whatever the number of points.
 const POSES: f64 = 1e6;
@@ -52,12 +53,16 @@ fn point(i: usize) -> SupportPoint {
 
 /// So many points, and the base speed that gives [`POSES`] in all.
 fn path(points: usize) -> CameraPath {
+    path_of(points, POSES)
+}
+
+fn path_of(points: usize, poses: f64) -> CameraPath {
     let mut path = CameraPath {
         points: (0..points).map(point).collect(),
         ..CameraPath::default()
     };
     let length = Timeline::new(&path).expect("lengths").length();
-    path.base_frames.movement = POSES / length;
+    path.base_frames.movement = poses / length;
     path
 }
 
@@ -161,12 +166,91 @@ fn files(c: &mut Criterion) {
     group.finish();
 }
 
+/// Nodes of a tree with three tracks of six keys each, as in `benches/scene.c`.
+fn nodes(count: usize) -> Scene {
+    let mut nodes = Vec::new();
+    for n in 0..count {
+        let mut node = Node::new(&format!("n{n}"), Kind::Group);
+        node.parent = (n > 0).then(|| (n - 1) / 4);
+        let frames: Vec<f64> = (0..6).map(|k| f64::from(1 + 20 * k)).collect();
+        for (channel, width) in [
+            (Channel::Position, 3),
+            (Channel::Rotation, 4),
+            (Channel::Scale, 3),
+        ] {
+            let values = (0..6 * width).map(|k| (0.37 * n as f64 + 0.9 * f64::from(k)).sin());
+            let track = Track::new(
+                channel,
+                Interpolation::Linear,
+                frames.clone(),
+                values.collect(),
+                vec![],
+            );
+            node.set_track(track.expect("a track")).expect("a channel");
+        }
+        nodes.push(node);
+    }
+    Scene::from_nodes(nodes)
+        .map_err(|(_, error)| error)
+        .expect("a scene")
+}
+
+/// What a point and a node cost by their number: `table.py` draws it.
+fn growth(c: &mut Criterion) {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut group = c.benchmark_group("growth");
+    group
+        .sample_size(10)
+        .warm_up_time(Duration::from_millis(300))
+        .measurement_time(Duration::from_secs(1));
+    for count in [10, 100, 1_000, 10_000, 100_000] {
+        group.throughput(Throughput::Elements(count as u64));
+        let path = path_of(count, 10.0 * count as f64);
+        let sampler = prepare(&path);
+        group.bench_function(format!("prepare_{count}"), |b| {
+            b.iter(|| prepare(black_box(&path)))
+        });
+        let mut poses = vec![
+            Pose {
+                zoom: 1.0,
+                ..Pose::default()
+            };
+            sampler.frame_count()
+        ];
+        group.bench_function(format!("fill_{count}"), |b| {
+            b.iter(|| sampler.sample(1, black_box(&mut poses)).expect("poses"));
+        });
+        let file = folder.path().join("growth.vid");
+        let document = Document::from_parts(path, Info::default()).expect("a document");
+        document.save(&file).expect("saved");
+        group.bench_function(format!("load_{count}"), |b| {
+            b.iter(|| Document::load(&file).expect("loaded"))
+        });
+        let scene = nodes(count);
+        let mut states = vec![NodeState::default(); count];
+        let mut frame = 0.0;
+        group.bench_function(format!("evaluate_{count}"), |b| {
+            b.iter(|| {
+                frame = (frame + 0.37) % 100.0;
+                scene
+                    .evaluate(
+                        1.0 + frame,
+                        black_box(&mut states),
+                        &mut Warnings::default(),
+                    )
+                    .expect("states");
+            });
+        });
+    }
+    group.finish();
+}
+
 criterion_group! {
     name = engine;
     config = Criterion::default()
         .sample_size(20)
         .warm_up_time(Duration::from_secs(1))
         .measurement_time(Duration::from_secs(4));
-    targets = sample, write, change, files
+    targets = sample, write, change, files, growth
 }
 criterion_main!(engine);

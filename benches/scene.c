@@ -1,8 +1,8 @@
 /*
  * Scenes, as a C program asks for them: scene
  *
- * 1,000 nodes of a tree with position, rotation and scale tracks of 11 keys each,
- * evaluated at one frame after the other; 100,000 points with two shapes and a twist.
+ * 1,000 nodes of a tree with position, rotation and scale tracks of 11 keys each, and
+ * 100,000 with 6, evaluated at one frame after the other; the last of the 1,000 at many frames; 100,000 points with two shapes and a twist.
  * peers/scene.mjs and peers/scene.py make the same. Prints a name and a number a line.
  */
 #include <math.h>
@@ -12,8 +12,8 @@
 
 #include <libvides.h>
 
-#define NODES 1000
 #define KEYS 11
+#define SAMPLES 1000
 #define POINTS 100000
 #define RUNS 7
 
@@ -34,7 +34,7 @@ static double now(void)
     return (double)at.tv_sec + 1e-9 * (double)at.tv_nsec;
 }
 
-static V_SCENE *nodes(void)
+static V_SCENE *nodes(int count, int keys)
 {
     double frames[KEYS], place[3 * KEYS], turn[4 * KEYS], scale[3 * KEYS];
     V_SCENE *scene;
@@ -44,15 +44,15 @@ static V_SCENE *nodes(void)
 
     check(v_scene_new(&scene));
     check(v_scene_remove_node(scene, 0));
-    for (i = 0; i < NODES; i++) {
+    for (i = 0; i < count; i++) {
         v_node_init(&node, V_NODE_GROUP);
         node.parent = i > 0 ? (i - 1) / 4 : -1;
         sprintf(name, "n%d", i);
         check(v_scene_add_node(scene, name, &node, &number));
-        for (k = 0; k < KEYS; k++) {
+        for (k = 0; k < keys; k++) {
             double axis[3], angle = 0.6 * sin(0.3 * i + k), length;
 
-            frames[k] = 1 + 10 * k;
+            frames[k] = 1 + 100.0 / (keys - 1) * k;
             place[3 * k] = 0.5 * sin(0.37 * i + 0.9 * k);
             place[3 * k + 1] = 0.5 * cos(0.23 * i + 0.5 * k);
             place[3 * k + 2] = 0.5 * sin(0.11 * i + 0.7 * k);
@@ -66,33 +66,45 @@ static V_SCENE *nodes(void)
             scale[3 * k + 1] = 1 + 0.1 * cos(i + k);
             scale[3 * k + 2] = 1;
         }
-        check(v_scene_set_track(scene, i, "position", "linear", frames, place, NULL, KEYS, 0));
-        check(v_scene_set_track(scene, i, "rotation", "linear", frames, turn, NULL, KEYS, 0));
-        check(v_scene_set_track(scene, i, "scale", "linear", frames, scale, NULL, KEYS, 0));
+        check(v_scene_set_track(scene, i, "position", "linear", frames, place, NULL, keys, 0));
+        check(v_scene_set_track(scene, i, "rotation", "linear", frames, turn, NULL, keys, 0));
+        check(v_scene_set_track(scene, i, "scale", "linear", frames, scale, NULL, keys, 0));
     }
     return scene;
 }
 
-static void evaluate(void)
+static void evaluate(int count, int keys, const char *name)
 {
-    static V_NODE_STATE states[NODES];
-    V_SCENE *scene = nodes();
+    V_NODE_STATE *states = malloc(count * sizeof *states);
+    V_SCENE *scene = nodes(count, keys);
+    int frames = 200000 / count > 4 ? 200000 / count : 4;
     double best = 1e9, sum = 0;
     int run, n, i;
 
     for (run = 0; run <= RUNS; run++) {
         double begin = now(), took;
 
-        for (n = 0; n < 200; n++)
-            check(v_scene_evaluate(scene, 1 + fmod(0.37 * n, 100), states, NODES, NULL));
-        took = (now() - begin) / 200;
+        for (n = 0; n < frames; n++)
+            check(v_scene_evaluate(scene, 1 + fmod(0.37 * n, 100), states, count, NULL));
+        took = (now() - begin) / frames;
         if (run > 0 && took < best)
             best = took;
     }
-    for (i = 0; i < NODES; i++)
+    for (i = 0; i < count; i++)
         sum += states[i].matrix[12] + 2 * states[i].matrix[13] + 3 * states[i].matrix[14];
-    printf("nodes_per_second %.0f\nplaces %.12f\n", NODES / best, sum);
+    printf("%s_per_second %.0f\n%s_places %.12f\n", name, count / best, name, sum);
+    if (count >= SAMPLES) {
+        for (run = 0, best = 1e9; run <= RUNS; run++) {
+            double begin = now();
+
+            check(v_scene_sample(scene, 999, 1, 0.1, states, SAMPLES));
+            if (now() - begin < best)
+                best = now() - begin;
+        }
+        printf("%s_sampled_per_second %.0f\n", name, SAMPLES / best);
+    }
     v_scene_free(scene);
+    free(states);
 }
 
 static void vertices(void)
@@ -141,7 +153,8 @@ static void vertices(void)
 
 int main(void)
 {
-    evaluate();
+    evaluate(1000, 11, "nodes");
+    evaluate(100000, 6, "many");
     vertices();
     return 0;
 }

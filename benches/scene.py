@@ -42,18 +42,24 @@ def main():
     installed(python, " ".join(PYTHON), [sys.executable, "-m", "venv", "--clear", "."], pip)
 
     own = {key: float(value) for key, value in map(str.split, run(program).splitlines())}
-    three = json.loads(run("node", HERE / "peers" / "scene.mjs",
-                           modules / "node_modules" / "three" / "build" / "three.module.js"))  # fmt: skip
+    module = modules / "node_modules" / "three" / "build" / "three.module.js"
+    three, many = (json.loads(run("node", HERE / "peers" / "scene.mjs", module, nodes, keys))
+                   for nodes, keys in ((1000, 11), (100000, 6)))  # fmt: skip
     usd, numpy = json.loads(run(python / "bin" / "python", HERE / "peers" / "scene.py"))
     # The same everywhere, or the ratios mean nothing. three.js keeps keys as floats.
-    for peer, key, near in ((three, "places", 1e-3), (usd, "places", 1e-3), (numpy, "points", 1e-5)):
-        if abs(peer[key] - own[key]) > near:
-            sys.exit(f"{peer['name']} has another scene: {peer[key]} and {own[key]}")
+    for peer, key, near in ((three, "nodes_places", 1e-3), (many, "many_places", 1), (usd, "nodes_places", 1e-3), (numpy, "points", 1e-5)):
+        found = peer[key.split("_")[-1]]
+        if abs(found - own[key]) > near:
+            sys.exit(f"{peer['name']} has another scene: {found} and {own[key]}")
     rows = [["", "millions a second", "ours"], ["---", "---:", "---:"]]
-    for key, text, peers in (("nodes_per_second", "states of nodes", (three, usd)),
+    for key, text, peers in (("nodes_per_second", "states of 1,000 nodes", (three, usd)),
+                             ("many_per_second", "states of 100,000 nodes", (many,)),
+                             ("nodes_sampled_per_second", "states of one node, five levels deep", ()),
                              ("vertices_per_second", "points with two shapes and a twist", (numpy,))):  # fmt: skip
         rows.append([text, f"{own[key] / 1e6:.2f}", ""])
-        rows += [[peer["name"], f"{peer[key] / 1e6:.2f}", f"{own[key] / peer[key]:.1f}×"] for peer in peers]
+        for peer in peers:
+            speed = peer[key.replace("many", "nodes")]
+            rows.append([peer["name"], f"{speed / 1e6:.2f}", f"{own[key] / speed:.1f}×"])
     print("\n".join("| " + " | ".join(row) + " |" for row in rows))
 
 

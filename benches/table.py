@@ -12,6 +12,7 @@ where the processor has AVX2.
 
 import argparse
 import json
+import math
 import os
 import platform
 import subprocess
@@ -88,13 +89,48 @@ def check_paths(engine_poses, listed):
         sys.exit("The benchmarks do not run on the same path.")
 
 
+# What is drawn: the benchmark of the group `growth`, its name, the place of that, its colour.
+CURVES = (
+    ("load", "a point of a .vid loaded", "#8e5a2b"),
+    ("prepare", "a point prepared", "#1f6fb2"),
+    ("fill", "ten poses from point to point", "#2f8f4e"),
+    ("evaluate", "the state of a node", "#b3313f"),
+)
+
+
+def draw(results, file):
+    """What one of 10, 100, … 100,000 costs: level is linear."""
+    counts = [10**k for k in range(1, 6)]
+    x = lambda count: 60 + 130 * (math.log10(count) - 1)
+    y = lambda ns: 330 - 75 * (math.log10(ns) - 1)
+    parts = ['<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 640 400" font-family="sans-serif" font-size="13">',
+             '<rect width="640" height="400" fill="#fff"/>']  # fmt: skip
+    for k in range(1, 6):
+        parts.append(f'<path d="M60 {y(10**k):.0f}H580" stroke="#ddd"/>'
+                     f'<text x="52" y="{y(10**k) + 4:.0f}" text-anchor="end">{("10 ns", "100 ns", "1 µs", "10 µs", "100 µs")[k - 1]}</text>')  # fmt: skip
+    for count in counts:
+        parts.append(f'<text x="{x(count):.0f}" y="352" text-anchor="middle">{count:,}</text>')
+    parts.append('<text x="320" y="380" text-anchor="middle">points of the path, nodes of the scene</text>')
+    for name, text, colour in CURVES:
+        costs = [1e9 * results[f"growth/{name}_{count}"][0] / count for count in counts]
+        line = " ".join(f"{x(count):.1f},{y(ns):.1f}" for count, ns in zip(counts, costs))
+        parts.append(f'<polyline points="{line}" fill="none" stroke="{colour}" stroke-width="2"/>'
+                     f'<text x="580" y="{y(costs[-1]) - 8:.0f}" text-anchor="end" fill="{colour}">{text}</text>')  # fmt: skip
+        print(f"{text}: " + ", ".join(f"{ns:.0f} ns" for ns in costs), file=sys.stderr)
+    file.write_text("\n".join([*parts, "</svg>"]) + "\n")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--no-peers", action="store_true")
+    parser.add_argument("--growth", action="store_true", help="only draw docs/growth.svg")
     options = parser.parse_args()
 
+    if options.growth:
+        return draw(engine(TARGET, "", "growth/"), ROOT / "docs" / "growth.svg")
     dispatched = engine(TARGET, "")
     baseline = engine(TARGET / "baseline", "--cfg vides_no_simd", "sample/")
+    draw(dispatched, ROOT / "docs" / "growth.svg")
     listed = list_figures()
     check_paths(dispatched["sample/100_prepared"][1], listed)
     peers = {} if options.no_peers else json.loads(run(sys.executable, HERE / "peers" / "peers.py", "--json"))

@@ -33,6 +33,19 @@ pub(crate) trait Vector: Copy {
     fn settle();
 }
 
+/// Has the processor fetch values that will be read soon, where it can be told so.
+#[inline(always)]
+pub(crate) fn fetch<T>(values: &[T]) {
+    #[cfg(all(target_arch = "x86_64", not(miri)))]
+    for at in (0..size_of_val(values)).step_by(64) {
+        use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
+        // SAFETY: the address lies within the slice, and fetching reads nothing.
+        unsafe { _mm_prefetch::<_MM_HINT_T0>(values.as_ptr().byte_add(at).cast()) }
+    }
+    #[cfg(not(all(target_arch = "x86_64", not(miri))))]
+    let _ = values;
+}
+
 /// The polynomial with `coefficients` (lowest first) at `x`.
 #[inline(always)]
 #[must_use]

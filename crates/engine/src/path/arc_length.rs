@@ -26,11 +26,15 @@ const EVEN: f64 = 4.0;
 /// A Newton step below this is the last: on an even piece the error left is about its square.
 const SETTLED: f64 = 1e-8;
 
-/// Vectors inverted side by side.
-const PAIR: usize = 2;
+/// Error of x of a good guess, that one of Newton's steps takes below rounding.
+const POLISHED: f64 = 1e-9;
 
-/// Room for the lanes of a pair of any vectors.
-const MAX_LANES: usize = 8;
+/// Vectors inverted side by side: as many as keep the processor busy while each step waits for the
+/// one before it.
+const BESIDE: usize = 4;
+
+/// Room for the lanes of as many of any vectors.
+const MAX_LANES: usize = 16;
 
 /// A piece of the curve with its length as a polynomial in x ∈ [−1, 1].
 #[derive(Debug, Clone, Copy)]
@@ -286,6 +290,11 @@ impl Piece {
         self.start / length
     }
 
+    /// Whether one of Newton's steps takes an error of the parameter below rounding.
+    pub(super) fn settles(&self, error: f64) -> bool {
+        self.even && error <= POLISHED * self.half
+    }
+
     /// x at the length `s` from the piece's start: Newton's method between bounds that close in.
     fn search(&self, s: f64) -> f64 {
         let (mut low, mut high) = (-1.0, 1.0);
@@ -345,7 +354,7 @@ pub(super) fn invert<V: Vector>(pieces: &[Piece], lengths: &[f64], parameters: &
 /// [`invert`] for lengths that all lie in one piece.
 #[inline(always)]
 fn invert_within<V: Vector>(piece: &Piece, lengths: &[f64], parameters: &mut [f64]) {
-    let lanes = PAIR * V::LANES;
+    let lanes = BESIDE * V::LANES;
     let mut from = 0;
     while from < lengths.len() {
         let count = lanes.min(lengths.len() - from);
@@ -370,7 +379,7 @@ fn invert_within<V: Vector>(piece: &Piece, lengths: &[f64], parameters: &mut [f6
     }
 }
 
-/// Newton's steps from a good guess, for a pair of vectors whose operations run beside each other;
+/// Newton's steps from a good guess, for vectors whose operations run beside each other;
 /// tells which lanes arrived. Two steps are the rule, a third serves only the lanes that need it,
 /// so that no lane depends on the others.
 #[inline(always)]
@@ -380,20 +389,20 @@ fn newton<V: Vector>(
     x: &mut [f64; MAX_LANES],
     arrived: &mut [bool; MAX_LANES],
 ) {
-    let s = [V::load(s), V::load(&s[V::LANES..])];
     let scale = V::splat(1.0 / piece.length);
-    let mut at = horner_each(&piece.guess, &[s[0].mul(scale), s[1].mul(scale)]);
+    let s = [0, 1, 2, 3].map(|k| V::load(&s[k * V::LANES..]));
+    let mut at = horner_each(&piece.guess, &s.map(|s| s.mul(scale)));
     step(piece, &s, &mut at);
     let second = step(piece, &s, &mut at);
-    store_pair(at, x);
+    store_all(at, x);
     if settled(second, arrived) {
         return;
     }
     let (mut third_x, mut third_arrived) = ([0.0; MAX_LANES], [false; MAX_LANES]);
     let third = step(piece, &s, &mut at);
-    store_pair(at, &mut third_x);
+    store_all(at, &mut third_x);
     settled(third, &mut third_arrived);
-    for k in 0..PAIR * V::LANES {
+    for k in 0..BESIDE * V::LANES {
         if !arrived[k] {
             (x[k], arrived[k]) = (third_x[k], third_arrived[k]);
         }
@@ -402,12 +411,12 @@ fn newton<V: Vector>(
 
 /// One of Newton's steps, kept within the piece; gives the squares of the changes.
 #[inline(always)]
-fn step<V: Vector>(piece: &Piece, s: &[V; PAIR], at: &mut [V; PAIR]) -> [V; PAIR] {
+fn step<V: Vector, const U: usize>(piece: &Piece, s: &[V; U], at: &mut [V; U]) -> [V; U] {
     let (low, high) = (V::splat(-1.0), V::splat(1.0));
     let distance = horner_each(&piece.distance, at);
     let speed = horner_each(&piece.speed, at);
     let mut squares = *at;
-    for k in 0..PAIR {
+    for k in 0..U {
         let change = distance[k].sub(s[k]).div(speed[k]);
         at[k] = at[k].sub(change).max(low).min(high);
         squares[k] = change.mul(change);
@@ -415,13 +424,28 @@ fn step<V: Vector>(piece: &Piece, s: &[V; PAIR], at: &mut [V; PAIR]) -> [V; PAIR
     squares
 }
 
+/// One of Newton's steps for parameters of a piece at `lengths` from the start of the curve.
+#[inline(always)]
+pub(super) fn polish<V: Vector, const U: usize>(
+    piece: &Piece,
+    lengths: &[V; U],
+    parameters: &mut [V; U],
+) {
+    let (middle, half) = (V::splat(piece.middle), V::splat(piece.half));
+    let larger = V::splat(1.0 / piece.half);
+    let s = lengths.map(|length| length.sub(V::splat(piece.start)));
+    let mut x = parameters.map(|t| t.sub(middle).mul(larger));
+    step(piece, &s, &mut x);
+    *parameters = x.map(|x| middle.add(half.mul(x)));
+}
+
 /// Which lanes need no further step, and whether none does.
 #[inline(always)]
-fn settled<V: Vector>(squares: [V; PAIR], lanes: &mut [bool; MAX_LANES]) -> bool {
+fn settled<V: Vector>(squares: [V; BESIDE], lanes: &mut [bool; MAX_LANES]) -> bool {
     let mut values = [0.0; MAX_LANES];
-    store_pair(squares, &mut values);
+    store_all(squares, &mut values);
     let mut all = true;
-    for k in 0..PAIR * V::LANES {
+    for k in 0..BESIDE * V::LANES {
         lanes[k] = values[k] < SETTLED * SETTLED;
         all &= lanes[k];
     }
@@ -429,9 +453,10 @@ fn settled<V: Vector>(squares: [V; PAIR], lanes: &mut [bool; MAX_LANES]) -> bool
 }
 
 #[inline(always)]
-fn store_pair<V: Vector>(pair: [V; PAIR], to: &mut [f64; MAX_LANES]) {
-    pair[0].store(to);
-    pair[1].store(&mut to[V::LANES..]);
+fn store_all<V: Vector>(values: [V; BESIDE], to: &mut [f64; MAX_LANES]) {
+    for k in 0..BESIDE {
+        values[k].store(&mut to[k * V::LANES..]);
+    }
 }
 
 /// A cubic together with its arc length.

@@ -6,11 +6,14 @@
 
 use glam::DQuat;
 
-use crate::math::quaternion::angle;
 use crate::math::vector::{Vector, horner};
 
 /// The longest arc on S³ that these functions take, in radians.
+#[cfg(test)]
 pub(super) const MAX_ANGLE: f64 = 1.25;
+
+/// Its cosine.
+const LEAST_COSINE: f64 = 0.3153223623952687;
 
 /// (2·asin(√d/2))²/d in powers of d ≤ 4·sin²(MAX_ANGLE/2); error 6e-18.
 const ANGLE: [f64; 16] = [
@@ -152,7 +155,7 @@ impl ShortBezier {
     /// `None` where an arc of the control polygon is too long; later rounds have none longer.
     pub(super) fn new(control: &[DQuat; 4]) -> Option<Self> {
         let [a, b, c, d] = *control;
-        if angle(a, b).max(angle(b, c)).max(angle(c, d)) > MAX_ANGLE {
+        if !(a.dot(b).min(b.dot(c)).min(c.dot(d)) > LEAST_COSINE) {
             return None;
         }
         let [a, b, c, d] = [a.to_array(), b.to_array(), c.to_array(), d.to_array()];

@@ -31,6 +31,7 @@ macro_rules! widest {
         return $module::$function::<f64>($($name),*);
     }};
 }
+pub(crate) use widest;
 
 pub(super) fn fill(
     section: &SectionSampler,

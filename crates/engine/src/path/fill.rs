@@ -4,6 +4,8 @@
 //! run writes over what they spoil, and arrays are longer than a block for the last one. No frame
 //! depends on which others are asked for with it. All is forced inline: see [`super::dispatch`].
 
+use std::sync::atomic::Ordering;
+
 use glam::DVec3;
 
 use super::arc_length;
@@ -75,7 +77,8 @@ impl Scratch {
     }
 }
 
-/// Shorter sections do not keep their tables: making them again is faster than loading them.
+/// Shorter sections keep their tables only when they are filled again: that takes memory and time
+/// of its own, for nothing if every pose is wanted once.
 const KEEP: usize = 1024;
 
 /// Fills `poses` with frames of a section; `first` is the number of the first of them, from 1.
@@ -90,11 +93,11 @@ pub(super) fn fill<V: Vector>(
         return fill_plainly::<V>(section, scratch, first, poses);
     }
     let tables = match section.tables.get() {
-        Some(tables) => tables,
-        None if section.frames >= KEEP => {
-            let mut tables = Tables::default();
-            tables.build::<V>(section)?;
-            section.tables.get_or_init(|| tables)
+        Some(tables) => &tables[0],
+        None if section.frames >= KEEP || section.filled.swap(true, Ordering::Relaxed) => {
+            scratch.tables.build::<V>(section)?;
+            let tables = scratch.tables.kept()?;
+            &section.tables.get_or_init(|| tables)[0]
         }
         None => {
             scratch.tables.build::<V>(section)?;
@@ -248,7 +251,16 @@ fn parameters<V: Vector>(way: &ArcLengthCurve, tables: &Tables, count: usize, bl
         if let Some([powers]) = &fit.powers {
             for k in (from..to).step_by(AT_ONCE * V::LANES) {
                 let x = arguments::<V, 1>(fit, &phi[k..]);
-                store_each(horner_each(powers, &x), &mut t[k..]);
+                let mut found = horner_each(powers, &x);
+                if let Some(piece) = fit.polish {
+                    let mut lengths = x;
+                    for u in 0..AT_ONCE {
+                        let phi = V::load(&phi[k + u * V::LANES..]);
+                        lengths[u] = phi.mul(V::splat(way.length));
+                    }
+                    arc_length::polish(&tables.arc[piece], &lengths, &mut found);
+                }
+                store_each(found, &mut t[k..]);
             }
         } else {
             for k in (from..to).step_by(V::LANES) {

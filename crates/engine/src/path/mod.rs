@@ -24,7 +24,7 @@ mod chain;
 pub mod change_up;
 pub mod cubic_spline;
 pub mod curve;
-mod dispatch;
+pub(crate) mod dispatch;
 pub mod ease;
 mod fill;
 pub mod fit_frames;

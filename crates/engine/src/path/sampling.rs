@@ -1,6 +1,7 @@
 //! From a whole path to poses (thesis 5.2, 5.3, A.6.2; `docs/path.md`, speed and frames).
 
 use std::sync::OnceLock;
+use std::sync::atomic::AtomicBool;
 
 use super::ahead;
 use super::alignment::rolled;
@@ -96,6 +97,7 @@ impl<'a> Layout<'a> {
                 space: path.space,
                 zoom: [pose.zoom, 0.0, 0.0, 0.0],
                 tables: OnceLock::new(),
+                filled: AtomicBool::new(false),
             });
             number += section.frames;
         }
@@ -237,6 +239,7 @@ impl Sampler {
             let between = (section.start + section.frames - number).min(after.len());
             let (moved, after) = after.split_at_mut(between);
             if between > 0 {
+                SectionSampler::fetch(&self.sections[index + 1..]);
                 dispatch::fill(section, &mut scratch, number - section.start, moved)?;
             }
             number += between;

@@ -2,6 +2,7 @@
 //! length, arcs by sines. The fast way in [`super::fill`] is tested against it.
 
 use std::sync::OnceLock;
+use std::sync::atomic::AtomicBool;
 
 use glam::{DQuat, DVec3};
 
@@ -16,6 +17,7 @@ use crate::error::Result;
 use crate::math::monotone_cubic::{slope, value};
 use crate::math::orientation::quaternion_from_view;
 use crate::math::quaternion::{continue_sign, log};
+use crate::math::vector;
 
 /// Step in φ of the differences that give the turning, of the fourth order.
 const STEP: f64 = 1.0 / 4096.0;
@@ -60,8 +62,10 @@ pub(super) struct SectionSampler {
     pub space: Space,
     /// Zoom in powers of φ.
     pub zoom: [f64; 4],
-    /// What fast sampling prepares once, if the section has many frames.
-    pub tables: OnceLock<Tables>,
+    /// What fast sampling prepares once, if the section has many frames or is filled again.
+    pub tables: OnceLock<Box<[Tables]>>,
+    /// Whether it has been filled before.
+    pub filled: AtomicBool,
 }
 
 impl SectionSampler {
@@ -126,6 +130,19 @@ impl SectionSampler {
         fingerprint.add(self.zoom);
         fingerprint.add([self.space.up.index() as f64, self.space.half_size]);
         fingerprint.0
+    }
+
+    /// Has the processor fetch what the next sections keep, while the one before them is filled:
+    /// tables of many sections are more than the caches hold. Of the second next it is what tells
+    /// where its tables are, of the next one, where that is there by then, the tables themselves.
+    pub(super) fn fetch(next: &[Self]) {
+        let kept = |at: usize| next.get(at)?.tables.get();
+        if let Some(tables) = kept(1) {
+            vector::fetch(tables);
+        }
+        if let Some(tables) = kept(0) {
+            tables[0].fetch();
+        }
     }
 
     /// φ at `u` = frame / frames: share of the way and of the curve time.

@@ -6,12 +6,15 @@ use super::arc_length::{self, Halving, Piece};
 use super::arcs::ShortBezier;
 use super::section_sampler::{ArcLengthCurve, SectionSampler};
 use super::turning::Turning;
-use crate::error::Result;
+use crate::error::{Result, vec_with_room};
 use crate::math::chebyshev::{self, NODES};
-use crate::math::vector::Vector;
+use crate::math::vector::{Vector, fetch};
 
 /// Frames that a fitted piece must serve: about what its nodes cost.
 const WORTH: f64 = 32.0;
+
+/// The same for the curve's parameter, whose nodes cost as much as frames computed one by one.
+const WORTH_PLACE: f64 = 10.0;
 
 /// Share of the length that a fitted parameter may be wrong by.
 const PLACE_TOLERANCE: f64 = 2e-15;
@@ -26,6 +29,8 @@ pub(super) struct Fit<const COMPONENTS: usize> {
     pub end: f64,
     middle: f64,
     scale: f64,
+    /// The piece of the arc length whose Newton's step the value still needs.
+    pub polish: Option<usize>,
     pub powers: Option<[[f64; NODES]; COMPONENTS]>,
 }
 
@@ -57,20 +62,45 @@ impl Tables {
             _ => None,
         };
         #[allow(clippy::cast_precision_loss)]
-        let least = 0.5 * WORTH / section.frames as f64;
+        let frames = section.frames as f64;
         if let Some(way) = &section.way {
             arc_length::measure::<V>(&way.curve, &mut self.arc)?;
-            self.fit_place::<V>(way, least)?;
+            self.fit_place::<V>(way, frames)?;
         }
-        if section.turning.quaternion(0.0).is_some() {
-            self.fit_turning::<V>(&section.turning, least)?;
+        if section.turning.is_quaternion() {
+            self.fit_turning::<V>(&section.turning, 0.5 * WORTH / frames)?;
         }
         Ok(())
     }
 
+    /// A copy in as little memory as it takes, all of it allocated in one go: on a path of many
+    /// sections the next one's tables lie behind, where the processor has begun to fetch them.
+    pub(super) fn kept(&self) -> Result<Box<[Self]>> {
+        fn copy<T: Copy>(from: &[T]) -> Result<Vec<T>> {
+            let mut copy = vec_with_room(from.len())?;
+            copy.extend_from_slice(from);
+            Ok(copy)
+        }
+        let mut kept = vec_with_room(1)?;
+        kept.push(Self {
+            arc: copy(&self.arc)?,
+            place: copy(&self.place)?,
+            turn: copy(&self.turn)?,
+            bezier: self.bezier,
+        });
+        Ok(kept.into_boxed_slice())
+    }
+
+    pub(super) fn fetch(&self) {
+        fetch(&self.arc);
+        fetch(&self.place);
+        fetch(&self.turn);
+    }
+
     /// The inverse of the arc length is as smooth as the arc length, so its pieces are tried first.
     #[inline(always)]
-    fn fit_place<V: Vector>(&mut self, way: &ArcLengthCurve, least: f64) -> Result<()> {
+    fn fit_place<V: Vector>(&mut self, way: &ArcLengthCurve, frames: f64) -> Result<()> {
+        let (least, coarse) = (0.5 * WORTH_PLACE / frames, WORTH / frames);
         for index in 0..self.arc.len() {
             let start = self.arc[index].start_share(way.length);
             let end = match self.arc.get(index + 1) {
@@ -79,15 +109,19 @@ impl Tables {
             };
             let mut halving = Halving::new(start, end, least);
             while let Some((middle, half)) = halving.next() {
-                let mut powers = None;
+                let (mut powers, mut polish) = (None, None);
                 if half >= least {
-                    let fit = self.fit_parameter::<V>(way, middle, half);
-                    if fit.is_none() && halving.halve(middle, half) {
+                    let (fit, tail, error) = self.fit_parameter::<V>(way, middle, half);
+                    let piece = &self.arc[index];
+                    if error <= PLACE_TOLERANCE * way.length {
+                        powers = Some(fit);
+                    } else if half < coarse && piece.settles(tail) {
+                        (powers, polish) = (Some(fit), Some(index));
+                    } else if halving.halve(middle, half) {
                         continue;
                     }
-                    powers = fit;
                 }
-                push(&mut self.place, middle, half, powers)?;
+                push(&mut self.place, middle, half, powers, polish)?;
             }
         }
         // Rounding of the pieces' ends must not leave the last frame outside.
@@ -97,14 +131,14 @@ impl Tables {
         Ok(())
     }
 
-    /// The curve's parameter on a piece of φ, if one polynomial is enough.
+    /// The curve's parameter on a piece of φ as a polynomial, its error, and that as a length.
     #[inline(always)]
     fn fit_parameter<V: Vector>(
         &self,
         way: &ArcLengthCurve,
         middle: f64,
         half: f64,
-    ) -> Option<[[f64; NODES]; 1]> {
+    ) -> ([[f64; NODES]; 1], f64, f64) {
         let (mut s, mut t) = ([0.0; NODES], [0.0; NODES]);
         for k in 0..NODES {
             s[k] = (middle + half * chebyshev::POINTS[k]) * way.length;
@@ -115,8 +149,8 @@ impl Tables {
         for t in t {
             fastest = fastest.max(way.curve.derivative(t).length());
         }
-        let error = chebyshev::tail(&series) * fastest;
-        (error <= PLACE_TOLERANCE * way.length).then(|| [chebyshev::powers::<V>(&series)])
+        let tail = chebyshev::tail(&series);
+        ([chebyshev::powers::<V>(&series)], tail, tail * fastest)
     }
 
     #[inline(always)]
@@ -148,7 +182,7 @@ impl Tables {
                     powers = Some(fitted);
                 }
             }
-            push(&mut self.turn, middle, half, powers)?;
+            push(&mut self.turn, middle, half, powers, None)?;
         }
         Ok(())
     }
@@ -185,6 +219,7 @@ fn push<const C: usize>(
     middle: f64,
     half: f64,
     powers: Option<[[f64; NODES]; C]>,
+    polish: Option<usize>,
 ) -> Result<()> {
     // Direct pieces side by side are one.
     if let (None, Some(last)) = (&powers, fits.last_mut())
@@ -198,6 +233,7 @@ fn push<const C: usize>(
         end: middle + half,
         middle,
         scale: 1.0 / half,
+        polish,
         powers,
     });
     Ok(())

@@ -47,6 +47,11 @@ impl Turning {
         }
     }
 
+    /// Whether [`Self::quaternion`] gives one, without computing it.
+    pub(super) const fn is_quaternion(&self) -> bool {
+        !matches!(self, Self::Kept(..) | Self::Tracked(..) | Self::Follow(_))
+    }
+
     /// View direction and up at φ. `place` gives the position at any φ; only tracking asks.
     pub(super) fn view_at(
         &self,

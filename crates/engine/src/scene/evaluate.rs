@@ -4,11 +4,12 @@ use glam::{DAffine3, DMat3, DQuat, DVec3};
 
 use super::aim;
 use super::channel::Channel;
-use super::hierarchy::{local, needs, orthonormal};
+use super::hierarchy::{needs, orthonormal};
 use super::keys::wxyz;
 use super::motion::{Motion, check_frame};
 use super::node::{Kind, Node, Values};
 use super::scene::Scene;
+use super::side_by_side::{GROUP, Group};
 use super::state::{NodeState, Warnings};
 use super::track::Track;
 use super::vertices::Form;
@@ -67,9 +68,18 @@ impl Scene {
     /// Whether no host's function interpolates and nobody aims: once prepared, it needs no memory.
     #[must_use]
     pub fn is_plain(&self) -> bool {
-        self.nodes.iter().all(|node| {
-            let mut tracks = node.keys.tracks().iter();
-            node.aim.is_none() && !tracks.any(Track::asks_host)
+        self.plain().0
+    }
+
+    /// The same, and whether nobody follows a path.
+    fn plain(&self) -> (bool, bool) {
+        *self.nodes.plain.get_or_init(|| {
+            let plain = |node: &Node| {
+                let mut tracks = node.keys.tracks().iter();
+                node.aim.is_none() && !tracks.any(Track::asks_host)
+            };
+            let still = |node: &Node| node.path.is_none();
+            (self.nodes.iter().all(plain), self.nodes.iter().all(still))
         })
     }
 
@@ -79,6 +89,9 @@ impl Scene {
     /// [`crate::Error::Argument`], [`crate::Error::Range`] for the frame; [`crate::Error::Memory`].
     pub fn prepare(&self, frame: f64) -> Result<()> {
         check_frame(frame)?;
+        if self.plain().1 {
+            return Ok(());
+        }
         let mut paths = self.nodes.iter().filter_map(Node::path);
         paths.try_for_each(|path| path.sampler().map(drop))
     }
@@ -275,52 +288,68 @@ impl Scene {
         warnings: &mut Warnings,
         search: Search,
     ) -> Result<()> {
-        for &at in order {
-            let node = &self.nodes[at];
-            warnings.node = at;
-            let mut values = node.values(frame, warnings)?;
-            if matches!(node.kind, Kind::Camera(_)) && values.roll != 0.0 {
-                values.rotation *= DQuat::from_rotation_z(values.roll.to_radians());
+        let packs = if std::ptr::eq(order, self.order.as_slice()) {
+            self.nodes.packs(order, self.numbers)
+        } else {
+            &[]
+        };
+        let mut group = Group::NONE;
+        for (at, nodes) in order.chunks(GROUP).enumerate() {
+            if let Some(Some(pack)) = packs.get(at)
+                && pack.place(&self.nodes, frame, &mut group, states, warnings)
+            {
+                continue;
             }
-            let own = local(node, &values);
-            let (mut world, mut seen) = match node.parent {
-                Some(parent) => {
-                    let parent = &states[parent];
-                    (parent.world() * own, parent.visible != 0 && values.visible)
+            for &at in nodes {
+                let node = &self.nodes[at];
+                warnings.node = at;
+                if !node.kind.looks() && node.path.is_none() {
+                    states[at].begin(group.add(at, node, frame, warnings).looks());
+                    continue;
                 }
-                None => (own, values.visible),
-            };
-            if !world.is_finite() {
-                warnings.add(|| Invalid::PlaceTooFar);
-                (world, seen) = (DAffine3::IDENTITY, false);
-            }
-            let mut pose = Pose::default();
-            if node.kind.looks() {
-                let mut q = orthonormal(world.matrix3);
-                if let Some(target) = node.aim
-                    && values.aim_weight > 0.0
-                {
-                    let turned =
-                        self.aimed(at, target, frame, (q, world), values, states, search)?;
-                    world.matrix3 = DMat3::from_quat(turned * q.conjugate()) * world.matrix3;
-                    q = turned;
+                let mut values = node.values(frame, warnings)?;
+                if matches!(node.kind, Kind::Camera(_)) && values.roll != 0.0 {
+                    values.rotation *= DQuat::from_rotation_z(values.roll.to_radians());
                 }
-                let (view, up) = view_from_quaternion(q);
-                pose = Pose {
-                    vrp: world.translation.to_array(),
-                    vpn: view.to_array(),
-                    vup: up.to_array(),
-                    zoom: values.zoom,
-                };
+                states[at].begin(values.looks());
+                group.put(at, node, &values);
+                if node.kind.looks() {
+                    // It may turn when it is placed, and what is in it with it.
+                    group.place(states, warnings);
+                    self.look(at, frame, &values, states, search)?;
+                }
             }
-            let state = &mut states[at];
-            state.set_world(world);
-            state.pose = pose;
-            state.colour = values.colour;
-            state.intensity = values.intensity;
-            state.cone = values.cone;
-            state.visible = i32::from(seen);
+            group.place(states, warnings);
         }
+        Ok(())
+    }
+
+    /// The pose of a camera or light that has its place, turned to what it aims at.
+    fn look(
+        &self,
+        at: usize,
+        frame: f64,
+        values: &Values,
+        states: &mut [NodeState],
+        search: Search,
+    ) -> Result<()> {
+        let mut world = states[at].world();
+        let mut q = orthonormal(world.matrix3);
+        if let Some(target) = self.nodes[at].aim
+            && values.aim_weight > 0.0
+        {
+            let turned = self.aimed(at, target, frame, (q, world), *values, states, search)?;
+            world.matrix3 = DMat3::from_quat(turned * q.conjugate()) * world.matrix3;
+            q = turned;
+            states[at].set_world(world);
+        }
+        let (view, up) = view_from_quaternion(q);
+        states[at].pose = Pose {
+            vrp: world.translation.to_array(),
+            vpn: view.to_array(),
+            vup: up.to_array(),
+            zoom: values.zoom,
+        };
         Ok(())
     }
 

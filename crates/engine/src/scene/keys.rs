@@ -68,6 +68,38 @@ impl Keys {
     }
 }
 
+impl Track {
+    /// Sets what it moves, if that is not the place of the node.
+    pub(super) fn other(&self, frame: f64, values: &mut Values, warnings: &mut Warnings) {
+        match self.channel() {
+            Channel::Colour => {
+                values.colour = self.value(frame, warnings).map(|v: f64| v.max(0.0));
+            }
+            Channel::Cone => {
+                let [inner, outer] = self.value(frame, warnings);
+                let outer = f64::clamp(outer, 0.0, 90.0);
+                values.cone = [f64::clamp(inner, 0.0, outer), outer];
+            }
+            Channel::Visible => values.visible = self.value(frame, warnings) != [0.0],
+            Channel::Zoom => {
+                let [zoom] = self.value(frame, warnings);
+                values.zoom = f64::clamp(zoom, MIN_ZOOM, MAX_ZOOM);
+            }
+            Channel::Roll => [values.roll] = self.value(frame, warnings),
+            Channel::Intensity => {
+                [values.intensity] = self.value(frame, warnings).map(|v: f64| v.max(0.0));
+            }
+            Channel::AimWeight => {
+                let [weight] = self.value(frame, warnings);
+                values.aim_weight = f64::clamp(weight, 0.0, 1.0);
+            }
+            Channel::Position | Channel::Rotation | Channel::Scale => {}
+            // Not among the values: evaluated where they are asked for.
+            Channel::Weights | Channel::Deformation { .. } | Channel::Value { .. } => {}
+        }
+    }
+}
+
 impl Motion for Keys {
     fn at(&self, frame: f64, values: &mut Values, warnings: &mut Warnings) -> Result<()> {
         for track in &self.tracks {
@@ -75,29 +107,7 @@ impl Motion for Keys {
                 Channel::Position => values.position = track.value(frame, warnings).into(),
                 Channel::Scale => values.scale = track.value(frame, warnings).into(),
                 Channel::Rotation => values.rotation = track.rotation(frame, warnings),
-                Channel::Colour => {
-                    values.colour = track.value(frame, warnings).map(|v: f64| v.max(0.0));
-                }
-                Channel::Cone => {
-                    let [inner, outer] = track.value(frame, warnings);
-                    let outer = f64::clamp(outer, 0.0, 90.0);
-                    values.cone = [f64::clamp(inner, 0.0, outer), outer];
-                }
-                Channel::Visible => values.visible = track.value(frame, warnings) != [0.0],
-                Channel::Zoom => {
-                    let [zoom] = track.value(frame, warnings);
-                    values.zoom = f64::clamp(zoom, MIN_ZOOM, MAX_ZOOM);
-                }
-                Channel::Roll => [values.roll] = track.value(frame, warnings),
-                Channel::Intensity => {
-                    [values.intensity] = track.value(frame, warnings).map(|v: f64| v.max(0.0));
-                }
-                Channel::AimWeight => {
-                    let [weight] = track.value(frame, warnings);
-                    values.aim_weight = f64::clamp(weight, 0.0, 1.0);
-                }
-                // Not among the values: evaluated where they are asked for.
-                Channel::Weights | Channel::Deformation { .. } | Channel::Value { .. } => {}
+                _ => track.other(frame, values, warnings),
             }
         }
         Ok(())

@@ -22,6 +22,7 @@ mod rotation;
 #[expect(clippy::module_inception)]
 mod scene;
 mod shown;
+mod side_by_side;
 mod state;
 mod tangents;
 pub mod time;

@@ -6,6 +6,7 @@ use super::channel::Channel;
 use super::keys::Keys;
 use super::mesh::Object;
 use super::motion::FollowPath;
+use super::state::Looks;
 use crate::error::{Error, Invalid, OutOfRange, Place, Quantity, Result};
 use crate::limits::MAX_COORDINATE;
 use crate::path::camera_path::{check_coordinates, check_name, check_zoom};
@@ -119,6 +120,10 @@ impl Default for Values {
 }
 
 impl Values {
+    pub(super) const fn looks(&self) -> Looks {
+        (self.colour, self.intensity, self.cone, self.visible)
+    }
+
     /// Everything finite and in range.
     ///
     /// # Errors

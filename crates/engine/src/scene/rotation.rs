@@ -5,6 +5,7 @@ use glam::DQuat;
 use super::keys::quaternion;
 use crate::error::{Error, Invalid, OutOfRange, Result, vec_with_room};
 use crate::math::quaternion::{angle, continue_sign, continue_signs, exp, log};
+use crate::math::vector::{Vector, horner};
 use crate::path::Tcb;
 use crate::path::quaternion_spline::{bezier, normalized, tcb_section};
 
@@ -26,14 +27,38 @@ enum Sections {
     Beziers(Vec<[DQuat; 4]>),
 }
 
+/// sin θ/θ in powers of θ² ≤ (π/2)²; error 2.3e-17. A Chebyshev fit.
+const SINC: [f64; 9] = [
+    1.0,
+    -0.16666666666666666,
+    0.008333333333333316,
+    -0.00019841269841254974,
+    2.755731921916323e-06,
+    -2.5052107616995878e-08,
+    1.6058977312444268e-10,
+    -7.643970296165793e-13,
+    2.73144475909634e-15,
+];
+
 /// A great arc by the shorter way.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct GreatArc {
-    from: DQuat,
-    to: DQuat,
-    angle: f64,
-    /// 1/sin of it; 0 where it is as good as straight.
-    scale: f64,
+pub(super) struct GreatArc {
+    pub from: DQuat,
+    pub to: DQuat,
+    /// Of the angle; 0 where it is as good as straight.
+    pub square: f64,
+    /// The angle by its sine.
+    pub inverse: f64,
+}
+
+/// The weights of both ends of an arc at the share `u`: polynomials instead of three sines, so that
+/// arcs side by side take no branch. At most a quarter of the great circle, they do not cancel.
+#[inline(always)]
+pub(super) fn arc_weights<V: Vector>(square: V, inverse: V, u: V) -> [V; 2] {
+    [V::splat(1.0).sub(u), u].map(|share| {
+        let sinc = horner::<V, 9>(&SINC, share.mul(share).mul(square));
+        share.mul(sinc).mul(inverse)
+    })
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -73,6 +98,17 @@ impl Turns {
         self.keys[at]
     }
 
+    /// The great arc of a section, if it is one; the last key stays.
+    pub(super) fn arc(&self, section: usize) -> Option<GreatArc> {
+        match &self.sections {
+            Sections::Arcs(arcs) => Some(match arcs.get(section) {
+                Some(arc) => *arc,
+                None => GreatArc::still(self.keys[section]),
+            }),
+            _ => None,
+        }
+    }
+
     /// The orientation at the share `u` of a section.
     pub(super) fn between(&self, section: usize, u: f64) -> DQuat {
         match &self.sections {
@@ -92,29 +128,34 @@ impl Turns {
 }
 
 impl GreatArc {
+    /// One that stays.
+    pub(super) const fn still(q: DQuat) -> Self {
+        Self {
+            from: q,
+            to: q,
+            square: 0.0,
+            inverse: 1.0,
+        }
+    }
+
     fn new(from: DQuat, to: DQuat) -> Self {
         let (to, _) = continue_sign(from, to);
         let angle = angle(from, to);
-        let scale = if angle < STRAIGHT {
-            0.0
+        let (square, inverse) = if angle < STRAIGHT {
+            (0.0, 1.0)
         } else {
-            1.0 / angle.sin()
+            (angle * angle, angle / angle.sin())
         };
         Self {
             from,
             to,
-            angle,
-            scale,
+            square,
+            inverse,
         }
     }
 
-    /// An arc is at most a quarter of the great circle, so that the weights do not cancel.
     fn at(&self, u: f64) -> DQuat {
-        if self.scale == 0.0 {
-            return self.from * (1.0 - u) + self.to * u;
-        }
-        let a = ((1.0 - u) * self.angle).sin() * self.scale;
-        let b = (u * self.angle).sin() * self.scale;
+        let [a, b] = arc_weights(self.square, self.inverse, u);
         self.from * a + self.to * b
     }
 }

@@ -7,6 +7,7 @@ use super::mesh::{Mesh, MeshSource, Shape};
 use super::motion::FollowPath;
 use super::node::{Kind, Node, check_node_name};
 use super::removal::Removal;
+use super::side_by_side::Nodes;
 use super::track::Track;
 use crate::deform::{Bounds, Deformation};
 use crate::error::{Error, Invalid, OutOfRange, Place, Result, TooMany, vec_with_room};
@@ -16,7 +17,7 @@ use crate::path::{CameraPath, Space};
 /// A tree of nodes, numbered from 0, on one timeline. Whatever is done to it, it stays valid.
 #[derive(Debug, Clone, Default)]
 pub struct Scene {
-    pub(super) nodes: Vec<Node>,
+    pub(super) nodes: Nodes,
     /// Nodes in the order of evaluation.
     pub(super) order: Vec<usize>,
     /// Nodes by name.
@@ -109,7 +110,7 @@ impl Scene {
         check_numbers(numbers).map_err(whole)?;
         Ok(Self {
             order: hierarchy::order(&nodes)?,
-            nodes,
+            nodes: nodes.into(),
             names,
             numbers,
             ..Self::default()

@@ -24,6 +24,13 @@ pub struct NodeState {
 }
 
 impl NodeState {
+    /// Everything but the place, of a node whose parent is seen.
+    pub(super) fn begin(&mut self, looks: Looks) {
+        self.pose = Pose::default();
+        (self.colour, self.intensity, self.cone, _) = looks;
+        self.visible = i32::from(looks.3);
+    }
+
     pub(super) fn set_world(&mut self, world: DAffine3) {
         self.matrix = DMat4::from(world).to_cols_array();
     }
@@ -35,6 +42,9 @@ impl NodeState {
         DAffine3::from_cols_array(&[m0, m1, m2, m4, m5, m6, m8, m9, m10, x, y, z])
     }
 }
+
+/// What of a state is as it is in the values: colour, intensity, cone, whether it is visible.
+pub(super) type Looks = ([f64; 3], f64, [f64; 2], bool);
 
 /// What went wrong while the rest went on; the first of it is kept.
 #[derive(Debug, Default)]
@@ -48,6 +58,11 @@ impl Warnings {
         if self.first.is_none() {
             self.first = Some((self.node, what()));
         }
+    }
+
+    pub(super) fn too_far(&mut self, node: usize) {
+        self.node = node;
+        self.add(|| Invalid::PlaceTooFar);
     }
 
     /// The number of the node and what went wrong there, if anything did.

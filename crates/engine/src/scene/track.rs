@@ -8,7 +8,7 @@ use super::channel::Channel;
 use super::host::{self, Question};
 use super::keys::{quaternion, wxyz};
 use super::motion::check_frame;
-use super::rotation::{Between, Turns, unit};
+use super::rotation::{Between, GreatArc, Turns, unit};
 use super::state::Warnings;
 use super::tangents::{self, NumberKeys};
 use super::time::{Extrapolation, local_frame};
@@ -428,6 +428,40 @@ impl Track {
         };
         let from = self.frames[section];
         (section, (frame - from) / (next - from))
+    }
+
+    /// The section that holds a frame and the share of the way that is gone, where the way is
+    /// straight or a great arc. The section found last (`hint`, of whatever track) is tried first:
+    /// tracks that were recorded together have their keys at the same frames.
+    #[inline]
+    pub(super) fn straight(&self, frame: f64, hint: &mut usize) -> Option<(usize, f64)> {
+        use Interpolation::{Linear, Parabolic, Ramp, Sine, Step};
+        if !matches!(self.interpolation, Step | Linear | Ramp | Sine | Parabolic) {
+            return None;
+        }
+        if let Some(&[from, next]) = self.frames.get(*hint..*hint + 2)
+            && from <= frame
+            && frame < next
+        {
+            return Some((*hint, self.share((frame - from) / (next - from))));
+        }
+        let (first, last) = self.ends();
+        let (local, rounds) = local_frame(frame, first, last, self.before, self.after);
+        if rounds != 0.0 {
+            return None;
+        }
+        let (section, u) = self.locate(local);
+        *hint = section;
+        Some((section, self.share(u)))
+    }
+
+    /// The great arc of a section of a rotation, if it is one; the last key stays.
+    #[inline]
+    pub(super) fn arc(&self, section: usize) -> Option<GreatArc> {
+        match &self.prepared {
+            Prepared::Turns(turns) => turns.arc(section),
+            _ => None,
+        }
     }
 
     pub(super) const fn asks_host(&self) -> bool {

@@ -1,0 +1,505 @@
+//! Nodes side by side: where they are is computed a vector of nodes at a time.
+//!
+//! What a track has around a frame, two keys and the share of the way between, is put into rows, a
+//! column for each node; all else that moves a node gives one value, and stands there as both keys.
+//! Vectors then go through the rows without a branch, whatever moves the nodes, and no column
+//! depends on the others. A group is gathered as a whole before its first vector is computed, since
+//! reading at once what was written number by number makes the processor wait.
+
+use std::ops::{Deref, DerefMut};
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicUsize, Ordering};
+
+use glam::DVec3;
+
+use super::channel::Channel;
+use super::node::{Node, Values};
+use super::rotation::{GreatArc, arc_weights};
+use super::state::{Looks, NodeState, Warnings};
+use super::track::{Interpolation, Track};
+use crate::error::{Result, vec_with_room};
+use crate::math::vector::{self, Vector};
+use crate::path::dispatch::widest;
+
+/// Nodes of a group.
+pub(super) const GROUP: usize = 16;
+
+/// A number of each node of a group.
+type Row = [f64; GROUP];
+
+const ZEROS: Row = [0.0; GROUP];
+
+/// What tracks have at a key and towards the next: position, scale, rotation; then the rotation to
+/// which the arc leads, the square and the inverse of that arc.
+type Section = [Row; 16];
+const SCALE: usize = 3;
+const TURN: usize = 6;
+const SQUARE: usize = 14;
+
+/// Position, scale, rotation.
+const MOTIONS: [Channel; 3] = [Channel::Position, Channel::Scale, Channel::Rotation];
+
+/// Which nodes a group has, and what of them does not move.
+#[derive(Debug)]
+struct Head {
+    nodes: [usize; GROUP],
+    parents: [Option<usize>; GROUP],
+    count: usize,
+    pivot: [Row; 3],
+}
+
+/// Where the nodes of a group are.
+struct Placed {
+    /// The three axes and the place, in the parent.
+    own: [[Row; 3]; 4],
+    /// Whether that is too far in the world to compute with.
+    lost: [bool; GROUP],
+}
+
+/// Nodes that come one after the other in the order of evaluation, gathered for one frame.
+pub(super) struct Group {
+    head: Head,
+    /// Both keys.
+    keys: [Section; 2],
+    shares: [Row; 3],
+    placed: Placed,
+    /// The section of the track before ([`Track::straight`]).
+    hint: usize,
+}
+
+fn put(section: &mut Section, row: usize, lane: usize, numbers: &[f64]) {
+    for (row, number) in section[row..].iter_mut().zip(numbers) {
+        row[lane] = *number;
+    }
+}
+
+fn put_arc(section: &mut Section, lane: usize, arc: &GreatArc) {
+    put(section, TURN, lane, &arc.from.to_array());
+    put(section, TURN + 4, lane, &arc.to.to_array());
+    put(section, SQUARE, lane, &[arc.square, arc.inverse]);
+}
+
+impl Head {
+    const NONE: Self = Self {
+        nodes: [0; GROUP],
+        parents: [None; GROUP],
+        count: 0,
+        pivot: [ZEROS; 3],
+    };
+
+    fn add(&mut self, at: usize, node: &Node) -> usize {
+        let lane = self.count;
+        self.count += 1;
+        (self.nodes[lane], self.parents[lane]) = (at, node.parent);
+        for (row, pivot) in self.pivot.iter_mut().zip(node.pivot.to_array()) {
+            row[lane] = pivot;
+        }
+        lane
+    }
+}
+
+impl Group {
+    pub(super) const NONE: Self = Self {
+        head: Head::NONE,
+        keys: [[ZEROS; 16]; 2],
+        shares: [ZEROS; 3],
+        placed: Placed {
+            own: [[ZEROS; 3]; 4],
+            lost: [false; GROUP],
+        },
+        hint: 0,
+    };
+
+    /// Adds a node of which tracks alone move the place, and gives its other values.
+    pub(super) fn add(
+        &mut self,
+        at: usize,
+        node: &Node,
+        frame: f64,
+        warnings: &mut Warnings,
+    ) -> Values {
+        let mut values = node.rest;
+        self.put(at, node, &values);
+        for track in node.keys.tracks() {
+            match track.channel() {
+                Channel::Position => self.numbers(0, track, frame, warnings),
+                Channel::Scale => self.numbers(1, track, frame, warnings),
+                Channel::Rotation => self.turn(track, frame, warnings),
+                _ => track.other(frame, &mut values, warnings),
+            }
+        }
+        values
+    }
+
+    /// Adds a node that is where its values say.
+    pub(super) fn put(&mut self, at: usize, node: &Node, values: &Values) {
+        let lane = self.head.add(at, node);
+        self.still(0, values.position);
+        self.still(1, values.scale);
+        self.along(&GreatArc::still(values.rotation), 0.0);
+        self.placed.lost[lane] = false;
+    }
+
+    fn still(&mut self, motion: usize, value: DVec3) {
+        let numbers = value.to_array();
+        self.between(motion, &numbers, &numbers, 0.0);
+    }
+
+    fn between(&mut self, motion: usize, from: &[f64], to: &[f64], share: f64) {
+        let lane = self.head.count - 1;
+        put(&mut self.keys[0], SCALE * motion, lane, &from[..3]);
+        put(&mut self.keys[1], SCALE * motion, lane, &to[..3]);
+        self.shares[motion][lane] = share;
+    }
+
+    fn numbers(&mut self, motion: usize, track: &Track, frame: f64, warnings: &mut Warnings) {
+        match track.straight(frame, &mut self.hint) {
+            Some((section, share)) => {
+                let keys = &track.values()[3 * section..];
+                let next = if share == 0.0 { 0 } else { 3 };
+                self.between(motion, keys, &keys[next..], share);
+            }
+            None => self.still(motion, track.value(frame, warnings).into()),
+        }
+    }
+
+    fn along(&mut self, arc: &GreatArc, share: f64) {
+        let lane = self.head.count - 1;
+        put_arc(&mut self.keys[0], lane, arc);
+        self.shares[2][lane] = share;
+    }
+
+    fn turn(&mut self, track: &Track, frame: f64, warnings: &mut Warnings) {
+        if let Some((section, share)) = track.straight(frame, &mut self.hint)
+            && share != 0.0
+            && let Some(arc) = track.arc(section)
+        {
+            self.along(&arc, share);
+        } else {
+            self.along(&GreatArc::still(track.rotation(frame, warnings)), 0.0);
+        }
+    }
+
+    /// Writes where its nodes are in the world and whether they are seen; it is empty then.
+    pub(super) fn place(&mut self, states: &mut [NodeState], warnings: &mut Warnings) {
+        let [from, to] = &self.keys;
+        let around = Around {
+            from,
+            to,
+            shares: &self.shares,
+            at_key: false,
+        };
+        place_widest(&self.head, &around, &mut self.placed, states);
+        self.placed.see(&self.head, states, warnings);
+        self.head.count = 0;
+    }
+}
+
+impl Placed {
+    fn see(&self, head: &Head, states: &mut [NodeState], warnings: &mut Warnings) {
+        for lane in 0..head.count {
+            let (at, lost) = (head.nodes[lane], self.lost[lane]);
+            let seen = head.parents[lane].is_none_or(|parent| states[parent].visible != 0);
+            states[at].visible &= i32::from(seen && !lost);
+            if lost {
+                warnings.too_far(at);
+            }
+        }
+    }
+}
+
+/// The keys around a frame.
+struct Around<'a> {
+    from: &'a Section,
+    to: &'a Section,
+    shares: &'a [Row; 3],
+    /// All shares are 0.
+    at_key: bool,
+}
+
+/// L = T(position)·T(pivot)·R·S·T(−pivot) of a vector of nodes, column by column.
+#[inline(always)]
+fn local<V: Vector>(head: &Head, around: &Around<'_>, k: usize, own: &mut [[Row; 3]; 4]) {
+    let at = |row: &Row| V::load(&row[k..]);
+    let one = V::splat(1.0);
+    let [position, scale] = [0, 1].map(|motion| {
+        let share = at(&around.shares[motion]);
+        let rest = one.sub(share);
+        [0, 1, 2].map(|i| {
+            let row = SCALE * motion + i;
+            at(&around.from[row]).mul_add(rest, at(&around.to[row]).mul(share))
+        })
+    });
+    let (mut square, mut inverse) = (at(&around.from[SQUARE]), at(&around.from[SQUARE + 1]));
+    if around.at_key {
+        // The weight of the key is 1 then, and not what comes near it.
+        (square, inverse) = (V::splat(0.0), one);
+    }
+    let [a, b] = arc_weights(square, inverse, at(&around.shares[2]));
+    let [x, y, z, w] = [TURN, TURN + 1, TURN + 2, TURN + 3]
+        .map(|row| at(&around.from[row]).mul_add(a, at(&around.from[row + 4]).mul(b)));
+    let square = x.mul_add(x, y.mul_add(y, z.mul_add(z, w.mul(w))));
+    let twice = V::splat(2.0).div(square);
+    let [tx, ty, tz] = [x.mul(twice), y.mul(twice), z.mul(twice)];
+    let (xx, yy, zz) = (x.mul(tx), y.mul(ty), z.mul(tz));
+    let (xy, xz, yz) = (x.mul(ty), x.mul(tz), y.mul(tz));
+    let (wx, wy, wz) = (w.mul(tx), w.mul(ty), w.mul(tz));
+    let axes = [
+        [one.sub(yy).sub(zz), xy.add(wz), xz.sub(wy)],
+        [xy.sub(wz), one.sub(xx).sub(zz), yz.add(wx)],
+        [xz.add(wy), yz.sub(wx), one.sub(xx).sub(yy)],
+    ];
+    let pivot = [0, 1, 2].map(|i| at(&head.pivot[i]));
+    let mut place = [0, 1, 2].map(|i| position[i].add(pivot[i]));
+    for j in 0..3 {
+        let along = V::splat(0.0).sub(pivot[j]);
+        for i in 0..3 {
+            let value = axes[j][i].mul(scale[j]);
+            value.store(&mut own[j][i][k..]);
+            place[i] = value.mul_add(along, place[i]);
+        }
+    }
+    for i in 0..3 {
+        place[i].store(&mut own[3][i][k..]);
+    }
+}
+
+/// The matrix of a node in the world, of its own and that of its parent.
+#[inline(always)]
+fn world<V: Vector>(own: &[[Row; 3]; 4], lane: usize, parent: &[f64; 16]) -> [f64; 16] {
+    let mut matrix = [0.0; 16];
+    for i in (0..4).step_by(V::LANES) {
+        let axis = [0, 1, 2, 3].map(|j| V::load(&parent[4 * j + i..]));
+        for j in 0..4 {
+            let [x, y, z] = [0, 1, 2].map(|k| V::splat(own[j][k][lane]));
+            let mut sum = axis[1].mul_add(y, axis[2].mul(z));
+            if j == 3 {
+                sum = sum.add(axis[3]);
+            }
+            axis[0].mul_add(x, sum).store(&mut matrix[4 * j + i..]);
+        }
+    }
+    matrix
+}
+
+const IDENTITY: [f64; 16] = [
+    1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0,
+];
+
+#[inline(always)]
+fn place<V: Vector>(
+    head: &Head,
+    around: &Around<'_>,
+    placed: &mut Placed,
+    states: &mut [NodeState],
+) {
+    for k in (0..head.count).step_by(V::LANES) {
+        local::<V>(head, around, k, &mut placed.own);
+    }
+    for lane in 0..head.count {
+        let parent = match head.parents[lane] {
+            Some(parent) => &states[parent].matrix,
+            None => &IDENTITY,
+        };
+        let mut matrix = world::<V>(&placed.own, lane, parent);
+        // 0 unless one of them is not finite: one branch for all.
+        let mut sum = V::splat(0.0);
+        for i in (0..16).step_by(V::LANES) {
+            sum = V::load(&matrix[i..]).mul_add(V::splat(0.0), sum);
+        }
+        let mut sums = [0.0; 4];
+        sum.store(&mut sums);
+        placed.lost[lane] = sums.iter().sum::<f64>() != 0.0;
+        if placed.lost[lane] {
+            matrix = IDENTITY;
+        }
+        states[head.nodes[lane]].matrix = matrix;
+    }
+}
+
+fn place_widest(head: &Head, around: &Around<'_>, placed: &mut Placed, states: &mut [NodeState]) {
+    use self as side_by_side;
+    widest!(side_by_side, place, (head: &Head, around: &Around<'_>, placed: &mut Placed, states: &mut [NodeState]) -> ())
+}
+
+/// A group whose tracks are linear and have their keys at the same frames, as recordings have: all
+/// keys are there in rows, so that a frame reads what it needs in one piece and gathers nothing.
+/// The numbers come out bit for bit as of a [`Group`]: this may be there or not.
+#[derive(Debug)]
+pub(super) struct Pack {
+    head: Head,
+    sections: Vec<Section>,
+    /// 1 where a track moves it, else 0.
+    moving: [Row; 3],
+    /// A node and the channel of its track, if there is one: all others are as it is in time.
+    clock: Option<(usize, Channel)>,
+    looks: [Looks; GROUP],
+}
+
+impl Pack {
+    /// Nodes that come one after the other; none if they are not that simple.
+    fn new(nodes: &[Node], group: &[usize]) -> Result<Option<Self>> {
+        let mut clock: Option<(usize, &Track)> = None;
+        for &at in group {
+            let node = &nodes[at];
+            if node.kind.looks() || node.path.is_some() {
+                return Ok(None);
+            }
+            for track in node.keys.tracks() {
+                let other = clock.get_or_insert((at, track)).1;
+                let simple = MOTIONS.contains(track.channel())
+                    && *track.interpolation() == Interpolation::Linear
+                    && track.frames() == other.frames()
+                    && track.extrapolation() == other.extrapolation();
+                if !simple {
+                    return Ok(None);
+                }
+            }
+        }
+        let count = clock.map_or(1, |(_, track)| track.frames().len());
+        let numbers: usize = group.iter().map(|&at| nodes[at].keys.numbers()).sum();
+        // Rows of nodes that do not move are not to take many times the room of the keys.
+        if 4 * GROUP * (count - 1) > numbers {
+            return Ok(None);
+        }
+        let mut pack = Self {
+            head: Head::NONE,
+            sections: vec_with_room(count)?,
+            moving: [ZEROS; 3],
+            clock: clock.map(|(at, track)| (at, track.channel().clone())),
+            looks: [Looks::default(); GROUP],
+        };
+        pack.sections.resize(count, [ZEROS; 16]);
+        for &at in group {
+            pack.add(at, &nodes[at]);
+        }
+        Ok(Some(pack))
+    }
+
+    fn add(&mut self, at: usize, node: &Node) {
+        let lane = self.head.add(at, node);
+        self.looks[lane] = node.rest.looks();
+        let still = GreatArc::still(node.rest.rotation);
+        let [position, scale, turn] = MOTIONS.map(|channel| node.keys.track(&channel));
+        for (motion, track) in [position, scale, turn].into_iter().enumerate() {
+            self.moving[motion][lane] = f64::from(u8::from(track.is_some()));
+        }
+        for (k, section) in self.sections.iter_mut().enumerate() {
+            let rest = [node.rest.position, node.rest.scale].map(|v| v.to_array());
+            for ((motion, track), rest) in [position, scale].into_iter().enumerate().zip(&rest) {
+                let numbers = track.map_or(&rest[..], |track| &track.values()[3 * k..][..3]);
+                put(section, SCALE * motion, lane, numbers);
+            }
+            let arc = turn.and_then(|turn| turn.arc(k)).unwrap_or(still);
+            put_arc(section, lane, &arc);
+        }
+    }
+
+    /// As [`Group::place`]; false, and nothing written, where the tracks go on with an offset.
+    pub(super) fn place(
+        &self,
+        nodes: &[Node],
+        frame: f64,
+        group: &mut Group,
+        states: &mut [NodeState],
+        warnings: &mut Warnings,
+    ) -> bool {
+        let clock = self.clock.as_ref();
+        let clock = clock.and_then(|(at, channel)| nodes[*at].keys.track(channel));
+        let found = clock.map_or(Some((0, 0.0)), |track| {
+            track.straight(frame, &mut group.hint)
+        });
+        let Some((section, share)) = found else {
+            return false;
+        };
+        for lane in 0..self.head.count {
+            states[self.head.nodes[lane]].begin(self.looks[lane]);
+        }
+        let from = &self.sections[section];
+        let around = Around {
+            from,
+            to: self.sections.get(section + 1).unwrap_or(from),
+            shares: &self.moving.map(|row| row.map(|moves| share * moves)),
+            at_key: share == 0.0,
+        };
+        place_widest(&self.head, &around, &mut group.placed, states);
+        group.placed.see(&self.head, states, warnings);
+        true
+    }
+}
+
+/// The nodes of a scene, and what is prepared of them until one changes.
+#[derive(Debug, Default)]
+pub(super) struct Nodes {
+    all: Vec<Node>,
+    asked: AtomicUsize,
+    packs: OnceLock<Vec<Option<Pack>>>,
+    /// Whether [`super::Scene::is_plain`], and whether none follows a path.
+    pub plain: OnceLock<(bool, bool)>,
+}
+
+/// Gathering numbers costs so many times less than packing them and gathering nothing.
+const PACKING: usize = 16;
+
+impl Nodes {
+    /// A pack for each [`GROUP`] in this order that can have one, or none at all: they are made when
+    /// as much has been gathered as they cost. Without memory for them it goes on without.
+    pub(super) fn packs(&self, order: &[usize], numbers: usize) -> &[Option<Pack>] {
+        if let Some(packs) = self.packs.get() {
+            return packs;
+        }
+        let asked = self.asked.fetch_add(1, Ordering::Relaxed);
+        if asked.saturating_mul(PACKING * self.all.len()) < numbers {
+            return &[];
+        }
+        let all = || {
+            let groups = order.chunks(GROUP);
+            let mut packs = vec_with_room(groups.len())?;
+            for group in groups {
+                packs.push(Pack::new(&self.all, group)?);
+            }
+            Ok::<_, crate::Error>(packs)
+        };
+        self.packs.get_or_init(|| all().unwrap_or_default())
+    }
+}
+
+impl From<Vec<Node>> for Nodes {
+    fn from(all: Vec<Node>) -> Self {
+        Self {
+            all,
+            ..Self::default()
+        }
+    }
+}
+
+impl Clone for Nodes {
+    fn clone(&self) -> Self {
+        self.all.clone().into()
+    }
+}
+
+impl PartialEq for Nodes {
+    fn eq(&self, other: &Self) -> bool {
+        self.all == other.all
+    }
+}
+
+impl Deref for Nodes {
+    type Target = Vec<Node>;
+    fn deref(&self) -> &Vec<Node> {
+        &self.all
+    }
+}
+
+/// Whoever may change a node makes what is prepared anew.
+impl DerefMut for Nodes {
+    fn deref_mut(&mut self) -> &mut Vec<Node> {
+        *self = std::mem::take(&mut self.all).into();
+        &mut self.all
+    }
+}
+
+#[cfg(test)]
+#[path = "side_by_side_tests.rs"]
+mod tests;
