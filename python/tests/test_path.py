@@ -246,3 +246,31 @@ def test_gone_paths() -> None:
     with pytest.raises(vides.Error):
         last.zoom
     assert samples.array.shape == (121, 10)
+
+
+def test_what_is_written_into_a_copy_is_not_lost_silently(path: vides.Path) -> None:
+    with pytest.raises(ValueError, match="read-only"):
+        path.points[0].position[1] = 5
+    with pytest.raises(ValueError, match="read-only"):
+        path.positions[:, 1] += 1
+    with pytest.raises(TypeError):
+        path.points[0].target[0] = 5
+    path.positions = path.positions + [0, 1, 0]
+    np.testing.assert_array_equal(path.positions, POINTS + [0, 1, 0])
+    assert path.undo()
+    np.testing.assert_array_equal(path.positions, POINTS)
+    with pytest.raises(vides.Error, match="there are 4 points, and 3 positions"):
+        path.positions = POINTS[:3]
+
+
+def test_sections_are_edited(path: vides.Path) -> None:
+    first = path.sections[0]
+    first.frames = 77
+    assert first.frames == 77 == path.sections[0].frames
+    first.speed_curve = np.linspace(1, 100, 10)
+    assert path.points[0].speed_curve == tuple(np.linspace(1, 100, 10))
+    assert first.length == pytest.approx(path.length / 3, rel=0.5)
+    path.base_speeds = {"zoom_frames": 42}
+    assert path.base_speeds["zoom_frames"] == 42 and len(path.base_speeds) == 4
+    path.presets = {"3": {"tension": 1.0, "continuity": 0.0, "bias": 0.0}}
+    assert path.presets["3"]["tension"] == 1

@@ -7,25 +7,6 @@ from typing import NamedTuple
 from . import _vides
 
 
-class Section(NamedTuple):
-    """The way from one orientation to the next, at one point or on to the next point."""
-
-    point: int
-    """The point at which it begins."""
-    orientation: int
-    """The orientation of that point with which it begins; it has the section's speeds."""
-    change: str
-    """What changes: ``"position"``, ``"view"``, ``"roll"``, ``"zoom"`` or ``"nothing"``."""
-    amount: float
-    """By how much, in units of its base speed: half sizes, half turns, …"""
-    frames: int
-    """How many frames it takes; 0 if nothing changes."""
-    first_frame: int
-    """The first frame behind the orientation with which it begins."""
-    length: float
-    """Length of the way, in the world's lengths."""
-
-
 class Finding(NamedTuple):
     """Something that will look wrong in the film."""
 
