@@ -92,6 +92,8 @@ def test_points_are_edited(path: vides.Path) -> None:
     np.testing.assert_array_equal(path.positions[4], [2, 2, 2])
     del path.points[0]
     np.testing.assert_array_equal(path.points[0].position, POINTS[1])
+    assert path.points[1] == path.points[1] != path.points[0]
+    assert path.points.index(path.points[2]) == 2
     path.points.move(0, 3)
     np.testing.assert_array_equal(path.points[3].position, POINTS[1])
     assert [p.index for p in path.points[1:3]] == [1, 2]
@@ -134,6 +136,8 @@ def test_properties_have_the_keys_of_files(path: vides.Path) -> None:
 def test_an_unknown_attribute_is_told_with_the_one_that_is_meant(path: vides.Path) -> None:
     with pytest.raises(AttributeError, match="is zoom.* meant"):
         path.points[0].zooom = 3
+    with pytest.raises(AttributeError, match="its points have"):
+        path.zoom = 35
     with pytest.raises(AttributeError):
         path.nonsense
     assert not hasattr(path.points[0], "nonsense")

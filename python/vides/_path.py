@@ -45,7 +45,8 @@ class Path(Keyed):
 
     What a ``.vid`` file says of the whole path is an attribute, by the key that it has there:
     ``fps``, ``title``, ``comment``, ``unit``, ``closed``, ``curve``, ``orientation_mode``,
-    ``zoom_mode``, ``first_frame``, ``base_speeds``, ``presets``, ``limits``.
+    ``zoom_mode``, ``first_frame``, ``base_speeds``, ``presets``. A path has its frames: another
+    ``fps`` shows them faster or slower, :meth:`set_frames` brings it to a length.
 
     >>> path.fps = 30
     >>> path.title = "Once around"
@@ -384,10 +385,12 @@ class Path(Keyed):
         >>> path = Path()
         >>> path.tool("turn", axis="y", angle=90)
         >>> path.tool("repeat", times=2)
+        >>> Path().tool("orbit", from_=90, seconds=8)
         >>> len(path.points)
         3
         """
-        self._native.tool(name, dict(numbers), None if path is None else path._native)
+        given = {key.rstrip("_"): number for key, number in numbers.items()}
+        self._native.tool(name, given, None if path is None else path._native)
 
     def reverse(self) -> None:
         """Flies it backwards."""

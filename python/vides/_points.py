@@ -48,6 +48,18 @@ class Keyed:
         except AttributeError:
             raise self._unknown(name) from None
 
+    def __eq__(self, other: object) -> bool:
+        """Whether it is the same one of the same path."""
+        return (
+            type(other) is type(self)
+            and isinstance(other, Keyed)
+            and other._document() is self._document()
+            and other._prefix() == self._prefix()
+        )
+
+    def __hash__(self) -> int:
+        return hash((id(self._document()), self._prefix()))
+
     def __setattr__(self, name: str, value: Any) -> None:
         """Sets a property; ``None`` gives back what a new path has."""
         known = getattr(type(self), name, None)
@@ -69,6 +81,8 @@ class Keyed:
 
     def _unknown(self, name: str) -> AttributeError:
         kind = type(self).__name__
+        if name in _bare_keys():
+            return AttributeError(f"{kind} has no {name}: its points have", name=name, obj=self)
         near = difflib.get_close_matches(name, dir(self), 1, 0.7)
         meant = f": is {near[0]} meant?" if near else "; dir() lists what it has"
         return AttributeError(f"{kind} has no {name}{meant}", name=name, obj=self)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import keyword
 from typing import NamedTuple
 
 from . import _vides
@@ -51,6 +52,7 @@ def tools() -> list[Tool]:
     """
 
     def row(name: str, does: str, unit: str, width: int) -> tuple[str, str]:
+        name = name + "_" if keyword.iskeyword(name) else name
         numbers = "" if width == 1 else f", {width} numbers"
         return name, does + (f" ({unit})" if unit else "") + numbers
 
