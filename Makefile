@@ -16,6 +16,7 @@
 #   make threads     looks for races between threads
 #   make install     PREFIX=/usr/local DESTDIR=
 #   make uninstall   the same
+#   make deb         Debian packages, in target/deb
 #   make header      writes include/libvides.h anew
 #   make reference   pages of the C interface, target/reference: HTML and section 3
 #   make completions writes what shells complete, completions/, anew
@@ -69,7 +70,7 @@ X_TOOLS = python3=python3 Xvfb=xvfb xauth=xauth xdotool=xdotool xprop=x11-utils 
     xwd=x11-apps /usr/include/Xm/Xm.h=libmotif-dev
 LINT = -D warnings
 
-.PHONY: all libs demo test check bench soak soak-calls soak-x fuzz coverage miri threads install uninstall header completions reference clean side-by-side FORCE \
+.PHONY: all libs demo test check bench soak soak-calls soak-x fuzz coverage miri threads install uninstall deb check-deb header completions reference clean side-by-side FORCE \
 	toolchain check-format check-lints check-rust check-c check-linking \
 	check-calls check-x check-demo check-install check-docs check-dependencies \
 	check-hosts soak-hosts check-formats check-formats-small wheel check-python check-packages
@@ -367,6 +368,21 @@ uninstall:
 	    file=$${shared%:*}; rm -f '$(DESTDIR)$(datadir)/'"$${shared#*:}/$${file##*/}"; \
 	done
 	@$(TELL)
+
+# ---- Packages -------------------------------------------------------------------
+
+DEB = $(CARGO_TARGET_DIR)/deb
+deb: toolchain
+	@mk/need.sh dh=debhelper dh_python3=dh-python python3:ensurepip=python3-venv
+	rm -rf $(DEB)
+	mkdir -p $(DEB)
+	CARGO_TARGET_DIR='$(abspath $(CARGO_TARGET_DIR))' DEBS='$(abspath $(DEB))' debian/rules binary
+	CARGO_TARGET_DIR='$(abspath $(CARGO_TARGET_DIR))' debian/rules clean
+
+# Installs them on this machine, and purges them again.
+check-deb: deb
+	@mk/need.sh lintian=lintian pkg-config=pkg-config cmake=cmake
+	tests/install/deb.sh $(DEB)
 
 clean:
 	$(CARGO) clean
