@@ -220,6 +220,25 @@ impl Document {
         Ok(table(py, places.into_iter()))
     }
 
+    /// Moves all points, with what they look at by an offset, as one step.
+    fn set_positions(&self, py: Python<'_>, positions: PyReadonlyArray2<'_, f64>) -> Result<()> {
+        let places = arrays::places(&positions)?;
+        self.write(py, |document| {
+            let mut path = document.path().try_clone()?;
+            let count = path.points.len();
+            if places.len() != count {
+                let given = places.len();
+                return Err(Failure::argument(format!(
+                    "there are {count} points, and {given} positions"
+                )));
+            }
+            for (point, place) in path.points.iter_mut().zip(places) {
+                point.position = place;
+            }
+            Ok(document.apply(Edit::ReplacePath(Box::new(path)))?)
+        })
+    }
+
     fn position(&self, py: Python<'_>, point: usize) -> Result<[f64; 3]> {
         self.read(py, |document| {
             edits::point(document, point).map(|point| point.position.to_array())

@@ -151,6 +151,12 @@ impl From<EngineError> for Failure {
 impl From<formats::Error> for Failure {
     fn from(error: formats::Error) -> Self {
         let mut failure = Self::new(error.kind(), &error);
+        for (command, python) in [
+            ("--to in the command", "format="),
+            ("--from in the command", "format="),
+        ] {
+            failure.sentence = failure.sentence.replace(command, python);
+        }
         failure.formats(&error);
         failure
     }

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::sync::{PoisonError, RwLock};
 
 use numpy::{PyArray2, PyReadonlyArray1, PyReadonlyArray2, PyReadwriteArray2};
+use pyo3::IntoPyObjectExt;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use vides::document::{self, Info, SceneDocument};
@@ -258,6 +259,36 @@ impl Scene {
             _ => return Err(PyTypeError::new_err(format!("a node has no {name}"))),
         }
         Ok(self.write(py, |document| document.scene.set_node(node, &changed))?)
+    }
+
+    /// A value of a node at rest, by its name; none where there is none of this name.
+    fn rest<'py>(
+        &self,
+        py: Python<'py>,
+        node: usize,
+        name: &str,
+    ) -> PyResult<Option<Bound<'py, PyAny>>> {
+        let node = self.read(py, |document| document.scene.node(node).cloned())?;
+        let rest = &node.rest;
+        Ok(Some(match (name, &node.kind) {
+            ("position", _) => rest.position.to_array().into_bound_py_any(py)?,
+            ("rotation", _) => {
+                let q = rest.rotation;
+                [q.w, q.x, q.y, q.z].into_bound_py_any(py)?
+            }
+            ("scale", _) => rest.scale.to_array().into_bound_py_any(py)?,
+            ("pivot", _) => node.pivot.to_array().into_bound_py_any(py)?,
+            ("visible", _) => rest.visible.into_bound_py_any(py)?,
+            ("zoom", Kind::Camera(_)) => rest.zoom.into_bound_py_any(py)?,
+            ("roll", Kind::Camera(_)) => rest.roll.into_bound_py_any(py)?,
+            ("near", Kind::Camera(camera)) => camera.near.into_bound_py_any(py)?,
+            ("far", Kind::Camera(camera)) => camera.far.into_bound_py_any(py)?,
+            ("aim_weight", kind) if kind.looks() => rest.aim_weight.into_bound_py_any(py)?,
+            ("colour", Kind::Light(_) | Kind::Object(_)) => rest.colour.into_bound_py_any(py)?,
+            ("intensity", Kind::Light(_)) => rest.intensity.into_bound_py_any(py)?,
+            ("cone", Kind::Light(_)) => rest.cone.into_bound_py_any(py)?,
+            _ => return Ok(None),
+        }))
     }
 
     /// The present numbers of a channel.

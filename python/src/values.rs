@@ -67,7 +67,8 @@ fn write(value: &Bound<'_, PyAny>, out: &mut String, depth: usize) -> PyResult<(
     Ok(())
 }
 
-/// A value as a file has it, for Python; empty is `None`.
+/// A value as a file has it, for Python; empty is `None`. Lists are tuples: what is written into a
+/// copy would be lost without a word.
 pub(crate) fn from_toml<'py>(py: Python<'py>, text: &str) -> PyResult<Bound<'py, PyAny>> {
     if text.is_empty() {
         return Ok(py.None().into_bound(py));
@@ -108,7 +109,7 @@ fn python<'py>(py: Python<'py>, value: &DeValue<'_>) -> PyResult<Bound<'py, PyAn
         DeValue::Datetime(time) => time.to_string().into_bound_py_any(py),
         DeValue::Array(items) => {
             let items = items.iter().map(|item| python(py, item.get_ref()));
-            PyList::new(py, items.collect::<PyResult<Vec<_>>>()?)?.into_bound_py_any(py)
+            PyTuple::new(py, items.collect::<PyResult<Vec<_>>>()?)?.into_bound_py_any(py)
         }
         DeValue::Table(table) => {
             let dict = PyDict::new(py);

@@ -56,6 +56,7 @@ MAKERS: dict[str, Callable[[], Any]] = {
     "Point": lambda: path().points[1],
     "Orientations": lambda: path().points[1].orientations,
     "Orientation": lambda: path().points[1].orientations[0],
+    "Section": lambda: path().sections[0],
     "Samples": lambda: path().sample(),
     "Scene": scene,
     "Node": lambda: scene()["cube"],

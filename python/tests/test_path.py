@@ -4,6 +4,7 @@ import copy
 import gc
 import pickle
 import weakref
+from html.parser import HTMLParser
 from pathlib import Path as File
 
 import numpy as np
@@ -92,6 +93,8 @@ def test_points_are_edited(path: vides.Path) -> None:
     np.testing.assert_array_equal(path.positions[4], [2, 2, 2])
     del path.points[0]
     np.testing.assert_array_equal(path.points[0].position, POINTS[1])
+    assert path.points[1] == path.points[1] != path.points[0]
+    assert path.points.index(path.points[2]) == 2
     path.points.move(0, 3)
     np.testing.assert_array_equal(path.points[3].position, POINTS[1])
     assert [p.index for p in path.points[1:3]] == [1, 2]
@@ -134,6 +137,8 @@ def test_properties_have_the_keys_of_files(path: vides.Path) -> None:
 def test_an_unknown_attribute_is_told_with_the_one_that_is_meant(path: vides.Path) -> None:
     with pytest.raises(AttributeError, match="is zoom.* meant"):
         path.points[0].zooom = 3
+    with pytest.raises(AttributeError, match="its points have"):
+        path.zoom = 35
     with pytest.raises(AttributeError):
         path.nonsense
     assert not hasattr(path.points[0], "nonsense")
@@ -224,10 +229,17 @@ def test_pictures(path: vides.Path, tmp_path: File) -> None:
     assert path.plot(dark=True) != picture
     path.title = '</title><script>alert("x")</script>'
     assert "<script" not in path.plot()
-    frame = path._repr_html_()
     # All of the page is one attribute's value: no tag but the frame's own.
-    assert frame.count("<") == 2 and 'sandbox="allow-scripts"' in frame
-    assert "<script" in path.to_html()
+    seen: list[tuple[str, dict[str, str | None]]] = []
+
+    class Reader(HTMLParser):
+        def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+            seen.append((tag, dict(attrs)))
+
+    Reader().feed(path._repr_html_())
+    ((tag, attributes),) = seen
+    assert tag == "iframe" and attributes["sandbox"] == "allow-scripts"
+    assert attributes["srcdoc"] == path.to_html() and "<script" in path.to_html()
 
 
 def test_gone_paths() -> None:
@@ -246,3 +258,31 @@ def test_gone_paths() -> None:
     with pytest.raises(vides.Error):
         last.zoom
     assert samples.array.shape == (121, 10)
+
+
+def test_what_is_written_into_a_copy_is_not_lost_silently(path: vides.Path) -> None:
+    with pytest.raises(ValueError, match="read-only"):
+        path.points[0].position[1] = 5
+    with pytest.raises(ValueError, match="read-only"):
+        path.positions[:, 1] += 1
+    with pytest.raises(TypeError):
+        path.points[0].target[0] = 5
+    path.positions = path.positions + [0, 1, 0]
+    np.testing.assert_array_equal(path.positions, POINTS + [0, 1, 0])
+    assert path.undo()
+    np.testing.assert_array_equal(path.positions, POINTS)
+    with pytest.raises(vides.Error, match="there are 4 points, and 3 positions"):
+        path.positions = POINTS[:3]
+
+
+def test_sections_are_edited(path: vides.Path) -> None:
+    first = path.sections[0]
+    first.frames = 77
+    assert first.frames == 77 == path.sections[0].frames
+    first.speed_curve = np.linspace(1, 100, 10)
+    assert path.points[0].speed_curve == tuple(np.linspace(1, 100, 10))
+    assert first.length == pytest.approx(path.length / 3, rel=0.5)
+    path.base_speeds = {"zoom_frames": 42}
+    assert path.base_speeds["zoom_frames"] == 42 and len(path.base_speeds) == 4
+    path.presets = {"3": {"tension": 1.0, "continuity": 0.0, "bias": 0.0}}
+    assert path.presets["3"]["tension"] == 1

@@ -18,10 +18,10 @@ it; :func:`convert` goes between the files of other programs, :func:`edit` opens
 from ._error import Error
 from ._files import Format, convert, formats, options
 from ._path import Path
-from ._points import Orientation, Orientations, Point, Points
+from ._points import Orientation, Orientations, Point, Points, Section
 from ._samples import Samples
 from ._scene import Keys, Motion, Node, Scene, State
-from ._told import SVG, Finding, Property, Section, Tool, properties, tools
+from ._told import SVG, Finding, Property, Tool, properties, tools
 from ._window import edit
 
 __version__ = "1.0.0"

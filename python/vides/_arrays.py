@@ -43,3 +43,10 @@ def vector(values: Vector, name: str) -> tuple[float, float, float]:
     """Three finite numbers."""
     x, y, z = doubles(values, (3,), name)
     return float(x), float(y), float(z)
+
+
+def frozen(values: npt.ArrayLike) -> Array:
+    """A copy that cannot be written into, since what is written would be lost without a word."""
+    array = np.array(values, dtype=np.float64)
+    array.flags.writeable = False
+    return array

@@ -6,18 +6,18 @@ import html
 import operator
 import os
 from collections.abc import Sequence
-from typing import Any, Literal
+from typing import Any, ClassVar, Literal
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _vides
-from ._arrays import Array, Vector, doubles, vector
+from ._arrays import Array, Vector, doubles, frozen, vector
 from ._error import Error
 from ._files import choices, path_of
-from ._points import Keyed, Points, index_of
+from ._points import Keyed, Points, Section, index_of
 from ._samples import Samples
-from ._told import SVG, Finding, Section
+from ._told import SVG, Finding
 
 Curve = Literal["tcb", "cubic", "linear"]
 Axis = Literal["y", "z"]
@@ -45,12 +45,16 @@ class Path(Keyed):
 
     What a ``.vid`` file says of the whole path is an attribute, by the key that it has there:
     ``fps``, ``title``, ``comment``, ``unit``, ``closed``, ``curve``, ``orientation_mode``,
-    ``zoom_mode``, ``first_frame``, ``base_speeds``, ``presets``, ``limits``.
+    ``zoom_mode``, ``first_frame``, ``base_speeds``, ``presets``. A path has its frames: another
+    ``fps`` shows them faster or slower, :meth:`set_frames` brings it to a length.
 
     >>> path.fps = 30
     >>> path.title = "Once around"
     >>> path.closed
     True
+    >>> path.base_speeds["move_frames"]
+    100.0
+    >>> path.base_speeds = {"move_frames": 250}
     """
 
     __slots__ = ("_native", "losses", "__weakref__")
@@ -107,6 +111,15 @@ class Path(Keyed):
 
     def _prefix(self) -> str:
         return ""
+
+    def __getattr__(self, name: str) -> Any:
+        value = super().__getattr__(name)
+        if value is None:
+            # One with parts, as base_speeds and presets have.
+            parts = [key for key, _ in self._native.properties() if key.startswith(f"{name}.")]
+            if parts:
+                return {key[len(name) + 1 :]: self._native.property(key) for key in parts}
+        return value
 
     def _keys(self) -> list[str]:
         return sorted({name.split(".")[0] for name, _ in self._native.properties() if not name.startswith("point.")})
@@ -171,7 +184,7 @@ class Path(Keyed):
             return NotImplemented
         return other is self or self._native.same(other._native)
 
-    __hash__ = None  # type: ignore[assignment]
+    __hash__: ClassVar[None] = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
         closed = ", closed" if self.closed else ""
@@ -186,8 +199,18 @@ class Path(Keyed):
 
     @property
     def positions(self) -> Array:
-        """(n, 3): a copy of the points' positions."""
-        return self._native.positions()
+        """(n, 3): where the points lie; a copy that is read only. Assigning one moves all points.
+
+        >>> path = Path()
+        >>> path.positions = path.positions * 2
+        >>> path.positions[0]
+        array([-1.2,  0.4,  1.6])
+        """
+        return frozen(self._native.positions())
+
+    @positions.setter
+    def positions(self, positions: npt.ArrayLike) -> None:
+        self._native.set_positions(doubles(positions, (None, 3), "positions"))
 
     @property
     def up(self) -> str:
@@ -214,7 +237,7 @@ class Path(Keyed):
         >>> path = Path()
         >>> path.look_at((0, 0, 0))
         >>> path.points[1].target
-        [0.0, 0.0, 0.0]
+        (0.0, 0.0, 0.0)
         """
         for point in self.points:
             point.look_at(target)
@@ -271,7 +294,8 @@ class Path(Keyed):
         >>> [(section.point, section.change, section.frames) for section in Path().sections]
         [(0, 'position', 120)]
         """
-        return [Section(*row) for row in self._native.sections()]
+        rows = enumerate(self._native.sections())
+        return [Section(self, at, row) for at, row in rows]
 
     def sample(self, first: int = 1, last: int | None = None, out: Array | None = None) -> Samples:
         """The poses of the frames ``first`` to ``last``, both included; all unless given.
@@ -300,15 +324,25 @@ class Path(Keyed):
         self._native.sample(first, out)
         return Samples(out, float(self.fps), np.arange(first, last + 1.0))
 
-    def evaluate(self, frames: npt.ArrayLike) -> Samples:
-        """The poses at any frames, whole or between two, in any order.
+    def evaluate(
+        self, frames: npt.ArrayLike | None = None, *, seconds: npt.ArrayLike | None = None
+    ) -> Samples:
+        """The poses at any frames or seconds, whole or between two, in any order.
+
+        Frame 1 is shown at second 0.
 
         >>> path = Path()
         >>> path.evaluate(1.5).positions.shape
         (1, 3)
         >>> path.evaluate([1, 30.25, 121]).frames
         array([  1.  ,  30.25, 121.  ])
+        >>> path.evaluate(seconds=0.5).frames
+        array([13.5])
         """
+        if (frames is None) == (seconds is None):
+            raise TypeError("evaluate() takes either frames or seconds")
+        if seconds is not None:
+            frames = doubles(np.atleast_1d(np.asarray(seconds)), (None,), "seconds") * self.fps + 1.0
         wanted = doubles(np.atleast_1d(np.asarray(frames)), (None,), "frames")
         return Samples(self._native.poses(wanted), float(self.fps), wanted)
 
@@ -351,10 +385,12 @@ class Path(Keyed):
         >>> path = Path()
         >>> path.tool("turn", axis="y", angle=90)
         >>> path.tool("repeat", times=2)
+        >>> Path().tool("orbit", from_=90, seconds=8)
         >>> len(path.points)
         3
         """
-        self._native.tool(name, dict(numbers), None if path is None else path._native)
+        given = {key.rstrip("_"): number for key, number in numbers.items()}
+        self._native.tool(name, given, None if path is None else path._native)
 
     def reverse(self) -> None:
         """Flies it backwards."""

@@ -8,10 +8,8 @@ import re
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any, SupportsIndex, TypeVar, overload
 
-import numpy as np
-
 from . import _vides
-from ._arrays import Array, Vector, vector
+from ._arrays import Array, Vector, frozen, vector
 from ._error import Error
 
 if TYPE_CHECKING:
@@ -39,13 +37,28 @@ class Keyed:
         raise NotImplementedError
 
     def __getattr__(self, name: str) -> Any:
-        """A property by its key in files, with or without its unit; ``None`` where it is not set."""
+        """A property by its key in files, with or without its unit; ``None`` where it is not set.
+
+        Lists are tuples: copies, so assign a whole one.
+        """
         if name.startswith("_"):
             raise AttributeError(f"{type(self).__name__} has no {name}")
         try:
             return self._document().property(self._prefix() + name)
         except AttributeError:
             raise self._unknown(name) from None
+
+    def __eq__(self, other: object) -> bool:
+        """Whether it is the same one of the same path."""
+        return (
+            type(other) is type(self)
+            and isinstance(other, Keyed)
+            and other._document() is self._document()
+            and other._prefix() == self._prefix()
+        )
+
+    def __hash__(self) -> int:
+        return hash((id(self._document()), self._prefix()))
 
     def __setattr__(self, name: str, value: Any) -> None:
         """Sets a property; ``None`` gives back what a new path has."""
@@ -68,6 +81,8 @@ class Keyed:
 
     def _unknown(self, name: str) -> AttributeError:
         kind = type(self).__name__
+        if name in _bare_keys():
+            return AttributeError(f"{kind} has no {name}: its points have", name=name, obj=self)
         near = difflib.get_close_matches(name, dir(self), 1, 0.7)
         meant = f": is {near[0]} meant?" if near else "; dir() lists what it has"
         return AttributeError(f"{kind} has no {name}{meant}", name=name, obj=self)
@@ -120,14 +135,15 @@ class Orientation(Keyed):
     @property
     def up_vector(self) -> Array:
         """(3,): the camera's up, roll included; a unit vector perpendicular to its view."""
-        return np.array(self._document().up_at(self._point, self._at))
+        return frozen(self._document().up_at(self._point, self._at))
 
     def make_absolute(self, absolute: bool = True) -> None:
         """Makes the target a place of the world, or an offset from the point; the view stays."""
         self._document().edit("set_absolute", point=self._point, at=self._at, absolute=absolute)
 
     def __repr__(self) -> str:
-        return f"<vides.Orientation {self._at} of point {self._point}>"
+        values = f"zoom {self.zoom:g}, roll {self.roll:g}"
+        return f"<vides.Orientation {self._at} of point {self._point}: {values}>"
 
 
 class _Sequence(Sequence[_Item]):
@@ -236,8 +252,8 @@ class Point(Keyed):
 
     @property
     def position(self) -> Array:
-        """(3,): where it lies; a copy, so assign a whole position."""
-        return np.array(self._document().position(self._at))
+        """(3,): where it lies; a copy that is read only, so assign a whole position."""
+        return frozen(self._document().position(self._at))
 
     @position.setter
     def position(self, position: Vector) -> None:
@@ -306,3 +322,85 @@ class Points(_Sequence[Point]):
 
     def __repr__(self) -> str:
         return f"<vides.Points: {len(self)}>"
+
+
+class Section(Keyed):
+    """The way from one orientation to the next, at one point or on to the next point.
+
+    What it says is as it was when it was asked for. Its pace is a property of the orientation with
+    which it begins, and so of it: ``section.speed_curve = …``, ``section.ease = …``.
+
+    >>> from vides import Path
+    >>> section = Path([[0, 0, 0], [1, 0, 0], [1, 1, 0]]).sections[1]
+    >>> section.speed_curve = [10, 20, 30, 40, 50, 50, 40, 30, 20, 10]
+    >>> section.frames = 50
+    >>> section
+    <vides.Section: position from point 1, 50 frames>
+    """
+
+    __slots__ = ("_owner", "_at", "_row")
+    _owner: Path
+    _at: int
+    _row: tuple[int, int, str, float, int, int, float]
+
+    def __init__(
+        self, path: Path, at: int, row: tuple[int, int, str, float, int, int, float]
+    ) -> None:
+        self._owner = path
+        self._at = at
+        self._row = row
+
+    def _document(self) -> _vides.Document:
+        return self._owner._native
+
+    def _prefix(self) -> str:
+        return f"point.{self.point + 1}.view.{self.orientation + 1}."
+
+    def _keys(self) -> list[str]:
+        return _bare_keys()
+
+    @property
+    def point(self) -> int:
+        """The point at which it begins."""
+        return self._row[0]
+
+    @property
+    def orientation(self) -> int:
+        """The orientation of that point with which it begins."""
+        return self._row[1]
+
+    @property
+    def change(self) -> str:
+        """What changes: ``"position"``, ``"view"``, ``"roll"``, ``"zoom"`` or ``"nothing"``."""
+        return self._row[2]
+
+    @property
+    def amount(self) -> float:
+        """By how much, in units of its base speed: half sizes, half turns, …"""
+        return self._row[3]
+
+    @property
+    def frames(self) -> int:
+        """How many frames it takes; 0 if nothing changes.
+
+        Assigning a number keeps it at that, 0 lets its length and speeds say again.
+        """
+        return self._row[4]
+
+    @frames.setter
+    def frames(self, frames: int) -> None:
+        self._set_key("frames", frames)
+        self._row = self._document().sections()[self._at]
+
+    @property
+    def first_frame(self) -> int:
+        """The first frame behind the orientation with which it begins."""
+        return self._row[5]
+
+    @property
+    def length(self) -> float:
+        """Length of the way, in the world's lengths."""
+        return self._row[6]
+
+    def __repr__(self) -> str:
+        return f"<vides.Section: {self.change} from point {self.point}, {self.frames} frames>"

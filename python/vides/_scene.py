@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any, Literal, NamedTuple
+from typing import Any, ClassVar, Literal, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _vides
-from ._arrays import Array, Vector, doubles, vector
+from ._arrays import Array, Vector, doubles, frozen, vector
 from ._error import Error
 from ._files import choices, path_of
 from ._path import Axis, Path
@@ -71,6 +71,8 @@ class Node:
     >>> scene = Scene()
     >>> ball = scene.add("ball", "object")
     >>> ball.position = (0, 1, 0)
+    >>> ball.position
+    array([0., 1., 0.])
     >>> ball.set_keys("position", [1, 50], [[0, 1, 0], [2, 1, 0]], "linear")
     >>> scene.evaluate(25.5)["ball"].matrix[:3, 3]
     array([1., 1., 0.])
@@ -126,6 +128,13 @@ class Node:
 
     def _set(self, name: str, value: object) -> None:
         self._owner._native.set_rest(self._at, name, value)
+
+    def __getattr__(self, name: str) -> Any:
+        """A value at rest; three and more numbers are an array that is read only."""
+        value = None if name.startswith("_") else self._owner._native.rest(self._at, name)
+        if value is None:
+            raise AttributeError(f"{self.kind} {self._name!r} has no {name}", name=name, obj=self)
+        return frozen(value) if isinstance(value, list) else value
 
     def __setattr__(self, name: str, value: Any) -> None:
         if isinstance(getattr(type(self), name, None), property):
@@ -227,6 +236,14 @@ class Node:
     def vertices(self, frame: float) -> Array:
         """(n, 3): an object's points at a frame, morphed and deformed, in its own coordinates."""
         return self._owner._native.vertices(self._at, frame)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Node):
+            return NotImplemented
+        return other._owner is self._owner and other._name == self._name
+
+    def __hash__(self) -> int:
+        return hash((id(self._owner), self._name))
 
     def __repr__(self) -> str:
         return f"<vides.Node {self._name!r}, {self.kind}>"
@@ -421,6 +438,13 @@ class Scene(Mapping[str, Node]):
     def path(self) -> Path:
         """The path that the shown camera follows; a copy."""
         return Path._of(self._native.path())
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Scene):
+            return NotImplemented
+        return other is self or other.to_str() == self.to_str()
+
+    __hash__: ClassVar[None] = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
         first, last = self.frame_range

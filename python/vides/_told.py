@@ -2,28 +2,10 @@
 
 from __future__ import annotations
 
+import keyword
 from typing import NamedTuple
 
 from . import _vides
-
-
-class Section(NamedTuple):
-    """The way from one orientation to the next, at one point or on to the next point."""
-
-    point: int
-    """The point at which it begins."""
-    orientation: int
-    """The orientation of that point with which it begins; it has the section's speeds."""
-    change: str
-    """What changes: ``"position"``, ``"view"``, ``"roll"``, ``"zoom"`` or ``"nothing"``."""
-    amount: float
-    """By how much, in units of its base speed: half sizes, half turns, …"""
-    frames: int
-    """How many frames it takes; 0 if nothing changes."""
-    first_frame: int
-    """The first frame behind the orientation with which it begins."""
-    length: float
-    """Length of the way, in the world's lengths."""
 
 
 class Finding(NamedTuple):
@@ -70,6 +52,7 @@ def tools() -> list[Tool]:
     """
 
     def row(name: str, does: str, unit: str, width: int) -> tuple[str, str]:
+        name = name + "_" if keyword.iskeyword(name) else name
         numbers = "" if width == 1 else f", {width} numbers"
         return name, does + (f" ({unit})" if unit else "") + numbers
 
