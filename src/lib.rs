@@ -16,7 +16,7 @@
 //! A path becomes poses:
 //!
 //! ```
-//! use vides::document::{Document, Edit};
+//! use vides::document::{At, Document, Edit};
 //! use vides::glam::DVec3;
 //! use vides::path::Pose;
 //!
@@ -24,7 +24,7 @@
 //! // Two points, and a third between them.
 //! let mut document = Document::new();
 //! let position = DVec3::new(-0.6, 0.2, 0.8);
-//! document.apply(Edit::SetPosition { at: 0, position })?;
+//! document.apply(Edit::set(At::Point(0), "position", position))?;
 //! document.apply(Edit::InsertPoint { at: 1, position: DVec3::new(0.1, 0.5, 0.4) })?;
 //!
 //! let sampler = document.sampler()?;
@@ -78,7 +78,7 @@ mod ffi;
 pub mod plot;
 
 pub use glam;
-pub use vides_document::{self as document, Error, Result, error};
+pub use vides_document::{self as document, Error, Result, error, properties};
 pub use vides_engine::{deform, limits, math, path, property, scene, tools};
 #[cfg(feature = "formats")]
 pub use vides_formats as formats;

@@ -6,7 +6,7 @@ mod counting;
 
 use counting::cost;
 use glam::dvec3;
-use vides::document::{Document, Edit, Info};
+use vides::document::{At, Document, Edit, Info};
 use vides::path::{CameraPath, Orientation, SupportPoint, Tcb};
 
 fn document(points: usize) -> Document {
@@ -23,14 +23,8 @@ fn document(points: usize) -> Document {
 fn edits(at: usize, round: usize) -> [Edit; 4] {
     let x = round as f64 * 1e-5;
     [
-        Edit::SetPosition {
-            at,
-            position: dvec3(at as f64, 1.0 + x, 0.0),
-        },
-        Edit::SetOwn {
-            at,
-            tcb: Tcb::new(x, 0.0, 0.0),
-        },
+        Edit::set(At::Point(at), "position", dvec3(at as f64, 1.0 + x, 0.0)),
+        Edit::set(At::Point(at), "own", Tcb::new(x, 0.0, 0.0)),
         Edit::SetOrientation {
             point: at,
             at: 0,

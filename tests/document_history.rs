@@ -1,7 +1,7 @@
 //! Undo, steps and what counts as modified.
 
 use glam::dvec3;
-use vides::document::{Document, Edit};
+use vides::document::{At, Document, Edit};
 use vides::limits;
 use vides::path::{CameraPath, Orientation, SupportPoint, Target};
 
@@ -23,10 +23,7 @@ fn a_drag_is_one_step_and_small() {
     for step in 1..10_000 {
         let x = f64::from(step) * 1e-4;
         document
-            .apply(Edit::SetPosition {
-                at: 1,
-                position: dvec3(x, 0.1, 0.0),
-            })
+            .apply(Edit::set(At::Point(1), "position", dvec3(x, 0.1, 0.0)))
             .unwrap();
     }
     assert!(document.can_undo());
@@ -45,7 +42,7 @@ fn a_step_that_is_open_is_taken_back_if_something_was_done() {
     document.begin_step();
     assert!(document.in_step() && !document.can_undo() && !document.undo());
     document.begin_step();
-    document.apply(Edit::SetClosed(true)).unwrap();
+    document.apply(Edit::set(At::Path, "closed", true)).unwrap();
     assert!(document.can_undo() && document.undo());
     assert!(!document.path().closed && !document.in_step() && document.can_redo());
 }
@@ -85,10 +82,11 @@ fn the_history_forgets_its_oldest_steps() {
     let steps = limits::MAX_HISTORY_STEPS + 10;
     for step in 0..steps {
         document
-            .apply(Edit::SetPosition {
-                at: 0,
-                position: dvec3(0.0, 1.0 + step as f64, 0.0),
-            })
+            .apply(Edit::set(
+                At::Point(0),
+                "position",
+                dvec3(0.0, 1.0 + step as f64, 0.0),
+            ))
             .unwrap();
     }
     let mut undone = 0;
@@ -103,7 +101,7 @@ fn the_history_forgets_its_oldest_steps() {
 #[test]
 fn saving_is_remembered_across_undo() {
     let mut document = Document::new();
-    let close = |closed| Edit::SetClosed(closed);
+    let close = |closed| Edit::set(At::Path, "closed", closed);
     document.apply(close(true)).unwrap();
     document.mark_saved();
     assert!(!document.is_modified());
@@ -131,11 +129,11 @@ fn contents_have_a_number_of_their_own() {
     let mut seen = vec![document.revision(), Document::new().revision()];
     document.select(1, 0).unwrap();
     assert_eq!(document.revision(), seen[0]);
-    document.apply(Edit::SetClosed(true)).unwrap();
+    document.apply(Edit::set(At::Path, "closed", true)).unwrap();
     seen.push(document.revision());
     // Refused, or nothing changed: the same contents.
     document.apply(Edit::RemovePoint { at: 0 }).unwrap_err();
-    document.apply(Edit::SetClosed(true)).unwrap();
+    document.apply(Edit::set(At::Path, "closed", true)).unwrap();
     assert_eq!(document.revision(), seen[2]);
     assert!(document.undo());
     seen.push(document.revision());
@@ -143,7 +141,9 @@ fn contents_have_a_number_of_their_own() {
     seen.push(document.revision());
     document.begin_step();
     assert!(document.in_step());
-    document.apply(Edit::SetClosed(false)).unwrap();
+    document
+        .apply(Edit::set(At::Path, "closed", false))
+        .unwrap();
     seen.push(document.revision());
     document.cancel_step();
     assert!(!document.in_step());

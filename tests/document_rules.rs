@@ -1,7 +1,7 @@
 //! What each edit means, one by one (thesis 7.3, A.4).
 
 use glam::{DVec3, dvec3};
-use vides::document::{Document, Edit, Selection};
+use vides::document::{At, Document, Edit, Selection};
 use vides::path::{CameraPath, CurveParameters, Orientation, SupportPoint, Target, Tcb};
 use vides::{Error, limits};
 
@@ -84,7 +84,7 @@ fn moving_leaves_absolute_targets_and_takes_relative_ones_along() {
     let mut document = document(points);
     let position = dvec3(-0.25, 0.75, 0.125);
     document
-        .apply(Edit::SetPosition { at: 0, position })
+        .apply(Edit::set(At::Point(0), "position", position))
         .unwrap();
     let point = &document.path().points[0];
     assert_eq!(point.position, position);
@@ -99,10 +99,7 @@ fn moving_leaves_absolute_targets_and_takes_relative_ones_along() {
     assert_eq!(
         refused(
             &mut document,
-            Edit::SetPosition {
-                at: 0,
-                position: dvec3(0.5, 0.5, 0.5)
-            }
+            Edit::set(At::Point(0), "position", dvec3(0.5, 0.5, 0.5))
         ),
         "point 1 must not lie on the target of its orientation 2"
     );
@@ -390,16 +387,10 @@ fn what_is_not_there_is_named() {
     let orientation = Orientation::default();
     for edit in [
         Edit::RemovePoint { at: 2 },
-        Edit::SetPosition {
-            at: 2,
-            position: DVec3::ZERO,
-        },
-        Edit::SetName { at: 2, name: None },
-        Edit::SetOwn {
-            at: 2,
-            tcb: Tcb::default(),
-        },
-        Edit::UsePreset { at: 2, preset: 0 },
+        Edit::set(At::Point(2), "position", DVec3::ZERO),
+        Edit::set(At::Point(2), "name", String::new()),
+        Edit::set(At::Point(2), "own", Tcb::default()),
+        Edit::set(At::Point(2), "preset", 0),
         Edit::InsertOrientation {
             point: 2,
             at: 0,
@@ -482,10 +473,7 @@ fn a_straight_segment_is_divided_evenly_and_goes_on_straight() {
     assert_eq!(document.selection(), Selection::at(5, 0));
     assert!((document.path().points[5].position.x - 1.0).abs() < 1e-12);
     document
-        .apply(Edit::SetPosition {
-            at: 5,
-            position: dvec3(0.9, 0.0, 0.0),
-        })
+        .apply(Edit::set(At::Point(5), "position", dvec3(0.9, 0.0, 0.0)))
         .unwrap();
     document.apply(Edit::AppendAfterLast).unwrap();
     assert_eq!(document.path().points[6].position.x, 1.0);
@@ -497,7 +485,7 @@ fn a_straight_segment_is_divided_evenly_and_goes_on_straight() {
     assert_eq!(document.selection(), Selection::at(0, 0));
     let first = document.path().points[0].position;
     assert!((first - dvec3(-0.2, 0.0, 0.0)).length() < 1e-12, "{first}");
-    document.apply(Edit::SetClosed(true)).unwrap();
+    document.apply(Edit::set(At::Path, "closed", true)).unwrap();
     assert_eq!(
         refused(&mut document, Edit::AppendAfterLast),
         "a closed path has no ends"
@@ -509,10 +497,7 @@ fn the_ends_of_curves_with_tension_one_have_a_direction_too() {
     let mut document = line(&[0.0, 0.5]);
     for at in 0..2 {
         document
-            .apply(Edit::SetOwn {
-                at,
-                tcb: Tcb::new(1.0, 0.0, 0.0),
-            })
+            .apply(Edit::set(At::Point(at), "own", Tcb::new(1.0, 0.0, 0.0)))
             .unwrap();
     }
     document.apply(Edit::AppendAfterLast).unwrap();
@@ -540,7 +525,7 @@ fn division_is_by_arc_length_also_on_the_closing_segment() {
         .map(SupportPoint::new)
         .collect(),
     );
-    document.apply(Edit::SetClosed(true)).unwrap();
+    document.apply(Edit::set(At::Path, "closed", true)).unwrap();
     let curve = vides::path::curve::segment(document.path(), 3);
     document
         .apply(Edit::DivideSegment {

@@ -6,7 +6,7 @@ mod common;
 
 use common::Random;
 use glam::DVec3;
-use vides::document::{Document, Edit};
+use vides::document::{At, Document, Edit};
 use vides::path::{
     CurveKind, Ease, EaseKind, OrientationOverrides, Pace, Tangents, Up, UpPath, UpVector, own,
 };
@@ -58,11 +58,8 @@ fn edits(random: &mut Random, document: &Document) -> Vec<Edit> {
     let frames = document.timeline(|t| t.frame_count()).unwrap().unwrap_or(1);
     let frame = random.between(1.0, frames as f64);
     vec![
-        Edit::SetTangents {
-            at,
-            tangents: Some(tangents),
-        },
-        Edit::SetCurveKind(CurveKind::Cubic),
+        Edit::set(At::Point(at), "tangents", Some(tangents)),
+        Edit::set(At::Path, "curve", CurveKind::Cubic),
         owning(document, at, |own| own.pace = Pace::Ease(ease)),
         owning(document, at, |own| own.pace = own::distance(&keys).unwrap()),
         owning(document, at, |own| own.frames = 77),

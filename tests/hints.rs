@@ -5,7 +5,7 @@ mod common;
 
 use common::{all_poses, path_through, prepared, set_speeds};
 use glam::DVec3;
-use vides::document::{Document, Edit};
+use vides::document::{At, Document, Edit};
 use vides::path::{CameraPath, CurveParameters, Orientation, Target, Tcb};
 
 /// Looks so many degrees to the side of ahead, which is +z.
@@ -123,9 +123,10 @@ fn changed_presets_are_saved_with_the_path() {
         (5, Tcb::new(0.1, -0.7, 0.2)),
         (9, Tcb::new(0.25, 0.5, -1.0)),
     ] {
-        document
-            .apply(Edit::SetPreset { preset, tcb })
-            .expect("possible");
+        let mut presets = document.path().presets;
+        presets[preset] = tcb;
+        let edit = Edit::set(At::Path, "presets", presets);
+        document.apply(edit).expect("possible");
     }
     document.save(&file).expect("saved");
     let loaded = Document::load(&file).expect("loaded");

@@ -1,63 +1,68 @@
-//! The table of a view's keys in `docs/files.md` is what the engine's rows say.
+//! The tables of keys in `docs/files.md` are what the rows of properties say.
 //!
-//! `UPDATE_DOCS=1 cargo test --test property_table` writes it anew.
+//! `UPDATE_DOCS=1 cargo test --test property_table` writes them anew.
 
 use std::fmt::Write as _;
 
-use vides::path::{Orientation, OrientationOverrides};
-use vides::property::Property;
+use vides::property::{Listed, Owner};
 
 const FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/files.md");
-const BEGIN: &str = "<!-- begin: properties of a view -->\n";
 const END: &str = "<!-- end -->";
 
-fn rows<T>(table: &[Property<T>], new: &T, out: &mut String) {
-    for row in table.iter().filter(|row| !row.keys.is_empty()) {
-        let keys = row.keys.join("`, `");
-        let range = match row.range {
-            Some((low, high)) => format!("{low} to {high}"),
-            None => String::new(),
+fn table(rows: &[Listed]) -> String {
+    let mut out = String::from(
+        "| key | kind | unit | range | new | affects | in copies | what it is |\n\
+         |---|---|---|---|---|---|---|---|\n",
+    );
+    for row in rows {
+        let range = row.range.filter(|(low, _)| *low > f64::from(i32::MIN));
+        let range = range.map_or(String::new(), |(low, high)| format!("{low} to {high}"));
+        let new = match row.new.as_str() {
+            "" => String::new(),
+            new => format!("`{new}`"),
         };
-        let value = (row.value)(new).map_or(String::new(), |value| format!("`{value}`"));
-        let does = row.does.trim().replace('|', "\\|");
-        let (kind, unit) = (row.kind, row.unit.name());
+        let copied = if row.copied { "yes" } else { "" };
+        let (kind, unit, affects) = (row.kind, row.unit.name(), row.affects.name());
+        let (key, does) = (row.key, row.does.replace('|', "\\|"));
         writeln!(
             out,
-            "| `{keys}` | {kind} | {unit} | {range} | {value} | {does} |"
+            "| `{key}` | {kind} | {unit} | {range} | {new} | {affects} | {copied} | {does} |"
         )
         .unwrap();
     }
+    out
 }
 
 #[test]
 fn the_manual_names_every_key() {
     let manual = include_str!("../man/vides.1");
-    let views = Orientation::PROPERTIES.iter().flat_map(|row| row.keys);
-    let own = OrientationOverrides::PROPERTIES
-        .iter()
-        .flat_map(|row| row.keys);
-    for key in views.chain(own) {
-        assert!(manual.contains(key), "{key}");
+    for row in vides::properties() {
+        assert!(manual.contains(row.key), "{}", row.key);
     }
 }
 
 #[test]
-fn the_documents_table_is_current() {
-    let mut table = String::from(
-        "| key | kind | unit | range | new | what it is |\n|---|---|---|---|---|---|\n",
-    );
-    let new = Orientation::default();
-    rows(Orientation::PROPERTIES, &new, &mut table);
-    rows(OrientationOverrides::PROPERTIES, &new.own, &mut table);
-    let text = std::fs::read_to_string(FILE).unwrap();
-    let (before, rest) = text.split_once(BEGIN).expect("the table's begin");
-    let (found, after) = rest.split_once(END).expect("the table's end");
-    if std::env::var_os("UPDATE_DOCS").is_some() {
-        std::fs::write(FILE, format!("{before}{BEGIN}{table}{END}{after}")).unwrap();
-    } else {
-        assert_eq!(
-            found, table,
-            "run UPDATE_DOCS=1 cargo test --test property_table"
-        );
+fn the_documents_tables_are_current() {
+    let mut text = std::fs::read_to_string(FILE).unwrap();
+    let all = vides::properties();
+    for owner in [Owner::Path, Owner::Point, Owner::View] {
+        let begin = format!("<!-- begin: properties of a {} -->\n", owner.name());
+        let rows: Vec<_> = all
+            .iter()
+            .filter(|row| row.owner == owner)
+            .cloned()
+            .collect();
+        let (before, rest) = text.split_once(&begin).expect("the table's begin");
+        let (_, after) = rest.split_once(END).expect("the table's end");
+        text = format!("{before}{begin}{}{END}{after}", table(&rows));
     }
+    if std::env::var_os("UPDATE_DOCS").is_some() {
+        std::fs::write(FILE, text).unwrap();
+        return;
+    }
+    let found = std::fs::read_to_string(FILE).unwrap();
+    assert!(
+        found == text,
+        "run UPDATE_DOCS=1 cargo test --test property_table"
+    );
 }

@@ -5,9 +5,7 @@ use std::path::Path;
 
 use vides::document::Info;
 use vides::limits::ZOOM_UNIT;
-use vides::path::{
-    CameraPath, Change, CurveParameters, OrientationMode, Section, Space, Timeline, ZoomMode,
-};
+use vides::path::{CameraPath, Change, CurveParameters, Section, Space, Timeline};
 
 use super::table::{Align, Table, decimals};
 use super::{Failure, info_json, input, one_line, print, scene};
@@ -53,16 +51,7 @@ pub(super) fn heading(info: &Info) -> String {
 
 /// How the camera turns, and how the zoom runs, as in a file.
 pub(super) const fn modes(path: &CameraPath) -> [&'static str; 2] {
-    let mode = match path.orientation_mode {
-        OrientationMode::Tcb => "tcb",
-        OrientationMode::BarryGoldman => "barry-goldman",
-        OrientationMode::Slerp => "slerp",
-    };
-    let zoom = match path.zoom_mode {
-        ZoomMode::Smooth => "smooth",
-        ZoomMode::Linear => "linear",
-    };
-    [mode, zoom]
+    [path.orientation_mode.name(), path.zoom_mode.name()]
 }
 
 fn summary(

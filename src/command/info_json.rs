@@ -4,7 +4,7 @@ use std::path::Path;
 
 use serde_json::{Value, json};
 use vides::document::{Info, SceneDocument};
-use vides::path::{CameraPath, CurveKind, CurveParameters, Timeline};
+use vides::path::{CameraPath, CurveParameters, Timeline};
 use vides::scene::{Kind, Node, Scene};
 
 use super::info::{changed, last_of, modes};
@@ -31,11 +31,7 @@ fn of_path(path: &CameraPath, info: &Info) -> vides::Result<Value> {
     Ok(json!({
         "kind": "path",
         "closed": path.closed,
-        "curve": match path.curve {
-            CurveKind::Tcb => "tcb",
-            CurveKind::Cubic => "cubic",
-            CurveKind::Linear => "linear",
-        },
+        "curve": path.curve.name(),
         "orientation_mode": orientation_mode,
         "zoom_mode": zoom_mode,
         "length": timeline.length(),

@@ -5,7 +5,7 @@ use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
 use clap::{Args, ValueEnum};
-use vides::document::{Document, Edit, SceneDocument};
+use vides::document::{At, Document, Edit, SceneDocument};
 use vides::formats::{self, Flight, MAX_DECIMALS, Options, Report, export, export_to};
 
 use super::progress::Bar;
@@ -129,7 +129,7 @@ impl Speeds {
                 *speed = given;
             }
         }
-        document.apply(Edit::SetBaseFrames(speeds))
+        document.apply(Edit::set(At::Path, "base_speeds", speeds))
     }
 }
 

@@ -22,7 +22,7 @@ use super::status::{
     Answer, Failure, V_ERR_CLOSED, V_ERR_HANDLE, V_ERR_INTERNAL, V_OK, clear_last_error,
 };
 use super::types::{V_EDITOR, V_EDITOR_OPTIONS, V_PATH, V_UP_Y};
-use crate::document::{Document, Edit, Info};
+use crate::document::{At, Document, Edit, Info};
 use crate::editor::{self, Language};
 use crate::error::{Refused, Result};
 use crate::instance::{self, Gone, Id};
@@ -324,7 +324,7 @@ unsafe fn configure(document: &mut Document, options: &V_EDITOR_OPTIONS) -> Answ
         positive(speeds.rolling, "options->roll_frames")?;
     }
     if !unset && document.edits_path() {
-        document.apply(Edit::SetBaseFrames(speeds))?;
+        document.apply(Edit::set(At::Path, "base_speeds", speeds))?;
     }
     Ok(!unset)
 }

@@ -9,7 +9,7 @@ use super::scene_handles::{insert, read};
 use super::scene_types::V_SCENE;
 use super::status::{V_ERR_INTERNAL, V_OK};
 use super::types::V_EDITOR;
-use crate::document::{Document, Edit, SceneDocument};
+use crate::document::{At, Document, Edit, SceneDocument};
 use crate::error::Result;
 use crate::instance;
 
@@ -59,7 +59,7 @@ fn replace(document: &mut Document, by: SceneDocument, fixed_speeds: bool) -> Re
     replace_with(document, by.info, |document| {
         document.apply(Edit::ReplaceScene(Box::new(by.scene)))?;
         if fixed_speeds && document.edits_path() {
-            document.apply(Edit::SetBaseFrames(speeds))?;
+            document.apply(Edit::set(At::Path, "base_speeds", speeds))?;
         }
         Ok(())
     })

@@ -12,7 +12,7 @@ use super::object::{object, speeds};
 use super::pointers::check;
 use super::status::{Answer, Failure, add_last_error, with_last_error};
 use super::types::{V_KAMERAPAR, V_OBJEKT_LIST};
-use crate::document::{Document, Edit, Object, Poses};
+use crate::document::{At, Document, Edit, Object, Poses};
 use crate::editor::{self, Warning, Warnings};
 use crate::error::{Error, Result, TooMany, complain, try_box};
 use crate::instance::{self, Gone, Host, Id};
@@ -97,7 +97,7 @@ fn open(
     host: Contract,
 ) -> Answer<()> {
     let mut document = Document::try_new()?;
-    document.apply(Edit::SetBaseFrames(speeds))?;
+    document.apply(Edit::set(At::Path, "base_speeds", speeds))?;
     let shown = object.and_then(|object| {
         let mut info = document.info().clone();
         info.object = object;

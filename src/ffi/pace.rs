@@ -7,6 +7,7 @@ use super::curve::between;
 use super::orientations::{change_own, orientation};
 use super::path::{edit, read};
 use super::pointers::{ArrayOut, Out, index, slice};
+use super::settings::numbered;
 use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
 use super::types::V_PATH;
 use crate::document::Edit;
@@ -21,16 +22,13 @@ use crate::path::{Ease, EaseKind, Pace, own};
 pub const V_EASE_SINE: c_int = 0;
 pub const V_EASE_PARABOLIC: c_int = 1;
 
+const _: () = assert!(
+    EaseKind::Sine as c_int == V_EASE_SINE && EaseKind::Parabolic as c_int == V_EASE_PARABOLIC
+);
+
 fn ease_kind(kind: c_int) -> Answer<EaseKind> {
-    match kind {
-        V_EASE_SINE => Ok(EaseKind::Sine),
-        V_EASE_PARABOLIC => Ok(EaseKind::Parabolic),
-        _ => Err(Failure::unknown(
-            "kind",
-            kind,
-            "V_EASE_SINE (0), V_EASE_PARABOLIC (1)",
-        )),
-    }
+    let known = "V_EASE_SINE (0), V_EASE_PARABOLIC (1)";
+    numbered(EaseKind::ALL, kind, "kind", known)
 }
 
 fn finite(numbers: [(f64, &'static str); 3]) -> Answer<()> {
@@ -144,11 +142,7 @@ pub unsafe extern "C" fn v_path_get_ease(
                 _ => Ok(None),
             }
         })?;
-        let number = match ease.map(|ease| ease.kind) {
-            None => -1,
-            Some(EaseKind::Sine) => V_EASE_SINE,
-            Some(EaseKind::Parabolic) => V_EASE_PARABOLIC,
-        };
+        let number = ease.map_or(-1, |ease| ease.kind as c_int);
         // SAFETY: room for an int and three doubles, as the header says.
         unsafe {
             kind.write(number);

@@ -3,12 +3,13 @@
 use std::ffi::{c_char, c_int};
 
 use super::border::border;
-use super::path::{edit, read};
+use super::path::{edit, edit_by, read};
 use super::pointers::{Out, TextOut, copied, count, how_many, index, read_vector, text};
 use super::status::{Answer, V_ERR_INTERNAL, V_OK};
 use super::types::V_PATH;
-use crate::document::{Document, Edit};
+use crate::document::{At, Document, Edit};
 use crate::error::OutOfRange;
+use crate::limits::PRESETS;
 use crate::path::camera_path::check_name;
 use crate::path::{CurveParameters, SupportPoint, Tcb};
 
@@ -107,7 +108,7 @@ pub unsafe extern "C" fn v_path_set_position(
         // SAFETY: three doubles, as the header says.
         let position = unsafe { read_vector(xyz, "xyz") }?;
         let at = index(at, "at")?;
-        edit(path, Edit::SetPosition { at, position })
+        edit(path, Edit::set(At::Point(at), "position", position))
     })
 }
 
@@ -155,7 +156,7 @@ pub unsafe extern "C" fn v_path_set_point_name(
         check_name(name)?;
         let name = (!name.is_empty()).then(|| copied(name)).transpose()?;
         let at = index(at, "at")?;
-        edit(path, Edit::SetName { at, name })
+        edit(path, Edit::set(At::Point(at), "name", name))
     })
 }
 
@@ -195,7 +196,7 @@ pub unsafe extern "C" fn v_path_set_tcb(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         let (at, tcb) = (index(at, "at")?, Tcb::new(tension, continuity, bias));
-        edit(path, Edit::SetOwn { at, tcb })
+        edit(path, Edit::set(At::Point(at), "own", tcb))
     })
 }
 
@@ -206,7 +207,10 @@ pub unsafe extern "C" fn v_path_set_tcb(
 pub unsafe extern "C" fn v_path_use_preset(path: *mut V_PATH, at: c_int, preset: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
         let (at, preset) = (index(at, "at")?, index(preset, "preset")?);
-        edit(path, Edit::UsePreset { at, preset })
+        if preset >= PRESETS {
+            return Err(OutOfRange::NoPreset(preset).into());
+        }
+        edit(path, Edit::set(At::Point(at), "preset", preset))
     })
 }
 
@@ -257,8 +261,14 @@ pub unsafe extern "C" fn v_path_set_preset(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         let tcb = Tcb::new(tension, continuity, bias);
-        let preset = index(preset, "preset")?;
-        edit(path, Edit::SetPreset { preset, tcb })
+        let number = index(preset, "preset")?;
+        edit_by(path, |document| {
+            let mut presets = document.path().presets;
+            *presets
+                .get_mut(number)
+                .ok_or(OutOfRange::NoPreset(number))? = tcb;
+            Ok(Edit::set(At::Path, "presets", presets))
+        })
     })
 }
 

@@ -4,12 +4,12 @@ use std::ffi::{c_char, c_int};
 
 use super::border::border;
 use super::object::{thread_mesh, wireframe};
-use super::path::{edit, edit_info, read};
+use super::path::{edit, edit_info, edits, read};
 use super::pointers::{GrowingOut, Out, TextOut, copied, text};
 use super::scene_types::V_MESH;
 use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
 use super::types::V_PATH;
-use crate::document::Edit;
+use crate::document::{At, Edit};
 use crate::error::{Place, TooMany};
 use crate::limits::MAX_COMMENT_BYTES;
 use crate::path::camera_path::{check_base_speed, check_name};
@@ -28,29 +28,25 @@ pub const V_ORIENTATION_SLERP: c_int = 2;
 pub const V_ZOOM_SMOOTH: c_int = 0;
 pub const V_ZOOM_LINEAR: c_int = 1;
 
-fn orientation_mode(number: c_int) -> Answer<OrientationMode> {
-    match number {
-        V_ORIENTATION_TCB => Ok(OrientationMode::Tcb),
-        V_ORIENTATION_BARRY_GOLDMAN => Ok(OrientationMode::BarryGoldman),
-        V_ORIENTATION_SLERP => Ok(OrientationMode::Slerp),
-        _ => Err(Failure::unknown(
-            "orientation_mode",
-            number,
-            "V_ORIENTATION_TCB (0), V_ORIENTATION_BARRY_GOLDMAN (1), V_ORIENTATION_SLERP (2)",
-        )),
-    }
-}
+const _: () = assert!(
+    OrientationMode::Tcb as c_int == V_ORIENTATION_TCB
+        && OrientationMode::BarryGoldman as c_int == V_ORIENTATION_BARRY_GOLDMAN
+        && OrientationMode::Slerp as c_int == V_ORIENTATION_SLERP
+        && ZoomMode::Smooth as c_int == V_ZOOM_SMOOTH
+        && ZoomMode::Linear as c_int == V_ZOOM_LINEAR
+);
 
-fn zoom_mode(number: c_int) -> Answer<ZoomMode> {
-    match number {
-        V_ZOOM_SMOOTH => Ok(ZoomMode::Smooth),
-        V_ZOOM_LINEAR => Ok(ZoomMode::Linear),
-        _ => Err(Failure::unknown(
-            "zoom_mode",
-            number,
-            "V_ZOOM_SMOOTH (0), V_ZOOM_LINEAR (1)",
-        )),
-    }
+/// The one of a list that has a number.
+pub(super) fn numbered<T: Copy>(
+    all: &[T],
+    number: c_int,
+    name: &'static str,
+    known: &'static str,
+) -> Answer<T> {
+    let found = usize::try_from(number).ok().and_then(|at| all.get(at));
+    found
+        .copied()
+        .ok_or_else(|| Failure::unknown(name, number, known))
 }
 
 /// A base speed, which has a name here.
@@ -84,7 +80,7 @@ pub unsafe extern "C" fn v_path_set_base_frames(
             zoom: zoom_frames,
             rolling: roll_frames,
         };
-        edit(path, Edit::SetBaseFrames(speeds))
+        edit(path, Edit::set(At::Path, "base_speeds", speeds))
     })
 }
 
@@ -125,7 +121,9 @@ pub unsafe extern "C" fn v_path_get_base_frames(
 /// V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_closed(path: *mut V_PATH, closed: c_int) -> c_int {
-    border(V_ERR_INTERNAL, || edit(path, Edit::SetClosed(closed != 0)))
+    border(V_ERR_INTERNAL, || {
+        edit(path, Edit::set(At::Path, "closed", closed != 0))
+    })
 }
 
 /// Whether a path is closed: 1 or 0.
@@ -152,9 +150,21 @@ pub unsafe extern "C" fn v_path_set_modes(
     zoom_mode: c_int,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        let turning = self::orientation_mode(orientation_mode)?;
-        let zooming = self::zoom_mode(zoom_mode)?;
-        edit(path, Edit::SetModes(turning, zooming))
+        let turning = numbered(
+            OrientationMode::ALL,
+            orientation_mode,
+            "orientation_mode",
+            "V_ORIENTATION_TCB (0), V_ORIENTATION_BARRY_GOLDMAN (1), V_ORIENTATION_SLERP (2)",
+        )?;
+        let known = "V_ZOOM_SMOOTH (0), V_ZOOM_LINEAR (1)";
+        let zooming = numbered(ZoomMode::ALL, zoom_mode, "zoom_mode", known)?;
+        edits(
+            path,
+            [
+                Edit::set(At::Path, "orientation_mode", turning),
+                Edit::set(At::Path, "zoom_mode", zooming),
+            ],
+        )
     })
 }
 
@@ -177,15 +187,8 @@ pub unsafe extern "C" fn v_path_get_modes(
         })?;
         // SAFETY: room for an int each, as the header says.
         unsafe {
-            turning.write(match orientation_mode {
-                OrientationMode::Tcb => V_ORIENTATION_TCB,
-                OrientationMode::BarryGoldman => V_ORIENTATION_BARRY_GOLDMAN,
-                OrientationMode::Slerp => V_ORIENTATION_SLERP,
-            });
-            zooming.write(match zoom_mode {
-                ZoomMode::Smooth => V_ZOOM_SMOOTH,
-                ZoomMode::Linear => V_ZOOM_LINEAR,
-            });
+            turning.write(orientation_mode as c_int);
+            zooming.write(zoom_mode as c_int);
         }
         Ok(V_OK)
     })

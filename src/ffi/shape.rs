@@ -1,28 +1,18 @@
 //! The kind of the curve, tangents that points own, and points put on the curve.
 
-use std::ffi::{c_char, c_int};
+use std::ffi::{CStr, c_char, c_int};
 
 use super::border::border;
 use super::path::{edit, edit_and, read};
 use super::pointers::{Out, bytes, count, index, read_vector};
 use super::points::point;
-use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
+use super::status::{Failure, V_ERR_INTERNAL, V_OK};
 use super::types::V_PATH;
-use crate::document::Edit;
+use crate::document::{At, Edit};
 use crate::path::{CurveKind, Tangents, curve};
 
-const KINDS: [(CurveKind, &std::ffi::CStr); 3] = [
-    (CurveKind::Tcb, c"tcb"),
-    (CurveKind::Cubic, c"cubic"),
-    (CurveKind::Linear, c"linear"),
-];
-
-fn curve_kind(name: &[u8]) -> Answer<CurveKind> {
-    let found = KINDS.iter().find(|(_, text)| text.to_bytes() == name);
-    found
-        .map(|(kind, _)| *kind)
-        .ok_or_else(|| Failure::NoCurveKind((&String::from_utf8_lossy(name)).into()))
-}
+/// In the order of [`CurveKind::ALL`].
+const KINDS: [&CStr; 3] = [c"tcb", c"cubic", c"linear"];
 
 /// ==== Kind of the curve, tangents ====
 ///
@@ -36,8 +26,9 @@ fn curve_kind(name: &[u8]) -> Answer<CurveKind> {
 pub unsafe extern "C" fn v_path_set_curve(path: *mut V_PATH, kind: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: a text ended by zero, as the header says.
-        let kind = curve_kind(unsafe { bytes(kind, "kind") }?)?;
-        edit(path, Edit::SetCurveKind(kind))
+        let name = String::from_utf8_lossy(unsafe { bytes(kind, "kind") }?);
+        let kind = CurveKind::named(&name).ok_or_else(|| Failure::NoCurveKind((&name).into()))?;
+        edit(path, Edit::set(At::Path, "curve", kind))
     })
 }
 
@@ -49,9 +40,8 @@ pub unsafe extern "C" fn v_path_get_curve(path: *const V_PATH, kind: *mut *const
     border(V_ERR_INTERNAL, || {
         let out = Out::new(kind, "kind")?;
         let kind = read(path, |document| Ok(document.path().curve))?;
-        let found = KINDS.iter().find(|(known, _)| *known == kind);
         // SAFETY: room for a pointer, as the header says.
-        unsafe { out.answer(found.map_or(c"tcb", |(_, text)| text).as_ptr()) }
+        unsafe { out.answer(KINDS[kind as usize].as_ptr()) }
     })
 }
 
@@ -79,7 +69,7 @@ pub unsafe extern "C" fn v_path_set_tangents(
             Some(Tangents { before, after })
         };
         let at = index(at, "at")?;
-        edit(path, Edit::SetTangents { at, tangents })
+        edit(path, Edit::set(At::Point(at), "tangents", tangents))
     })
 }
 
@@ -146,4 +136,13 @@ pub unsafe extern "C" fn v_path_insert_on_curve(
         // SAFETY: room for an int, as the header says.
         unsafe { at.answer(new) }
     })
+}
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn the_names_of_kinds_are_those_of_the_engine() {
+        let names = super::KINDS.map(|name| name.to_str().unwrap());
+        assert_eq!(names, crate::path::CurveKind::NAMES);
+    }
 }

@@ -3,17 +3,14 @@
 
 use std::mem::{swap, take};
 
-use glam::DVec3;
-
 use super::edited_scene::{EditedScene, Pins};
 use super::info::Info;
 use super::vid::Comments;
 use crate::error::{Result, vec_with_room};
 use crate::path::{
-    BaseFrames, CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode,
-    OrientationOverrides, Plan, Space, SupportPoint, Tangents, Tcb, UpVector, ZoomMode,
+    CameraPath, Orientation, OrientationOverrides, Plan, Space, SupportPoint, UpVector,
 };
-use vides_engine::property::SameBits;
+use vides_engine::property::{Affects, Property, SameBits, Value};
 
 /// The state that records change.
 #[derive(Debug)]
@@ -71,42 +68,22 @@ pub(super) fn count_orientations(points: &[SupportPoint]) -> usize {
 /// An exchange of values; its indices have been checked.
 #[derive(Debug)]
 pub(super) enum Change {
-    Position {
-        at: usize,
-        position: DVec3,
-    },
-    Name {
-        at: usize,
-        name: Option<String>,
-    },
-    Curve {
-        at: usize,
-        curve: CurveParameters,
-    },
+    /// A property of the path.
+    OfPath(&'static Property<CameraPath>, Value),
+    /// A property of a point.
+    OfPoint(usize, &'static Property<SupportPoint>, Value),
     Orientation {
         point: usize,
         at: usize,
         orientation: Orientation,
     },
-    Preset {
-        preset: usize,
-        tcb: Tcb,
-    },
-    BaseFrames(BaseFrames),
-    Closed(bool),
-    CurveKind(CurveKind),
     /// A whole point, orientations included.
     Point {
         at: usize,
         point: SupportPoint,
     },
-    Tangents {
-        at: usize,
-        tangents: Option<Tangents>,
-    },
     /// One after the other, each on the result of those before it.
     Several(Vec<Change>),
-    Modes(OrientationMode, ZoomMode),
     Space(Space),
     InsertPoints {
         at: usize,
@@ -163,8 +140,9 @@ impl Change {
             }
             Self::Point { point, .. } => shapes(point),
             Self::InsertPoints { points, .. } => points.iter().any(shapes),
-            Self::Tangents { tangents, .. } => tangents.is_some(),
-            Self::CurveKind(_) | Self::Path(..) | Self::MovePoint { .. } => true,
+            Self::OfPoint(_, row, value) => row.key() == "tangents" && *value != Value::Unset,
+            Self::OfPath(row, _) => row.key() == "curve",
+            Self::Path(..) | Self::MovePoint { .. } => true,
             _ => false,
         }
     }
@@ -191,41 +169,14 @@ impl Change {
     pub(super) fn is_idle(&self, state: &State) -> bool {
         let path = &state.path;
         match self {
-            Self::Position { at, position } => path.points[*at].position.same_bits(position),
-            Self::Name { at, name } => path.points[*at].name == *name,
-            Self::Curve { at, curve } => match (path.points[*at].curve, *curve) {
-                (CurveParameters::Preset(a), CurveParameters::Preset(b)) => a == b,
-                (CurveParameters::Own(a), CurveParameters::Own(b)) => a.same_bits(&b),
-                _ => false,
-            },
             Self::Orientation {
                 point,
                 at,
                 orientation,
             } => path.points[*point].orientations[*at].same_bits(orientation),
-            Self::Preset { preset, tcb } => path.presets[*preset].same_bits(tcb),
-            // Frames are > 0, so there is no −0.
-            Self::BaseFrames(frames) => path.base_frames == *frames,
-            Self::Closed(closed) => path.closed == *closed,
-            Self::CurveKind(curve) => path.curve == *curve,
-            Self::Tangents { at, tangents } => path.points[*at].tangents.same_bits(tangents),
-            Self::Point { at, point } => {
-                let there = &path.points[*at];
-                let mut views = there.orientations.iter().zip(&point.orientations);
-                there.position.same_bits(&point.position)
-                    && there.name == point.name
-                    && there.curve == point.curve
-                    && there.tangents.same_bits(&point.tangents)
-                    && there.orientations.len() == point.orientations.len()
-                    && views.all(|(a, b)| a.same_bits(b))
-            }
+            Self::Point { at, point } => path.points[*at].same_bits(point),
             Self::Several(changes) => changes.iter().all(|change| change.is_idle(state)),
-            Self::Modes(orientation, zoom) => {
-                path.orientation_mode == *orientation && path.zoom_mode == *zoom
-            }
-            Self::Space(space) => {
-                path.space.centre.same_bits(&space.centre) && path.space == *space
-            }
+            Self::Space(space) => path.space.same_bits(space),
             Self::MovePoint { from, to } => from == to,
             _ => false,
         }
@@ -240,31 +191,25 @@ impl Change {
     fn exchange(&mut self, state: &mut State) {
         let path = &mut state.path;
         match self {
-            Self::Position { at, position } => swap(&mut path.points[*at].position, position),
-            Self::Name { at, name } => swap(&mut path.points[*at].name, name),
-            Self::Curve { at, curve } => swap(&mut path.points[*at].curve, curve),
+            Self::OfPath(row, value) => {
+                (row.exchange)(path, value);
+            }
+            Self::OfPoint(at, row, value) => {
+                (row.exchange)(&mut path.points[*at], value);
+            }
             Self::Orientation {
                 point,
                 at,
                 orientation,
             } => swap(&mut path.points[*point].orientations[*at], orientation),
-            Self::Preset { preset, tcb } => swap(&mut path.presets[*preset], tcb),
-            Self::BaseFrames(frames) => swap(&mut path.base_frames, frames),
-            Self::Closed(closed) => swap(&mut path.closed, closed),
-            Self::CurveKind(curve) => swap(&mut path.curve, curve),
             Self::Point { at, point } => {
                 swap(&mut path.points[*at], point);
                 state.orientations -= point.orientations.len();
                 state.orientations += path.points[*at].orientations.len();
             }
-            Self::Tangents { at, tangents } => swap(&mut path.points[*at].tangents, tangents),
             Self::Several(changes) => {
                 changes.iter_mut().for_each(|change| change.exchange(state));
                 changes.reverse();
-            }
-            Self::Modes(orientation, zoom) => {
-                swap(&mut path.orientation_mode, orientation);
-                swap(&mut path.zoom_mode, zoom);
             }
             Self::Space(space) => swap(&mut path.space, space),
             Self::InsertPoints {
@@ -335,10 +280,10 @@ impl Change {
     /// Tells `plan` what applying it makes out of date.
     fn announce(&self, plan: &mut Plan) {
         match self {
-            Self::Name { .. } | Self::Info(_) => {}
-            Self::Position { at, .. } | Self::Curve { at, .. } | Self::Tangents { at, .. } => {
-                plan.point_changed(*at)
-            }
+            Self::Info(_) => {}
+            Self::OfPath(row, _) if row.affects == Affects::Nothing => {}
+            Self::OfPoint(_, row, _) if row.affects == Affects::Nothing => {}
+            Self::OfPoint(at, ..) => plan.point_changed(*at),
             Self::Orientation { point, .. } => plan.point_changed(*point),
             _ => plan.all_changed(),
         }
@@ -347,11 +292,8 @@ impl Change {
     /// Whether both exchange the same value, so that within a step the older one suffices.
     pub(super) fn is_at_place_of(&self, other: &Self) -> bool {
         match (self, other) {
-            (Self::Position { at: a, .. }, Self::Position { at: b, .. })
-            | (Self::Name { at: a, .. }, Self::Name { at: b, .. })
-            | (Self::Curve { at: a, .. }, Self::Curve { at: b, .. })
-            | (Self::Tangents { at: a, .. }, Self::Tangents { at: b, .. })
-            | (Self::Preset { preset: a, .. }, Self::Preset { preset: b, .. }) => a == b,
+            (Self::OfPath(a, _), Self::OfPath(b, _)) => a.key() == b.key(),
+            (Self::OfPoint(p, a, _), Self::OfPoint(q, b, _)) => (p, a.key()) == (q, b.key()),
             (
                 Self::Orientation {
                     point: p, at: a, ..
@@ -360,12 +302,7 @@ impl Change {
                     point: q, at: b, ..
                 },
             ) => (p, a) == (q, b),
-            (Self::BaseFrames(_), Self::BaseFrames(_))
-            | (Self::Closed(_), Self::Closed(_))
-            | (Self::CurveKind(_), Self::CurveKind(_))
-            | (Self::Modes(..), Self::Modes(..))
-            | (Self::Space(_), Self::Space(_))
-            | (Self::Info(_), Self::Info(_)) => true,
+            (Self::Space(_), Self::Space(_)) | (Self::Info(_), Self::Info(_)) => true,
             _ => false,
         }
     }
@@ -390,7 +327,7 @@ impl Change {
     /// Approximate bytes of memory.
     pub(super) fn weight(&self) -> usize {
         let beyond = match self {
-            Self::Name { name, .. } => name.as_ref().map_or(0, String::len),
+            Self::OfPoint(.., Value::Text(text)) => text.len(),
             Self::InsertPoints { points, .. } => weigh(points),
             Self::RemovePoints { room, .. } => room.capacity() * size_of::<SupportPoint>(),
             Self::Info(info) => info.title.len() + info.comment.len() + info.object.bytes(),

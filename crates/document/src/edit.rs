@@ -6,10 +6,8 @@ use vides_engine::scene::Scene;
 use vides_engine::tools::block::Fit;
 
 use super::info::Info;
-use crate::path::{
-    BaseFrames, CameraPath, CurveKind, Orientation, OrientationMode, Space, Tangents, Tcb, Up,
-    ZoomMode,
-};
+use crate::path::{CameraPath, Orientation, Space, Up};
+use vides_engine::property::Value;
 
 /// A change of a document. Points, orientations, segments and presets count from 0.
 #[derive(Debug, Clone, PartialEq)]
@@ -42,15 +40,6 @@ pub enum Edit {
         /// From 1 to the number of frames.
         frame: f64,
     },
-    /// Gives a point tangents of its own, or removes them.
-    SetTangents {
-        /// The point.
-        at: usize,
-        /// The tangents.
-        tangents: Option<Tangents>,
-    },
-    /// How the curve interpolates the points.
-    SetCurveKind(CurveKind),
     /// Fixes the frames of all moving sections from the first orientation of one point to the last
     /// of another, so that there are exactly `frames` poses from the one to the other. All points
     /// of a closed path mean its whole way.
@@ -75,40 +64,16 @@ pub enum Edit {
         /// The number that it will have.
         to: usize,
     },
-    /// Moves a point, with its relative targets. Refused if one of its absolute targets lies there.
-    SetPosition {
-        /// The point.
-        at: usize,
-        /// Where to.
-        position: DVec3,
-    },
-    /// Names a point; one line, at most [`vides_engine::limits::MAX_NAME_BYTES`].
-    SetName {
-        /// The point.
-        at: usize,
-        /// Its name; none or empty removes it.
-        name: Option<String>,
-    },
-    /// Gives a point its own tension, continuity and bias ("Eigendef.").
-    SetOwn {
-        /// The point.
-        at: usize,
-        /// The values, each in [−1, 1].
-        tcb: Tcb,
-    },
-    /// Makes a point use a preset ("Standard n").
-    UsePreset {
-        /// The point.
-        at: usize,
-        /// 0…9.
-        preset: usize,
-    },
-    /// Changes a preset, and with it every point that uses it.
-    SetPreset {
-        /// 0…9.
-        preset: usize,
-        /// The values, each in [−1, 1].
-        tcb: Tcb,
+    /// Sets a property, see [`crate::properties`]. A point moves with its relative targets, and is
+    /// refused where one of its absolute targets lies; aiming at something ends looking along the
+    /// path; else as [`Edit::SetOrientation`].
+    Set {
+        /// What has it.
+        place: At,
+        /// Its key in files.
+        property: &'static str,
+        /// The value; [`Value::Unset`] is what a new one has.
+        value: Value,
     },
     /// Inserts an orientation before orientation `at`, or after the last. It becomes current.
     InsertOrientation {
@@ -146,12 +111,6 @@ pub enum Edit {
         /// Absolute (true) or relative (false).
         absolute: bool,
     },
-    /// The frames of the base speeds, each finite and > 0.
-    SetBaseFrames(BaseFrames),
-    /// Closes the path by a segment from the last point to the first, or opens it.
-    SetClosed(bool),
-    /// How the camera turns and how the zoom runs.
-    SetModes(OrientationMode, ZoomMode),
     /// Replaces the info: title, frame rate, unit, object and so on.
     SetInfo(Box<Info>),
     /// Where the path lies in the world; the scene, too, if it lies there.
@@ -205,4 +164,26 @@ pub enum Edit {
     Reverse,
     /// Repeats the path this many times; see [`vides_engine::tools::block::repeat`].
     Repeat(usize),
+}
+
+/// What has a property. Points and orientations count from 0.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum At {
+    /// The whole path.
+    Path,
+    /// A point.
+    Point(usize),
+    /// An orientation of a point.
+    View(usize, usize),
+}
+
+impl Edit {
+    /// Sets a property, see [`Edit::Set`].
+    pub fn set(place: At, property: &'static str, value: impl Into<Value>) -> Self {
+        Self::Set {
+            place,
+            property,
+            value: value.into(),
+        }
+    }
 }

@@ -1,9 +1,9 @@
 use vides_engine::scene::{Camera, Extrapolation, Marker};
 
 use super::*;
-use crate::Edit;
 use crate::error::ErrorKind;
 use crate::path::Space;
+use crate::{At, Edit};
 use glam::DVec3;
 
 /// A car on a path, a camera on another one from frame 11 on, and a lamp on the car.
@@ -33,7 +33,7 @@ fn document(scene: &Scene) -> Document {
 
 fn move_first(document: &mut Document) {
     let position = document.path().points[0].position + DVec3::new(0.0, 0.125, 0.0);
-    let edit = Edit::SetPosition { at: 0, position };
+    let edit = Edit::set(At::Point(0), "position", position);
     document.apply(edit).unwrap();
 }
 
@@ -101,7 +101,9 @@ fn where_no_path_is_edited_the_whole_scene_passes_and_edits_are_refused() {
     #[allow(clippy::cast_precision_loss)]
     let end = document.frame_of_scene(frames as f64);
     assert_eq!(end, last);
-    let error = document.apply(Edit::SetClosed(true)).unwrap_err();
+    let error = document
+        .apply(Edit::set(At::Path, "closed", true))
+        .unwrap_err();
     assert_eq!(error.kind(), ErrorKind::Argument);
     let error = document.apply(Edit::EditNode(Some(2))).unwrap_err();
     assert_eq!(error.to_string(), "node \"lamp\" follows no path");
@@ -315,7 +317,7 @@ fn a_pin_stays_at_its_point_where_the_way_is_turned_round() {
     document.redo();
     assert_eq!(pinned(&document), [2]);
     // A closed path still begins at its first point.
-    document.apply(Edit::SetClosed(true)).unwrap();
+    document.apply(Edit::set(At::Path, "closed", true)).unwrap();
     document.apply(Edit::MovePoint { from: 2, to: 1 }).unwrap();
     document.apply(Edit::Reverse).unwrap();
     assert_eq!(pinned(&document), [3]);

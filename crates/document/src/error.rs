@@ -11,6 +11,7 @@ pub use vides_engine::error::{
 pub use vides_engine::error::{can_allocate, complain, panic_said, try_box, vec_with_room};
 
 use crate::limits;
+use vides_engine::property::Kind;
 
 /// What can go wrong with a document and its files.
 #[derive(Debug, thiserror::Error)]
@@ -176,6 +177,8 @@ pub enum Refused {
     NoPathOf(Text),
     #[error("there is no property \"{0}\"; a name is a key of the file, or begins with point.N.")]
     NoProperty(Text),
+    #[error("the property \"{0}\" cannot be set so; it is: {1}")]
+    NotOfKind(&'static str, Kind),
     #[error("there is no scene, only a path")]
     NoScene,
     #[error("this path has no file yet")]
@@ -192,6 +195,7 @@ impl Refused {
             | Self::OnTarget { .. }
             | Self::NoCamera
             | Self::NoPathEdited
+            | Self::NotOfKind(..)
             | Self::NoPathOf(_)
             | Self::NoScene
             | Self::NoFile

@@ -11,24 +11,44 @@ use crate::error::{OutOfRange, Place, TooMany};
 use crate::limits;
 use crate::path::Space;
 use vides_engine::Result;
+use vides_engine::property::{Affects, Check, Row, SameBits, Stored, properties};
 
-/// The part of a document that the engine does not read.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Info {
-    /// One line, at most [`limits::MAX_NAME_BYTES`].
-    pub title: String,
-    /// Any lines, at most [`limits::MAX_COMMENT_BYTES`].
-    pub comment: String,
-    /// Frames per second; > 0, at most [`limits::MAX_FPS`].
-    pub fps: f64,
-    /// Number of the first frame in the user's film.
-    pub first_frame: i32,
-    /// Name of the world's unit ("m"), one line as the title; may be empty.
-    pub unit: String,
-    /// Wireframe object, shown for orientation.
-    pub object: Object,
-    /// Limits for checks.
-    pub limits: Limits,
+properties! {
+    /// The part of a document that the engine does not read.
+    pub struct Info {
+        /// One line, at most [`limits::MAX_NAME_BYTES`].
+        pub title: String = String::new() => Row {
+            check: Check::By(|title, _| check_line(title, Place::Title)),
+            affects: Affects::Nothing,
+            ..Row::new(&["title"])
+        },
+        /// Any lines, at most [`limits::MAX_COMMENT_BYTES`].
+        pub comment: String = String::new() => Row {
+            check: Check::By(|comment, _| check_comment(comment)),
+            affects: Affects::Nothing,
+            ..Row::new(&["comment"])
+        },
+        /// Frames per second; > 0, at most [`limits::MAX_FPS`].
+        pub fps: f64 = 25.0 => Row {
+            check: Check::By(|fps, _| check_fps(*fps)),
+            affects: Affects::Nothing,
+            ..Row::new(&["fps"])
+        },
+        /// Number of the first frame in the user's film.
+        pub first_frame: i32 = 1 => Row { affects: Affects::Nothing, ..Row::new(&["first_frame"]) },
+        /// Name of the world's unit ("m"), one line as the title; may be empty.
+        pub unit: String = String::new() => Row {
+            check: Check::By(|unit, _| check_line(unit, Place::Unit)),
+            ..Row::new(&[])
+        },
+        /// Wireframe object, shown for orientation.
+        pub object: Object = Object::NONE => Row {
+            check: Check::By(Object::check),
+            ..Row::new(&[])
+        },
+        /// Limits for checks.
+        pub limits: Limits = Limits::NEW => Row::new(&[]),
+    }
 }
 
 /// A point of a wireframe object (thesis B.2.2, `V_OBJEKT_LIST`).
@@ -62,6 +82,33 @@ impl From<Vec<ObjectPoint>> for Object {
 }
 
 impl Object {
+    const NONE: Self = Self {
+        points: None,
+        colours: None,
+        source: None,
+        mesh: None,
+    };
+
+    /// Few enough points, each in the space.
+    fn check(&self, space: Space) -> Result<()> {
+        if self.len() > limits::MAX_OBJECT_POINTS {
+            return Err(TooMany::ObjectPoints.into());
+        }
+        for (index, point) in self.iter().enumerate() {
+            space
+                .check_place(point.position)
+                .map_err(|error| error.at(Place::ObjectPoint(index)))?;
+        }
+        if let Some(mesh) = self.mesh() {
+            for &corner in mesh.triangles.iter().flatten() {
+                let place = mesh.points[corner as usize];
+                let checked = space.check_place(place);
+                checked.map_err(|error| error.at(Place::ObjectPoint(corner as usize)))?;
+            }
+        }
+        Ok(())
+    }
+
     /// Sets the mesh file, which a document names instead of listing the points.
     pub(super) fn of_source(self, source: MeshSource) -> Self {
         Self {
@@ -141,17 +188,17 @@ impl Deref for Object {
 
 impl Default for Info {
     fn default() -> Self {
-        Self {
-            title: String::new(),
-            comment: String::new(),
-            fps: 25.0,
-            first_frame: 1,
-            unit: String::new(),
-            object: Object::default(),
-            limits: Limits::default(),
-        }
+        Self::NEW
     }
 }
+
+impl SameBits for Object {
+    fn same_bits(&self, other: &Self) -> bool {
+        self == other
+    }
+}
+
+impl Stored for Object {}
 
 impl Info {
     pub(super) fn try_clone(&self) -> Result<Self> {
@@ -180,26 +227,9 @@ impl Info {
     /// # Errors
     /// The first invalid field, with the reason.
     pub fn check(&self, space: Space) -> Result<()> {
-        check_line(&self.title, Place::Title)?;
-        check_comment(&self.comment)?;
-        check_fps(self.fps)?;
-        check_line(&self.unit, Place::Unit)?;
-        if self.object.len() > limits::MAX_OBJECT_POINTS {
-            return Err(TooMany::ObjectPoints.into());
-        }
-        for (index, point) in self.object.iter().enumerate() {
-            space
-                .check_place(point.position)
-                .map_err(|error| error.at(Place::ObjectPoint(index)))?;
-        }
-        if let Some(mesh) = self.object.mesh() {
-            for &corner in mesh.triangles.iter().flatten() {
-                let place = mesh.points[corner as usize];
-                let checked = space.check_place(place);
-                checked.map_err(|error| error.at(Place::ObjectPoint(corner as usize)))?;
-            }
-        }
-        Ok(())
+        Self::PROPERTIES
+            .iter()
+            .try_for_each(|row| (row.check)(self, space))
     }
 }
 

@@ -29,6 +29,7 @@ mod property;
 mod remedy;
 pub mod save;
 mod scene;
+mod set;
 mod step_name;
 mod target;
 pub mod tool;
@@ -36,7 +37,7 @@ pub mod tool;
 pub mod vid;
 mod wireframe;
 
-pub use edit::Edit;
+pub use edit::{At, Edit};
 pub use edited_scene::{EditedScene, Poses};
 pub use editing::{Document, Selection};
 pub use error::{Error, Result};
@@ -50,6 +51,7 @@ pub use notes::Note;
 pub use wireframe::features;
 
 pub use prepare::no_longer_ahead;
+pub use property::properties;
 pub use scene::SceneDocument;
 pub use step_name::StepName;
 #[doc(hidden)]

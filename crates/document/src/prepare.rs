@@ -3,25 +3,25 @@
 use glam::DVec3;
 
 use super::change::{Change, State, count_orientations};
-use super::edit::Edit;
+use super::edit::{At, Edit};
 use super::edited_scene::{self, EditedScene, Pins};
 use super::editing::Selection;
+use super::info::Info;
 use super::place;
+use super::set;
 use super::target;
 use crate::error::{
     End, Error, OutOfRange, Place, Refused, Result, TooMany, can_allocate, vec_with_room,
 };
 use crate::limits;
 use crate::math::orientation::wrap_degrees;
-use crate::path::camera_path::check_base_frames;
 use crate::path::fit_frames::{Fixed, fit_frames};
 use crate::path::insertion::{self, Insertion};
 use crate::path::space::Move;
-use crate::path::{
-    CameraPath, CurveParameters, Orientation, Pace, Plan, Space, SupportPoint, Target, Timeline,
-};
+use crate::path::{CameraPath, Orientation, Pace, Plan, Space, SupportPoint, Target, Timeline};
 use crate::path::{ahead, change_up};
 use crate::tools::{block, transform};
+use vides_engine::property::find;
 use vides_engine::scene::pins::pinned;
 
 /// The record of an edit, and the selection it sets, if any.
@@ -29,6 +29,15 @@ pub(super) type Prepared = (Change, Option<Selection>);
 
 pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
     let path = &state.path;
+    if let Edit::Set {
+        place: At::Path,
+        property,
+        value,
+    } = &edit
+        && find(Info::PROPERTIES, property).is_some()
+    {
+        return Ok((set::set_info(state, property, value.clone())?, None));
+    }
     let none_edited = matches!(&state.edited_scene, Some(edited) if edited.node().is_none());
     let needs_path = !matches!(
         edit,
@@ -65,14 +74,6 @@ pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
             return Ok(inserted(segment + 1, copies(state, segment, positions)?));
         }
         Edit::InsertOnCurve { frame } => return on_curve(state, frame),
-        Edit::SetTangents { at, tangents } => {
-            point(path, at)?;
-            if let Some(tangents) = tangents {
-                tangents.check(path.space)?;
-            }
-            Change::Tangents { at, tangents }
-        }
-        Edit::SetCurveKind(curve) => Change::CurveKind(curve),
         Edit::FitFrames {
             first,
             last,
@@ -93,34 +94,11 @@ pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
             point(path, to)?;
             return Ok((Change::MovePoint { from, to }, Some(Selection::at(to, 0))));
         }
-        Edit::SetPosition { at, position } => {
-            check_position(point(path, at)?, at, position, path.space)?;
-            Change::Position { at, position }
-        }
-        Edit::SetName { at, name } => {
-            point(path, at)?;
-            let name = name.filter(|name| !name.is_empty());
-            if let Some(name) = &name {
-                super::info::check_line(name, Place::Name)?;
-            }
-            Change::Name { at, name }
-        }
-        Edit::SetOwn { at, tcb } => {
-            point(path, at)?;
-            tcb.check()?;
-            let curve = CurveParameters::Own(tcb);
-            Change::Curve { at, curve }
-        }
-        Edit::UsePreset { at, preset } => {
-            point(path, at)?;
-            let curve = CurveParameters::Preset(preset_number(preset)?);
-            Change::Curve { at, curve }
-        }
-        Edit::SetPreset { preset, tcb } => {
-            preset_number(preset)?;
-            tcb.check()?;
-            Change::Preset { preset, tcb }
-        }
+        Edit::Set {
+            place,
+            property,
+            value,
+        } => set::set(state, place, property, value)?,
         Edit::InsertOrientation {
             point,
             at,
@@ -139,16 +117,7 @@ pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
             point,
             at,
             orientation: new,
-        } => {
-            let old = orientation(path, point, at)?;
-            let new = checked(new, path.points[point].position, path.space)?;
-            let orientation = without_the_outdated(old, new)?;
-            Change::Orientation {
-                point,
-                at,
-                orientation,
-            }
-        }
+        } => view(path, point, at, new)?,
         Edit::SetAbsolute {
             point,
             at,
@@ -164,12 +133,6 @@ pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
                 orientation,
             }
         }
-        Edit::SetBaseFrames(frames) => {
-            check_base_frames(frames)?;
-            Change::BaseFrames(frames)
-        }
-        Edit::SetClosed(closed) => Change::Closed(closed),
-        Edit::SetModes(orientation, zoom) => Change::Modes(orientation, zoom),
         Edit::SetInfo(mut info) => {
             info.check(path.space)?;
             info.normalise();
@@ -232,13 +195,28 @@ pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
                 _ => change,
             }
         }
-        Edit::ChangeUp(up) if up == path.space.up => Change::Several(Vec::new()),
+        Edit::ChangeUp(up) if up == path.space.up => IDLE,
         Edit::ChangeUp(up) => {
             let changed = change_up::change_up(path, up)?;
             return Ok((replaced(state, changed, |point| point)?.0, None));
         }
     };
     Ok((change, None))
+}
+
+/// The record of what changes nothing.
+pub(super) const IDLE: Change = Change::Several(Vec::new());
+
+/// The record of setting all values of an orientation.
+pub(super) fn view(path: &CameraPath, point: usize, at: usize, new: Orientation) -> Result<Change> {
+    let old = orientation(path, point, at)?;
+    let new = checked(new, path.points[point].position, path.space)?;
+    let orientation = without_the_outdated(old, new)?;
+    Ok(Change::Orientation {
+        point,
+        at,
+        orientation,
+    })
 }
 
 /// The scene with its edited path in another space.
@@ -278,12 +256,12 @@ fn replaced(
 fn other_node(state: &State, node: Option<usize>) -> Result<Prepared> {
     let Some(edited) = &state.edited_scene else {
         return match node {
-            Some(0) => Ok((Change::Several(Vec::new()), None)),
+            Some(0) => Ok((IDLE, None)),
             _ => Err(Refused::NoScene.into()),
         };
     };
     if edited.node() == node {
-        return Ok((Change::Several(Vec::new()), None));
+        return Ok((IDLE, None));
     }
     let (edited, path) = edited_scene::edit(edited.with(&state.path)?, node)?;
     exchanged_scene(Some(edited), path)
@@ -490,15 +468,15 @@ fn copies(state: &State, from: usize, positions: &[DVec3]) -> Result<Vec<Support
             new.own = old.own.for_a_copy()?;
             orientations.push(new);
         }
-        points.push(SupportPoint {
-            position,
-            // Names identify a point and are not copied.
-            name: None,
-            curve: source.curve,
-            // Tangents belong to their place.
-            tangents: None,
-            orientations,
-        });
+        let mut new = SupportPoint::nowhere();
+        for row in SupportPoint::PROPERTIES
+            .iter()
+            .filter(|row| row.copied[0] && !row.keys.is_empty())
+        {
+            (row.take)(&mut new, source);
+        }
+        (new.position, new.orientations) = (position, orientations);
+        points.push(new);
     }
     Ok(points)
 }
@@ -538,7 +516,12 @@ fn checked(mut orientation: Orientation, position: DVec3, space: Space) -> Resul
     Ok(orientation)
 }
 
-fn check_position(point: &SupportPoint, at: usize, position: DVec3, space: Space) -> Result<()> {
+pub(super) fn check_position(
+    point: &SupportPoint,
+    at: usize,
+    position: DVec3,
+    space: Space,
+) -> Result<()> {
     space.check_place(position)?;
     for (index, orientation) in point.orientations.iter().enumerate() {
         if orientation.target == Target::Absolute(position) {
@@ -577,13 +560,6 @@ pub(super) fn orientation(path: &CameraPath, number: usize, at: usize) -> Result
             last: point.orientations.len() - 1,
         })
     })
-}
-
-fn preset_number(preset: usize) -> Result<u8> {
-    match u8::try_from(preset) {
-        Ok(number) if preset < limits::PRESETS => Ok(number),
-        _ => Err(OutOfRange::NoPreset(preset).into()),
-    }
 }
 
 #[cfg(test)]

@@ -2,15 +2,27 @@
 //! `point.2.view.3.zoom` that of its third, `fps` that of the whole file. Keys are those of a
 //! `.vid` file, and need not have the unit at their end.
 
-use vides_engine::property::find;
+use vides_engine::property::{Kind, Listed, Owner, Table, Value, find, list};
 
+use crate::edit::{At, Edit};
 use crate::editing::{Document, Selection};
 use crate::error::{Error, Malformed, Refused, Result};
 use crate::info::{Info, Object};
-use crate::path::{CameraPath, CurveParameters, Orientation, OrientationOverrides, Overrides};
+use crate::path::{CameraPath, Orientation, OrientationOverrides, SupportPoint};
 use crate::prepare;
-use crate::vid::{self, PATH_KEYS, POINT_KEYS, view_keys};
-use crate::{Edit, vid::quoted};
+use crate::vid::{self, PATH_KEYS, point_keys, quoted, view_keys};
+
+/// What is known of all properties, key by key in the order of files.
+#[must_use]
+pub fn properties() -> Vec<Listed> {
+    let mut all = Vec::new();
+    list(Owner::Path, &Info::NEW, &mut all);
+    list(Owner::Path, &CameraPath::NEW, &mut all);
+    list(Owner::Point, &SupportPoint::NEW, &mut all);
+    list(Owner::View, &Orientation::NEW, &mut all);
+    list(Owner::View, &OrientationOverrides::NEW, &mut all);
+    all
+}
 
 /// What a name leads to.
 enum Place<'a> {
@@ -28,14 +40,6 @@ const TEXTS: [&str; 7] = [
     "orientation_mode",
     "zoom_mode",
     "up",
-];
-
-/// What stands where a file says nothing.
-const UNSAID: [(&str, &str); 4] = [
-    ("title", "\"\""),
-    ("comment", "\"\""),
-    ("curve", "\"tcb\""),
-    ("up", "\"axis\""),
 ];
 
 /// The key that is meant: itself, or that which has a unit besides.
@@ -62,7 +66,7 @@ fn place(name: &str) -> Result<Place<'_>> {
     };
     let (point, key) = rest.split_once('.').ok_or_else(none)?;
     let point = number(point).ok_or_else(none)?;
-    if let Some(key) = full(POINT_KEYS.into_iter(), key) {
+    if let Some(key) = full(point_keys(), key) {
         return Ok(Place::Point(point, key));
     }
     let (view, key) = match key.strip_prefix("view.").map(|view| view.split_once('.')) {
@@ -108,71 +112,37 @@ impl Document {
                     given => given.to_owned(),
                 };
                 read_value(key, &new_value, read).map_err(told)?;
-                let presets = new.presets.into_iter().enumerate();
-                let presets = presets.map(|(preset, tcb)| Edit::SetPreset { preset, tcb });
-                let others = [
-                    Edit::SetClosed(new.closed),
-                    Edit::SetCurveKind(new.curve),
-                    Edit::SetModes(new.orientation_mode, new.zoom_mode),
-                    Edit::SetBaseFrames(new.base_frames),
-                ];
-                let told = (info != *self.info()).then(|| Edit::SetInfo(Box::new(info)));
-                self.apply_all(others.into_iter().chain(told).chain(presets))
+                let key = key.split('.').next().unwrap_or(key);
+                let info = find(Info::PROPERTIES, key).map(|row| (row.key(), (row.value)(&info)));
+                let path = find(CameraPath::PROPERTIES, key);
+                let path = path.map(|row| (row.key(), (row.value)(&new)));
+                let (key, value) = info.or(path).unwrap_or((TEXTS[0], Value::Unset));
+                self.apply(Edit::set(At::Path, key, value))
             }
             Place::Point(at, key) => {
                 let mut new = prepare::point(path, at)?.clone();
+                let row = find(SupportPoint::PROPERTIES, key);
                 // A position has no value that it had when it was new.
-                if value.is_empty() && key != "position" {
-                    match key {
-                        "name" => new.name = None,
-                        "tangents" => new.tangents = None,
-                        "preset" | "own" => new.curve = CurveParameters::Preset(0),
-                        _ => {}
-                    }
+                let value = if value.is_empty() && key != "position" {
+                    Value::Unset
                 } else {
                     let read = |text: &str| vid::change_point(text, &mut new, path.space);
                     read_value(key, value, read).map_err(told)?;
-                }
-                self.apply(match (key, new.curve) {
-                    ("name", _) => Edit::SetName { at, name: new.name },
-                    ("tangents", _) => Edit::SetTangents {
-                        at,
-                        tangents: new.tangents,
-                    },
-                    ("position", _) => Edit::SetPosition {
-                        at,
-                        position: new.position,
-                    },
-                    (_, CurveParameters::Own(tcb)) => Edit::SetOwn { at, tcb },
-                    (_, CurveParameters::Preset(preset)) => Edit::UsePreset {
-                        at,
-                        preset: preset.into(),
-                    },
-                })
+                    row.map_or(Value::Unset, |row| (row.value)(&new))
+                };
+                self.apply(Edit::set(At::Point(at), key, value))
             }
             Place::View(Selection { point, orientation }, key) => {
                 let position = prepare::point(path, point)?.position;
                 let mut new = prepare::orientation(path, point, orientation)?.clone();
-                if value.is_empty() {
-                    let fresh = Orientation::new_in(path.space);
-                    if let Some(row) = find(Orientation::PROPERTIES, key) {
-                        (row.take)(&mut new, &fresh);
-                    } else if let Some(row) = find(OrientationOverrides::PROPERTIES, key) {
-                        new.own = new.own.with(|own| (row.take)(own, &Overrides::NOTHING))?;
-                    }
+                let value = if value.is_empty() {
+                    Value::Unset
                 } else {
                     let read = |text: &str| vid::change_view(text, &mut new, position, path.space);
                     read_value(key, value, read).map_err(told)?;
-                }
-                // Aiming at something ends looking along the path.
-                if matches!(key, "target" | "offset") {
-                    new.own = new.own.with(|own| own.ahead = None)?;
-                }
-                self.apply(Edit::SetOrientation {
-                    point,
-                    at: orientation,
-                    orientation: new,
-                })
+                    view_of(&new, key).1
+                };
+                self.apply(Edit::set(At::View(point, orientation), key, value))
             }
         }
     }
@@ -220,37 +190,47 @@ impl Document {
     /// # Errors
     /// `ErrorKind::Range` if there is no such property; `ErrorKind::Memory`.
     pub fn property(&self, name: &str) -> Result<String> {
-        let (full, key) = match place(name)? {
-            Place::Path(key) => (key.to_owned(), key),
-            Place::Point(at, key) => {
-                prepare::point(self.path(), at)?;
-                (format!("point.{}.{key}", at + 1), key)
-            }
+        let path = self.path();
+        let (kind, value) = match place(name)? {
+            Place::Point(at, key) => of(prepare::point(path, at)?, key),
             Place::View(at, key) => {
-                let view = prepare::orientation(self.path(), at.point, at.orientation)?;
-                if let Some(value) =
-                    find(Orientation::PROPERTIES, key).and_then(|row| (row.value)(view))
-                {
-                    return Ok(value.to_string());
-                }
-                if let Some(value) = find(OrientationOverrides::PROPERTIES, key)
-                    .and_then(|row| (row.value)(&view.own))
-                {
-                    return Ok(value.to_string());
-                }
-                let (point, view) = (at.point + 1, at.orientation + 1);
-                (format!("point.{point}.view.{view}.{key}"), key)
+                let view = prepare::orientation(path, at.point, at.orientation)?;
+                view_of(view, key)
             }
+            Place::Path(key) => match key.split_once('.') {
+                Some(("base_speeds", key)) => of(&path.base_frames, key),
+                Some(("presets", number)) => {
+                    let preset = number
+                        .parse()
+                        .ok()
+                        .and_then(|at: usize| path.presets.get(at));
+                    (Kind::Shape, preset.copied().into())
+                }
+                _ if find(Info::PROPERTIES, key).is_some() => of(self.info(), key),
+                _ => of(path, key),
+            },
         };
-        let found = self
-            .properties()?
-            .into_iter()
-            .find(|(name, _)| *name == full);
-        let unsaid = || UNSAID.iter().find(|(known, _)| *known == key);
-        Ok(match found {
-            Some((_, value)) => value,
-            None => unsaid().map_or(String::new(), |(_, value)| (*value).to_owned()),
+        Ok(if kind.has(&value) {
+            value.to_string()
+        } else {
+            String::new()
         })
+    }
+}
+
+/// A property of what has a table, and of which kind it is under this key.
+fn of<T: Table>(has: &T, key: &str) -> (Kind, Value) {
+    let row = find(T::PROPERTIES, key);
+    row.map_or((Kind::Nested, Value::Unset), |row| {
+        (row.kind(key), (row.value)(has))
+    })
+}
+
+/// The same of a view, or of what it has of its own.
+fn view_of(view: &Orientation, key: &str) -> (Kind, Value) {
+    match find(Orientation::PROPERTIES, key) {
+        Some(_) => of(view, key),
+        None => of(&*view.own, key),
     }
 }
 

@@ -6,7 +6,7 @@ use vides_engine::tools::check::{Finding, FindingKind};
 use vides_engine::tools::clearance::Clearance;
 use vides_engine::tools::redundant::without;
 
-use super::edit::Edit;
+use super::edit::{At, Edit};
 use super::editing::Document;
 use crate::error::Result;
 use crate::limits::{MAX_FRAMES, MAX_SPEED, MIN_POINTS, MIN_SPEED, SPEEDS};
@@ -258,7 +258,7 @@ fn set_tangent(at: usize, tangent: DVec3) -> Edit {
         before: tangent,
         after: tangent,
     });
-    Edit::SetTangents { at, tangents }
+    Edit::set(At::Point(at), "tangents", tangents)
 }
 
 /// A tangent along the points beside one, as long as the shorter chord: it makes no loop.

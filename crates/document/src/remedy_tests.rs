@@ -1,6 +1,6 @@
 use super::*;
-use crate::Info;
 use crate::path::{CurveKind, SupportPoint, Target};
+use crate::{At, Info};
 
 /// The first finding of a kind.
 fn found(document: &Document, kind: &str) -> Option<Finding> {
@@ -115,7 +115,7 @@ fn keys_that_stand_for_nothing_go() {
     // Not redundant itself.
     let position = DVec3::new(0.0, 0.01, 0.8);
     document
-        .apply(Edit::SetPosition { at: 1, position })
+        .apply(Edit::set(At::Point(1), "position", position))
         .unwrap();
     document
         .apply(Edit::InsertOrientation {
@@ -129,7 +129,7 @@ fn keys_that_stand_for_nothing_go() {
     assert_eq!(document.path().points[1].orientations.len(), 1);
     // Of other kinds a curve has a loop there.
     document
-        .apply(Edit::SetCurveKind(CurveKind::Linear))
+        .apply(Edit::set(At::Path, "curve", CurveKind::Linear))
         .unwrap();
     let position = document.path().points[1].position;
     document
@@ -145,10 +145,10 @@ fn a_corner_becomes_round_and_a_view_along_it_does_not_jump() {
     let mut document = straight([DVec3::NEG_Z; 3]);
     let position = DVec3::new(-0.5, 0.1, -0.6);
     document
-        .apply(Edit::SetPosition { at: 2, position })
+        .apply(Edit::set(At::Point(2), "position", position))
         .unwrap();
     document
-        .apply(Edit::SetCurveKind(CurveKind::Linear))
+        .apply(Edit::set(At::Path, "curve", CurveKind::Linear))
         .unwrap();
     assert!(found(&document, "corner").is_some());
     for point in 0..3 {
@@ -172,7 +172,7 @@ fn what_is_for_the_user_to_choose_has_no_edit() {
     let mut document = straight([DVec3::NEG_Z; 3]);
     let position = DVec3::new(1.5, 0.0, 0.8);
     document
-        .apply(Edit::SetPosition { at: 2, position })
+        .apply(Edit::set(At::Point(2), "position", position))
         .unwrap();
     let finding = found(&document, "space").unwrap();
     assert!(document.remedy(&finding).unwrap().is_empty());
@@ -241,7 +241,7 @@ fn all_that_can_be_is_fixed_and_the_rest_is_left() {
     let mut document = straight([DVec3::NEG_Z, DVec3::new(1.0, 0.0, 0.2), DVec3::NEG_Z]);
     let position = DVec3::new(1.5, 0.0, 0.8);
     document
-        .apply(Edit::SetPosition { at: 2, position })
+        .apply(Edit::set(At::Point(2), "position", position))
         .unwrap();
     let few = Edit::FitFrames {
         first: 0,

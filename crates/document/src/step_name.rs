@@ -95,16 +95,27 @@ impl StepName {
             | Edit::DivideSegment { points: 1, .. }
             | Edit::InsertOnCurve { .. } => Self::InsertPoint,
             Edit::DivideSegment { .. } => Self::InsertPoints,
-            Edit::SetTangents { .. } => Self::Tangents,
-            Edit::SetCurveKind(_)
-            | Edit::SetOwn { .. }
-            | Edit::UsePreset { .. }
-            | Edit::SetPreset { .. } => Self::Curve,
             Edit::FitFrames { .. } => Self::FitFrames,
             Edit::RemovePoint { .. } => Self::RemovePoint,
             Edit::MovePoint { .. } => Self::MovePoint,
-            Edit::SetPosition { .. } => Self::SetPosition,
-            Edit::SetName { .. } => Self::SetName,
+            Edit::Set { property, .. } => match *property {
+                "position" => Self::SetPosition,
+                "name" => Self::SetName,
+                "tangents" => Self::Tangents,
+                "curve" | "preset" | "own" | "presets" => Self::Curve,
+                "fps" => Self::Fps,
+                "title" | "comment" | "first_frame" => Self::Info,
+                "closed" => Self::Closed,
+                "orientation_mode" | "zoom_mode" => Self::Modes,
+                "base_speeds" => Self::BaseFrames,
+                "target" | "offset" | "ahead" | "up" | "up_point" | "up_path" => Self::View,
+                "roll_degrees" => Self::Roll,
+                "zoom_mm" => Self::Zoom,
+                "hold_frames" => Self::Hold,
+                "speed_curve" | "ease" | "distance" | "pace_part" => Self::Pace,
+                "frames" | "locked" => Self::SectionFrames,
+                _ => Self::Orientation,
+            },
             Edit::InsertOrientation { .. } => Self::InsertOrientation,
             Edit::RemoveOrientation { .. } => Self::RemoveOrientation,
             Edit::SetOrientation {
@@ -117,9 +128,6 @@ impl StepName {
                 old.map_or(Self::Orientation, |old| of_values(old, orientation))
             }
             Edit::SetAbsolute { .. } => Self::View,
-            Edit::SetBaseFrames(_) => Self::BaseFrames,
-            Edit::SetClosed(_) => Self::Closed,
-            Edit::SetModes(..) => Self::Modes,
             Edit::SetInfo(new) if new.fps != info.fps => Self::Fps,
             Edit::SetInfo(new) if new.object != info.object => Self::Object,
             Edit::SetInfo(new) if new.limits != info.limits => Self::Limits,
@@ -162,7 +170,7 @@ fn of_values(old: &Orientation, new: &Orientation) -> StepName {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Document;
+    use crate::{At, Document};
 
     /// What is added to a step is taken back with it; it keeps its name.
     #[test]
@@ -208,7 +216,7 @@ mod tests {
         assert!(document.undo());
         document.apply(Edit::Repeat(2)).unwrap();
         document.begin_step();
-        document.apply(Edit::SetClosed(true)).unwrap();
+        document.apply(Edit::set(At::Path, "closed", true)).unwrap();
         let after = document.path().clone();
         document.join_steps().unwrap();
         assert_eq!(document.step_names(), [Some(StepName::InsertPoint), None]);

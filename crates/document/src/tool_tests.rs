@@ -1,5 +1,5 @@
 use super::*;
-use crate::{Edit, StepName};
+use crate::{At, Edit, StepName};
 
 /// A path with four points about (0.2, 0, 0).
 fn document() -> Document {
@@ -10,7 +10,7 @@ fn document() -> Document {
     {
         let position = DVec3::new(place.0, place.1, 0.5 - 0.3 * at as f64);
         let edit = if at < 2 {
-            Edit::SetPosition { at, position }
+            Edit::set(At::Point(at), "position", position)
         } else {
             Edit::InsertPoint { at, position }
         };
@@ -201,7 +201,9 @@ fn a_free_form_bends_what_is_flat() {
     let mut document = Document::new();
     for at in 0..2 {
         let position = DVec3::new(at as f64 - 0.5, 0.2, 0.3 * at as f64);
-        document.apply(Edit::SetPosition { at, position }).unwrap();
+        document
+            .apply(Edit::set(At::Point(at), "position", position))
+            .unwrap();
     }
     let place = |document: &Document| document.path().points[0].position;
     let (before, tool) = (place(&document), tool("free-form"));

@@ -6,13 +6,13 @@ use egui::Pos2;
 use glam::DVec3;
 
 use crate::document::tool::{Tool, ToolInput};
-use crate::document::{Edit, Selection, no_longer_ahead};
+use crate::document::{At, Edit, Selection, no_longer_ahead};
 use crate::error::Result;
 use crate::files::{AfterSave, Purpose};
 use crate::limits::SPEEDS;
 use crate::number::Entry;
 use crate::panels::orientation::OwnedMotion;
-use crate::path::{CameraPath, Target, UpVector, insertion};
+use crate::path::{CameraPath, Tangents, Target, UpVector, insertion};
 use crate::playing::Pace;
 use crate::selected::SelectionChange;
 use crate::setup::{CameraPlace, ColourWindow, DisplayWindow, Setup, Theme, View};
@@ -373,7 +373,7 @@ impl Editor {
                 self.edit(Edit::PrependBeforeFirst);
             }
             Action::SetClosed(closed) => {
-                self.edit(Edit::SetClosed(closed));
+                self.edit(Edit::set(At::Path, "closed", closed));
             }
             Action::OwnTangents(own) => self.set_own_tangents(own),
             Action::Join(joint) => self.join(joint),
@@ -562,7 +562,7 @@ impl Editor {
         let mut all = Vec::new();
         for edit in edits {
             let replaced = self.replaces_tangents(&edit);
-            all.extend(replaced.map(|at| Edit::SetTangents { at, tangents: None }));
+            all.extend(replaced.map(|at| Edit::set(At::Point(at), "tangents", None::<Tangents>)));
             all.push(edit);
         }
         let done = self.document.apply_all(all);
@@ -571,7 +571,12 @@ impl Editor {
 
     /// The point whose own tangents an edit replaces by the shape that it chooses.
     fn replaces_tangents(&self, edit: &Edit) -> Option<usize> {
-        let (Edit::SetOwn { at, .. } | Edit::UsePreset { at, .. }) = *edit else {
+        let Edit::Set {
+            place: At::Point(at),
+            property: "own" | "preset",
+            ..
+        } = *edit
+        else {
             return None;
         };
         let owns = self.document.path().points.get(at)?.tangents.is_some();

@@ -164,7 +164,7 @@ impl Editor {
 #[cfg(test)]
 mod tests {
     use crate::actions::Action;
-    use crate::document::{Edit, Selection};
+    use crate::document::{At, Edit, Selection};
     use crate::number::Entry;
     use crate::panels::orientation::with;
     use crate::path::Timeline;
@@ -227,10 +227,7 @@ mod tests {
             }
             act(&mut window, Action::Enter(Entry::End));
             assert_eq!(said(&window).as_deref(), Some(text));
-            let name = Edit::SetName {
-                at: 0,
-                name: Some("A".into()),
-            };
+            let name = Edit::set(At::Point(0), "name", "A".to_owned());
             act(&mut window, Action::Edit(name));
             assert_eq!(said(&window), None);
             // Who types the length knows it.
@@ -255,7 +252,7 @@ mod tests {
                 },
                 Edit::AppendAfterLast,
                 Edit::RemovePoint { at: 1 },
-                Edit::SetClosed(true),
+                Edit::set(At::Path, "closed", true),
                 Edit::Repeat(2),
             ];
             for (at, edit) in edits.into_iter().enumerate() {

@@ -10,7 +10,7 @@ use egui::{
 };
 
 use crate::actions::Action;
-use crate::document::{Document, Edit, Selection};
+use crate::document::{At, Document, Edit, Selection};
 use crate::keys;
 use crate::scene_view;
 use crate::selected::SelectionChange;
@@ -415,7 +415,7 @@ impl Renaming {
         }
         let name = Some(self.text.clone()).filter(|name| !name.is_empty());
         let at = self.point;
-        Some(Some(Action::Edit(Edit::SetName { at, name })))
+        Some(Some(Action::Edit(Edit::set(At::Point(at), "name", name))))
     }
 }
 

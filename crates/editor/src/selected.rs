@@ -5,11 +5,11 @@
 
 use glam::DMat4;
 
-use crate::document::{Document, Edit, Selection};
+use crate::document::{At, Document, Edit, Selection};
 use crate::error::Result;
 use crate::path::{Orientation, OrientationOverrides, SupportPoint};
 use crate::state::Editor;
-use vides_engine::property::SameBits;
+use vides_engine::property::{SameBits, Value, find};
 
 /// Which points to select.
 #[derive(Clone, Debug, PartialEq)]
@@ -200,7 +200,11 @@ fn for_all(document: &Document, points: &[usize], edit: Edit) -> Result<Vec<Edit
     let others = |one: usize| points.iter().copied().filter(move |&at| at != one);
     let mut all = vec![edit];
     match all[0].clone() {
-        Edit::SetPosition { at, position } => {
+        Edit::Set {
+            place: At::Point(at),
+            value: Value::Place(position),
+            ..
+        } => {
             let Some(by) = of(at).map(|point| position - point.position) else {
                 return Ok(all);
             };
@@ -210,11 +214,12 @@ fn for_all(document: &Document, points: &[usize], edit: Edit) -> Result<Vec<Edit
                 with_targets: false,
             });
         }
-        Edit::SetOwn { at, tcb } => {
-            all.extend(others(at).map(|at| Edit::SetOwn { at, tcb }));
-        }
-        Edit::UsePreset { at, preset } => {
-            all.extend(others(at).map(|at| Edit::UsePreset { at, preset }));
+        Edit::Set {
+            place: At::Point(at),
+            property,
+            value,
+        } if find(SupportPoint::PROPERTIES, property).is_some_and(|row| row.copied[1]) => {
+            all.extend(others(at).map(|at| Edit::set(At::Point(at), property, value.clone())));
         }
         Edit::SetAbsolute {
             point,
@@ -270,7 +275,7 @@ fn take_over(into: &mut Orientation, old: &Orientation, new: &Orientation) -> Re
     let aims = new.target != old.target && new.own.ahead.is_none();
     into.own = into.own.with(|own| {
         for row in OrientationOverrides::PROPERTIES {
-            if row.travels && !(row.same)(&old.own, &new.own) {
+            if row.copied[1] && !(row.same)(&old.own, &new.own) {
                 (row.take)(own, &new.own);
             }
         }

@@ -1,11 +1,10 @@
 //! A field is one row. [`properties!`](crate::property::properties) declares a struct and, with
-//! each field, its row: what a file calls it, what its numbers count, which are allowed, and what
-//! becomes of it in a copy. Range checks, equality bit by bit, copies, the keys of `.vid` files
-//! with their sentences, `vides set` and the tables of the documents come of the rows; a field
-//! without one does not compile.
+//! each field, its row: what a file calls it, what its numbers count, which are allowed, what it
+//! affects, and what becomes of it in a copy. Range checks, equality bit by bit, edits, copies, the
+//! keys of `.vid` files with their sentences, `vides set` and the tables of the documents come of
+//! the rows; a field without one does not compile.
 //!
-//! A structure that files write in a way of their own is nested: its row says the keys and what
-//! becomes of copies, its reader and writer stand in the crate `document`.
+//! A structure that files write in a way of their own is nested: its row has no key.
 
 use std::fmt;
 use std::sync::Arc;
@@ -13,8 +12,14 @@ use std::sync::Arc;
 use glam::{DQuat, DVec3};
 
 use crate::error::{Invalid, OutOfRange, Quantity, Result};
-use crate::limits::SPEEDS;
-use crate::path::{Space, Tcb};
+use crate::limits::{PRESETS, SPEEDS};
+use crate::path::{BaseFrames, Space, Tangents, Tcb, TurningPart, Velocities};
+
+mod listed;
+mod value;
+
+pub use listed::{Listed, Owner, list};
+pub use value::{Kind, Quoted, Value};
 
 /// What a property's numbers count.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -46,67 +51,29 @@ impl Unit {
     }
 }
 
-/// What a property is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// A finite number.
-    Number,
-    /// A whole number from 0.
-    Whole,
-    /// Yes or no.
-    Switch,
-    /// The ten speeds of a speed curve.
-    Speeds,
-    /// Tension, continuity and bias.
-    Shape,
-    /// A structure that files write in a way of their own.
-    Nested,
+/// What is computed anew where a property changes, with all that follows from it.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Affects {
+    /// Nothing: no pose moves.
+    Nothing,
+    /// Where the camera looks, and its zoom.
+    Views,
+    /// The frames of sections.
+    Frames,
+    /// The curve through the points.
+    #[default]
+    Curve,
 }
 
-impl fmt::Display for Kind {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        out.write_str(match self {
-            Self::Number => "number",
-            Self::Whole => "whole number",
-            Self::Switch => "switch",
-            Self::Speeds => "ten numbers",
-            Self::Shape => "tension, continuity, bias",
-            Self::Nested => "structure",
-        })
-    }
-}
-
-/// A value on its way into or out of a property that is not nested.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Value {
-    /// Of [`Kind::Number`].
-    Number(f64),
-    /// Of [`Kind::Whole`].
-    Whole(u32),
-    /// Of [`Kind::Switch`].
-    Switch(bool),
-    /// Of [`Kind::Speeds`].
-    Speeds([f64; SPEEDS]),
-    /// Of [`Kind::Shape`].
-    Shape(Tcb),
-}
-
-/// As files have it: TOML with the fewest digits that give the same bits back.
-impl fmt::Display for Value {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl Affects {
+    /// Its name in a table.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
         match self {
-            Self::Number(number) => write!(out, "{number:?}"),
-            Self::Whole(number) => write!(out, "{number}"),
-            Self::Switch(switch) => write!(out, "{switch}"),
-            Self::Speeds(speeds) => write!(out, "{speeds:?}"),
-            Self::Shape(Tcb {
-                tension,
-                continuity,
-                bias,
-            }) => write!(
-                out,
-                "{{ tension = {tension:?}, continuity = {continuity:?}, bias = {bias:?} }}"
-            ),
+            Self::Nothing => "nothing",
+            Self::Views => "views",
+            Self::Frames => "frames",
+            Self::Curve => "curve",
         }
     }
 }
@@ -147,12 +114,14 @@ pub struct Row<F> {
     pub check: Check<F>,
     /// Whether a file has it even with the value of a new one.
     pub always: bool,
+    /// What is computed anew where it changes.
+    pub affects: Affects,
     /// What becomes of it elsewhere.
     pub copied: Copied<F>,
 }
 
 impl<F> Row<F> {
-    /// A row that allows all, and is copied anywhere.
+    /// A row that allows all, affects all, and is copied anywhere.
     #[must_use]
     pub const fn new(keys: &'static [&'static str]) -> Self {
         Self {
@@ -160,6 +129,7 @@ impl<F> Row<F> {
             unit: Unit::One,
             check: Check::Any,
             always: false,
+            affects: Affects::Curve,
             copied: Copied::Anywhere,
         }
     }
@@ -171,20 +141,23 @@ pub struct Property<T: 'static> {
     pub keys: &'static [&'static str],
     /// What it is for: the field's documentation.
     pub does: &'static str,
-    /// What it is.
-    pub kind: Kind,
+    /// What it is: one for each of its keys.
+    pub kinds: &'static [Kind],
     /// See [`Row::unit`].
     pub unit: Unit,
     /// The least and the greatest number, if they do not depend on the space.
     pub range: Option<(f64, f64)>,
     /// See [`Row::always`].
     pub always: bool,
-    /// Whether it is given to other places where one asks for it.
-    pub travels: bool,
-    /// Its value; none if it is nested or not set.
-    pub value: fn(&T) -> Option<Value>,
-    /// Sets it; does nothing with a value of another kind.
-    pub set: fn(&mut T, Value),
+    /// See [`Row::affects`].
+    pub affects: Affects,
+    /// Whether it goes along in a copy, and where it does not, whether it is given to other places
+    /// where one asks for it.
+    pub copied: [bool; 2],
+    /// Its value.
+    pub value: fn(&T) -> Value,
+    /// Exchanges it for a value; false if that is of another kind, and then it stays.
+    pub exchange: fn(&mut T, &mut Value) -> bool,
     /// Checks it.
     pub check: fn(&T, Space) -> Result<()>,
     /// Whether two have it equal bit by bit: 0 and −0 differ.
@@ -201,6 +174,35 @@ impl<T> Property<T> {
     pub const fn key(&self) -> &'static str {
         self.keys[0]
     }
+
+    /// What a key of it stands for.
+    #[must_use]
+    pub fn kind(&self, key: &str) -> Kind {
+        let mut all = self.keys.iter().zip(self.kinds);
+        let found = all.find_map(|(known, kind)| (*known == key).then_some(*kind));
+        found.unwrap_or(Kind::Nested)
+    }
+
+    /// The key under which files have a value.
+    #[must_use]
+    pub fn key_of(&self, value: &Value) -> Option<&'static str> {
+        let mut all = self.keys.iter().zip(self.kinds);
+        all.find_map(|(key, kind)| kind.has(value).then_some(*key))
+    }
+}
+
+impl<T> fmt::Debug for Property<T> {
+    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.keys.fmt(out)
+    }
+}
+
+/// A struct of which each field has a row.
+pub trait Table: Sized + 'static {
+    /// A new one.
+    const NEW: Self;
+    /// The rows of its fields, in the order of files.
+    const PROPERTIES: &'static [Property<Self>];
 }
 
 /// The row of a table that has a key.
@@ -216,12 +218,14 @@ pub trait SameBits {
 }
 
 /// A type of fields.
-pub trait Stored: SameBits + Sized {
-    /// What a property of this type is.
-    const KIND: Kind = Kind::Nested;
-    /// The value of a field, if it is set and not nested.
-    fn value(&self) -> Option<Value> {
-        None
+pub trait Stored: SameBits + Clone {
+    /// What a property of this type is: one of each of its keys.
+    const KINDS: &'static [Kind] = &[Kind::Nested];
+    /// Its least and its greatest number, if it has any.
+    const RANGE: Option<(f64, f64)> = None;
+    /// The value of a field.
+    fn value(self) -> Value {
+        Value::Unset
     }
     /// A field of a value of its kind.
     fn of(_: Value) -> Option<Self> {
@@ -229,18 +233,13 @@ pub trait Stored: SameBits + Sized {
     }
 }
 
+/// Types that are a kind of [`Value`] of their own.
 macro_rules! stored {
-    ($($type:ty: $kind:ident, |$a:ident, $b:ident| $same:expr;)*) => { $(
-        impl SameBits for $type {
-            fn same_bits(&self, other: &Self) -> bool {
-                let ($a, $b) = (self, other);
-                $same
-            }
-        }
+    ($($type:ty: $kind:ident;)*) => { $(
         impl Stored for $type {
-            const KIND: Kind = Kind::$kind;
-            fn value(&self) -> Option<Value> {
-                Some(Value::$kind(*self))
+            const KINDS: &'static [Kind] = &[Kind::$kind];
+            fn value(self) -> Value {
+                Value::$kind(self)
             }
             fn of(value: Value) -> Option<Self> {
                 match value {
@@ -249,28 +248,114 @@ macro_rules! stored {
                 }
             }
         }
+        impl From<$type> for Value {
+            fn from(value: $type) -> Self {
+                Self::$kind(value)
+            }
+        }
     )* };
 }
 
 stored! {
-    f64: Number, |a, b| a.to_bits() == b.to_bits();
-    u32: Whole, |a, b| a == b;
-    bool: Switch, |a, b| a == b;
-    [f64; SPEEDS]: Speeds, |a, b| a[..].same_bits(&b[..]);
-    Tcb: Shape, |a, b| {
-        let numbers = |tcb: &Tcb| [tcb.tension, tcb.continuity, tcb.bias];
-        numbers(a)[..].same_bits(&numbers(b)[..])
-    };
+    f64: Number;
+    bool: Switch;
+    String: Text;
+    DVec3: Place;
+    [f64; SPEEDS]: Speeds;
+    Tcb: Shape;
+    [Tcb; PRESETS]: Presets;
+    BaseFrames: BaseFrames;
+    TurningPart: Turning;
+}
+
+/// Whole numbers.
+macro_rules! whole {
+    ($($type:ty)*) => { $(
+        impl Stored for $type {
+            const KINDS: &'static [Kind] = &[Kind::Whole];
+            const RANGE: Option<(f64, f64)> = Some((<$type>::MIN as f64, <$type>::MAX as f64));
+            fn value(self) -> Value {
+                Value::Whole(self.into())
+            }
+            fn of(value: Value) -> Option<Self> {
+                match value {
+                    Value::Whole(number) => number.try_into().ok(),
+                    _ => None,
+                }
+            }
+        }
+    )* };
+}
+
+whole! { u32 i32 }
+
+impl From<usize> for Value {
+    fn from(number: usize) -> Self {
+        Self::Whole(number.try_into().unwrap_or(i64::MAX))
+    }
+}
+
+/// Two vectors that files name.
+macro_rules! pairs {
+    ($($type:ty: $one:ident, $other:ident;)*) => { $(
+        impl SameBits for $type {
+            fn same_bits(&self, other: &Self) -> bool {
+                [self.$one, self.$other].same_bits(&[other.$one, other.$other])
+            }
+        }
+        impl Stored for $type {
+            const KINDS: &'static [Kind] =
+                &[Kind::Pair([stringify!($one), stringify!($other)])];
+            fn value(self) -> Value {
+                self.into()
+            }
+            fn of(value: Value) -> Option<Self> {
+                match value {
+                    Value::Pair(_, [$one, $other]) => Some(Self { $one, $other }),
+                    _ => None,
+                }
+            }
+        }
+        impl From<$type> for Value {
+            fn from(pair: $type) -> Self {
+                Self::Pair([stringify!($one), stringify!($other)], [pair.$one, pair.$other])
+            }
+        }
+    )* };
+}
+
+pairs! {
+    Tangents: before, after;
+    Velocities: reach, leave;
 }
 
 /// A field that need not be set.
-impl Stored for Option<f64> {
-    const KIND: Kind = Kind::Number;
-    fn value(&self) -> Option<Value> {
-        self.map(Value::Number)
+impl<T: Stored> Stored for Option<T> {
+    const KINDS: &'static [Kind] = T::KINDS;
+    const RANGE: Option<(f64, f64)> = T::RANGE;
+    fn value(self) -> Value {
+        self.map_or(Value::Unset, T::value)
     }
     fn of(value: Value) -> Option<Self> {
-        f64::of(value).map(Some)
+        match value {
+            Value::Unset => Some(None),
+            value => T::of(value).map(Some),
+        }
+    }
+}
+
+impl<T: Into<Self>> From<Option<T>> for Value {
+    fn from(value: Option<T>) -> Self {
+        value.map_or(Self::Unset, Into::into)
+    }
+}
+
+/// Structures that files write in a way of their own.
+impl<T: SameBits + Clone> Stored for Vec<T> {}
+
+impl<T: SameBits> SameBits for Vec<T> {
+    fn same_bits(&self, other: &Self) -> bool {
+        self[..].same_bits(&other[..])
     }
 }
 
@@ -290,21 +375,36 @@ impl<T: SameBits> SameBits for [T] {
     }
 }
 
-impl SameBits for [f64; 2] {
+impl<T: SameBits, const N: usize> SameBits for [T; N] {
     fn same_bits(&self, other: &Self) -> bool {
         self[..].same_bits(&other[..])
     }
 }
 
-impl SameBits for DVec3 {
-    fn same_bits(&self, other: &Self) -> bool {
-        self.to_array()[..].same_bits(&other.to_array()[..])
-    }
+macro_rules! same_bits {
+    ($($type:ty: |$a:ident| $numbers:expr;)*) => { $(
+        impl SameBits for $type {
+            fn same_bits(&self, other: &Self) -> bool {
+                let numbers = |$a: &Self| $numbers;
+                numbers(self) == numbers(other)
+            }
+        }
+    )* };
 }
 
-impl SameBits for DQuat {
+same_bits! {
+    f64: |a| a.to_bits();
+    bool: |a| *a;
+    u32: |a| *a;
+    i32: |a| *a;
+    DVec3: |a| a.to_array().map(f64::to_bits);
+    DQuat: |a| a.to_array().map(f64::to_bits);
+    Tcb: |a| [a.tension, a.continuity, a.bias].map(f64::to_bits);
+}
+
+impl SameBits for String {
     fn same_bits(&self, other: &Self) -> bool {
-        self.to_array()[..].same_bits(&other.to_array()[..])
+        self == other
     }
 }
 
@@ -320,17 +420,19 @@ impl<F: Stored> Check<F> {
     /// # Errors
     /// [`crate::Error::Range`] or [`crate::Error::Argument`].
     pub fn run(&self, field: &F, space: Space) -> Result<()> {
-        match (self, field.value()) {
-            (Self::By(check), _) => check(field, space),
-            (Self::Finite(name), Some(Value::Number(n))) if !n.is_finite() => {
-                Err(Invalid::NotFinite(*name).into())
-            }
-            (Self::Between(name, low, high), Some(Value::Number(n)))
-                if !(*low..=*high).contains(&n) =>
-            {
+        let number = || match field.clone().value() {
+            Value::Number(number) => number,
+            Value::Whole(number) => number as f64,
+            _ => 0.0,
+        };
+        match self {
+            Self::Any => Ok(()),
+            Self::By(check) => check(field, space),
+            Self::Finite(name) if !number().is_finite() => Err(Invalid::NotFinite(*name).into()),
+            Self::Between(name, low, high) if !(*low..=*high).contains(&number()) => {
                 Err(OutOfRange::Between(*name, *low, *high).into())
             }
-            (Self::UpTo(most, error), Some(Value::Whole(n))) if n > *most => Err(error().into()),
+            Self::UpTo(most, error) if number() > f64::from(*most) => Err(error().into()),
             _ => Ok(()),
         }
     }
@@ -341,7 +443,7 @@ impl<F: Stored> Check<F> {
         match self {
             Self::Between(_, low, high) => Some((*low, *high)),
             Self::UpTo(most, _) => Some((0.0, *most as f64)),
-            _ => None,
+            _ => F::RANGE,
         }
     }
 }
@@ -370,24 +472,40 @@ macro_rules! properties {
 
         impl $name {
             /// A new one.
-            pub(crate) const NEW: Self = Self { $($field: $new,)* };
+            pub const NEW: Self = <Self as $crate::property::Table>::NEW;
 
             /// The rows of its fields, in the order of files.
-            pub const PROPERTIES: &'static [$crate::property::Property<Self>] = &[$({
+            pub const PROPERTIES: &'static [$crate::property::Property<Self>] =
+                <Self as $crate::property::Table>::PROPERTIES;
+        }
+
+        impl $crate::property::Table for $name {
+            const NEW: Self = Self { $($field: $new,)* };
+
+            const PROPERTIES: &'static [$crate::property::Property<Self>] = &[$({
                 const ROW: $crate::property::Row<$type> = $row;
                 $crate::property::Property {
                     keys: ROW.keys,
                     does: concat!($($does),+),
-                    kind: <$type as $crate::property::Stored>::KIND,
+                    kinds: <$type as $crate::property::Stored>::KINDS,
                     unit: ROW.unit,
                     range: ROW.check.range(),
                     always: ROW.always,
-                    travels: !matches!(ROW.copied, $crate::property::Copied::Nowhere),
-                    value: |all| $crate::property::Stored::value(&all.$field),
-                    set: |all, value| {
-                        if let Some(value) = $crate::property::Stored::of(value) {
-                            all.$field = value;
+                    affects: ROW.affects,
+                    copied: match ROW.copied {
+                        $crate::property::Copied::Nowhere => [false, false],
+                        $crate::property::Copied::IfAsked => [false, true],
+                        _ => [true, true],
+                    },
+                    value: |all| $crate::property::Stored::value(all.$field.clone()),
+                    exchange: |all, value| {
+                        let new = $crate::property::Stored::of(std::mem::take(value));
+                        let fits = new.is_some();
+                        if let Some(new) = new {
+                            let old = std::mem::replace(&mut all.$field, new);
+                            *value = $crate::property::Stored::value(old);
                         }
+                        fits
                     },
                     check: |all, space| ROW.check.run(&all.$field, space),
                     same: |a, b| $crate::property::SameBits::same_bits(&a.$field, &b.$field),
@@ -409,7 +527,72 @@ macro_rules! properties {
     };
 }
 
-pub use properties;
+/// Declares an enumeration with the names of its values in files.
+#[macro_export]
+#[doc(hidden)]
+macro_rules! choices {
+    (
+        $(#[$about:meta])*
+        pub enum $type:ident {
+            $($(#[$does:meta])+ $value:ident = $name:literal,)*
+        }
+    ) => {
+        $(#[$about])*
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+        pub enum $type {
+            $($(#[$does])+ $value,)*
+        }
+
+        impl $type {
+            /// All of them.
+            pub const ALL: &'static [Self] = &[$(Self::$value),*];
+            /// Their names in files.
+            pub const NAMES: &'static [&'static str] = &[$($name),*];
+
+            /// Its name in files.
+            #[must_use]
+            pub const fn name(self) -> &'static str {
+                match self {
+                    $(Self::$value => $name,)*
+                }
+            }
+
+            /// The one of this name.
+            #[must_use]
+            pub fn named(name: &str) -> Option<Self> {
+                Self::ALL.iter().copied().find(|one| one.name() == name)
+            }
+        }
+
+        impl $crate::property::SameBits for $type {
+            fn same_bits(&self, other: &Self) -> bool {
+                self == other
+            }
+        }
+
+        impl $crate::property::Stored for $type {
+            const KINDS: &'static [$crate::property::Kind] =
+                &[$crate::property::Kind::Choice(Self::NAMES)];
+            fn value(self) -> $crate::property::Value {
+                self.into()
+            }
+            fn of(value: $crate::property::Value) -> Option<Self> {
+                match value {
+                    $crate::property::Value::Choice(name) => Self::named(name),
+                    _ => None,
+                }
+            }
+        }
+
+        impl From<$type> for $crate::property::Value {
+            fn from(one: $type) -> Self {
+                Self::Choice(one.name())
+            }
+        }
+    };
+}
+
+pub use {choices, properties};
 
 #[cfg(test)]
 #[path = "property_tests.rs"]

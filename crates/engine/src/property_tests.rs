@@ -4,77 +4,120 @@ use glam::DVec3;
 
 use super::*;
 use crate::limits;
-use crate::path::{Orientation, OrientationOverrides, Pace, Space, UpVector};
+use crate::path::{
+    BaseFrames, CameraPath, Ease, EaseKind, Orientation, OrientationOverrides, Pace, PacePart,
+    PaceSource, Pose, Sampler, Space, SupportPoint, Timeline, TurningPart, UpPath, UpVector,
+};
 
-/// Every key of the views of a path.
-fn keys() -> Vec<&'static str> {
-    let views = Orientation::PROPERTIES.iter().flat_map(|row| row.keys);
-    let own = OrientationOverrides::PROPERTIES
-        .iter()
-        .flat_map(|row| row.keys);
-    views.chain(own).copied().collect()
+/// A value of a kind that differs from that of a new one.
+fn value(kind: Kind) -> Value {
+    let part = PacePart {
+        of: PaceSource::Speeds {
+            speeds: [33.0; limits::SPEEDS],
+            before: None,
+            after: Some(7.0),
+        },
+        from: 0.0,
+        to: 0.5,
+    };
+    let ease = Ease {
+        kind: EaseKind::Parabolic,
+        rise: 0.3,
+        fall: 0.3,
+        cruise: 33.0,
+    };
+    match kind {
+        Kind::Number => Value::Number(33.0),
+        Kind::Whole => Value::Whole(3),
+        Kind::Switch => Value::Switch(true),
+        Kind::Choice(names) => Value::Choice(names[1]),
+        Kind::Text => Value::Text("three".to_owned()),
+        Kind::Place => Value::Place(DVec3::splat(0.3)),
+        Kind::Vector => Value::Vector(DVec3::splat(0.3)),
+        Kind::Pair(names) => Value::Pair(names, [DVec3::X, DVec3::Y]),
+        Kind::Speeds => Value::Speeds([33.0; limits::SPEEDS]),
+        Kind::Shape => Value::Shape(Tcb::new(0.3, 0.3, 0.3)),
+        Kind::Presets => Value::Presets([Tcb::new(0.3, 0.3, 0.3); limits::PRESETS]),
+        Kind::BaseFrames => Value::BaseFrames(BaseFrames {
+            zoom: 3.0,
+            ..BaseFrames::NEW
+        }),
+        Kind::Ease => Value::Ease(ease),
+        Kind::Distance => Value::Distance([[0.0, 0.0], [0.3, 0.5], [1.0, 1.0]].into()),
+        Kind::Part => Value::Part(part),
+        Kind::Turning => Value::Turning(TurningPart {
+            control: [DQuat::IDENTITY; 4],
+            from: 0.3,
+            to: 1.0,
+        }),
+        Kind::UpPath => Value::UpPath(UpPath::of(&CameraPath::default()).unwrap()),
+        Kind::Nested => Value::Unset,
+    }
 }
 
-#[test]
-fn no_two_fields_have_one_key() {
-    let all = keys();
+fn each_key_is_its_own<T: Table + Clone + SameBits>() {
+    let all: Vec<_> = T::PROPERTIES.iter().flat_map(|row| row.keys).collect();
     let different: HashSet<_> = all.iter().collect();
     assert_eq!(different.len(), all.len());
-    assert!(find(Orientation::PROPERTIES, "zoom_mm").is_some());
-    assert!(find(OrientationOverrides::PROPERTIES, "zoom_mm").is_none());
+    for row in T::PROPERTIES {
+        assert!(row.keys.is_empty() || row.keys.len() == row.kinds.len());
+        for (key, &kind) in row.keys.iter().zip(row.kinds) {
+            let (given, mut changed) = (value(kind), T::NEW);
+            let mut exchanged = given.clone();
+            assert!((row.exchange)(&mut changed, &mut exchanged), "{key}");
+            assert!((row.check)(&changed, Space::NEW).is_ok(), "{key}");
+            assert_eq!((row.value)(&changed), given);
+            assert_eq!(row.key_of(&given), Some(*key));
+            for other in T::PROPERTIES {
+                let moved = std::ptr::eq(row, other);
+                assert_eq!((other.same)(&T::NEW, &changed), !moved, "{key}");
+            }
+            let mut taken = T::NEW;
+            (row.take)(&mut taken, &changed);
+            assert!(taken.same_bits(&changed));
+            // Exchanged again it is as before; of another kind, nothing happens.
+            assert!((row.exchange)(&mut changed, &mut exchanged));
+            assert!(changed.same_bits(&T::NEW) && exchanged == given, "{key}");
+            let odd = Value::Pair(["", ""], [DVec3::ZERO; 2]);
+            let odd = if row.key_of(&value(Kind::Switch)).is_some() || matches!(kind, Kind::Pair(_))
+            {
+                Value::Number(1.0)
+            } else {
+                odd
+            };
+            assert!(!(row.exchange)(&mut changed, &mut odd.clone()), "{key}");
+            assert!(changed.same_bits(&T::NEW));
+        }
+    }
 }
 
 #[test]
 fn what_is_set_is_read_and_the_rest_stays() {
-    let new = Orientation::default();
-    let value = |kind| match kind {
-        Kind::Number => Value::Number(33.0),
-        Kind::Whole => Value::Whole(33),
-        Kind::Switch => Value::Switch(true),
-        Kind::Speeds => Value::Speeds([33.0; limits::SPEEDS]),
-        Kind::Shape => Value::Shape(Tcb::new(0.3, 0.3, 0.3)),
-        Kind::Nested => Value::Switch(true),
-    };
-    for row in Orientation::PROPERTIES {
-        let mut changed = new.clone();
-        (row.set)(&mut changed, value(row.kind));
-        for other in Orientation::PROPERTIES {
-            let moved = std::ptr::eq(row, other) && row.kind != Kind::Nested;
-            assert_eq!((other.same)(&new, &changed), !moved, "{:?}", other.keys);
-        }
-        let read = (row.value)(&changed);
-        assert_eq!(read, (row.kind != Kind::Nested).then_some(value(row.kind)));
-        let mut taken = new.clone();
-        (row.take)(&mut taken, &changed);
-        assert!(taken.same_bits(&changed));
-        // Of another kind: nothing happens.
-        let odd = match row.kind {
-            Kind::Switch => Value::Whole(1),
-            _ => Value::Switch(true),
-        };
-        (row.set)(&mut taken, odd);
-        assert!(taken.same_bits(&changed));
-    }
+    each_key_is_its_own::<CameraPath>();
+    each_key_is_its_own::<BaseFrames>();
+    each_key_is_its_own::<SupportPoint>();
+    each_key_is_its_own::<Orientation>();
+    each_key_is_its_own::<OrientationOverrides>();
 }
 
 #[test]
 fn bounds_hold_and_what_lies_beyond_is_refused() {
     for row in Orientation::PROPERTIES {
-        let Some((low, high)) = row.range else {
+        let (Some((low, high)), [kind]) = (row.range, row.kinds) else {
             continue;
         };
         let check = |number: f64| {
             let mut orientation = Orientation::default();
-            let value = match row.kind {
-                Kind::Whole => Value::Whole(number as u32),
+            let mut value = match kind {
+                Kind::Whole => Value::Whole(number as i64),
                 _ => Value::Number(number),
             };
-            (row.set)(&mut orientation, value);
+            (row.exchange)(&mut orientation, &mut value);
             (row.check)(&orientation, Space::default())
         };
         assert!(check(low).is_ok() && check(high).is_ok(), "{:?}", row.keys);
         assert!(check(high + 1.0).is_err(), "{:?}", row.keys);
-        if row.kind == Kind::Number {
+        if *kind == Kind::Number {
             assert!(check(low.next_down()).is_err() && check(f64::NAN).is_err());
         }
     }
@@ -117,4 +160,59 @@ fn a_copy_keeps_what_holds_anywhere() {
         ..OrientationOverrides::NEW
     };
     assert!(own.same_bits(&expected));
+}
+
+/// Lengths of the segments, frames of the sections, poses.
+type Computed = (Vec<u64>, Vec<usize>, Vec<Pose>);
+
+fn computed(path: &CameraPath) -> Computed {
+    let timeline = Timeline::new(path).unwrap();
+    let sampler = Sampler::new(path, &timeline).unwrap();
+    let mut poses = vec![Pose::default(); sampler.frame_count()];
+    sampler.sample(1, &mut poses).unwrap();
+    let lengths = (0..path.segment_count()).map(|k| timeline.segment_length(k).to_bits());
+    let frames = (0..timeline.section_count()).map(|k| timeline.section(k).frames);
+    (lengths.collect(), frames.collect(), poses)
+}
+
+fn nothing_else_changes<T: Table>(of: impl Fn(&mut CameraPath, &mut dyn FnMut(&mut T))) {
+    let mut path = CameraPath::default();
+    let mut third = SupportPoint::new(DVec3::new(0.0, -0.5, 0.1));
+    third.orientations[0].roll = 30.0;
+    third.orientations[0].zoom = 90.0;
+    path.points.push(third);
+    let before = computed(&path);
+    for row in T::PROPERTIES {
+        for &kind in row.kinds.iter().filter(|_| !row.keys.is_empty()) {
+            let mut changed = path.clone();
+            of(&mut changed, &mut |of| {
+                (row.exchange)(of, &mut value(kind));
+            });
+            let after = computed(&changed);
+            assert!(
+                row.affects >= Affects::Curve || after.0 == before.0,
+                "{row:?}"
+            );
+            assert!(
+                row.affects >= Affects::Frames || after.1 == before.1,
+                "{row:?}"
+            );
+            assert!(
+                row.affects >= Affects::Views || after.2 == before.2,
+                "{row:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn what_a_row_does_not_affect_stays() {
+    nothing_else_changes::<CameraPath>(|path, change| change(path));
+    nothing_else_changes::<BaseFrames>(|path, change| change(&mut path.base_frames));
+    nothing_else_changes::<SupportPoint>(|path, change| change(&mut path.points[1]));
+    nothing_else_changes::<Orientation>(|path, change| change(&mut path.points[1].orientations[0]));
+    nothing_else_changes::<OrientationOverrides>(|path, change| {
+        let own = &mut path.points[1].orientations[0].own;
+        *own = own.with(change).unwrap();
+    });
 }

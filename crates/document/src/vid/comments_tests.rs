@@ -1,5 +1,5 @@
 use super::*;
-use crate::{Document, Edit, Selection};
+use crate::{At, Document, Edit, Selection};
 
 const FILE: &str = "\
 # The flight over the lake.
@@ -125,10 +125,7 @@ fn every_comment_stays_at_what_it_stood_at() {
 fn they_go_with_their_points_and_come_back_with_them() {
     let mut document = loaded();
     let whole = saved(&document);
-    let moved = Edit::SetPosition {
-        at: 1,
-        position: glam::DVec3::new(0.5, 0.0, 0.0),
-    };
+    let moved = Edit::set(At::Point(1), "position", glam::DVec3::new(0.5, 0.0, 0.0));
     let divided = Edit::DivideSegment {
         segment: 0,
         points: 3,

@@ -4,11 +4,10 @@ use glam::DVec3;
 use toml::Spanned;
 use toml::de::{DeString, DeTable, DeValue, Error as ParseError};
 
-use vides_engine::property::{self, Kind, Property};
-
 use crate::error::{EngineError, Error, Key, Malformed, Quantity, Result, Value};
 use crate::path::camera_path::check_shape;
 use crate::path::{Space, Tcb};
+use vides_engine::property::{self, Kind};
 
 /// A piece of a file, with the whole text for line numbers.
 #[derive(Clone, Copy)]
@@ -177,21 +176,39 @@ impl<'a> Field<'a> {
         }
     }
 
-    /// Reads a property that is not nested; its row's check is not run.
-    pub fn plain<T>(&self, row: &Property<T>, into: &mut T) -> Result<()> {
-        let value = match (row.kind, row.range) {
-            (Kind::Number, _) => property::Value::Number(self.number()?),
-            (Kind::Whole, range) => {
-                let most = range.map_or(u32::MAX, |(_, most)| most as u32);
-                property::Value::Whole(self.integer_in(0, most.into())? as u32)
+    /// The value of a property of a kind that has nothing below it; others are unset.
+    pub fn plain(&self, kind: Kind, range: Option<(f64, f64)>) -> Result<property::Value> {
+        Ok(match kind {
+            Kind::Number => self.number()?.into(),
+            Kind::Whole => {
+                let (least, most) = range.unwrap_or((0.0, f64::from(u32::MAX)));
+                property::Value::Whole(self.integer_in(least as i64, most as i64)?)
             }
-            (Kind::Switch, _) => property::Value::Switch(self.boolean()?),
-            (Kind::Speeds, _) => property::Value::Speeds(self.numbers()?),
-            (Kind::Shape, _) => property::Value::Shape(self.tcb()?),
-            (Kind::Nested, _) => return Ok(()),
-        };
-        (row.set)(into, value);
-        Ok(())
+            Kind::Switch => self.boolean()?.into(),
+            Kind::Choice(names) => property::Value::Choice(self.name_of(names)?),
+            Kind::Text => self.text()?.to_owned().into(),
+            Kind::Place => property::Value::Place(DVec3::from_array(self.numbers()?)),
+            Kind::Vector => property::Value::Vector(DVec3::from_array(self.numbers()?)),
+            Kind::Pair(names) => property::Value::Pair(names, self.pair(names)?),
+            Kind::Speeds => property::Value::Speeds(self.numbers()?),
+            Kind::Shape => self.tcb()?.into(),
+            _ => property::Value::Unset,
+        })
+    }
+
+    /// Two vectors, both given.
+    fn pair(&self, names: [&'static str; 2]) -> Result<[DVec3; 2]> {
+        let mut found = [None; 2];
+        for field in self.fields()? {
+            match names.iter().position(|&name| name == field.key) {
+                Some(at) => found[at] = Some(DVec3::from_array(field.numbers()?)),
+                None => return Err(field.unknown(&names)),
+            }
+        }
+        match found {
+            [Some(a), Some(b)] => Ok([a, b]),
+            _ => Err(self.error(Malformed::Both(names[0], names[1]))),
+        }
     }
 
     /// Tension, continuity and bias; each is 0 unless given.
@@ -226,13 +243,22 @@ impl<'a> Field<'a> {
         }
     }
 
+    /// One of these names.
+    pub fn name_of(&self, names: &'static [&'static str]) -> Result<&'static str> {
+        let name = self.text()?;
+        let found = names.iter().find(|known| **known == name);
+        found
+            .copied()
+            .ok_or_else(|| self.error(Malformed::OneOf(names)))
+    }
+
     /// The value that one of these names stands for.
     pub fn one_of<T, const N: usize>(
         &self,
         names: &'static [&'static str; N],
         values: [T; N],
     ) -> Result<T> {
-        let name = self.text()?;
+        let name = self.name_of(names)?;
         let mut known = names.iter().zip(values);
         let found = known.find_map(|(known, value)| (*known == name).then_some(value));
         found.ok_or_else(|| self.error(Malformed::OneOf(names)))

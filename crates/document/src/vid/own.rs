@@ -7,16 +7,15 @@ use glam::{DQuat, DVec3};
 
 use super::field::Field;
 use super::write::plain;
-use crate::error::{Malformed, Result, TooMany, vec_with_room};
+use crate::error::{Malformed, Result, TooMany, can_allocate, vec_with_room};
 use crate::limits;
-use crate::path::Space;
 use crate::path::camera_path::check_curve_speed;
-use crate::path::own::distance;
+use crate::path::own::check_distance;
 use crate::path::{
-    Ease, EaseKind, OrientationOverrides, Overrides, Pace, PacePart, PaceSource, Tangents,
-    TurningPart, Up, UpPath, UpPathPoint, UpVector, Velocities,
+    Ease, EaseKind, Orientation, OrientationOverrides, PacePart, PaceSource, Space, TurningPart,
+    UpPath, UpPathPoint, UpVector,
 };
-use vides_engine::property::find;
+use vides_engine::property::{Kind, Property, Value, find};
 
 #[derive(Default)]
 pub(super) struct ReadContext {
@@ -26,135 +25,77 @@ pub(super) struct ReadContext {
     pub up_paths: [Option<Arc<UpPath>>; limits::MAX_UP_PATHS],
 }
 
-/// Reads fields into what an orientation owns.
-pub(super) struct Reader {
-    before: Overrides,
-    own: Option<OrientationOverrides>,
-    /// Whether an up, and a pace, has been met.
-    given: [bool; 2],
+/// Reads fields by the rows of tables.
+#[derive(Default)]
+pub(super) struct Rows {
+    /// The first keys of rows of which a form has been met.
+    met: [Option<&'static str>; 3],
 }
 
-impl Reader {
-    pub(super) fn new(before: Overrides) -> Self {
-        Self {
-            before,
-            own: None,
-            given: [false; 2],
-        }
-    }
-
-    /// Reads a field; false if it has no row.
-    pub(super) fn read(
+impl Rows {
+    /// Reads a field into what has its row; false if none has.
+    pub(super) fn read<T>(
         &mut self,
         field: Field<'_>,
+        table: &'static [Property<T>],
+        into: &mut T,
         space: Space,
         so_far: &mut ReadContext,
     ) -> Result<bool> {
-        let Some(row) = find(OrientationOverrides::PROPERTIES, field.key) else {
+        let Some(row) = find(table, field.key) else {
             return Ok(false);
         };
-        let own = self
-            .own
-            .get_or_insert_with(|| OrientationOverrides::clone(&self.before));
-        let [up_given, pace_given] = &mut self.given;
-        match row.key() {
-            "up" if *up_given => return Err(field.error(Malformed::UpTwice)),
-            "ease" if *pace_given => return Err(field.error(Malformed::PaceTwice)),
-            "up" => {
-                own.up = up(field, so_far)?;
-                *up_given = own.up != UpVector::Axis;
-            }
-            "ease" => {
-                *pace_given = true;
-                own.pace = match field.key {
-                    "ease" => Pace::Ease(ease(field)?),
-                    "distance" => given_distance(field)?,
-                    _ => Pace::Part(pace_part(field)?),
-                };
-            }
-            "velocity_degrees" => own.velocities = Some(velocities(field)?),
-            "turning_part" => own.turning = Some(turning_part(field)?),
-            _ => field.plain(row, own)?,
+        if self.met.contains(&Some(row.key())) {
+            return Err(field.error(match row.key() {
+                "target" => Malformed::TargetAndOffset,
+                "up" => Malformed::UpTwice,
+                "ease" => Malformed::PaceTwice,
+                _ => Malformed::PresetAndOwn,
+            }));
         }
-        field.checked((row.check)(own, space))?;
+        let mut value = match row.kind(field.key) {
+            Kind::Ease => Value::Ease(ease(field)?),
+            Kind::Distance => Value::Distance(given_distance(field)?),
+            Kind::Part => Value::Part(pace_part(field)?),
+            Kind::Turning => Value::Turning(turning_part(field)?),
+            Kind::UpPath => Value::UpPath(up_path(field, so_far)?),
+            kind => field.plain(kind, row.range)?,
+        };
+        // An axis may stand beside a point or a path.
+        if row.keys.len() > 1 && value != Value::Choice("axis") {
+            let free = self.met.iter_mut().find(|met| met.is_none());
+            free.map(|free| *free = Some(row.key()));
+        }
+        (row.exchange)(into, &mut value);
+        field.checked((row.check)(into, space))?;
         Ok(true)
     }
-
-    pub(super) fn owned(self) -> Result<Overrides> {
-        match self.own {
-            None => Ok(self.before),
-            Some(read) => Ok(Overrides::NOTHING.with(|own| *own = read)?),
-        }
-    }
 }
 
-fn up(field: Field<'_>, so_far: &mut ReadContext) -> Result<UpVector> {
-    match field.key {
-        "up_point" => Ok(UpVector::Point(DVec3::from_array(field.numbers()?))),
-        "up_path" if field.is_array() => {
-            let Some(place) = so_far.up_paths.iter_mut().find(|path| path.is_none()) else {
-                return Err(field.error(TooMany::UpPaths));
-            };
-            let elements = field.elements()?;
-            let mut points = vec_with_room(elements.len().min(limits::MAX_UP_PATH_POINTS + 1))?;
-            // One too many is enough for the error.
-            for element in elements.take(limits::MAX_UP_PATH_POINTS + 1) {
-                let numbers: [f64; 9] = element.numbers()?;
-                let vector = |at: usize| DVec3::from_slice(&numbers[at..]);
-                points.push(UpPathPoint {
-                    position: vector(0),
-                    before: vector(3),
-                    after: vector(6),
-                });
-            }
-            let path = field.checked(UpPath::new(points))?;
-            *place = Some(path.clone());
-            Ok(UpVector::Path(path))
-        }
-        "up_path" => {
-            let number = field.integer_in(1, limits::MAX_UP_PATHS as i64)? as usize;
-            match &so_far.up_paths[number - 1] {
-                Some(path) => Ok(UpVector::Path(path.clone())),
-                None => Err(field.error(Malformed::NoUpPath)),
-            }
-        }
-        _ => {
-            let ups = [
-                UpVector::Axis,
-                UpVector::Minimal,
-                UpVector::Frenet,
-                UpVector::Fixed(Up::Y),
-                UpVector::Fixed(Up::Z),
-            ];
-            field.one_of(&["axis", "minimal", "frenet", "y", "z"], ups)
-        }
+fn up_path(field: Field<'_>, so_far: &mut ReadContext) -> Result<Arc<UpPath>> {
+    if !field.is_array() {
+        let number = field.integer_in(1, limits::MAX_UP_PATHS as i64)? as usize;
+        let known = so_far.up_paths[number - 1].clone();
+        return known.ok_or_else(|| field.error(Malformed::NoUpPath));
     }
-}
-
-pub(super) fn tangents(table: Field<'_>, space: Space) -> Result<Tangents> {
-    let [before, after] = two_vectors(table, ["before", "after"])?;
-    let tangents = Tangents { before, after };
-    table.checked(tangents.check(space))?;
-    Ok(tangents)
-}
-
-fn two_vectors(table: Field<'_>, keys: [&'static str; 2]) -> Result<[DVec3; 2]> {
-    let mut found = [None; 2];
-    for field in table.fields()? {
-        match keys.iter().position(|&key| key == field.key) {
-            Some(at) => found[at] = Some(DVec3::from_array(field.numbers()?)),
-            None => return Err(field.unknown(&keys)),
-        }
+    let Some(place) = so_far.up_paths.iter_mut().find(|path| path.is_none()) else {
+        return Err(field.error(TooMany::UpPaths));
+    };
+    let elements = field.elements()?;
+    let mut points = vec_with_room(elements.len().min(limits::MAX_UP_PATH_POINTS + 1))?;
+    // One too many is enough for the error.
+    for element in elements.take(limits::MAX_UP_PATH_POINTS + 1) {
+        let numbers: [f64; 9] = element.numbers()?;
+        let vector = |at: usize| DVec3::from_slice(&numbers[at..]);
+        points.push(UpPathPoint {
+            position: vector(0),
+            before: vector(3),
+            after: vector(6),
+        });
     }
-    match found {
-        [Some(a), Some(b)] => Ok([a, b]),
-        _ => Err(table.error(Malformed::Both(keys[0], keys[1]))),
-    }
-}
-
-fn velocities(table: Field<'_>) -> Result<Velocities> {
-    let [reach, leave] = two_vectors(table, ["reach", "leave"])?;
-    Ok(Velocities { reach, leave })
+    let path = field.checked(UpPath::new(points))?;
+    *place = Some(path.clone());
+    Ok(path)
 }
 
 fn turning_part(table: Field<'_>) -> Result<TurningPart> {
@@ -183,7 +124,6 @@ fn turning_part(table: Field<'_>) -> Result<TurningPart> {
             _ => return Err(field.unknown(&["control", "from", "to"])),
         }
     }
-    table.checked(part.check())?;
     Ok(part)
 }
 
@@ -197,8 +137,8 @@ fn ease(table: Field<'_>) -> Result<Ease> {
     for field in table.fields()? {
         match field.key {
             "kind" => {
-                let kinds = [EaseKind::Sine, EaseKind::Parabolic];
-                ease.kind = field.one_of(&["sine", "parabolic"], kinds)?;
+                let name = field.name_of(EaseKind::NAMES)?;
+                ease.kind = EaseKind::named(name).unwrap_or(ease.kind);
             }
             "rise" => ease.rise = field.number()?,
             "fall" => ease.fall = field.number()?,
@@ -210,14 +150,16 @@ fn ease(table: Field<'_>) -> Result<Ease> {
     Ok(ease)
 }
 
-fn given_distance(array: Field<'_>) -> Result<Pace> {
+fn given_distance(array: Field<'_>) -> Result<Arc<[[f64; 2]]>> {
     let elements = array.elements()?;
     let mut keys: Vec<[f64; 2]> = vec_with_room(elements.len().min(limits::MAX_DISTANCE_KEYS + 1))?;
     // One too many is enough for the error.
     for element in elements.take(limits::MAX_DISTANCE_KEYS + 1) {
         keys.push(element.numbers()?);
     }
-    array.checked(distance(&keys))
+    array.checked(check_distance(&keys))?;
+    can_allocate(size_of_val(&keys[..]) + 2 * size_of::<usize>())?;
+    Ok(keys.into())
 }
 
 fn pace_part(table: Field<'_>) -> Result<PacePart> {
@@ -250,11 +192,7 @@ fn pace_part(table: Field<'_>) -> Result<PacePart> {
                 )?;
             }
             "ease" => whole(field, PaceSource::Ease(ease(field)?))?,
-            "distance" => {
-                if let Pace::Distance(keys) = given_distance(field)? {
-                    whole(field, PaceSource::Distance(keys))?;
-                }
-            }
+            "distance" => whole(field, PaceSource::Distance(given_distance(field)?))?,
             _ => {
                 return Err(field.unknown(&[
                     "from",
@@ -285,124 +223,34 @@ fn pace_part(table: Field<'_>) -> Result<PacePart> {
     Ok(part)
 }
 
-pub(super) fn write_tangents(out: &mut impl Write, tangents: &Tangents) -> fmt::Result {
-    let [before, after] = [tangents.before, tangents.after].map(|v| v.to_array());
-    writeln!(
-        out,
-        "tangents = {{ before = {before:?}, after = {after:?} }}"
-    )
-}
-
 /// The up paths written so far, by number.
 pub(super) type UpPaths<'a> = [Option<&'a UpVector>; limits::MAX_UP_PATHS];
 
-fn write_up<'a>(out: &mut impl Write, up: &'a UpVector, written: &mut UpPaths<'a>) -> fmt::Result {
-    match up {
-        UpVector::Axis => Ok(()),
-        UpVector::Point(place) => writeln!(out, "up_point = {:?}", place.to_array()),
-        UpVector::Path(path) => {
-            let same = |known: &Option<&UpVector>| known.is_none_or(|known| known == up);
-            let place = written.iter().position(same).unwrap_or(0);
-            if written[place].replace(up).is_some() {
-                return writeln!(out, "up_path = {}", place + 1);
-            }
-            write!(out, "up_path = ")?;
-            for (k, point) in path.points().iter().enumerate() {
-                let numbers = [point.position, point.before, point.after].map(|v| v.to_array());
-                let separator = if k == 0 { "[" } else { ", " };
-                write!(out, "{separator}{:?}", numbers.as_flattened())?;
-            }
-            writeln!(out, "]")
-        }
-        UpVector::Minimal | UpVector::Frenet | UpVector::Fixed(_) => {
-            writeln!(out, "up = \"{}\"", up.name())
-        }
-    }
-}
-
+/// An orientation with what it owns.
 pub(super) fn write<'a>(
     out: &mut impl Write,
-    owned: &'a Overrides,
+    view: &'a Orientation,
     written: &mut UpPaths<'a>,
 ) -> fmt::Result {
-    if owned.is_empty() {
+    for row in Orientation::PROPERTIES {
+        plain(out, row, view, &Orientation::NEW)?;
+    }
+    if view.own.is_empty() {
         return Ok(());
     }
-    let own: &OrientationOverrides = owned;
     for row in OrientationOverrides::PROPERTIES {
-        match row.key() {
-            "up" => write_up(out, &own.up, written)?,
-            "ease" => write_pace(out, &own.pace)?,
-            "velocity_degrees" => {
-                if let Some(Velocities { reach, leave }) = own.velocities {
-                    let [reach, leave] = [reach, leave].map(|v| v.to_array());
-                    writeln!(
-                        out,
-                        "velocity_degrees = {{ reach = {reach:?}, leave = {leave:?} }}"
-                    )?;
+        match (row.key(), &view.own.up) {
+            ("up", up @ UpVector::Path(_)) => {
+                let same = |known: &Option<&UpVector>| known.is_none_or(|known| known == up);
+                let place = written.iter().position(same).unwrap_or(0);
+                if written[place].replace(up).is_some() {
+                    writeln!(out, "up_path = {}", place + 1)?;
+                } else {
+                    writeln!(out, "up_path = {}", (row.value)(&view.own))?;
                 }
             }
-            "turning_part" => {
-                if let Some(TurningPart { control, from, to }) = own.turning {
-                    let control = control.map(|q| [q.w, q.x, q.y, q.z]);
-                    writeln!(
-                        out,
-                        "turning_part = {{ from = {from:?}, to = {to:?}, control = {control:?} }}"
-                    )?;
-                }
-            }
-            _ => plain(out, row, own, &Overrides::NOTHING)?,
+            _ => plain(out, row, &view.own, &OrientationOverrides::NEW)?,
         }
     }
     Ok(())
-}
-
-fn write_pace(out: &mut impl Write, pace: &Pace) -> fmt::Result {
-    match pace {
-        Pace::Speeds => Ok(()),
-        Pace::Ease(ease) => {
-            write_ease(out, ease)?;
-            writeln!(out)
-        }
-        Pace::Distance(keys) => writeln!(out, "distance = {keys:?}"),
-        Pace::Part(part) => {
-            write!(
-                out,
-                "pace_part = {{ from = {:?}, to = {:?}, ",
-                part.from, part.to
-            )?;
-            match &part.of {
-                PaceSource::Speeds {
-                    speeds,
-                    before,
-                    after,
-                } => {
-                    write!(out, "speed_curve = {speeds:?}")?;
-                    if let Some(before) = before {
-                        write!(out, ", facing_before = {before:?}")?;
-                    }
-                    if let Some(after) = after {
-                        write!(out, ", facing_after = {after:?}")?;
-                    }
-                }
-                PaceSource::Ease(ease) => write_ease(out, ease)?,
-                PaceSource::Distance(keys) => write!(out, "distance = {keys:?}")?,
-            }
-            writeln!(out, " }}")
-        }
-    }
-}
-
-fn write_ease(out: &mut impl Write, ease: &Ease) -> fmt::Result {
-    let kind = match ease.kind {
-        EaseKind::Sine => "sine",
-        EaseKind::Parabolic => "parabolic",
-    };
-    let Ease {
-        rise, fall, cruise, ..
-    } = ease;
-    write!(
-        out,
-        "ease = {{ kind = \"{kind}\", rise = {rise:?}, fall = {fall:?}, cruise = {cruise:?} }}"
-    )
 }

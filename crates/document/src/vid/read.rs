@@ -6,7 +6,7 @@ use glam::DVec3;
 use toml::de::DeTable;
 
 use super::field::{Field, Source, fields};
-use super::own::{self, ReadContext};
+use super::own::{ReadContext, Rows};
 use super::pieces;
 use super::scene_read::{Drafts, MESH_KEYS, take_mesh};
 use super::{OFF_NAME, VERSION, mesh_source};
@@ -14,12 +14,12 @@ use crate::error::{Invalid, Malformed, Refused, Result, TooMany, vec_with_room};
 use crate::info::{self, Info, Object, ObjectPoint};
 use crate::limits;
 use crate::math::orientation::wrap_degrees;
-use crate::path::camera_path::{check_base_speed, check_name};
+use crate::path::camera_path::check_name;
 use crate::path::{
-    BaseFrames, CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode,
-    OrientationOverrides, Space, SupportPoint, Target, Tcb, Up, ZoomMode, space,
+    BaseFrames, CameraPath, Orientation, OrientationOverrides, Overrides, Space, SupportPoint, Tcb,
+    Up, space,
 };
-use vides_engine::property::find;
+use vides_engine::property::{Property, find};
 use vides_engine::scene::{Mesh, Scene};
 use vides_engine::tools::check::{FindingKind, Limits, OFF};
 
@@ -52,16 +52,11 @@ pub(crate) const PATH_KEYS: &[&str] = KEYS.split_at(11).0.split_at(1).1;
 /// Arrays of tables, which may recur in each piece of a file.
 const REPEATED: [&str; 3] = ["point", "marker", "node"];
 
-/// Keys of a path, which in a scene belong to its nodes.
-const OF_PATH: [&str; 7] = [
-    "closed",
-    "curve",
-    "orientation_mode",
-    "zoom_mode",
-    "base_speeds",
-    "presets",
-    "point",
-];
+/// The keys of a path, which in a scene belong to its nodes.
+fn of_path() -> impl Iterator<Item = &'static str> {
+    let rows = CameraPath::PROPERTIES.iter().flat_map(|row| row.keys);
+    rows.copied().chain(once("point"))
+}
 
 pub(crate) fn from_toml(text: &str) -> Result<(CameraPath, Info)> {
     let (reader, end) = Reader::of(text)?;
@@ -144,7 +139,7 @@ impl Reader {
             let (path, info) = self.path(end)?;
             return Ok((drafts.mark(Scene::of_path(path)?, end.text)?, info));
         }
-        if let Some(key) = OF_PATH.into_iter().find(|key| self.has(key)) {
+        if let Some(key) = of_path().find(|key| self.has(key)) {
             let reason = Malformed::KeyOfPath(key);
             return Err(end.complain(end.text.len(), reason));
         }
@@ -249,45 +244,28 @@ fn read_info(field: Field<'_>, info: &mut Info) -> Result<bool> {
 /// Reads what holds for a whole path; false if the key is of something else.
 pub(super) fn read_setting(field: Field<'_>, path: &mut CameraPath) -> Result<bool> {
     match field.key {
-        "closed" => path.closed = field.boolean()?,
-        "curve" => {
-            let kinds = [CurveKind::Tcb, CurveKind::Cubic, CurveKind::Linear];
-            path.curve = field.one_of(&["tcb", "cubic", "linear"], kinds)?;
-        }
-        "orientation_mode" => {
-            use OrientationMode::{BarryGoldman, Slerp, Tcb};
-            let modes = [Tcb, BarryGoldman, Slerp];
-            path.orientation_mode = field.one_of(&["tcb", "barry-goldman", "slerp"], modes)?;
-        }
-        "zoom_mode" => {
-            let modes = [ZoomMode::Smooth, ZoomMode::Linear];
-            path.zoom_mode = field.one_of(&["smooth", "linear"], modes)?;
-        }
         "base_speeds" => base_speeds(field, &mut path.base_frames)?,
         "presets" => presets(field, &mut path.presets)?,
-        _ => return Ok(false),
+        _ => {
+            let (space, so_far) = (path.space, &mut ReadContext::default());
+            return Rows::default().read(field, CameraPath::PROPERTIES, path, space, so_far);
+        }
     }
     Ok(true)
 }
 
 fn base_speeds(table: Field<'_>, speeds: &mut BaseFrames) -> Result<()> {
     for field in table.fields()? {
-        let speed = match field.key {
-            "move_frames" => &mut speeds.movement,
-            "turn_frames" => &mut speeds.turning,
-            "zoom_frames" => &mut speeds.zoom,
-            "roll_frames" => &mut speeds.rolling,
-            _ => {
-                return Err(field.unknown(&[
-                    "move_frames",
-                    "turn_frames",
-                    "zoom_frames",
-                    "roll_frames",
-                ]));
-            }
-        };
-        *speed = field.number()?;
-        field.checked(check_base_speed(*speed))?;
+        if !Rows::default().read(
+            field,
+            BaseFrames::PROPERTIES,
+            speeds,
+            Space::NEW,
+            &mut ReadContext::default(),
+        )? {
+            let rows = BaseFrames::PROPERTIES.iter();
+            return Err(field.unknown(&rows.map(Property::key).collect::<Vec<_>>()));
+        }
     }
     Ok(())
 }
@@ -410,45 +388,20 @@ fn point(table: Field<'_>, space: Space, so_far: &mut ReadContext) -> Result<Sup
     };
     let mut point = SupportPoint {
         position: position.place_in(space)?,
-        name: None,
-        curve: CurveParameters::Preset(0),
-        tangents: None,
-        orientations: Vec::new(),
+        ..SupportPoint::NEW
     };
-    let mut curve_given = false;
+    let mut rows = Rows::default();
     for field in table.fields()? {
-        let shapes = matches!(field.key, "preset" | "own");
-        if shapes && std::mem::replace(&mut curve_given, true) {
-            return Err(field.error(Malformed::PresetAndOwn));
-        }
-        match field.key {
-            "position" => {}
-            "orientation" => {
-                point.orientations = orientations(field, point.position, space, so_far)?;
-            }
-            _ if read_point(field, &mut point, space)? => {}
-            _ => return Err(field.unknown(&[&POINT_KEYS[..], &["orientation"]].concat())),
+        if field.key == "orientation" {
+            point.orientations = orientations(field, point.position, space, so_far)?;
+        } else if !rows.read(field, SupportPoint::PROPERTIES, &mut point, space, so_far)? {
+            return Err(field.unknown(&point_keys().chain(once("orientation")).collect::<Vec<_>>()));
         }
     }
     if point.orientations.is_empty() {
         point.orientations = orientations_of_new_point(space)?;
     }
     Ok(point)
-}
-
-/// Reads a field of a point but for its position and its orientations; false if it is none.
-fn read_point(field: Field<'_>, point: &mut SupportPoint, space: Space) -> Result<bool> {
-    match field.key {
-        "name" => point.name = Some(one_line(field)?),
-        "own" => point.curve = CurveParameters::Own(field.tcb()?),
-        "preset" => {
-            let last = limits::PRESETS as i64 - 1;
-            point.curve = CurveParameters::Preset(field.integer_in(0, last)? as u8);
-        }
-        "tangents" => point.tangents = Some(own::tangents(field, space)?),
-        _ => return Ok(false),
-    }
-    Ok(true)
 }
 
 fn orientations_of_new_point(space: Space) -> Result<Vec<Orientation>> {
@@ -493,33 +446,22 @@ fn read_view<'a>(
     space: Space,
     so_far: &mut ReadContext,
 ) -> Result<()> {
-    let mut target_given = false;
-    let mut owned = own::Reader::new(into.own.clone());
+    let mut rows = Rows::default();
+    let mut own: Option<OrientationOverrides> = None;
     for field in fields {
-        if owned.read(field, space, so_far)? {
-            continue;
-        }
-        let Some(row) = find(Orientation::PROPERTIES, field.key) else {
+        if find(OrientationOverrides::PROPERTIES, field.key).is_some() {
+            let own = own.get_or_insert_with(|| OrientationOverrides::clone(&into.own));
+            rows.read(field, OrientationOverrides::PROPERTIES, own, space, so_far)?;
+        } else if !rows.read(field, Orientation::PROPERTIES, into, space, so_far)? {
             return Err(field.unknown(&view_keys().collect::<Vec<_>>()));
-        };
-        match row.key() {
-            "target" => {
-                if std::mem::replace(&mut target_given, true) {
-                    return Err(field.error(Malformed::TargetAndOffset));
-                }
-                let vector = DVec3::from_array(field.numbers()?);
-                into.target = match field.key {
-                    "target" => Target::Absolute(vector),
-                    _ => Target::Relative(vector),
-                };
-                field.checked(into.target.check(position, space))?;
-            }
-            _ => field.plain(row, into)?,
+        } else if matches!(field.key, "target" | "offset") {
+            field.checked(into.target.check(position, space))?;
         }
-        field.checked((row.check)(into, space))?;
     }
     into.roll = wrap_degrees(into.roll);
-    into.own = owned.owned()?;
+    if let Some(read) = own {
+        into.own = Overrides::NOTHING.with(|own| *own = read)?;
+    }
     Ok(())
 }
 
@@ -533,7 +475,12 @@ pub(crate) fn view_keys() -> impl Iterator<Item = &'static str> {
 }
 
 /// The keys of a point, but for its orientations.
-pub(crate) const POINT_KEYS: [&str; 5] = ["name", "position", "preset", "own", "tangents"];
+pub(crate) fn point_keys() -> impl Iterator<Item = &'static str> {
+    SupportPoint::PROPERTIES
+        .iter()
+        .flat_map(|row| row.keys)
+        .copied()
+}
 
 /// Reads each `key = value` of a text as it stands in a file.
 fn read_lines(text: &str, read: impl FnMut(Field<'_>) -> Result<()>) -> Result<()> {
@@ -558,12 +505,11 @@ pub(crate) fn change_view(
 /// Reads `key = value` of a point. Its orientations stay.
 pub(crate) fn change_point(text: &str, into: &mut SupportPoint, space: Space) -> Result<()> {
     read_lines(text, |field| {
-        match field.key {
-            "position" => into.position = field.place_in(space)?,
-            _ if read_point(field, into, space)? => {}
-            _ => return Err(field.unknown(&POINT_KEYS)),
+        let context = &mut ReadContext::default();
+        match Rows::default().read(field, SupportPoint::PROPERTIES, into, space, context)? {
+            true => Ok(()),
+            false => Err(field.unknown(&point_keys().collect::<Vec<_>>())),
         }
-        Ok(())
     })
 }
 

@@ -9,13 +9,11 @@ use super::own::UpPaths;
 use super::{OFF_NAME, VERSION, mesh_source, own, scene_write};
 use crate::error::{EngineError, Result};
 use crate::info::{Info, Object};
-use vides_engine::property::{Property, Value};
+pub(super) use vides_engine::property::Quoted;
+use vides_engine::property::{Kind, Property, Value};
 use vides_engine::tools::check::OFF;
 
-use crate::path::{
-    CameraPath, CurveKind, CurveParameters, Orientation, OrientationMode, Space, SupportPoint,
-    Target, ZoomMode,
-};
+use crate::path::{BaseFrames, CameraPath, Orientation, Space, SupportPoint};
 
 /// The text of a document. Points and orientations omit defaults; mesh files are named relative to
 /// `folder`.
@@ -73,30 +71,14 @@ fn document(out: &mut Text, path: &CameraPath, info: &Info, folder: Option<&Path
 }
 
 pub(super) fn shape_and_modes(out: &mut Text, path: &CameraPath) -> fmt::Result {
-    writeln!(out, "closed = {}", path.closed)?;
-    match path.curve {
-        CurveKind::Tcb => {}
-        CurveKind::Cubic => writeln!(out, "curve = \"cubic\"")?,
-        CurveKind::Linear => writeln!(out, "curve = \"linear\"")?,
-    }
-    let mode = match path.orientation_mode {
-        OrientationMode::Tcb => "tcb",
-        OrientationMode::BarryGoldman => "barry-goldman",
-        OrientationMode::Slerp => "slerp",
-    };
-    let zoom = match path.zoom_mode {
-        ZoomMode::Smooth => "smooth",
-        ZoomMode::Linear => "linear",
-    };
-    writeln!(out, "orientation_mode = \"{mode}\"\nzoom_mode = \"{zoom}\"")
+    let rows = CameraPath::PROPERTIES.iter();
+    let mut plain_ones = rows.filter(|row| matches!(row.kinds, [Kind::Switch | Kind::Choice(_)]));
+    plain_ones.try_for_each(|row| plain(out, row, path, &CameraPath::NEW))
 }
 
 pub(super) fn base_speeds(out: &mut Text, path: &CameraPath) -> fmt::Result {
-    let speeds = path.base_frames;
-    writeln!(out, "move_frames = {:?}", speeds.movement)?;
-    writeln!(out, "turn_frames = {:?}", speeds.turning)?;
-    writeln!(out, "zoom_frames = {:?}", speeds.zoom)?;
-    writeln!(out, "roll_frames = {:?}", speeds.rolling)
+    let mut rows = BaseFrames::PROPERTIES.iter();
+    rows.try_for_each(|row| plain(out, row, &path.base_frames, &BaseFrames::NEW))
 }
 
 pub(super) fn head(out: &mut Text, info: &Info) -> fmt::Result {
@@ -179,14 +161,8 @@ pub(super) fn point<'a>(
     if let Some(name) = &point.name {
         writeln!(out, "name = {}", Quoted(name))?;
     }
-    writeln!(out, "position = {:?}", point.position.to_array())?;
-    match point.curve {
-        CurveParameters::Preset(preset) => writeln!(out, "preset = {preset}")?,
-        CurveParameters::Own(tcb) => writeln!(out, "own = {}", Value::Shape(tcb))?,
-    }
-    if let Some(tangents) = &point.tangents {
-        own::write_tangents(out, tangents)?;
-    }
+    let mut rows = SupportPoint::PROPERTIES.iter().skip(1);
+    rows.try_for_each(|row| plain(out, row, point, &SupportPoint::NEW))?;
     point
         .orientations
         .iter()
@@ -200,60 +176,18 @@ fn orientation<'a>(
     up_paths: &mut UpPaths<'a>,
 ) -> fmt::Result {
     writeln!(out, "\n[[{header}.orientation]]")?;
-    let new = Orientation::default();
-    for row in Orientation::PROPERTIES {
-        match (row.keys.first(), orientation.target) {
-            (Some(&"target"), Target::Absolute(to)) => {
-                writeln!(out, "target = {:?}", to.to_array())?
-            }
-            (Some(&"target"), Target::Relative(to)) => {
-                writeln!(out, "offset = {:?}", to.to_array())?
-            }
-            _ => plain(out, row, orientation, &new)?,
-        }
-    }
-    own::write(out, &orientation.own, up_paths)
+    own::write(out, orientation, up_paths)
 }
 
-/// A property that is not nested, if it is not as in a new one or always stands there.
+/// A property, if it is not as in a new one or always stands there.
 pub(super) fn plain<T>(out: &mut impl Write, row: &Property<T>, of: &T, new: &T) -> fmt::Result {
-    let Some(value) = (row.value)(of) else {
-        return Ok(());
-    };
-    if !row.always && (row.same)(of, new) {
+    if row.keys.is_empty() || !row.always && (row.same)(of, new) {
         return Ok(());
     }
-    writeln!(out, "{} = {value}", row.key())
-}
-
-/// A TOML string; multi-line if the text has several lines.
-pub(super) struct Quoted<'a>(pub(super) &'a str);
-
-impl fmt::Display for Quoted<'_> {
-    fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let lines = self.0.contains('\n');
-        // The line break after the opening quotes is not part of the string.
-        out.write_str(if lines { "\"\"\"\n" } else { "\"" })?;
-        let mut characters = self.0.chars().peekable();
-        while let Some(character) = characters.next() {
-            match character {
-                '\\' => out.write_str("\\\\")?,
-                // A single quote may stand unescaped in a multi-line string.
-                '"' if lines && characters.peek().is_some_and(|&next| next != '"') => {
-                    out.write_char('"')?;
-                }
-                '"' => out.write_str("\\\"")?,
-                '\n' => out.write_char('\n')?,
-                '\t' => out.write_char('\t')?,
-                // Escaped, since editors may change line ends.
-                '\r' => out.write_str("\\r")?,
-                control if control.is_control() => {
-                    write!(out, "\\u{:04X}", u32::from(control))?;
-                }
-                other => out.write_char(other)?,
-            }
-        }
-        out.write_str(if lines { "\"\"\"" } else { "\"" })
+    let value = (row.value)(of);
+    match row.key_of(&value) {
+        Some(key) => writeln!(out, "{key} = {value}"),
+        None => Ok(()),
     }
 }
 
@@ -265,6 +199,7 @@ mod tests {
     use crate::limits;
     use crate::path::Tcb;
     use crate::path::Up;
+    use crate::path::{CurveParameters, Target};
     use crate::path::{
         OrientationOverrides, Overrides, Pace, PacePart, PaceSource, Tangents, TurningPart,
         UpVector, Velocities,

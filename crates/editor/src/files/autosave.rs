@@ -4,7 +4,7 @@ use std::path::Path;
 use std::time::Instant;
 
 use super::recovery::{self, Autosave, Found, Origin, Saved};
-use crate::document::{Document, Edit};
+use crate::document::{At, Document, Edit};
 use crate::error::Result;
 use crate::state::Editor;
 use crate::texts::fill;
@@ -60,7 +60,11 @@ impl Editor {
     pub(crate) fn restore(&mut self, found: &Found) -> Result<()> {
         let mut document = found.document()?;
         if self.fixed_speeds && document.edits_path() {
-            document.apply(Edit::SetBaseFrames(self.document.path().base_frames))?;
+            document.apply(Edit::set(
+                At::Path,
+                "base_speeds",
+                self.document.path().base_frames,
+            ))?;
             document = unsaved_copy(&document)?;
         }
         self.document = document;

@@ -34,7 +34,7 @@ use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use crate::document::tool::ToolInput;
-use crate::document::{Document, Edit, Fingerprint, load_object, save};
+use crate::document::{At, Document, Edit, Fingerprint, load_object, save};
 use crate::error::{EngineError, Error, Result, TooMany};
 use crate::host::Warnings;
 use crate::limits;
@@ -230,7 +230,11 @@ impl Editor {
             return Ok((loaded, warnings));
         }
         if loaded.edits_path() {
-            loaded.apply(Edit::SetBaseFrames(self.document.path().base_frames))?;
+            loaded.apply(Edit::set(
+                At::Path,
+                "base_speeds",
+                self.document.path().base_frames,
+            ))?;
         }
         if !self.document.info().object.is_empty() {
             let mut info = loaded.info().clone();

@@ -1,5 +1,6 @@
 //! Recent files in the File menu.
 
+use crate::document::At;
 use crate::tests::*;
 
 #[test]
@@ -18,7 +19,7 @@ fn recent_files_are_in_the_menu_and_load() {
             window_of(options, SMALL, 1.0, Theme::Dark)
         };
         let mut window = start();
-        let closed = Edit::SetClosed(true);
+        let closed = Edit::set(At::Path, "closed", true);
         window.state_mut().document.apply(closed).unwrap();
         for name in ["one.vid", "two.vid", "sub/one.vid", "gone.vid"] {
             std::fs::create_dir_all(at(name).parent().unwrap()).unwrap();
@@ -52,7 +53,7 @@ fn recent_files_are_in_the_menu_and_load() {
         window
             .state_mut()
             .document
-            .apply(Edit::SetClosed(false))
+            .apply(Edit::set(At::Path, "closed", false))
             .unwrap();
         window.run();
         press(&mut window, Modifiers::ALT, Key::D);

@@ -4,7 +4,7 @@ use std::process::{Child, Command, Stdio};
 use glam::DVec3;
 
 use super::*;
-use crate::document::Edit;
+use crate::document::{At, Edit};
 use crate::{Editor, Folders, Language, Options, Program};
 
 fn document() -> Document {
@@ -14,7 +14,7 @@ fn document() -> Document {
 fn change(document: &mut Document, x: f64) {
     let position = DVec3::new(x, 0.0, 0.5);
     document
-        .apply(Edit::SetPosition { at: 0, position })
+        .apply(Edit::set(At::Point(0), "position", position))
         .unwrap();
 }
 

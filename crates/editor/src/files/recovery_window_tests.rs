@@ -1,5 +1,6 @@
 //! Unsaved work that was left behind is offered at the start.
 
+use crate::document::At;
 use crate::screenshots::screenshot;
 use crate::tests::*;
 
@@ -32,7 +33,7 @@ fn vanish(folder: &std::path::Path, x: f64) {
     let position = DVec3::new(x, 0.0, 0.0);
     editor
         .document
-        .apply(Edit::SetPosition { at: 0, position })
+        .apply(Edit::set(At::Point(0), "position", position))
         .unwrap();
 }
 
@@ -138,7 +139,7 @@ fn work_is_offered_to_the_program_that_it_was_made_in() {
     vanish(folder.path(), 0.5);
     let mut other = start_of(Program::of_tests("other"), Language::English, folder.path());
     assert!(other.state().windows.recovery.is_none());
-    let edit = Edit::SetClosed(true);
+    let edit = Edit::set(At::Path, "closed", true);
     other.state_mut().document.apply(edit).unwrap();
     drop(other);
     assert_eq!(files(folder.path()), 2);
@@ -190,7 +191,7 @@ fn an_idle_window_sleeps() {
         viewport.repaint_delay > std::time::Duration::from_secs(60)
     };
     assert!(sleeps(&window));
-    let edit = Edit::SetClosed(true);
+    let edit = Edit::set(At::Path, "closed", true);
     window.state_mut().document.apply(edit).unwrap();
     window.step();
     window.step();
@@ -215,7 +216,7 @@ fn a_window_that_cannot_keep_its_work_says_so_once() {
             window
                 .state_mut()
                 .document
-                .apply(Edit::SetClosed(closed))
+                .apply(Edit::set(At::Path, "closed", closed))
                 .unwrap();
             window.state_mut().document.mark_unsaved();
             window.step();

@@ -6,8 +6,7 @@ use std::os::unix::ffi::OsStrExt;
 use std::os::unix::fs::PermissionsExt;
 use std::path::Path;
 
-use crate::document::Object;
-use crate::document::ObjectPoint;
+use crate::document::{At, Object, ObjectPoint};
 use crate::tests::*;
 
 /// A window whose file windows begin in this folder.
@@ -385,7 +384,9 @@ fn the_hosts_speeds_and_object_stand() {
     let mut hosts = Document::new();
     let mut speeds = hosts.path().base_frames;
     speeds.movement = 7.0;
-    hosts.apply(Edit::SetBaseFrames(speeds)).expect("possible");
+    hosts
+        .apply(Edit::set(At::Path, "base_speeds", speeds))
+        .expect("possible");
     let mut info = hosts.info().clone();
     let point = ObjectPoint {
         position: DVec3::ONE,

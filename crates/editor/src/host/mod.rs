@@ -15,7 +15,7 @@ use egui::{Area, Button, Context, Id, Order, Pos2, Rect, vec2};
 use glam::DVec3;
 
 use crate::actions::Action;
-use crate::document::{Edit, Object, Selection};
+use crate::document::{At, Edit, Object, Selection};
 use crate::error::{EngineError, OutOfRange, Refused, Result};
 use crate::math::{orientation, view::View};
 use crate::path::{Change, Orientation, Overrides, Pose, Space, Target};
@@ -267,10 +267,7 @@ impl Editor {
                     at: orientation,
                     orientation: taken,
                 },
-                Edit::SetPosition {
-                    at: point,
-                    position,
-                },
+                Edit::set(At::Point(point), "position", position),
             ];
             edits.into_iter().all(|edit| self.edit(edit))
         } else {

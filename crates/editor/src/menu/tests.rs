@@ -3,6 +3,7 @@
 use egui_kittest::kittest::by;
 
 use crate::Request;
+use crate::document::At;
 use crate::tests::*;
 
 #[test]
@@ -416,7 +417,7 @@ fn every_key_stands_in_the_help() {
 fn the_title_begins_with_the_name_and_marks_unsaved_work() {
     let mut editor = Editor::new(options(Language::German)).expect("an editor");
     assert_eq!(editor.window_title(), "VIDES");
-    editor.edit(Edit::SetClosed(true));
+    editor.edit(Edit::set(At::Path, "closed", true));
     assert_eq!(editor.window_title(), "VIDES*");
     editor.file = Some("/tmp/a b.vid".into());
     assert_eq!(editor.window_title(), "VIDES – *a b.vid");
@@ -476,10 +477,7 @@ fn undo_and_redo_say_what() {
             (Edit::AppendAfterLast, steps.insert_point),
             (Edit::RemovePoint { at: 0 }, steps.remove_point),
             (
-                Edit::SetPosition {
-                    at: 0,
-                    position: DVec3::new(0.1, 0.2, 0.3),
-                },
+                Edit::set(At::Point(0), "position", DVec3::new(0.1, 0.2, 0.3)),
                 steps.set_position,
             ),
             (with(at, &key, |key| key.zoom = 55.0), steps.zoom),
@@ -491,13 +489,10 @@ fn undo_and_redo_say_what() {
                 steps.orientation,
             ),
             (
-                Edit::SetOwn {
-                    at: 0,
-                    tcb: Tcb::new(0.5, 0.0, 0.0),
-                },
+                Edit::set(At::Point(0), "own", Tcb::new(0.5, 0.0, 0.0)),
                 steps.curve,
             ),
-            (Edit::SetClosed(true), steps.closed),
+            (Edit::set(At::Path, "closed", true), steps.closed),
             (Edit::SetInfo(Box::new(info)), steps.fps),
             (Edit::Reverse, steps.reverse),
         ];

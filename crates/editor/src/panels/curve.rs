@@ -4,7 +4,7 @@ use egui::{Button, Popup, Response, RichText, Role, Ui, WidgetInfo};
 
 use super::{PanelButton, share};
 use crate::actions::Action;
-use crate::document::Edit;
+use crate::document::{At, Edit};
 use crate::path::CurveKind;
 use crate::space::Joint;
 use crate::state::Editor;
@@ -57,7 +57,7 @@ fn kind(editor: &Editor, ui: &mut Ui, width: f32, actions: &mut Vec<Action>) {
             let (word, hint) = words_of(editor, kind);
             let button = ui.add(Button::selectable(kind == now, word));
             if button.on_hover_text(hint).clicked() && kind != now {
-                actions.push(Action::Edit(Edit::SetCurveKind(kind)));
+                actions.push(Action::Edit(Edit::set(At::Path, "curve", kind)));
             }
         }
     });

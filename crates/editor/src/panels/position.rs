@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::curve::{self, in_place_of_tangents, without_shape, words_of};
 use super::{PanelButton, button_row, heading_with_choice, pager, share, words};
 use crate::actions::Action;
-use crate::document::Edit;
+use crate::document::{At, Edit};
 use crate::limits::PRESETS;
 use crate::number::Number;
 use crate::path::{CurveKind, CurveParameters, Tcb};
@@ -83,8 +83,11 @@ fn presets(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
             let button = button.on_disabled_hover_text(without.unwrap_or_default());
             if button.clicked() {
                 let at = editor.document.selection().point;
-                let preset = preset.into();
-                actions.push(Action::Edit(Edit::UsePreset { at, preset }));
+                actions.push(Action::Edit(Edit::set(
+                    At::Point(at),
+                    "preset",
+                    usize::from(preset),
+                )));
             }
         }
     });
@@ -135,7 +138,7 @@ fn coordinates(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Ac
         ("position", texts.coordinate, texts.coordinate_hint),
         position,
         missing,
-        |position| Ok(Edit::SetPosition { at, position }),
+        |position| Ok(Edit::set(At::Point(at), "position", position)),
         actions,
     );
 }
@@ -229,7 +232,7 @@ fn shape(editor: &Editor, ui: &mut Ui, next: bool, actions: &mut Vec<Action>) {
                 let edit = |value| {
                     let mut tcb = tcb;
                     *part(&mut tcb) = value;
-                    Edit::SetOwn { at, tcb }
+                    Edit::set(At::Point(at), "own", tcb)
                 };
                 actions.push(Action::Enter(entry.map(edit)));
             }

@@ -2,7 +2,7 @@
 
 use egui_kittest::kittest::NodeT as _;
 
-use crate::document::Selection;
+use crate::document::{At, Selection};
 use crate::limits;
 use crate::path::{CurveParameters, Tcb, Up, UpVector};
 use crate::tests::*;
@@ -252,7 +252,7 @@ fn bias_continuity_and_tension_of_this_point_and_the_next_are_shown() {
     for name in ["Bias (b2)", "Continuity (c2)", "Tension (t2)"] {
         assert_eq!(value(&window, name), "–");
     }
-    window.state_mut().edit(Edit::SetClosed(true));
+    window.state_mut().edit(Edit::set(At::Path, "closed", true));
     window.run();
     assert_eq!(value(&window, "Bias (b2)"), "0,00");
 }
@@ -631,10 +631,9 @@ fn a_presets_shape_is_told_in_words() {
     ] {
         let mut window = large(language);
         let texts = language.texts();
-        let edit = Edit::SetPreset {
-            preset: 2,
-            tcb: Tcb::new(-0.25, 0.0, -1.0),
-        };
+        let mut presets = window.state().document.path().presets;
+        presets[2] = Tcb::new(-0.25, 0.0, -1.0);
+        let edit = Edit::set(At::Path, "presets", presets);
         window.state_mut().edit(edit);
         click(&mut window, texts.position.choice);
         for (preset, words) in [1, 5, 7, 9].into_iter().zip(words) {

@@ -7,6 +7,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
 use super::*;
+use crate::document::At;
 use crate::path::Pose;
 use crate::space::tests::{
     editor, image, motion, press, pyramid, pyramid_window, release, tap, window,
@@ -24,7 +25,7 @@ fn marks_lie_where_the_sampler_puts_the_keys() {
     for closed in [false, true] {
         let mut document = pyramid();
         document
-            .apply(crate::document::Edit::SetClosed(closed))
+            .apply(crate::document::Edit::set(At::Path, "closed", closed))
             .unwrap();
         let mut marks = Marks::default();
         marks.update(&document).unwrap();

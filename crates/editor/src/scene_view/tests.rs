@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use egui_kittest::kittest::Queryable;
 use vides_engine::scene::{Extrapolation, FollowPath, Kind, Mesh, Node, Object, Scene, Track};
 
-use crate::document::{Document, Edit};
+use crate::document::{At, Document, Edit};
 use crate::path::CameraPath;
 use crate::raster::Lines;
 use crate::screenshots::screenshot;
@@ -182,7 +182,7 @@ fn what_is_in_a_node_is_drawn_around_its_path() {
     let at = window.state().document().path().points[0].position;
     let position = at + glam::DVec3::new(0.0, 0.25, 0.0);
     let before = wires(window.state());
-    let edit = Edit::SetPosition { at: 0, position };
+    let edit = Edit::set(At::Point(0), "position", position);
     window.state_mut().document_mut().apply(edit).unwrap();
     let after = wires(window.state());
     for (before, after) in before.iter().flatten().zip(after.iter().flatten()) {

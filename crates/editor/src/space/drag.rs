@@ -5,7 +5,7 @@ use glam::{DVec2, DVec3};
 use super::projection::{Axis, EDGE_ON, Projection};
 use super::scene::FLOOR_CELLS;
 use super::tangents::{self, Joint, Side};
-use crate::document::{Document, Edit, Selection, no_longer_ahead};
+use crate::document::{At, Document, Edit, Selection, no_longer_ahead};
 use crate::math::orientation;
 use crate::path::{Orientation, Target, UpVector, ahead};
 
@@ -149,7 +149,7 @@ pub(super) fn outcome(
                 return Outcome::Nothing;
             };
             let to = follow(projection, point.position, motion, cube);
-            to.map(|position| Edit::SetPosition { at, position })
+            to.map(|position| Edit::set(At::Point(at), "position", position))
         }
         Handle::Tangent(side) => {
             let Some(tip) = tangents::tip(document, side) else {
@@ -314,7 +314,9 @@ mod tests {
             if at >= 2 {
                 document.apply(Edit::InsertPoint { at, position }).unwrap();
             } else {
-                document.apply(Edit::SetPosition { at, position }).unwrap();
+                document
+                    .apply(Edit::set(At::Point(at), "position", position))
+                    .unwrap();
             }
         }
         document.select(0, 0).unwrap();
@@ -571,7 +573,7 @@ mod tests {
         ];
         for up in ups {
             let mut document = document(&positions, Target::Relative(DVec3::NEG_Z));
-            let cubic = Edit::SetCurveKind(crate::path::CurveKind::Cubic);
+            let cubic = Edit::set(At::Path, "curve", crate::path::CurveKind::Cubic);
             document.apply(cubic).unwrap();
             for (point, ahead) in [(0, None), (1, Some(0.0)), (2, None)] {
                 let orientation = Orientation {

@@ -4,11 +4,12 @@ use glam::DVec3;
 
 use super::drag::Handle;
 use super::tangents::Side;
-use crate::document::Edit;
+use crate::document::{At, Edit};
 use crate::number::decimals;
 use crate::path::Target;
 use crate::state::Editor;
 use crate::texts::fill;
+use vides_engine::property::Value;
 
 /// A part of a drag, by mouse or keys; a whole drag is one step of the history.
 #[derive(Clone, Debug, PartialEq)]
@@ -71,7 +72,12 @@ impl Editor {
 
     /// Limits a motion of the selection to the movement space; a point outside goes no farther out.
     fn kept_within(&mut self, mut edit: Edit) -> Edit {
-        let Edit::SetPosition { at, position } = &mut edit else {
+        let Edit::Set {
+            place: At::Point(at),
+            value: Value::Place(position),
+            ..
+        } = &mut edit
+        else {
             return edit;
         };
         if self.several().is_some() {

@@ -10,7 +10,7 @@ use super::pointer::{PointerController, WHEEL, resized};
 use super::projection::{Axis, Projection};
 use super::projection_of;
 use crate::actions::{Action, step_around};
-use crate::document::{Edit, Selection};
+use crate::document::{At, Edit, Selection};
 use crate::setup::{CameraPlace, View};
 use crate::state::Editor;
 
@@ -173,10 +173,11 @@ fn nudge(
     match what {
         Handle::Vpn => drag::current_tip(&editor.document)
             .and_then(|tip| drag::move_target(&editor.document, moved(tip))),
-        _ => Some(Edit::SetPosition {
-            at: editor.document.selection().point,
-            position: moved(point.position),
-        }),
+        _ => Some(Edit::set(
+            At::Point(editor.document.selection().point),
+            "position",
+            moved(point.position),
+        )),
     }
 }
 

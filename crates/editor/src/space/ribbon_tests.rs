@@ -8,7 +8,7 @@ use super::super::projection::tests::{view, viewport};
 use super::super::scene::tests::{Eye, document, edit};
 use super::super::tests::pyramid;
 use super::*;
-use crate::document::Edit;
+use crate::document::{At, Edit};
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(32))]
@@ -53,7 +53,9 @@ fn the_ribbon_of_a_long_path_is_thinned() {
     let mut document = pyramid();
     let mut speeds = document.path().base_frames;
     speeds.movement = 5000.0;
-    document.apply(Edit::SetBaseFrames(speeds)).unwrap();
+    document
+        .apply(Edit::set(At::Path, "base_speeds", speeds))
+        .unwrap();
     let mut ribbon = Ribbon::default();
     ribbon.update(&document).unwrap();
     let sampler = document.sampler().unwrap();
@@ -81,10 +83,7 @@ fn the_ribbon_changes_only_where_the_path_does() {
     let before: Vec<_> = ribbon.poses().collect();
     let at = document.path().points[0].position + DVec3::new(0.05, 0.03, 0.0);
     document
-        .apply(Edit::SetPosition {
-            at: 0,
-            position: at,
-        })
+        .apply(Edit::set(At::Point(0), "position", at))
         .unwrap();
     ribbon.update(&document).unwrap();
     let after: Vec<_> = ribbon.poses().collect();

@@ -5,8 +5,9 @@ use proptest::prelude::*;
 
 use super::super::projection::tests::{view, viewport};
 use super::*;
-use crate::document::Edit;
+use crate::document::{At, Edit};
 use crate::path::SupportPoint;
+use crate::path::camera_path::DEFAULT_PRESETS;
 use crate::setup::View;
 
 pub(in crate::space) struct Eye {
@@ -53,21 +54,25 @@ pub(in crate::space) fn document(count: usize) -> Document {
 pub(in crate::space) fn edit(count: usize) -> impl Strategy<Value = Edit> {
     let position = || prop::array::uniform3(-1.4..1.4f64).prop_map(DVec3::from_array);
     prop_oneof![
-        4 => (0..count, position()).prop_map(|(at, position)| Edit::SetPosition { at, position }),
-        1 => (0..count, -1.0..1.0f64).prop_map(|(at, t)| Edit::SetOwn { at, tcb: Tcb::new(t, 0.0, t) }),
-        1 => (0..count, 0..10usize).prop_map(|(at, preset)| Edit::UsePreset { at, preset }),
+        4 => (0..count, position()).prop_map(|(at, position)| Edit::set(At::Point(at), "position", position)),
+        1 => (0..count, -1.0..1.0f64).prop_map(|(at, t)| Edit::set(At::Point(at), "own", Tcb::new(t, 0.0, t))),
+        1 => (0..count, 0..10usize).prop_map(|(at, preset)| Edit::set(At::Point(at), "preset", preset)),
         1 => (0..10usize, -1.0..1.0f64)
-            .prop_map(|(preset, b)| Edit::SetPreset { preset, tcb: Tcb::new(0.0, 0.0, b) }),
+            .prop_map(|(preset, b)| {
+                let mut presets = DEFAULT_PRESETS;
+                presets[preset].bias = b;
+                Edit::set(At::Path, "presets", presets)
+            }),
         1 => (0..count, position()).prop_map(|(at, position)| Edit::InsertPoint { at, position }),
         1 => (0..count).prop_map(|at| Edit::RemovePoint { at }),
-        1 => any::<bool>().prop_map(Edit::SetClosed),
+        1 => any::<bool>().prop_map(|value| Edit::set(At::Path, "closed", value)),
         1 => Just(Edit::AppendAfterLast),
         1 => (0..count, prop::option::of((position(), position()))).prop_map(|(at, own)| {
             let tangents = own.map(|(before, after)| Tangents { before, after });
-            Edit::SetTangents { at, tangents }
+            Edit::set(At::Point(at), "tangents", tangents)
         }),
         1 => (0..3usize).prop_map(|kind| {
-            Edit::SetCurveKind([CurveKind::Tcb, CurveKind::Cubic, CurveKind::Linear][kind])
+            Edit::set(At::Path, "curve", [CurveKind::Tcb, CurveKind::Cubic, CurveKind::Linear][kind])
         }),
     ]
 }
@@ -155,7 +160,9 @@ fn moved_points_make_only_what_lies_around_them(count: usize, size: usize) {
     let middle = size / 2;
     for (at, chunks) in [(middle, 1), (64, 2), (127, 2), (0, 1), (count - 1, 1)] {
         let position = DVec3::splat(0.3);
-        document.apply(Edit::SetPosition { at, position }).unwrap();
+        document
+            .apply(Edit::set(At::Point(at), "position", position))
+            .unwrap();
         scene.update(&document, &eye.look()).unwrap();
         assert_eq!(scene.made, chunks, "point {at}");
     }
@@ -178,10 +185,7 @@ fn of_colour(scene: &PathLines, color: Color32) -> usize {
 #[test]
 fn each_element_is_shown_in_its_own_colour_and_can_be_hidden() {
     let mut document = document(4);
-    let outside = Edit::SetPosition {
-        at: 1,
-        position: DVec3::new(1.3, 0.0, 0.0),
-    };
+    let outside = Edit::set(At::Point(1), "position", DVec3::new(1.3, 0.0, 0.0));
     document.apply(outside).unwrap();
     let object = vec![
         crate::document::ObjectPoint {
@@ -223,7 +227,9 @@ fn what_leaves_the_cube_is_marked_and_nothing_else() {
     let mut document = document(2);
     for (at, x) in [(0, -1.5), (1, 1.5)] {
         let position = DVec3::new(x, 0.0, 0.0);
-        document.apply(Edit::SetPosition { at, position }).unwrap();
+        document
+            .apply(Edit::set(At::Point(at), "position", position))
+            .unwrap();
     }
     let eye = Eye::new(&View::default());
     let mut scene = PathLines::default();
@@ -259,7 +265,7 @@ fn the_last_point_of_an_open_path_begins_no_segment() {
     assert!(has_segment(&document));
     document.select(2, 0).unwrap();
     assert!(!has_segment(&document));
-    document.apply(Edit::SetClosed(true)).unwrap();
+    document.apply(Edit::set(At::Path, "closed", true)).unwrap();
     assert!(has_segment(&document));
 }
 
@@ -268,7 +274,9 @@ fn points_far_outside_cost_little() {
     let mut document = document(2);
     for (at, x) in [(0, -1e9), (1, 1e9)] {
         let position = DVec3::new(x, 0.1, 0.2);
-        document.apply(Edit::SetPosition { at, position }).unwrap();
+        document
+            .apply(Edit::set(At::Point(at), "position", position))
+            .unwrap();
     }
     document
         .apply(Edit::InsertPoint {

@@ -9,6 +9,7 @@ use super::tests::{
     tap, text, tips, viewport, window,
 };
 use super::*;
+use crate::document::At;
 use crate::path::CurveParameters;
 use crate::screenshots::screenshot;
 use crate::selected::SelectionChange;
@@ -297,7 +298,7 @@ fn fields_and_buttons_change_all() {
     harness.state_mut().document.undo();
     choose(&mut harness, &[0, 1, 3]);
     let context = harness.ctx.clone();
-    let edit = crate::document::Edit::UsePreset { at: 0, preset: 4 };
+    let edit = crate::document::Edit::set(At::Point(0), "preset", 4);
     harness.state_mut().act(Action::Edit(edit), &context);
     for at in [0, 1, 3] {
         let curve = harness.state().document.path().points[at].curve;

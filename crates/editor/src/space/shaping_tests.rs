@@ -11,8 +11,8 @@ use super::tests::{
     window,
 };
 use super::*;
-use crate::document::Edit;
 use crate::document::tool::tools;
+use crate::document::{At, Edit};
 use crate::screenshots::screenshot;
 use crate::texts::Language;
 
@@ -161,7 +161,7 @@ fn a_line_that_is_drawn_becomes_a_path() {
     let mut harness = pyramid_window();
     // As deep as the middle of the space, so that no face of it is near.
     let position = DVec3::new(0.1, 0.05, -0.1);
-    let edit = Edit::SetPosition { at: 0, position };
+    let edit = Edit::set(At::Point(0), "position", position);
     let document = &mut harness.state_mut().document;
     document.apply(edit).unwrap();
     *document = Document::from_toml(&document.to_toml().unwrap()).unwrap();

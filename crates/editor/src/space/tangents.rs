@@ -5,7 +5,7 @@ use glam::DVec3;
 
 use super::scene::Look;
 use super::strokes::Strokes;
-use crate::document::{Document, Edit};
+use crate::document::{At, Document, Edit};
 use crate::path::{Tangents, curve};
 use crate::raster::Lines;
 use crate::setup::Element;
@@ -137,7 +137,7 @@ pub(super) fn moved(document: &Document, side: Side, to: DVec3, joint: Joint) ->
             after: led,
         },
     });
-    Some(Edit::SetTangents { at, tangents })
+    Some(Edit::set(At::Point(at), "tangents", tangents))
 }
 
 pub(super) fn show(document: &Document, look: &Look<'_>) -> Lines {
@@ -172,10 +172,7 @@ impl Editor {
         let changed = selected.filter_map(|at| {
             let old = path.points.get(at)?.tangents?;
             let new = joint.of(old);
-            (new != old).then_some(Edit::SetTangents {
-                at,
-                tangents: Some(new),
-            })
+            (new != old).then_some(Edit::set(At::Point(at), "tangents", Some(new)))
         });
         let changed: Vec<Edit> = changed.collect();
         if changed.is_empty() || self.edit_all(changed) {
@@ -187,9 +184,12 @@ impl Editor {
     pub(crate) fn set_own_tangents(&mut self, own: bool) {
         let path = self.document.path();
         let selected = self.all_selected().into_iter();
-        let edits = selected.map(|at| Edit::SetTangents {
-            at,
-            tangents: own.then(|| curve::tangents(path, at)),
+        let edits = selected.map(|at| {
+            Edit::set(
+                At::Point(at),
+                "tangents",
+                own.then(|| curve::tangents(path, at)),
+            )
         });
         let edits: Vec<Edit> = edits.collect();
         self.edit_all(edits);

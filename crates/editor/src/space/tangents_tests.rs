@@ -9,7 +9,7 @@ use super::tests::{
     editor, hold, image, key, message, motion, press, pyramid, release, shown, tap, text, window,
 };
 use super::*;
-use crate::document::Edit;
+use crate::document::{At, Edit};
 use crate::path::{CurveKind, CurveParameters, Tangents, UpVector, curve};
 use crate::screenshots::screenshot;
 use crate::setup::Theme;
@@ -42,7 +42,7 @@ fn with_tangents(language: Language) -> Window {
         before: old.before / 2.0,
         after: old.after,
     });
-    let edit = Edit::SetTangents { at: AT, tangents };
+    let edit = Edit::set(At::Point(AT), "tangents", tangents);
     harness.state_mut().document.apply(edit).unwrap();
     harness.run();
     harness
@@ -114,10 +114,11 @@ fn a_point_owns_the_tangents_that_it_has_and_no_bit_of_the_curve_changes() {
             CurveParameters::Preset(preset) => usize::from(preset),
             CurveParameters::Own(_) => 0,
         };
-        let action = Action::Edit(Edit::UsePreset {
-            at: harness.state().document.selection().point,
-            preset: used,
-        });
+        let action = Action::Edit(Edit::set(
+            At::Point(harness.state().document.selection().point),
+            "preset",
+            used,
+        ));
         let context = harness.ctx.clone();
         harness.state_mut().act(action, &context);
         assert_eq!(harness.state().point().unwrap().tangents, None);
@@ -378,7 +379,7 @@ fn an_open_path_has_a_handle_at_its_ends_where_the_curve_is() {
                 after: far,
             },
         });
-        let edit = Edit::SetTangents { at, tangents };
+        let edit = Edit::set(At::Point(at), "tangents", tangents);
         harness.state_mut().document.apply(edit).unwrap();
         harness.state_mut().setup.view.size = 0.5;
         harness.run();

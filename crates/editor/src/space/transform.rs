@@ -14,7 +14,7 @@ use super::scene::Look;
 use super::strokes::Strokes;
 use super::typed::Typed;
 use crate::actions::Action;
-use crate::document::Edit;
+use crate::document::{At, Edit};
 use crate::number::decimals;
 use crate::raster::Lines;
 use crate::setup::Element;
@@ -198,7 +198,10 @@ impl Transform {
             Kind::Move => {
                 let (at, from) = self.current;
                 let position = from + self.moved(projection);
-                Gesture::Move(Handle::Point(at), Edit::SetPosition { at, position })
+                Gesture::Move(
+                    Handle::Point(at),
+                    Edit::set(At::Point(at), "position", position),
+                )
             }
             Kind::Turn | Kind::Scale => {
                 let to_middle = DMat4::from_translation(-self.middle);

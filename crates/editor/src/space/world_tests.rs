@@ -9,7 +9,7 @@ use image::RgbaImage;
 use super::projection::tests::{in_cube, view};
 use super::tests::{editor, hold, image, motion, press, pyramid, release, viewport, window};
 use super::*;
-use crate::document::{Edit, ObjectPoint};
+use crate::document::{At, Edit, ObjectPoint};
 use crate::path::space::Move;
 use crate::path::{Space, Up};
 use crate::screenshots::screenshot;
@@ -137,7 +137,7 @@ fn keys_and_fields_count_in_the_space() {
         };
         let mut document = carried(space);
         let position = DVec3::new(at, 0.0, 0.0);
-        let edit = Edit::SetPosition { at: 3, position };
+        let edit = Edit::set(At::Point(3), "position", position);
         document.apply(edit).unwrap();
         let mut harness = window(
             editor(document, Language::English),
@@ -165,7 +165,7 @@ fn fields_of_a_far_space_show_a_thousandth_of_it() {
     for (half_size, shown_as) in [(1e-6, "0.000999750"), (1.0, "999.750"), (1e6, "999750000")] {
         let mut document = carried(far_away(half_size));
         let position = DVec3::new(999.75, -700.25, 300.5) * half_size;
-        let edit = Edit::SetPosition { at: 3, position };
+        let edit = Edit::set(At::Point(3), "position", position);
         document.apply(edit).unwrap();
         let editor = editor(document, Language::English);
         let mut harness = window(editor, vec2(1200.0, 800.0), 1.0);

@@ -1,6 +1,7 @@
 //! Shortcuts and numbers by the keyboard: who gets which key.
 
 use super::*;
+use crate::document::At;
 
 #[test]
 fn a_number_takes_comma_and_point_and_refuses_the_rest() {
@@ -44,10 +45,9 @@ fn escape_leaves_the_old_value() {
 fn a_value_that_was_not_touched_keeps_every_digit() {
     let mut window = window(Language::German);
     let odd = DVec3::new(0.123_456_789_012, 0.2, 0.8);
-    window.state_mut().edit(Edit::SetPosition {
-        at: 0,
-        position: odd,
-    });
+    window
+        .state_mut()
+        .edit(Edit::set(At::Point(0), "position", odd));
     window.run();
     window.get_by_label("Position x").click();
     window.run();

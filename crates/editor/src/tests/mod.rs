@@ -13,7 +13,7 @@ pub(crate) use egui_kittest::kittest::Queryable;
 pub(crate) use glam::DVec3;
 
 pub(crate) use self::manual::tip;
-pub(crate) use crate::document::{Document, Edit};
+pub(crate) use crate::document::{At, Document, Edit};
 pub(crate) use crate::path::{Orientation, Pose, Target};
 pub(crate) use crate::setup::Theme;
 pub(crate) use crate::texts::fill;
@@ -206,7 +206,7 @@ pub(crate) fn some_points() -> Document {
         points: 4,
     });
     for (at, position) in all.into_iter().enumerate() {
-        done(Edit::SetPosition { at, position });
+        done(Edit::set(At::Point(at), "position", position));
         let mut orientation = Orientation {
             target: Target::Absolute(DVec3::new(0.0, 0.15, 0.0)),
             ..Orientation::default()
@@ -220,7 +220,7 @@ pub(crate) fn some_points() -> Document {
             orientation,
         });
     }
-    done(Edit::UsePreset { at: 3, preset: 5 });
+    done(Edit::set(At::Point(3), "preset", 5));
     for x in [0.3, 0.6] {
         let target = Target::Absolute(DVec3::new(x, 0.0, -0.2));
         let orientation = Some(Orientation {

@@ -53,6 +53,7 @@ german! {
         NoPathOf(node) => "der Knoten „{node}“ folgt keiner Bahn";
         NoProperty(name) =>
             "die Eigenschaft „{name}“ gibt es nicht; ein Name ist ein Schlüssel der Datei oder beginnt mit point.N.";
+        NotOfKind(name, kind) => "die Eigenschaft „{name}“ lässt sich so nicht setzen; sie ist: {kind}";
         NoScene => "es gibt keine Szene, nur eine Bahn";
         NoFile => "dieser Pfad hat noch keine Datei";
         FileChanged => "ein anderes Programm hat die Datei geändert, seit sie hier gelesen oder geschrieben wurde";

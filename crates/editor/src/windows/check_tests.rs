@@ -1,6 +1,6 @@
 use egui_kittest::kittest::NodeT;
 
-use crate::document::Selection;
+use crate::document::{At, Selection};
 use crate::screenshots::screenshot;
 use crate::tests::*;
 
@@ -9,7 +9,7 @@ fn wild() -> Document {
     let mut document = some_points();
     let position = DVec3::new(0.6, 0.3, -1.2);
     document
-        .apply(Edit::SetPosition { at: 3, position })
+        .apply(Edit::set(At::Point(3), "position", position))
         .unwrap();
     let few = Edit::FitFrames {
         first: 0,
@@ -81,7 +81,7 @@ fn it_follows_each_change_but_not_while_something_is_dragged() {
     let position = DVec3::new(0.6, 0.3, -0.9);
     window
         .state_mut()
-        .edit(Edit::SetPosition { at: 3, position });
+        .edit(Edit::set(At::Point(3), "position", position));
     window.run();
     let of = |window: &Window| window.state().document.check(None).unwrap();
     assert_eq!(

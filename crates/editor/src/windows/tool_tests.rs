@@ -1,8 +1,8 @@
 use egui_kittest::kittest::NodeT;
 use glam::DVec3;
 
-use crate::document::Edit;
 use crate::document::tool::{Needs, tools};
+use crate::document::{At, Edit};
 use crate::files::Purpose;
 use crate::path::CameraPath;
 use crate::screenshots::screenshot;
@@ -306,7 +306,7 @@ fn a_path_is_blended_with_one_from_a_file() {
     for at in 0..other.path().points.len() {
         let position = other.path().points[at].position + moved;
         other
-            .apply(Edit::SetPosition { at, position })
+            .apply(Edit::set(At::Point(at), "position", position))
             .expect("moved");
     }
     other.save(&file).expect("written");

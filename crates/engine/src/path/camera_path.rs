@@ -9,7 +9,9 @@ use super::up_vector::check_ups;
 use crate::error::{Error, Invalid, OutOfRange, Place, Quantity, Result, TooMany, vec_with_room};
 use crate::limits;
 use crate::math::orientation;
-use crate::property::{Check, Row, SameBits, Stored, Unit, properties};
+use crate::property::{
+    Affects, Check, Copied, Kind, Row, SameBits, Stored, Unit, Value, choices, properties,
+};
 
 /// Tension, continuity and bias, each in [−1, 1] (Kochanek and Bartels 1984;
 /// thesis 3.6.2, where tension is called a).
@@ -54,6 +56,50 @@ pub enum CurveParameters {
     Own(Tcb),
 }
 
+impl SameBits for CurveParameters {
+    fn same_bits(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Preset(a), Self::Preset(b)) => a == b,
+            (Self::Own(a), Self::Own(b)) => a.same_bits(b),
+            _ => false,
+        }
+    }
+}
+
+impl Stored for CurveParameters {
+    const KINDS: &'static [Kind] = &[Kind::Whole, Kind::Shape];
+    const RANGE: Option<(f64, f64)> = Some((0.0, (limits::PRESETS - 1) as f64));
+    fn value(self) -> Value {
+        match self {
+            Self::Preset(preset) => Value::Whole(preset.into()),
+            Self::Own(tcb) => Value::Shape(tcb),
+        }
+    }
+    fn of(value: Value) -> Option<Self> {
+        match value {
+            Value::Whole(preset) => Some(Self::Preset(preset.try_into().unwrap_or(u8::MAX))),
+            Value::Shape(tcb) => Some(Self::Own(tcb)),
+            _ => None,
+        }
+    }
+}
+
+impl CurveParameters {
+    /// A preset that there is, or values of its own in range.
+    ///
+    /// # Errors
+    /// [`crate::Error::Range`].
+    pub fn check(self) -> Result<()> {
+        match self {
+            Self::Preset(preset) if usize::from(preset) >= limits::PRESETS => {
+                Err(OutOfRange::NoPreset(preset.into()).into())
+            }
+            Self::Preset(_) => Ok(()),
+            Self::Own(tcb) => tcb.check(),
+        }
+    }
+}
+
 /// What the camera of an orientation looks at (thesis A.4.2).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Target {
@@ -74,7 +120,22 @@ impl SameBits for Target {
     }
 }
 
-impl Stored for Target {}
+impl Stored for Target {
+    const KINDS: &'static [Kind] = &[Kind::Place, Kind::Vector];
+    fn value(self) -> Value {
+        match self {
+            Self::Absolute(target) => Value::Place(target),
+            Self::Relative(offset) => Value::Vector(offset),
+        }
+    }
+    fn of(value: Value) -> Option<Self> {
+        match value {
+            Value::Place(target) => Some(Self::Absolute(target)),
+            Value::Vector(offset) => Some(Self::Relative(offset)),
+            _ => None,
+        }
+    }
+}
 
 impl Target {
     /// The vector from a camera at `position`, its support point, to the target.
@@ -109,12 +170,17 @@ properties! {
     /// One camera orientation at a support point.
     pub struct Orientation {
         /// What the camera looks at.
-        pub target: Target = Target::Relative(FIRST_OFFSET) => Row::new(&["target", "offset"]),
+        pub target: Target = Target::Relative(FIRST_OFFSET) => Row {
+            always: true,
+            affects: Affects::Frames,
+            ..Row::new(&["target", "offset"])
+        },
         /// Degrees in (−180, 180]: turns VUP about VPN.
         pub roll: f64 = 0.0 => Row {
             unit: Unit::Degrees,
             check: Check::Finite(Quantity::Roll),
             always: true,
+            affects: Affects::Frames,
             ..Row::new(&["roll_degrees"])
         },
         /// The focal length of a camera with a picture of 36×24 mm.
@@ -122,22 +188,26 @@ properties! {
             unit: Unit::Millimetres,
             check: Check::Between(Quantity::Zoom, limits::MIN_ZOOM, limits::MAX_ZOOM),
             always: true,
+            affects: Affects::Frames,
             ..Row::new(&["zoom_mm"])
         },
         /// Tension, continuity and bias of the turning.
         pub turning: Tcb = Tcb::new(0.0, 0.0, 0.0) => Row {
             check: Check::By(|tcb, _| tcb.check()),
+            affects: Affects::Views,
             ..Row::new(&["turning"])
         },
         /// Frames that the camera rests here before it goes on.
         pub hold: u32 = 0 => Row {
             unit: Unit::Frames,
             check: Check::UpTo(limits::MAX_HOLD, || OutOfRange::Hold),
+            affects: Affects::Frames,
             ..Row::new(&["hold_frames"])
         },
         /// The speed curve of the section that begins here, each 1…100.
         pub speeds: [f64; limits::SPEEDS] = [limits::BASE_SPEED; limits::SPEEDS] => Row {
             check: Check::By(|speeds, _| speeds.iter().try_for_each(|&speed| check_curve_speed(speed))),
+            affects: Affects::Frames,
             ..Row::new(&["speed_curve"])
         },
         /// What it has beyond that, if anything.
@@ -182,19 +252,41 @@ impl Orientation {
     }
 }
 
-/// A support point: a key position of the curve with its orientations.
-#[derive(Debug, Clone, PartialEq)]
-pub struct SupportPoint {
-    /// World coordinates, at most [`limits::MAX_COORDINATE`] half sizes from the space's centre.
-    pub position: DVec3,
-    /// A name for people; the engine does not read it.
-    pub name: Option<String>,
-    /// Shape of the curve through this point.
-    pub curve: CurveParameters,
-    /// Tangents of its own, in place of those by the curve's kind and shape.
-    pub tangents: Option<Tangents>,
-    /// 1…[`limits::MAX_ORIENTATIONS`] orientations in the order they are taken.
-    pub orientations: Vec<Orientation>,
+properties! {
+    /// A support point: a key position of the curve with its orientations.
+    pub struct SupportPoint {
+        /// A name for people; the engine does not read it.
+        pub name: Option<String> = None => Row {
+            check: Check::By(|name, _| name.as_deref().map_or(Ok(()), check_name)),
+            affects: Affects::Nothing,
+            // Names identify a point.
+            copied: Copied::Nowhere,
+            ..Row::new(&["name"])
+        },
+        /// World coordinates, at most [`limits::MAX_COORDINATE`] half sizes from the space's centre.
+        pub position: DVec3 = DVec3::ZERO => Row {
+            unit: Unit::Length,
+            check: Check::By(|place, space| space.check_place(*place)),
+            always: true,
+            copied: Copied::Nowhere,
+            ..Row::new(&["position"])
+        },
+        /// Shape of the curve through this point: the number of a preset, or its own.
+        pub curve: CurveParameters = CurveParameters::Preset(0) => Row {
+            check: Check::By(|curve, _| curve.check()),
+            always: true,
+            ..Row::new(&["preset", "own"])
+        },
+        /// Tangents of its own, in place of those by the curve's kind and shape.
+        pub tangents: Option<Tangents> = None => Row {
+            unit: Unit::Length,
+            check: Check::By(|tangents, space| tangents.map_or(Ok(()), |own| own.check(space))),
+            copied: Copied::Nowhere,
+            ..Row::new(&["tangents"])
+        },
+        /// 1…[`limits::MAX_ORIENTATIONS`] orientations in the order they are taken.
+        pub orientations: Vec<Orientation> = Vec::new() => Row::new(&[]),
+    }
 }
 
 impl SupportPoint {
@@ -212,13 +304,7 @@ impl SupportPoint {
     #[doc(hidden)]
     #[must_use]
     pub const fn nowhere() -> Self {
-        Self {
-            position: DVec3::ZERO,
-            name: None,
-            curve: CurveParameters::Preset(0),
-            tangents: None,
-            orientations: Vec::new(),
-        }
+        Self::NEW
     }
 
     /// As [`SupportPoint::new`] where memory may run out.
@@ -244,84 +330,112 @@ impl SupportPoint {
     }
 }
 
-/// The four base speeds (thesis B.2.2): frames for one unit of change at speed 50, finite and > 0.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct BaseFrames {
-    /// `move_speed`: frames for a way of one half size of the space.
-    pub movement: f64,
-    /// `orient_speed`: frames for turning the view by 180°.
-    pub turning: f64,
-    /// `zoom_speed`: frames for the zoom from 1 to 100.
-    pub zoom: f64,
-    /// `winkel_speed`: frames for rolling by 90°.
-    pub rolling: f64,
+properties! {
+    /// The four base speeds (thesis B.2.2): frames for one unit of change at speed 50, finite and > 0.
+    #[derive(Copy)]
+    pub struct BaseFrames {
+        /// `move_speed`: frames for a way of one half size of the space.
+        pub movement: f64 = 100.0 => base_speed(&["move_frames"]),
+        /// `orient_speed`: frames for turning the view by 180°.
+        pub turning: f64 = 100.0 => base_speed(&["turn_frames"]),
+        /// `zoom_speed`: frames for the zoom from 1 to 100.
+        pub zoom: f64 = 100.0 => base_speed(&["zoom_frames"]),
+        /// `winkel_speed`: frames for rolling by 90°.
+        pub rolling: f64 = 100.0 => base_speed(&["roll_frames"]),
+    }
+}
+
+const fn base_speed(keys: &'static [&'static str]) -> Row<f64> {
+    Row {
+        unit: Unit::Frames,
+        check: Check::By(|speed, _| check_base_speed(*speed)),
+        always: true,
+        affects: Affects::Frames,
+        ..Row::new(keys)
+    }
 }
 
 impl Default for BaseFrames {
     /// 100 each, as in the host program of Anhang C.
     fn default() -> Self {
-        Self {
-            movement: 100.0,
-            turning: 100.0,
-            zoom: 100.0,
-            rolling: 100.0,
-        }
+        Self::NEW
     }
 }
 
-/// How the camera turns between its orientations (`docs/path.md`, orientation curve).
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum OrientationMode {
-    /// Cubic spherical Bézier curve with limited angular velocities.
-    #[default]
-    Tcb,
-    /// Barry and Goldman's curve with knots at the times (thesis 4.4.4).
-    BarryGoldman,
-    /// Great arcs from key to key.
-    Slerp,
+choices! {
+    /// How the camera turns between its orientations (`docs/path.md`, orientation curve).
+    pub enum OrientationMode {
+        /// Cubic spherical Bézier curve with limited angular velocities.
+        #[default]
+        Tcb = "tcb",
+        /// Barry and Goldman's curve with knots at the times (thesis 4.4.4).
+        BarryGoldman = "barry-goldman",
+        /// Great arcs from key to key.
+        Slerp = "slerp",
+    }
 }
 
-/// How the curve leads through its points (`docs/path.md`, position curve).
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum CurveKind {
-    /// Kochanek and Bartels, by tension, continuity and bias.
-    #[default]
-    Tcb,
-    /// Cubic spline: the second derivative is continuous too.
-    Cubic,
-    /// Straight from point to point.
-    Linear,
+choices! {
+    /// How the curve leads through its points (`docs/path.md`, position curve).
+    pub enum CurveKind {
+        /// Kochanek and Bartels, by tension, continuity and bias.
+        #[default]
+        Tcb = "tcb",
+        /// Cubic spline: the second derivative is continuous too.
+        Cubic = "cubic",
+        /// Straight from point to point.
+        Linear = "linear",
+    }
 }
 
-/// How the zoom runs between its keys (`docs/path.md`, zoom).
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum ZoomMode {
-    /// Monotone cubic (Fritsch and Carlson 1980).
-    #[default]
-    Smooth,
-    /// Straight lines, as in the thesis.
-    Linear,
+choices! {
+    /// How the zoom runs between its keys (`docs/path.md`, zoom).
+    pub enum ZoomMode {
+        /// Monotone cubic (Fritsch and Carlson 1980).
+        #[default]
+        Smooth = "smooth",
+        /// Straight lines, as in the thesis.
+        Linear = "linear",
+    }
 }
 
-/// A camera path.
-#[derive(Debug, Clone, PartialEq)]
-pub struct CameraPath {
-    /// ≥ [`limits::MIN_POINTS`] support points.
-    pub points: Vec<SupportPoint>,
-    /// The ten presets for tension, continuity and bias.
-    pub presets: [Tcb; limits::PRESETS],
-    /// Whether one more segment leads from the last point to the first.
-    pub closed: bool,
-    /// How the curve leads through the points.
-    pub curve: CurveKind,
-    /// How the camera turns.
-    pub orientation_mode: OrientationMode,
-    /// How the zoom runs.
-    pub zoom_mode: ZoomMode,
-    /// The base speeds.
-    pub base_frames: BaseFrames,
-    /// Where it lies in the world.
-    pub space: Space,
+properties! {
+    /// A camera path.
+    pub struct CameraPath {
+        /// Whether one more segment leads from the last point to the first.
+        pub closed: bool = false => Row { always: true, ..Row::new(&["closed"]) },
+        /// How the curve leads through the points.
+        pub curve: CurveKind = CurveKind::Tcb => Row::new(&["curve"]),
+        /// How the camera turns.
+        pub orientation_mode: OrientationMode = OrientationMode::Tcb => Row {
+            always: true,
+            affects: Affects::Views,
+            ..Row::new(&["orientation_mode"])
+        },
+        /// How the zoom runs.
+        pub zoom_mode: ZoomMode = ZoomMode::Smooth => Row {
+            always: true,
+            affects: Affects::Views,
+            ..Row::new(&["zoom_mode"])
+        },
+        /// The base speeds.
+        pub base_frames: BaseFrames = BaseFrames::NEW => Row {
+            check: Check::By(|frames, _| check_base_frames(*frames)),
+            always: true,
+            affects: Affects::Frames,
+            ..Row::new(&["base_speeds"])
+        },
+        /// The ten presets for tension, continuity and bias.
+        pub presets: [Tcb; limits::PRESETS] = DEFAULT_PRESETS => Row {
+            check: Check::By(|presets, _| presets.iter().try_for_each(|preset| preset.check())),
+            always: true,
+            ..Row::new(&["presets"])
+        },
+        /// Where it lies in the world.
+        pub space: Space = Space::NEW => Row::new(&[]),
+        /// ≥ [`limits::MIN_POINTS`] support points.
+        pub points: Vec<SupportPoint> = Vec::new() => Row::new(&[]),
+    }
 }
 
 /// The presets of thesis A.6.1.
@@ -364,13 +478,7 @@ impl CameraPath {
     pub(super) fn of_points(points: Vec<SupportPoint>) -> Self {
         Self {
             points,
-            presets: DEFAULT_PRESETS,
-            closed: false,
-            curve: CurveKind::default(),
-            orientation_mode: OrientationMode::default(),
-            zoom_mode: ZoomMode::default(),
-            base_frames: BaseFrames::default(),
-            space: Space::default(),
+            ..Self::NEW
         }
     }
 
@@ -477,20 +585,12 @@ impl SupportPoint {
     /// The first fault.
     pub fn check(&self, space: Space) -> Result<()> {
         space.check_place(self.position)?;
-        if let Some(name) = &self.name {
-            check_name(name).map_err(|error| error.at(Place::Name))?;
-        }
-        match self.curve {
-            CurveParameters::Preset(preset) if usize::from(preset) >= limits::PRESETS => {
-                return Err(OutOfRange::NoPreset(preset.into()).into());
-            }
-            CurveParameters::Preset(_) => {}
-            CurveParameters::Own(tcb) => tcb.check()?,
-        }
-        if let Some(tangents) = self.tangents {
-            tangents
-                .check(space)
-                .map_err(|error| error.at(Place::Tangents))?;
+        for row in Self::PROPERTIES {
+            (row.check)(self, space).map_err(|error| match row.keys {
+                ["name"] => error.at(Place::Name),
+                ["tangents"] => error.at(Place::Tangents),
+                _ => error,
+            })?;
         }
         if self.orientations.is_empty() || self.orientations.len() > limits::MAX_ORIENTATIONS {
             return Err(OutOfRange::Orientations.into());
@@ -581,6 +681,6 @@ pub fn check_base_speed(speed: f64) -> Result<()> {
 /// # Errors
 /// [`crate::Error::Argument`] otherwise.
 pub fn check_base_frames(frames: BaseFrames) -> Result<()> {
-    let all = [frames.movement, frames.turning, frames.zoom, frames.rolling];
-    all.into_iter().try_for_each(check_base_speed)
+    let mut rows = BaseFrames::PROPERTIES.iter();
+    rows.try_for_each(|row| (row.check)(&frames, Space::NEW))
 }

@@ -6,15 +6,17 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use super::camera_path::check_curve_speed;
 use crate::error::{OutOfRange, Result};
-use crate::property::SameBits;
+use crate::property::{SameBits, choices};
 
-/// How the speed rises and falls.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum EaseKind {
-    /// As a quarter of a sine.
-    Sine,
-    /// As a straight line: the distance is a parabola.
-    Parabolic,
+choices! {
+    /// How the speed rises and falls.
+    pub enum EaseKind {
+        /// As a quarter of a sine.
+        #[default]
+        Sine = "sine",
+        /// As a straight line: the distance is a parabola.
+        Parabolic = "parabolic",
+    }
 }
 
 /// Speeding up, cruising and slowing down.

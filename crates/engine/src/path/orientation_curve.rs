@@ -113,7 +113,7 @@ impl Ring {
         if key > 0 {
             Some(key - 1)
         } else {
-            self.closed().then_some(self.spans - 1)
+            self.closed().then(|| self.spans - 1)
         }
     }
     fn after_key(self, key: usize) -> Option<usize> {

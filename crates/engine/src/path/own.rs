@@ -14,7 +14,9 @@ use super::space::Space;
 use super::up_vector::UpVector;
 use crate::error::{Invalid, OutOfRange, Quantity, Result, can_allocate, try_arc};
 use crate::limits;
-use crate::property::{Check, Copied, Row, SameBits, Stored, Unit, properties};
+use crate::property::{
+    Affects, Check, Copied, Kind, Row, SameBits, Stored, Unit, Value, properties,
+};
 
 /// The derivatives with which the curve passes a point, per segment parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,12 +35,6 @@ impl Tangents {
     pub fn check(self, space: Space) -> Result<()> {
         space.check_offset(self.before)?;
         space.check_offset(self.after)
-    }
-}
-
-impl SameBits for Tangents {
-    fn same_bits(&self, other: &Self) -> bool {
-        self.before.same_bits(&other.before) && self.after.same_bits(&other.after)
     }
 }
 
@@ -130,14 +126,33 @@ impl SameBits for Pace {
             (Self::Ease(a), Self::Ease(b)) => a.same_bits(b),
             (Self::Distance(a), Self::Distance(b)) => a.same_bits(b),
             (Self::Part(a), Self::Part(b)) => {
-                a.of.same_bits(&b.of) && [a.from, a.to][..].same_bits(&[b.from, b.to][..])
+                a.of.same_bits(&b.of) && [a.from, a.to].same_bits(&[b.from, b.to])
             }
             _ => false,
         }
     }
 }
 
-impl Stored for Pace {}
+impl Stored for Pace {
+    const KINDS: &'static [Kind] = &[Kind::Ease, Kind::Distance, Kind::Part];
+    fn value(self) -> Value {
+        match self {
+            Self::Speeds => Value::Unset,
+            Self::Ease(ease) => Value::Ease(ease),
+            Self::Distance(keys) => Value::Distance(keys),
+            Self::Part(part) => Value::Part(part),
+        }
+    }
+    fn of(value: Value) -> Option<Self> {
+        match value {
+            Value::Unset => Some(Self::Speeds),
+            Value::Ease(ease) => Some(Self::Ease(ease)),
+            Value::Distance(keys) => Some(Self::Distance(keys)),
+            Value::Part(part) => Some(Self::Part(part)),
+            _ => None,
+        }
+    }
+}
 
 impl SameBits for PaceSource {
     fn same_bits(&self, other: &Self) -> bool {
@@ -212,14 +227,6 @@ impl Velocities {
     }
 }
 
-impl SameBits for Velocities {
-    fn same_bits(&self, other: &Self) -> bool {
-        self.reach.same_bits(&other.reach) && self.leave.same_bits(&other.leave)
-    }
-}
-
-impl Stored for Option<Velocities> {}
-
 /// How a section turned before it was divided. It counts as long as it leads from key to key.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TurningPart {
@@ -247,12 +254,10 @@ impl TurningPart {
 
 impl SameBits for TurningPart {
     fn same_bits(&self, other: &Self) -> bool {
-        self.control[..].same_bits(&other.control[..])
-            && [self.from, self.to][..].same_bits(&[other.from, other.to][..])
+        self.control.same_bits(&other.control)
+            && [self.from, self.to].same_bits(&[other.from, other.to])
     }
 }
-
-impl Stored for Option<TurningPart> {}
 
 fn check_part(from: f64, to: f64) -> Result<()> {
     if 0.0 <= from && from < to && to <= 1.0 {
@@ -268,11 +273,13 @@ properties! {
         pub ahead: Option<f64> = None => Row {
             unit: Unit::Length,
             check: Check::By(|ahead, space| ahead.map_or(Ok(()), |far| check_ahead(far, space))),
+            affects: Affects::Frames,
             ..Row::new(&["ahead"])
         },
         /// Which way is up before the roll.
         pub up: UpVector = UpVector::Axis => Row {
             check: Check::By(|up, space| up.check(space)),
+            affects: Affects::Frames,
             ..Row::new(&["up", "up_point", "up_path"])
         },
         /// Frames of the section that begins here, whatever its length; 0: by length.
@@ -280,10 +287,15 @@ properties! {
             unit: Unit::Frames,
             check: Check::UpTo(limits::MAX_FRAMES as u32, || OutOfRange::SectionFrames),
             copied: Copied::IfAsked,
+            affects: Affects::Frames,
             ..Row::new(&["frames"])
         },
         /// Whether that section keeps its frames where a whole is brought to a number of frames.
-        pub locked: bool = false => Row { copied: Copied::IfAsked, ..Row::new(&["locked"]) },
+        pub locked: bool = false => Row {
+            affects: Affects::Nothing,
+            copied: Copied::IfAsked,
+            ..Row::new(&["locked"])
+        },
         /// How the section that begins here goes through its time.
         pub pace: Pace = Pace::Speeds => Row {
             check: Check::By(|pace, _| pace.check()),
@@ -292,18 +304,21 @@ properties! {
                     *pace = Pace::Speeds;
                 }
             }),
+            affects: Affects::Frames,
             ..Row::new(&["ease", "distance", "pace_part"])
         },
         /// Angular velocities, in place of those by tension, continuity and bias.
         pub velocities: Option<Velocities> = None => Row {
             check: Check::By(|velocities, _| velocities.map_or(Ok(()), Velocities::check)),
             copied: Copied::Nowhere,
+            affects: Affects::Views,
             ..Row::new(&["velocity_degrees"])
         },
         /// How the section that begins here turns, if it is a part of a divided one; in the mode tcb.
         pub turning: Option<TurningPart> = None => Row {
             check: Check::By(|part, _| part.map_or(Ok(()), |part| part.check())),
             copied: Copied::Nowhere,
+            affects: Affects::Views,
             ..Row::new(&["turning_part"])
         },
         /// Slope of the roll in tracked sections: degrees for each frame at speed 50.
@@ -311,6 +326,7 @@ properties! {
             unit: Unit::Degrees,
             copied: Copied::Nowhere,
             check: Check::By(|slope, _| check_rates(slope.as_slice())),
+            affects: Affects::Views,
             ..Row::new(&["roll_slope_degrees"])
         },
         /// Slope of the zoom: mm for each frame at speed 50.
@@ -318,6 +334,7 @@ properties! {
             unit: Unit::Millimetres,
             check: Check::By(|slope, _| check_rates(slope.as_slice())),
             copied: Copied::Nowhere,
+            affects: Affects::Views,
             ..Row::new(&["zoom_slope_mm"])
         },
     }

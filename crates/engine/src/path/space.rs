@@ -10,6 +10,7 @@ use super::up_vector::UpVector;
 use crate::error::{Error, Invalid, OutOfRange, Quantity, Result};
 use crate::limits;
 use crate::math::orientation;
+use crate::property::{SameBits, Stored};
 
 /// The axis of the world that stands upright.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
@@ -100,17 +101,27 @@ pub struct Space {
 }
 
 impl Default for Space {
-    /// The cube [−1, 1]³, y upright.
     fn default() -> Self {
-        Self {
-            centre: DVec3::ZERO,
-            half_size: 1.0,
-            up: Up::Y,
-        }
+        Self::NEW
     }
 }
 
+impl SameBits for Space {
+    fn same_bits(&self, other: &Self) -> bool {
+        self.centre.same_bits(&other.centre) && self == other
+    }
+}
+
+impl Stored for Space {}
+
 impl Space {
+    /// The cube [−1, 1]³, y upright.
+    pub const NEW: Self = Self {
+        centre: DVec3::ZERO,
+        half_size: 1.0,
+        up: Up::Y,
+    };
+
     /// Checks that centre and half size can be computed with.
     ///
     /// # Errors

@@ -13,7 +13,7 @@ use super::own::Tangents;
 use super::space::{Space, Up};
 use crate::error::{Invalid, OutOfRange, Result, TooMany, try_arc, vec_with_room};
 use crate::limits;
-use crate::property::{SameBits, Stored};
+use crate::property::{Kind, SameBits, Stored, Value};
 
 /// Which way is up before the roll.
 #[derive(Debug, Clone, Default)]
@@ -56,7 +56,31 @@ impl SameBits for UpVector {
     }
 }
 
-impl Stored for UpVector {}
+impl Stored for UpVector {
+    const KINDS: &'static [Kind] = &[
+        Kind::Choice(&["axis", "minimal", "frenet", "y", "z"]),
+        Kind::Place,
+        Kind::UpPath,
+    ];
+    fn value(self) -> Value {
+        match self {
+            Self::Point(place) => Value::Place(place),
+            Self::Path(path) => Value::UpPath(path),
+            other => Value::Choice(other.name()),
+        }
+    }
+    fn of(value: Value) -> Option<Self> {
+        match value {
+            Value::Choice("axis") => Some(Self::Axis),
+            Value::Choice("minimal") => Some(Self::Minimal),
+            Value::Choice("frenet") => Some(Self::Frenet),
+            Value::Choice(axis) => Up::named(axis).map(Self::Fixed),
+            Value::Place(place) => Some(Self::Point(place)),
+            Value::UpPath(path) => Some(Self::Path(path)),
+            _ => None,
+        }
+    }
+}
 
 impl UpVector {
     /// The names, in files and in C.

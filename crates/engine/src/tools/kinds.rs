@@ -3,6 +3,7 @@
 use super::parameter::{Parameter, Unit};
 use crate::error::{Invalid, Result};
 use crate::limits::MAX_COORDINATE;
+use crate::property::{SameBits, Stored};
 
 /// A kind of fault that is looked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -192,11 +193,29 @@ pub struct Limits([f64; COUNT]);
 
 impl Default for Limits {
     fn default() -> Self {
-        Self(ROWS.map(|row| row.1.default))
+        Self::NEW
     }
 }
 
+impl SameBits for Limits {
+    fn same_bits(&self, other: &Self) -> bool {
+        self.0[..].same_bits(&other.0[..])
+    }
+}
+
+impl Stored for Limits {}
+
 impl Limits {
+    /// Those that hold where nobody says anything.
+    pub const NEW: Self = {
+        let (mut limits, mut at) = ([0.0; COUNT], 0);
+        while at < COUNT {
+            limits[at] = ROWS[at].1.default;
+            at += 1;
+        }
+        Self(limits)
+    };
+
     /// The limit of a kind.
     #[must_use]
     pub const fn get(&self, kind: FindingKind) -> f64 {

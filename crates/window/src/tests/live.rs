@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use egui::{Event, Modifiers, PointerButton, pos2};
 
 use super::{Remote, open_for};
-use crate::document::{Edit, Poses, Result};
+use crate::document::{At, Edit, Poses, Result};
 use crate::editor::HostView;
 use crate::path::{CameraPath, Pose};
 use crate::x11::PollResult;
@@ -137,7 +137,7 @@ fn move_first_point(id: Id, x: f64) {
     change(id, |document| {
         let mut position = document.path().points[0].position;
         position.x = x;
-        document.apply(Edit::SetPosition { at: 0, position })
+        document.apply(Edit::set(At::Point(0), "position", position))
     })
     .expect("open")
     .expect("possible");

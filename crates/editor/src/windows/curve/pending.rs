@@ -3,7 +3,9 @@
 //! Only what was entered is pending: the rest follows the document. So a point that is dragged
 //! while the window is open shows its new place, and applying changes only what was entered.
 
-use crate::document::{Document, Edit, Selection, no_longer_ahead};
+use glam::DVec3;
+
+use crate::document::{At, Document, Edit, Selection, no_longer_ahead};
 use crate::limits::PRESETS;
 use crate::path::{CurveParameters, Orientation, SupportPoint, Target, Tcb};
 
@@ -131,16 +133,17 @@ impl Pending {
             orientation: number,
         } = document.selection();
         let mut edits = Vec::new();
-        for (preset, tcb) in self.presets.iter().enumerate() {
-            edits.extend(tcb.map(|tcb| Edit::SetPreset { preset, tcb }));
+        if self.presets.iter().any(Option::is_some) {
+            let mut presets = document.path().presets;
+            for (preset, pending) in presets.iter_mut().zip(self.presets) {
+                *preset = pending.unwrap_or(*preset);
+            }
+            edits.push(Edit::set(At::Path, "presets", presets));
         }
         if self.shapes() {
             edits.push(match self.choice(document) {
-                CurveSource::Preset(preset) => Edit::UsePreset { at, preset },
-                CurveSource::Own => Edit::SetOwn {
-                    at,
-                    tcb: self.tcb(document),
-                },
+                CurveSource::Preset(preset) => Edit::set(At::Point(at), "preset", preset),
+                CurveSource::Own => Edit::set(At::Point(at), "own", self.tcb(document)),
             });
         }
         let moves = self.position.iter().any(Option::is_some);
@@ -160,10 +163,11 @@ impl Pending {
             });
         }
         if moves {
-            edits.push(Edit::SetPosition {
-                at,
-                position: self.position(document).into(),
-            });
+            edits.push(Edit::set(
+                At::Point(at),
+                "position",
+                DVec3::from(self.position(document)),
+            ));
         }
         if turns {
             let target = self.target(document).into();

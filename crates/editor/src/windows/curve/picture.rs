@@ -300,7 +300,7 @@ fn beside(at: Pos2, size: Vec2, lines: &[Pos2]) -> Rect {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::{Edit, Info};
+    use crate::document::{At, Edit, Info};
     use crate::path::Tangents;
 
     fn document(count: usize, closed: bool) -> Document {
@@ -335,13 +335,13 @@ mod tests {
             .flat_map(|(path, kinds)| kinds.map(|kind| (path, kind)))
         {
             let mut document = document(count, closed);
-            document.apply(Edit::SetCurveKind(kind)).unwrap();
+            document.apply(Edit::set(At::Path, "curve", kind)).unwrap();
             let tangents = Some(Tangents {
                 before: DVec3::X,
                 after: DVec3::Y,
             });
             document
-                .apply(Edit::SetTangents { at: 1, tangents })
+                .apply(Edit::set(At::Point(1), "tangents", tangents))
                 .unwrap();
             for current in 0..count {
                 document.select(current, 0).unwrap();
@@ -379,7 +379,7 @@ mod tests {
         let around = Around::of(&document);
         assert_eq!(around.curve(&around.path), shown);
         document
-            .apply(Edit::UsePreset { at: 4, preset: 0 })
+            .apply(Edit::set(At::Point(4), "preset", 0))
             .unwrap();
         let around = Around::of(&document);
         assert_ne!(around.curve(&around.path), shown);

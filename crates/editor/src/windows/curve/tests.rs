@@ -1,5 +1,6 @@
 //! The curve window (thesis A.4.1).
 
+use crate::document::At;
 use crate::path::{CameraPath, CurveParameters, Tcb};
 use crate::screenshots::screenshot;
 use crate::tests::*;
@@ -179,12 +180,12 @@ fn another_point_or_orientation_discards_with_a_message() {
 fn undo_and_loading_discard_with_a_message() {
     let texts = Language::English.texts();
     let mut window = opened(Language::English);
-    let edit = Edit::SetClosed(true);
+    let edit = Edit::set(At::Path, "closed", true);
     window.state_mut().document.apply(edit).unwrap();
     window.run();
     choose(&mut window, 5);
     // An edit elsewhere leaves it.
-    let edit = Edit::SetClosed(false);
+    let edit = Edit::set(At::Path, "closed", false);
     window.state_mut().document.apply(edit).unwrap();
     window.run();
     assert!(window.query_by_label(texts.curve.waiting).is_some());
@@ -298,7 +299,7 @@ fn what_is_not_pending_follows_the_document() {
     window
         .state_mut()
         .document
-        .apply(Edit::SetPosition { at: 2, position })
+        .apply(Edit::set(At::Point(2), "position", position))
         .unwrap();
     window.run();
     let shown = |axis| value(&window, &format!("{} {axis}", texts.position));

@@ -15,7 +15,7 @@ mod ten;
 use self::graph::{Axes, Held, Quantity};
 use super::{SubWindow, Windows, is_cramped, is_low, sub_window};
 use crate::actions::Action;
-use crate::document::{Edit, Info, Selection};
+use crate::document::{At, Edit, Info, Selection};
 use crate::limits::{MAX_FPS, MAX_FRAMES, MAX_HOLD, SPEEDS};
 use crate::number::{Entry, Number};
 use crate::panels::orientation::with;
@@ -390,7 +390,7 @@ fn base_speeds(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
             let entry = entry.map(|frames| {
                 let mut speeds = speeds;
                 *part(&mut speeds) = frames;
-                Edit::SetBaseFrames(speeds)
+                Edit::set(At::Path, "base_speeds", speeds)
             });
             actions.push(Action::Enter(entry));
         }

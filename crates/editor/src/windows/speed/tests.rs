@@ -5,6 +5,7 @@ use egui::{Pos2, vec2};
 use egui_kittest::kittest::NodeT;
 
 use super::pace_tests::{choose, drag_handle, frames, handle};
+use crate::document::At;
 use crate::screenshots::screenshot;
 use crate::tests::*;
 
@@ -198,7 +199,7 @@ fn it_follows_the_current_point_and_orientation() {
         click(&mut window, texts.speed_window.ease_in);
         assert!(speeds(&window)[0] < speeds(&window)[9]);
         press(&mut window, Modifiers::CTRL, Key::Z);
-        let edit = Edit::SetClosed(true);
+        let edit = Edit::set(At::Path, "closed", true);
         window.state_mut().document.apply(edit).unwrap();
         window.run();
         assert!(shown(&window, "6", "1"));

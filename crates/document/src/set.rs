@@ -1,0 +1,106 @@
+//! From an edit that sets a property to its record.
+
+use super::change::{Change, State};
+use super::edit::At;
+use super::info::Info;
+use super::prepare::{IDLE, check_position, orientation, point, view};
+use crate::error::{Place, Refused, Result};
+use crate::path::{CameraPath, Orientation, OrientationOverrides, Space, SupportPoint};
+use vides_engine::property::{Property, Table, Value, find};
+
+/// The record of setting a property.
+pub(super) fn set(
+    state: &State,
+    place: At,
+    property: &'static str,
+    mut value: Value,
+) -> Result<Change> {
+    let path = &state.path;
+    if value == Value::Text(String::new()) {
+        value = Value::Unset;
+    }
+    match place {
+        At::Path => {
+            let points = Vec::new();
+            let own = CameraPath { points, ..*path };
+            let row = record(path, own, property, &mut value, path.space)?;
+            Ok(row.map_or(IDLE, |row| Change::OfPath(row, value)))
+        }
+        At::Point(at) => {
+            let there = point(path, at)?;
+            if let ("position", Value::Place(position)) = (property, &value) {
+                check_position(there, at, *position, path.space)?;
+            }
+            let (name, orientations) = (None, Vec::new());
+            let own = SupportPoint {
+                name,
+                orientations,
+                ..*there
+            };
+            let row = record(there, own, property, &mut value, path.space);
+            let row = row.map_err(|error| match property {
+                "name" => error.at(Place::Name),
+                _ => error,
+            })?;
+            Ok(row.map_or(IDLE, |row| Change::OfPoint(at, row, value)))
+        }
+        At::View(point, at) => {
+            let mut new = orientation(path, point, at)?.clone();
+            if find(OrientationOverrides::PROPERTIES, property).is_some() {
+                let mut own = OrientationOverrides::clone(&new.own);
+                exchange(&mut own, property, &mut value, &OrientationOverrides::NEW)?;
+                new.own = new.own.with(|there| *there = own)?;
+            } else {
+                let fresh = Orientation::new_in(path.space);
+                let row = exchange(&mut new, property, &mut value, &fresh)?;
+                if row.key() == "target" {
+                    new.own = new.own.with(|own| own.ahead = None)?;
+                }
+            }
+            view(path, point, at, new)
+        }
+    }
+}
+
+/// That of setting what the file has besides the path.
+pub(super) fn set_info(state: &State, property: &'static str, mut value: Value) -> Result<Change> {
+    let mut info = Box::new(state.info.try_clone()?);
+    let row = exchange(&mut *info, property, &mut value, &Info::NEW)?;
+    info.check(state.path.space)?;
+    Ok(match (row.same)(&info, &state.info) {
+        true => IDLE,
+        false => Change::Info(info),
+    })
+}
+
+/// Exchanges a property for a value; one that is not set is that of `new`.
+fn exchange<T: Table>(
+    of: &mut T,
+    property: &'static str,
+    value: &mut Value,
+    new: &T,
+) -> Result<&'static Property<T>> {
+    let row = find(T::PROPERTIES, property).ok_or_else(|| Refused::NoProperty(property.into()))?;
+    if *value == Value::Unset {
+        *value = (row.value)(new);
+    }
+    match (row.exchange)(of, value) {
+        true => Ok(row),
+        false => Err(Refused::NotOfKind(property, row.kind(property)).into()),
+    }
+}
+
+/// The row by which what is there gets a checked value, `own` being a copy of it; none if it has it.
+fn record<T: Table>(
+    there: &T,
+    mut own: T,
+    property: &'static str,
+    value: &mut Value,
+    space: Space,
+) -> Result<Option<&'static Property<T>>> {
+    let row = exchange(&mut own, property, value, &T::NEW)?;
+    (row.check)(&own, space)?;
+    let same = (row.same)(&own, there);
+    (row.exchange)(&mut own, value);
+    Ok((!same).then_some(row))
+}
