@@ -41,6 +41,7 @@ def test_it_plays(scene: vides.Scene) -> None:
     np.testing.assert_allclose(states["lamp"].pose[3:6], toward / np.linalg.norm(toward), atol=1e-9)
     motion = scene.sample("cube", 1, 101, 0.5)
     assert motion.matrices.shape == (201, 4, 4)
+    np.testing.assert_array_equal(motion.frames, np.linspace(1, 101, 201))
     np.testing.assert_allclose(motion.matrices[-1], states["cube"].matrix)
     np.testing.assert_allclose(scene["cube"].vertices(1)[7], [1, 1, 1])
     np.testing.assert_array_equal(scene["cube"].triangles, [[0, 1, 2], [1, 3, 2]])
