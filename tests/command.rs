@@ -659,6 +659,11 @@ fn properties_are_got_and_set_by_name() {
         "{refused}"
     );
     complaint(&run(&["get", name, "point.9.zoom"]), 1);
+    let unknown = complaint(&run(&["set", name, "point.2.colour=1"]), 1);
+    assert!(
+        unknown.contains("no property \"point.2.colour\"; known here: name, position, preset,"),
+        "{unknown}"
+    );
     complaint(&run(&["set", name, "fps"]), 2);
     assert_eq!(fs::read(&file).unwrap(), after);
 }

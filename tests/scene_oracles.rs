@@ -40,7 +40,7 @@ impl Case<'_> {
             self.numbers("shape"),
         );
         let beyond = self.text("beyond").map_or(Extrapolation::Hold, |name| {
-            Extrapolation::parse(name).expect("a way to go on")
+            Extrapolation::named(name).expect("a way to go on")
         });
         track.unwrap().with_extrapolation(beyond, beyond).unwrap()
     }

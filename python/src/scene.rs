@@ -90,7 +90,7 @@ fn kind(name: &str) -> Result<Kind> {
 }
 
 fn extrapolation(name: &str) -> Result<Extrapolation> {
-    Extrapolation::parse(name).ok_or_else(|| {
+    Extrapolation::named(name).ok_or_else(|| {
         Failure::argument(format!(
             "what comes before and after is \"hold\", \"repeat\", \"pingpong\" or \"offset\", not \
              {name:?}"

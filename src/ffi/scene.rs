@@ -13,6 +13,7 @@ use super::pointers::{
 };
 use super::scene_handles::{self, change, edit, insert, look, read};
 use super::scene_types::*;
+use super::settings::numbered;
 use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK, add_last_warning, clear_last_warning};
 use super::types::V_PATH;
 use crate::document::{Info, SceneDocument};
@@ -52,32 +53,25 @@ pub(super) fn unlink(value: Option<usize>) -> Answer<c_int> {
     value.map_or(Ok(-1), pointers::count)
 }
 
+const _: () = assert!(
+    Extrapolation::Hold as c_int == V_AFTER_HOLD
+        && Extrapolation::Repeat as c_int == V_AFTER_REPEAT
+        && Extrapolation::PingPong as c_int == V_AFTER_PINGPONG
+        && Extrapolation::Offset as c_int == V_AFTER_OFFSET
+        && Light::Directional as c_int == V_LIGHT_DIRECTIONAL
+        && Light::Point as c_int == V_LIGHT_POINT
+        && Light::Spot as c_int == V_LIGHT_SPOT
+);
+
 /// How a motion continues beyond its end.
 pub(super) fn beyond(after: c_int) -> Answer<Extrapolation> {
-    match after {
-        V_AFTER_HOLD => Ok(Extrapolation::Hold),
-        V_AFTER_REPEAT => Ok(Extrapolation::Repeat),
-        V_AFTER_PINGPONG => Ok(Extrapolation::PingPong),
-        V_AFTER_OFFSET => Ok(Extrapolation::Offset),
-        _ => Err(Failure::unknown(
-            "after",
-            after,
-            "V_AFTER_HOLD (0), V_AFTER_REPEAT (1), V_AFTER_PINGPONG (2), V_AFTER_OFFSET (3)",
-        )),
-    }
+    let known = "V_AFTER_HOLD (0), V_AFTER_REPEAT (1), V_AFTER_PINGPONG (2), V_AFTER_OFFSET (3)";
+    numbered(Extrapolation::ALL, after, "after", known)
 }
 
 fn light(light: c_int) -> Answer<Light> {
-    match light {
-        V_LIGHT_DIRECTIONAL => Ok(Light::Directional),
-        V_LIGHT_POINT => Ok(Light::Point),
-        V_LIGHT_SPOT => Ok(Light::Spot),
-        _ => Err(Failure::unknown(
-            "values->light",
-            light,
-            "V_LIGHT_DIRECTIONAL (0), V_LIGHT_POINT (1), V_LIGHT_SPOT (2)",
-        )),
-    }
+    let known = "V_LIGHT_DIRECTIONAL (0), V_LIGHT_POINT (1), V_LIGHT_SPOT (2)";
+    numbered(Light::ALL, light, "values->light", known)
 }
 
 /// Converts a node from C, with defaults for what its kind lacks.

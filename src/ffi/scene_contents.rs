@@ -9,7 +9,6 @@ use super::object::to_c;
 use super::pointers::{self, ArrayOut, GrowingOut, Out, index, text};
 use super::scene::thread_text;
 use super::scene_handles::{change, read};
-use super::scene_tracks::number_of;
 use super::scene_types::*;
 use super::status::{Answer, Failure, V_ERR_INTERNAL};
 use crate::error::Refused;
@@ -61,7 +60,7 @@ pub unsafe extern "C" fn v_scene_get_start(
             let node = document.scene.node(node)?;
             let none = || Refused::NoPathOf((&node.name).into());
             let found = node.path().ok_or_else(none)?;
-            Ok((found.start_frame(), number_of(found.extrapolation())))
+            Ok((found.start_frame(), found.extrapolation() as c_int))
         })?;
         // SAFETY: room for a double and an int, as the header says.
         unsafe {

@@ -154,16 +154,6 @@ fn both(after: c_int) -> Answer<(Extrapolation, Extrapolation)> {
     Ok((beyond(after >> 4)?, beyond(after & 15)?))
 }
 
-/// The number of a continuation, for C.
-pub(super) fn number_of(beyond: Extrapolation) -> c_int {
-    match beyond {
-        Extrapolation::Hold => V_AFTER_HOLD,
-        Extrapolation::Repeat => V_AFTER_REPEAT,
-        Extrapolation::PingPong => V_AFTER_PINGPONG,
-        Extrapolation::Offset => V_AFTER_OFFSET,
-    }
-}
-
 /// The keys of a channel as they were set; *keys is how many, 0 if there is no
 /// track (then *interpolation is ""). capacity is the number of keys that
 /// frames, values and shape have room for; each of them may be NULL, as any
@@ -235,7 +225,7 @@ pub unsafe extern "C" fn v_scene_get_track(
             unsafe {
                 name.write(text);
                 count.write(track.frames().len());
-                after.write(number_of(behind) | number_of(before) << 4);
+                after.write(behind as c_int | (before as c_int) << 4);
             }
             Ok(())
         })?;

@@ -175,8 +175,8 @@ pub enum Refused {
     NoPathEdited,
     #[error("node \"{0}\" follows no path")]
     NoPathOf(Text),
-    #[error("there is no property \"{0}\"; a name is a key of the file, or begins with point.N.")]
-    NoProperty(Text),
+    #[error("there is no property \"{name}\"; known here: {known}")]
+    NoProperty { name: Text, known: Text },
     #[error("the property \"{0}\" cannot be set so; it is: {1}")]
     NotOfKind(&'static str, Kind),
     #[error("there is no scene, only a path")]

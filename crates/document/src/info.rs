@@ -10,6 +10,7 @@ use vides_engine::tools::check::Limits;
 use crate::error::{OutOfRange, Place, TooMany};
 use crate::limits;
 use crate::path::Space;
+use crate::path::camera_path::check_name;
 use vides_engine::Result;
 use vides_engine::property::{Affects, Check, Row, SameBits, Stored, properties};
 
@@ -18,7 +19,7 @@ properties! {
     pub struct Info {
         /// One line, at most [`limits::MAX_NAME_BYTES`].
         pub title: String = String::new() => Row {
-            check: Check::By(|title, _| check_line(title, Place::Title)),
+            check: Check::By(|title, _| check_name(title)),
             affects: Affects::Nothing,
             ..Row::new(&["title"])
         },
@@ -38,7 +39,7 @@ properties! {
         pub first_frame: i32 = 1 => Row { affects: Affects::Nothing, ..Row::new(&["first_frame"]) },
         /// Name of the world's unit ("m"), one line as the title; may be empty.
         pub unit: String = String::new() => Row {
-            check: Check::By(|unit, _| check_line(unit, Place::Unit)),
+            check: Check::By(|unit, _| check_name(unit).map_err(|error| error.at(Place::Unit))),
             ..Row::new(&[])
         },
         /// Wireframe object, shown for orientation.
@@ -227,9 +228,12 @@ impl Info {
     /// # Errors
     /// The first invalid field, with the reason.
     pub fn check(&self, space: Space) -> Result<()> {
-        Self::PROPERTIES
-            .iter()
-            .try_for_each(|row| (row.check)(self, space))
+        Self::PROPERTIES.iter().try_for_each(|row| {
+            (row.check)(self, space).map_err(|error| match row.keys {
+                ["title"] => error.at(Place::Title),
+                _ => error,
+            })
+        })
     }
 }
 
@@ -245,11 +249,6 @@ pub(super) fn check_comment(comment: &str) -> Result<()> {
         return Err(TooMany::CommentBytes.into());
     }
     Ok(())
-}
-
-/// Checks a one-line text: no control characters, not too long.
-pub(super) fn check_line(text: &str, place: Place) -> Result<()> {
-    crate::path::camera_path::check_name(text).map_err(|error| error.at(place))
 }
 
 pub(super) fn copy_text(text: &str) -> Result<String> {

@@ -6,10 +6,11 @@ use vides_engine::property::{Kind, Listed, Owner, Table, Value, find, list};
 
 use crate::edit::{At, Edit};
 use crate::editing::{Document, Selection};
-use crate::error::{Error, Malformed, Refused, Result};
+use crate::error::{EngineError, Error, Malformed, Result};
 use crate::info::{Info, Object};
 use crate::path::{CameraPath, Orientation, OrientationOverrides, SupportPoint};
 use crate::prepare;
+use crate::set::{keys, no_property};
 use crate::vid::{self, PATH_KEYS, point_keys, quoted, view_keys};
 
 /// What is known of all properties, key by key in the order of files.
@@ -31,17 +32,6 @@ enum Place<'a> {
     View(Selection, &'static str),
 }
 
-/// Keys whose values are texts, which need no quotes in a value that is set.
-const TEXTS: [&str; 7] = [
-    "title",
-    "comment",
-    "name",
-    "curve",
-    "orientation_mode",
-    "zoom_mode",
-    "up",
-];
-
 /// The key that is meant: itself, or that which has a unit besides.
 fn full(mut known: impl Iterator<Item = &'static str>, key: &str) -> Option<&'static str> {
     let units = ["_mm", "_degrees", "_frames"];
@@ -52,7 +42,7 @@ fn full(mut known: impl Iterator<Item = &'static str>, key: &str) -> Option<&'st
 }
 
 fn place(name: &str) -> Result<Place<'_>> {
-    let none = || Error::from(Refused::NoProperty((&name.escape_debug()).into()));
+    let none = || no_property(name, point_keys().chain(view_keys()));
     let number = |text: &str| match text.parse::<usize>() {
         Ok(number) => number.checked_sub(1),
         Err(_) => None,
@@ -61,7 +51,10 @@ fn place(name: &str) -> Result<Place<'_>> {
         let key = name.split('.').next().unwrap_or(name);
         return match PATH_KEYS.contains(&key) {
             true => Ok(Place::Path(name)),
-            false => Err(none()),
+            false => Err(no_property(
+                name,
+                PATH_KEYS.iter().copied().chain(["point.N."]),
+            )),
         };
     };
     let (point, key) = rest.split_once('.').ok_or_else(none)?;
@@ -90,61 +83,41 @@ impl Document {
     /// `ErrorKind::Argument` or `Range` with the name and the reason; `ErrorKind::Memory`. The
     /// path is as it was then.
     pub fn set_property(&mut self, name: &str, value: &str) -> Result<()> {
-        let (place, value) = (place(name)?, value.trim());
+        let (place, path) = (place(name)?, self.path());
         let told = |error| match error {
             Error::Format { cause, .. } => Error::Property {
                 name: (&name).into(),
                 cause,
             },
+            Error::Engine(error) if !matches!(error, EngineError::Memory | EngineError::At(..)) => {
+                Error::Property {
+                    name: (&name).into(),
+                    cause: error.into(),
+                }
+            }
             other => other,
         };
-        let path = self.path();
-        match place {
-            Place::Path(key) => {
-                let mut info = self.info().clone();
-                let mut new = CameraPath {
-                    points: Vec::new(),
-                    ..*path
-                };
-                let read = |text: &str| vid::change_path(text, &mut new, &mut info);
-                let new_value = match value {
-                    "" => Self::new().property(key)?,
-                    given => given.to_owned(),
-                };
-                read_value(key, &new_value, read).map_err(told)?;
-                let key = key.split('.').next().unwrap_or(key);
-                let info = find(Info::PROPERTIES, key).map(|row| (row.key(), (row.value)(&info)));
-                let path = find(CameraPath::PROPERTIES, key);
-                let path = path.map(|row| (row.key(), (row.value)(&new)));
-                let (key, value) = info.or(path).unwrap_or((TEXTS[0], Value::Unset));
-                self.apply(Edit::set(At::Path, key, value))
+        let value = value.trim();
+        let (at, read) = match place {
+            Place::Path(key) if find(Info::PROPERTIES, key).is_some() => {
+                (At::Path, read_value(key, value, self.info()))
             }
+            Place::Path(key) => (At::Path, read_value(key, value, path)),
             Place::Point(at, key) => {
-                let mut new = prepare::point(path, at)?.clone();
-                let row = find(SupportPoint::PROPERTIES, key);
-                // A position has no value that it had when it was new.
-                let value = if value.is_empty() && key != "position" {
-                    Value::Unset
-                } else {
-                    let read = |text: &str| vid::change_point(text, &mut new, path.space);
-                    read_value(key, value, read).map_err(told)?;
-                    row.map_or(Value::Unset, |row| (row.value)(&new))
-                };
-                self.apply(Edit::set(At::Point(at), key, value))
+                let point = prepare::point(path, at)?;
+                (At::Point(at), read_value(key, value, point))
             }
             Place::View(Selection { point, orientation }, key) => {
-                let position = prepare::point(path, point)?.position;
-                let mut new = prepare::orientation(path, point, orientation)?.clone();
-                let value = if value.is_empty() {
-                    Value::Unset
-                } else {
-                    let read = |text: &str| vid::change_view(text, &mut new, position, path.space);
-                    read_value(key, value, read).map_err(told)?;
-                    view_of(&new, key).1
+                let view = prepare::orientation(path, point, orientation)?;
+                let read = match find(Orientation::PROPERTIES, key) {
+                    Some(_) => read_value(key, value, view),
+                    None => read_value(key, value, &*view.own),
                 };
-                self.apply(Edit::set(At::View(point, orientation), key, value))
+                (At::View(point, orientation), read)
             }
-        }
+        };
+        let (property, value) = read.map_err(told)?;
+        self.apply(Edit::set(at, property, value)).map_err(told)
     }
 
     /// All properties by their full names, each with its value as it stands in a file; those that
@@ -234,21 +207,37 @@ fn view_of(view: &Orientation, key: &str) -> (Kind, Value) {
     }
 }
 
-/// Reads `key = value` as it stands in a file; what no value of a file is, is a text.
-fn read_value(key: &str, value: &str, mut read: impl FnMut(&str) -> Result<()>) -> Result<()> {
-    let as_text = format!("{key} = {}\n", quoted(value));
-    let is_text = TEXTS.contains(&key.rsplit('.').next().unwrap_or(key));
-    if is_text && !value.starts_with(['"', '\'', '{']) {
-        return read(&as_text);
+/// Reads `key = value` as it stands in a file; what no value of a file is, is a text. Nothing is
+/// what a new one has.
+fn read_value<T: Table>(key: &str, value: &str, of: &T) -> Result<(&'static str, Value)> {
+    let first = key.split('.').next().unwrap_or(key);
+    let row = find(T::PROPERTIES, first);
+    let row = row.ok_or_else(|| no_property(key, keys::<T>()))?;
+    let known = row.keys.iter().find(|known| **known == first);
+    let property = known.copied().unwrap_or(row.key());
+    // A position has no value that it had when it was new.
+    if value.is_empty() && first == key && key != "position" {
+        return Ok((property, Value::Unset));
     }
-    // One line: more would be more keys.
-    match read(&format!("{key} = {}\n", value.replace(['\n', '\r'], " "))) {
-        Err(Error::Format {
-            cause: Malformed::Toml(_),
-            ..
-        }) => read(&as_text),
-        done => done,
-    }
+    let new = match value {
+        "" if first != key => Document::new().property(key)?,
+        given => given.replace(['\n', '\r'], " "),
+    };
+    let as_text = || vid::value_of(&format!("{key} = {}\n", quoted(value)), of);
+    let is_text = matches!(row.kind(first), Kind::Text | Kind::Choice(_));
+    let read = if is_text && !value.starts_with(['"', '\'', '{']) {
+        as_text()
+    } else {
+        // One line: more would be more keys.
+        match vid::value_of(&format!("{key} = {new}\n"), of) {
+            Err(Error::Format {
+                cause: Malformed::Toml(_),
+                ..
+            }) => as_text(),
+            done => done,
+        }
+    };
+    Ok((property, read?))
 }
 
 #[cfg(test)]

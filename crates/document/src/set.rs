@@ -4,7 +4,7 @@ use super::change::{Change, State};
 use super::edit::At;
 use super::info::Info;
 use super::prepare::{IDLE, check_position, orientation, point, view};
-use crate::error::{Place, Refused, Result};
+use crate::error::{Error, Refused, Result};
 use crate::path::{CameraPath, Orientation, OrientationOverrides, Space, SupportPoint};
 use vides_engine::property::{Property, Table, Value, find};
 
@@ -37,11 +37,7 @@ pub(super) fn set(
                 orientations,
                 ..*there
             };
-            let row = record(there, own, property, &mut value, path.space);
-            let row = row.map_err(|error| match property {
-                "name" => error.at(Place::Name),
-                _ => error,
-            })?;
+            let row = record(there, own, property, &mut value, path.space)?;
             Ok(row.map_or(IDLE, |row| Change::OfPoint(at, row, value)))
         }
         At::View(point, at) => {
@@ -66,7 +62,7 @@ pub(super) fn set(
 pub(super) fn set_info(state: &State, property: &'static str, mut value: Value) -> Result<Change> {
     let mut info = Box::new(state.info.try_clone()?);
     let row = exchange(&mut *info, property, &mut value, &Info::NEW)?;
-    info.check(state.path.space)?;
+    (row.check)(&info, state.path.space)?;
     Ok(match (row.same)(&info, &state.info) {
         true => IDLE,
         false => Change::Info(info),
@@ -80,7 +76,8 @@ fn exchange<T: Table>(
     value: &mut Value,
     new: &T,
 ) -> Result<&'static Property<T>> {
-    let row = find(T::PROPERTIES, property).ok_or_else(|| Refused::NoProperty(property.into()))?;
+    let row = find(T::PROPERTIES, property);
+    let row = row.ok_or_else(|| no_property(property, keys::<T>()))?;
     if *value == Value::Unset {
         *value = (row.value)(new);
     }
@@ -103,4 +100,16 @@ fn record<T: Table>(
     let same = (row.same)(&own, there);
     (row.exchange)(&mut own, value);
     Ok((!same).then_some(row))
+}
+
+/// The keys of a table.
+pub(super) fn keys<T: Table>() -> impl Iterator<Item = &'static str> {
+    T::PROPERTIES.iter().flat_map(|row| row.keys).copied()
+}
+
+/// The error for a name that is none of these.
+pub(super) fn no_property(name: &str, known: impl Iterator<Item = &'static str>) -> Error {
+    let (name, known) = (name.escape_debug(), known.collect::<Vec<_>>().join(", "));
+    let (name, known) = ((&name).into(), (&known).into());
+    Refused::NoProperty { name, known }.into()
 }

@@ -21,60 +21,36 @@ mod value;
 pub use listed::{Listed, Owner, list};
 pub use value::{Kind, Quoted, Value};
 
-/// What a property's numbers count.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Unit {
-    /// Nothing.
-    #[default]
-    One,
-    /// Degrees.
-    Degrees,
-    /// Millimetres of focal length.
-    Millimetres,
-    /// Frames.
-    Frames,
-    /// Lengths of the world.
-    Length,
-}
-
-impl Unit {
-    /// Its name in a table; empty for [`Unit::One`].
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::One => "",
-            Self::Degrees => "degrees",
-            Self::Millimetres => "mm",
-            Self::Frames => "frames",
-            Self::Length => "lengths",
-        }
+choices! {
+    /// What a property's numbers count.
+    pub enum Unit {
+        /// Nothing.
+        #[default]
+        One = "",
+        /// Degrees.
+        Degrees = "degrees",
+        /// Millimetres of focal length.
+        Millimetres = "mm",
+        /// Frames.
+        Frames = "frames",
+        /// Lengths of the world.
+        Length = "lengths",
     }
 }
 
-/// What is computed anew where a property changes, with all that follows from it.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Affects {
-    /// Nothing: no pose moves.
-    Nothing,
-    /// Where the camera looks, and its zoom.
-    Views,
-    /// The frames of sections.
-    Frames,
-    /// The curve through the points.
-    #[default]
-    Curve,
-}
-
-impl Affects {
-    /// Its name in a table.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Nothing => "nothing",
-            Self::Views => "views",
-            Self::Frames => "frames",
-            Self::Curve => "curve",
-        }
+choices! {
+    /// What is computed anew where a property changes, with all that follows from it.
+    #[derive(PartialOrd, Ord)]
+    pub enum Affects {
+        /// Nothing: no pose moves.
+        Nothing = "nothing",
+        /// Where the camera looks, and its zoom.
+        Views = "views",
+        /// The frames of sections.
+        Frames = "frames",
+        /// The curve through the points.
+        #[default]
+        Curve = "curve",
     }
 }
 
@@ -592,7 +568,8 @@ macro_rules! choices {
     };
 }
 
-pub use {choices, properties};
+pub(crate) use choices;
+pub use properties;
 
 #[cfg(test)]
 #[path = "property_tests.rs"]

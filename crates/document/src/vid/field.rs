@@ -7,7 +7,7 @@ use toml::de::{DeString, DeTable, DeValue, Error as ParseError};
 use crate::error::{EngineError, Error, Key, Malformed, Quantity, Result, Value};
 use crate::path::camera_path::check_shape;
 use crate::path::{Space, Tcb};
-use vides_engine::property::{self, Kind};
+use vides_engine::property::{self, Kind, Stored};
 
 /// A piece of a file, with the whole text for line numbers.
 #[derive(Clone, Copy)]
@@ -250,6 +250,12 @@ impl<'a> Field<'a> {
         found
             .copied()
             .ok_or_else(|| self.error(Malformed::OneOf(names)))
+    }
+
+    /// One of a choice, by its name.
+    pub fn choice<T: Stored + Default>(&self) -> Result<T> {
+        let name = self.plain(T::KINDS[0], None)?;
+        Ok(T::of(name).unwrap_or_default())
     }
 
     /// The value that one of these names stands for.

@@ -49,8 +49,7 @@ use crate::limits::MAX_FILE_BYTES;
 
 pub(super) use comments::{Comments, insert_points, remove_points};
 pub(super) use read::{
-    PATH_KEYS, change_path, change_point, change_view, from_toml, point_keys, scene_from_toml,
-    shown_from_toml, view_keys,
+    PATH_KEYS, from_toml, point_keys, scene_from_toml, shown_from_toml, value_of, view_keys,
 };
 pub(super) use scene_write::{alone, scene_to_toml};
 pub(super) use write::{quoted, to_toml, view_to_toml};

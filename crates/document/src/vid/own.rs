@@ -6,6 +6,7 @@ use std::sync::Arc;
 use glam::{DQuat, DVec3};
 
 use super::field::Field;
+use super::read::{base_speeds, presets};
 use super::write::plain;
 use crate::error::{Malformed, Result, TooMany, can_allocate, vec_with_room};
 use crate::limits;
@@ -53,14 +54,7 @@ impl Rows {
                 _ => Malformed::PresetAndOwn,
             }));
         }
-        let mut value = match row.kind(field.key) {
-            Kind::Ease => Value::Ease(ease(field)?),
-            Kind::Distance => Value::Distance(given_distance(field)?),
-            Kind::Part => Value::Part(pace_part(field)?),
-            Kind::Turning => Value::Turning(turning_part(field)?),
-            Kind::UpPath => Value::UpPath(up_path(field, so_far)?),
-            kind => field.plain(kind, row.range)?,
-        };
+        let mut value = value(field, row, into, so_far)?;
         // An axis may stand beside a point or a path.
         if row.keys.len() > 1 && value != Value::Choice("axis") {
             let free = self.met.iter_mut().find(|met| met.is_none());
@@ -70,6 +64,33 @@ impl Rows {
         field.checked((row.check)(into, space))?;
         Ok(true)
     }
+}
+
+/// The value that a field gives a property of `of`, but for its check.
+pub(super) fn value<T>(
+    field: Field<'_>,
+    row: &Property<T>,
+    of: &T,
+    so_far: &mut ReadContext,
+) -> Result<Value> {
+    Ok(match row.kind(field.key) {
+        Kind::Ease => Value::Ease(ease(field)?),
+        Kind::Distance => Value::Distance(given_distance(field)?),
+        Kind::Part => Value::Part(pace_part(field)?),
+        Kind::Turning => Value::Turning(turning_part(field)?),
+        Kind::UpPath => Value::UpPath(up_path(field, so_far)?),
+        kind => match (row.value)(of) {
+            Value::BaseFrames(mut frames) => {
+                base_speeds(field, &mut frames)?;
+                Value::BaseFrames(frames)
+            }
+            Value::Presets(mut all) => {
+                presets(field, &mut all)?;
+                Value::Presets(all)
+            }
+            _ => field.plain(kind, row.range)?,
+        },
+    })
 }
 
 fn up_path(field: Field<'_>, so_far: &mut ReadContext) -> Result<Arc<UpPath>> {
@@ -136,10 +157,7 @@ fn ease(table: Field<'_>) -> Result<Ease> {
     };
     for field in table.fields()? {
         match field.key {
-            "kind" => {
-                let name = field.name_of(EaseKind::NAMES)?;
-                ease.kind = EaseKind::named(name).unwrap_or(ease.kind);
-            }
+            "kind" => ease.kind = field.choice()?,
             "rise" => ease.rise = field.number()?,
             "fall" => ease.fall = field.number()?,
             "cruise" => ease.cruise = field.number()?,

@@ -6,20 +6,21 @@ use glam::DVec3;
 use toml::de::DeTable;
 
 use super::field::{Field, Source, fields};
-use super::own::{ReadContext, Rows};
+use super::own::{self, ReadContext, Rows};
 use super::pieces;
 use super::scene_read::{Drafts, MESH_KEYS, take_mesh};
 use super::{OFF_NAME, VERSION, mesh_source};
 use crate::error::{Invalid, Malformed, Refused, Result, TooMany, vec_with_room};
-use crate::info::{self, Info, Object, ObjectPoint};
+use crate::info::{Info, Object, ObjectPoint};
 use crate::limits;
 use crate::math::orientation::wrap_degrees;
 use crate::path::camera_path::check_name;
 use crate::path::{
     BaseFrames, CameraPath, Orientation, OrientationOverrides, Overrides, Space, SupportPoint, Tcb,
-    Up, space,
+    space,
 };
-use vides_engine::property::{Property, find};
+use crate::set::keys;
+use vides_engine::property::{Table, Value, find};
 use vides_engine::scene::{Mesh, Scene};
 use vides_engine::tools::check::{FindingKind, Limits, OFF};
 
@@ -54,8 +55,7 @@ const REPEATED: [&str; 3] = ["point", "marker", "node"];
 
 /// The keys of a path, which in a scene belong to its nodes.
 fn of_path() -> impl Iterator<Item = &'static str> {
-    let rows = CameraPath::PROPERTIES.iter().flat_map(|row| row.keys);
-    rows.copied().chain(once("point"))
+    keys::<CameraPath>().chain(once("point"))
 }
 
 pub(crate) fn from_toml(text: &str) -> Result<(CameraPath, Info)> {
@@ -185,7 +185,7 @@ impl Reader {
                 "node" => self.scene.nodes(field, &mut self.so_far, path.space)?,
                 // Version and space are already read.
                 _ => {
-                    let _ = read_info(field, info)?
+                    let _ = read_setting(field, info)?
                         || read_setting(field, path)?
                         || self.scene.shown.take(field)?;
                 }
@@ -219,58 +219,22 @@ pub(super) fn one_line(field: Field<'_>) -> Result<String> {
     Ok(line.to_owned())
 }
 
-/// Reads what is said of a whole file; false if the key is of something else.
-fn read_info(field: Field<'_>, info: &mut Info) -> Result<bool> {
-    match field.key {
-        "title" => info.title = one_line(field)?,
-        "comment" => {
-            let comment = field.text()?;
-            field.checked(info::check_comment(comment))?;
-            info.comment = comment.to_owned();
-        }
-        "fps" => {
-            info.fps = field.number()?;
-            field.checked(info::check_fps(info.fps))?;
-        }
-        "first_frame" => {
-            let first = field.integer_in(i32::MIN.into(), i32::MAX.into())?;
-            info.first_frame = first as i32;
-        }
-        _ => return Ok(false),
-    }
-    Ok(true)
+/// Reads what is said of a whole file or path by its row; false if the key is of something else.
+pub(super) fn read_setting<T: Table>(field: Field<'_>, of: &mut T) -> Result<bool> {
+    let so_far = &mut ReadContext::default();
+    Rows::default().read(field, T::PROPERTIES, of, Space::NEW, so_far)
 }
 
-/// Reads what holds for a whole path; false if the key is of something else.
-pub(super) fn read_setting(field: Field<'_>, path: &mut CameraPath) -> Result<bool> {
-    match field.key {
-        "base_speeds" => base_speeds(field, &mut path.base_frames)?,
-        "presets" => presets(field, &mut path.presets)?,
-        _ => {
-            let (space, so_far) = (path.space, &mut ReadContext::default());
-            return Rows::default().read(field, CameraPath::PROPERTIES, path, space, so_far);
-        }
-    }
-    Ok(true)
-}
-
-fn base_speeds(table: Field<'_>, speeds: &mut BaseFrames) -> Result<()> {
+pub(super) fn base_speeds(table: Field<'_>, speeds: &mut BaseFrames) -> Result<()> {
     for field in table.fields()? {
-        if !Rows::default().read(
-            field,
-            BaseFrames::PROPERTIES,
-            speeds,
-            Space::NEW,
-            &mut ReadContext::default(),
-        )? {
-            let rows = BaseFrames::PROPERTIES.iter();
-            return Err(field.unknown(&rows.map(Property::key).collect::<Vec<_>>()));
+        if !read_setting(field, speeds)? {
+            return Err(field.unknown(&keys::<BaseFrames>().collect::<Vec<_>>()));
         }
     }
     Ok(())
 }
 
-fn presets(table: Field<'_>, presets: &mut [Tcb; limits::PRESETS]) -> Result<()> {
+pub(super) fn presets(table: Field<'_>, presets: &mut [Tcb; limits::PRESETS]) -> Result<()> {
     for field in table.fields()? {
         // Exactly one digit: 01 and +1 are not other names of 1.
         let preset = match field.key.as_bytes() {
@@ -295,7 +259,7 @@ pub(super) fn space(
                 space.half_size = field.number()?;
                 field.checked(space::check_half_size(space.half_size))?;
             }
-            ("up", _) => space.up = field.one_of(&["y", "z"], [Up::Y, Up::Z])?,
+            ("up", _) => space.up = field.choice()?,
             ("unit", Some(unit)) => **unit = one_line(field)?,
             ("scale" | "origin", _) => {
                 return Err(field.error(Malformed::Space));
@@ -467,58 +431,22 @@ fn read_view<'a>(
 
 /// The keys of an orientation.
 pub(crate) fn view_keys() -> impl Iterator<Item = &'static str> {
-    let views = Orientation::PROPERTIES.iter().flat_map(|row| row.keys);
-    let owned = OrientationOverrides::PROPERTIES
-        .iter()
-        .flat_map(|row| row.keys);
-    views.chain(owned).copied()
+    keys::<Orientation>().chain(keys::<OrientationOverrides>())
 }
 
 /// The keys of a point, but for its orientations.
 pub(crate) fn point_keys() -> impl Iterator<Item = &'static str> {
-    SupportPoint::PROPERTIES
-        .iter()
-        .flat_map(|row| row.keys)
-        .copied()
+    keys::<SupportPoint>()
 }
 
-/// Reads each `key = value` of a text as it stands in a file.
-fn read_lines(text: &str, read: impl FnMut(Field<'_>) -> Result<()>) -> Result<()> {
+/// The value that `key = value`, as it stands in a file, gives a property of `of`, but for its
+/// check.
+pub(crate) fn value_of<T: Table>(text: &str, of: &T) -> Result<Value> {
     let source = Source { text, start: 0 };
     let (root, _) = pieces::parse(source)?;
-    fields(source, &root).try_for_each(read)
-}
-
-/// Reads `key = value` of an orientation at `position`.
-pub(crate) fn change_view(
-    text: &str,
-    into: &mut Orientation,
-    position: DVec3,
-    space: Space,
-) -> Result<()> {
-    let mut context = ReadContext::default();
-    read_lines(text, |field| {
-        read_view(once(field), into, position, space, &mut context)
-    })
-}
-
-/// Reads `key = value` of a point. Its orientations stay.
-pub(crate) fn change_point(text: &str, into: &mut SupportPoint, space: Space) -> Result<()> {
-    read_lines(text, |field| {
-        let context = &mut ReadContext::default();
-        match Rows::default().read(field, SupportPoint::PROPERTIES, into, space, context)? {
-            true => Ok(()),
-            false => Err(field.unknown(&point_keys().collect::<Vec<_>>())),
-        }
-    })
-}
-
-/// Reads `key = value` of what holds for a whole path.
-pub(crate) fn change_path(text: &str, path: &mut CameraPath, info: &mut Info) -> Result<()> {
-    read_lines(text, |field| {
-        match read_info(field, info)? || read_setting(field, path)? {
-            true => Ok(()),
-            false => Err(field.unknown(PATH_KEYS)),
-        }
+    let field = fields(source, &root).next();
+    let found = field.and_then(|field| Some((field, find(T::PROPERTIES, field.key)?)));
+    found.map_or(Ok(Value::Unset), |(field, row)| {
+        own::value(field, row, of, &mut ReadContext::default())
     })
 }

@@ -271,8 +271,7 @@ fn draft(table: Field<'_>, so_far: &mut ReadContext, space: Space) -> Result<Dra
                 let Kind::Light(light) = &mut node.kind else {
                     return Err(misplaced(&field, &node.kind));
                 };
-                let kinds = [Light::Directional, Light::Point, Light::Spot];
-                *light = field.one_of(&["directional", "point", "spot"], kinds)?;
+                *light = field.choice()?;
             }
             "mesh" => {
                 let (source, mesh) = mesh(field)?;
@@ -332,11 +331,6 @@ fn kind(table: Field<'_>) -> Result<Kind> {
         Kind::Camera(Camera::default()),
     ];
     field.one_of(&["group", "object", "light", "camera"], kinds)
-}
-
-fn beyond(field: Field<'_>) -> Result<Extrapolation> {
-    Extrapolation::parse(field.text()?)
-        .ok_or_else(|| field.error(Malformed::OneOf(&["hold", "repeat", "pingpong", "offset"])))
 }
 
 fn numbers(array: Field<'_>, rows: Option<usize>) -> Result<Vec<f64>> {
@@ -508,7 +502,7 @@ fn path(
     for field in table.fields()? {
         match field.key {
             "start_frame" => start = field.number()?,
-            "beyond" => after = beyond(field)?,
+            "beyond" => after = field.choice()?,
             "point" => points(field, &mut path.points, so_far, path.space)?,
             "space" => {}
             "pins" => {
@@ -569,8 +563,8 @@ fn track(table: Field<'_>, node: &str) -> Result<Track> {
                 let made = Interpolation::parse(field.text()?);
                 interpolation = Some(made.map_err(|error| complain(&field, error))?);
             }
-            "before" => before = beyond(field)?,
-            "after" => after = beyond(field)?,
+            "before" => before = field.choice()?,
+            "after" => after = field.choice()?,
             "frames" => frames = Some(numbers(field, None)?),
             "values" => values = Some(field),
             "shape" => shape = numbers(field, None)?,

@@ -51,8 +51,8 @@ german! {
         NoCamera => "diese Szene hat keine Kamera auf einem Pfad";
         NoPathEdited => "keine Bahn wird bearbeitet: bitte einen Knoten wählen, der einer folgt";
         NoPathOf(node) => "der Knoten „{node}“ folgt keiner Bahn";
-        NoProperty(name) =>
-            "die Eigenschaft „{name}“ gibt es nicht; ein Name ist ein Schlüssel der Datei oder beginnt mit point.N.";
+        NoProperty { name, known } =>
+            "die Eigenschaft „{name}“ gibt es nicht; hier bekannt: {known}";
         NotOfKind(name, kind) => "die Eigenschaft „{name}“ lässt sich so nicht setzen; sie ist: {kind}";
         NoScene => "es gibt keine Szene, nur eine Bahn";
         NoFile => "dieser Pfad hat noch keine Datei";

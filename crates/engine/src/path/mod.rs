@@ -32,6 +32,7 @@ mod frenet;
 pub mod hermite;
 pub mod insertion;
 pub mod kochanek_bartels;
+mod modes;
 mod orientation_curve;
 pub mod own;
 pub mod plan;

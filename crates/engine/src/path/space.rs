@@ -10,17 +10,19 @@ use super::up_vector::UpVector;
 use crate::error::{Error, Invalid, OutOfRange, Quantity, Result};
 use crate::limits;
 use crate::math::orientation;
-use crate::property::{SameBits, Stored};
+use crate::property::{SameBits, Stored, choices};
 
-/// The axis of the world that stands upright.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub enum Up {
-    /// y.
-    #[default]
-    Y,
-    /// z.
-    Z,
+choices! {
+    /// The axis of the world that stands upright.
+    #[derive(Hash)]
+    #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+    pub enum Up {
+        /// y.
+        #[default]
+        Y = "y",
+        /// z.
+        Z = "z",
+    }
 }
 
 impl Up {
@@ -61,21 +63,6 @@ impl Up {
     #[must_use]
     pub fn roll_from_up(self, view: DVec3, up: DVec3) -> f64 {
         orientation::roll_from_up(self.upright(view), self.upright(up))
-    }
-
-    /// The axis of this name.
-    #[must_use]
-    pub fn named(name: &str) -> Option<Self> {
-        [Self::Y, Self::Z].into_iter().find(|up| up.name() == name)
-    }
-
-    /// "y" or "z".
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Y => "y",
-            Self::Z => "z",
-        }
     }
 
     /// The number of the axis: y 1, z 2.

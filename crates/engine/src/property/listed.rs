@@ -1,27 +1,17 @@
 //! The rows of all tables in one list, for programs that show or set properties by name.
 
-use super::{Affects, Kind, Table, Unit};
+use super::{Affects, Kind, Table, Unit, choices};
 
-/// What has a property.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Owner {
-    /// The whole path.
-    Path,
-    /// A support point.
-    Point,
-    /// An orientation of a support point.
-    View,
-}
-
-impl Owner {
-    /// "path", "point" or "view".
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Path => "path",
-            Self::Point => "point",
-            Self::View => "view",
-        }
+choices! {
+    /// What has a property.
+    pub enum Owner {
+        /// The whole path.
+        #[default]
+        Path = "path",
+        /// A support point.
+        Point = "point",
+        /// An orientation of a support point.
+        View = "view",
     }
 }
 

@@ -10,6 +10,7 @@ use crate::error::{Error, Invalid, OutOfRange, Place, Quantity, Result};
 use crate::limits::MAX_COORDINATE;
 use crate::path::camera_path::{check_coordinates, check_name, check_zoom};
 use crate::path::quaternion_spline::normalized;
+use crate::property::choices;
 
 /// What a node is.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -44,27 +45,16 @@ impl Kind {
     }
 }
 
-/// The kinds of light.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Light {
-    /// Parallel, along its own z axis.
-    #[default]
-    Directional,
-    /// Into all directions.
-    Point,
-    /// Into a cone about its own z axis.
-    Spot,
-}
-
-impl Light {
-    /// Its name in files.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Directional => "directional",
-            Self::Point => "point",
-            Self::Spot => "spot",
-        }
+choices! {
+    /// The kinds of light.
+    pub enum Light {
+        /// Parallel, along its own z axis.
+        #[default]
+        Directional = "directional",
+        /// Into all directions.
+        Point = "point",
+        /// Into a cone about its own z axis.
+        Spot = "spot",
     }
 }
 

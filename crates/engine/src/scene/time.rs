@@ -1,37 +1,20 @@
 //! What is shown before the first frame of a motion and after its last.
 
-/// How a motion goes on beyond its own frames.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Extrapolation {
-    /// The first or the last value stays.
-    #[default]
-    Hold,
-    /// Starts over; the period is the last frame less the first, the last value counts at the seam.
-    Repeat,
-    /// Back and forth.
-    PingPong,
-    /// As `Repeat`, each time from where the last round ended.
-    Offset,
-}
+use crate::property::choices;
 
-impl Extrapolation {
-    /// Its name in files.
-    #[must_use]
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::Hold => "hold",
-            Self::Repeat => "repeat",
-            Self::PingPong => "pingpong",
-            Self::Offset => "offset",
-        }
-    }
-
-    /// By its name in files.
-    #[must_use]
-    pub fn parse(name: &str) -> Option<Self> {
-        let all = [Self::Hold, Self::Repeat, Self::PingPong, Self::Offset];
-        all.into_iter()
-            .find(|extrapolation| extrapolation.name() == name)
+choices! {
+    /// How a motion goes on beyond its own frames.
+    pub enum Extrapolation {
+        /// The first or the last value stays.
+        #[default]
+        Hold = "hold",
+        /// Starts over; the period is the last frame less the first, the last value counts at the
+        /// seam.
+        Repeat = "repeat",
+        /// Back and forth.
+        PingPong = "pingpong",
+        /// As `Repeat`, each time from where the last round ended.
+        Offset = "offset",
     }
 }
 
@@ -129,8 +112,8 @@ mod tests {
     #[test]
     fn names_lead_back() {
         for beyond in [Hold, Repeat, PingPong, Offset] {
-            assert_eq!(Extrapolation::parse(beyond.name()), Some(beyond));
+            assert_eq!(Extrapolation::named(beyond.name()), Some(beyond));
         }
-        assert_eq!(Extrapolation::parse("loop"), None);
+        assert_eq!(Extrapolation::named("loop"), None);
     }
 }
