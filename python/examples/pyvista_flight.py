@@ -19,7 +19,7 @@ def main(folder: str, frames: int = 50) -> list[Path]:
     path = vides.Path(points, look_at=(0, 0, 0), up="z", closed=True, frames=frames)
     path.points[6].zoom = 50
 
-    plotter = pyvista.Plotter(off_screen=True, window_size=(320, 240))
+    plotter = pyvista.Plotter(off_screen=True, window_size=[320, 240])
     plotter.add_mesh(torus, scalars="height", show_scalar_bar=False)
     samples = path.sample()
     written = []

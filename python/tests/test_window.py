@@ -51,13 +51,12 @@ def at(display: str, monkeypatch: pytest.MonkeyPatch) -> str:
 
 def press(*keys: str) -> None:
     """Keys for the window, when it is there."""
-    for _ in range(200):
-        search = ["xdotool", "search", "--onlyvisible", "--name", "VIDES"]
-        found = subprocess.run(search, capture_output=True, text=True)
-        if found.stdout.strip():
-            break
+    search = ["xdotool", "search", "--onlyvisible", "--name", "VIDES"]
+    end = time.monotonic() + 60
+    while not (found := subprocess.run(search, capture_output=True, text=True).stdout.split()):
+        assert time.monotonic() < end
         time.sleep(0.05)
-    window = found.stdout.split()[-1]
+    window = found[-1]
     subprocess.run(["xdotool", "windowfocus", "--sync", window], check=True, timeout=30)
     for key in keys:
         subprocess.run(["xdotool", "key", key], check=True, timeout=30)

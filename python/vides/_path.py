@@ -6,7 +6,7 @@ import html
 import operator
 import os
 from collections.abc import Sequence
-from typing import Any, Literal
+from typing import Any, ClassVar, Literal
 
 import numpy as np
 import numpy.typing as npt
@@ -184,7 +184,7 @@ class Path(Keyed):
             return NotImplemented
         return other is self or self._native.same(other._native)
 
-    __hash__ = None  # type: ignore[assignment]
+    __hash__: ClassVar[None] = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
         closed = ", closed" if self.closed else ""

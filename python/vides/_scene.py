@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping, Sequence
-from typing import Any, Literal, NamedTuple
+from typing import Any, ClassVar, Literal, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -438,6 +438,13 @@ class Scene(Mapping[str, Node]):
     def path(self) -> Path:
         """The path that the shown camera follows; a copy."""
         return Path._of(self._native.path())
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Scene):
+            return NotImplemented
+        return other is self or other.to_str() == self.to_str()
+
+    __hash__: ClassVar[None] = None  # type: ignore[assignment]
 
     def __repr__(self) -> str:
         first, last = self.frame_range
