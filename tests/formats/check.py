@@ -106,7 +106,7 @@ def formats():
         for name in ("new", "old")
     ]
     vtk = importer("vtk", [TARGET / "vtk" / "bin" / "python"], "vtk_.py", large=True)
-    paraview = importer("pvpython", ["xvfb-run", "-a", "pvpython", "--force-offscreen-rendering"], "paraview_.py", large=True)
+    paraview = importer("pvpython", [sys.executable, str(HERE / "on_a_screen.py"), "pvpython", "--force-offscreen-rendering"], "paraview_.py", large=True)
     nerfstudio = importer(
         "nerfstudio", ["/usr/bin/python3"], "nerfstudio_.py", large=True,
         environment={"PYTHONPATH": str(TARGET / "nerfstudio")},

@@ -78,7 +78,7 @@ fi
 [ "${2:-}" = large ] || exit 0
 
 lib=/usr/lib/$(gcc -print-multiarch)
-"$need" xvfb-run=xvfb xauth=xauth pvpython=paraview /usr/bin/python3:paraview=python3-paraview \
+"$need" Xvfb=xvfb pvpython=paraview /usr/bin/python3:paraview=python3-paraview \
     /usr/bin/python3:torch=python3-torch /usr/bin/python3:pip=python3-pip \
     "$lib/libGL.so.1=libgl1" "$lib/libEGL.so.1=libegl1" "$lib/libSM.so.6=libsm6" "$lib/libXi.so.6=libxi6" \
     "$lib/libXfixes.so.3=libxfixes3" "$lib/libXrender.so.1=libxrender1" "$lib/libxkbcommon.so.0=libxkbcommon0"
