@@ -306,7 +306,7 @@ impl Raw {
         for at in 0..self.a % 4 {
             let kind = [scene::Kind::Group, scene::Kind::Camera(Camera::default())][at % 2].clone();
             let mut node = Node::new(&format!("node {at}"), kind);
-            if (self.b + at) % 3 > 0 {
+            if !(self.b + at).is_multiple_of(3) {
                 // As the document would have it, rolls and names included.
                 if let Ok(document) = Document::from_parts(self.path(), Info::default()) {
                     let (path, start) = (document.into_parts().0, 1.0 + self.b as f64);

@@ -28,7 +28,7 @@ const _: () = assert!(
 
 fn ease_kind(kind: c_int) -> Answer<EaseKind> {
     let known = "V_EASE_SINE (0), V_EASE_PARABOLIC (1)";
-    numbered(EaseKind::ALL, kind, "kind", known)
+    numbered(&EaseKind::ALL, kind, "kind", known)
 }
 
 fn finite(numbers: [(f64, &'static str); 3]) -> Answer<()> {

@@ -66,12 +66,12 @@ const _: () = assert!(
 /// How a motion continues beyond its end.
 pub(super) fn beyond(after: c_int) -> Answer<Extrapolation> {
     let known = "V_AFTER_HOLD (0), V_AFTER_REPEAT (1), V_AFTER_PINGPONG (2), V_AFTER_OFFSET (3)";
-    numbered(Extrapolation::ALL, after, "after", known)
+    numbered(&Extrapolation::ALL, after, "after", known)
 }
 
 fn light(light: c_int) -> Answer<Light> {
     let known = "V_LIGHT_DIRECTIONAL (0), V_LIGHT_POINT (1), V_LIGHT_SPOT (2)";
-    numbered(Light::ALL, light, "values->light", known)
+    numbered(&Light::ALL, light, "values->light", known)
 }
 
 /// Converts a node from C, with defaults for what its kind lacks.

@@ -151,13 +151,13 @@ pub unsafe extern "C" fn v_path_set_modes(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         let turning = numbered(
-            OrientationMode::ALL,
+            &OrientationMode::ALL,
             orientation_mode,
             "orientation_mode",
             "V_ORIENTATION_TCB (0), V_ORIENTATION_BARRY_GOLDMAN (1), V_ORIENTATION_SLERP (2)",
         )?;
         let known = "V_ZOOM_SMOOTH (0), V_ZOOM_LINEAR (1)";
-        let zooming = numbered(ZoomMode::ALL, zoom_mode, "zoom_mode", known)?;
+        let zooming = numbered(&ZoomMode::ALL, zoom_mode, "zoom_mode", known)?;
         edits(
             path,
             [

@@ -509,25 +509,25 @@ macro_rules! properties {
 macro_rules! choices {
     (
         $(#[$about:meta])*
-        pub enum $type:ident {
-            $($(#[$does:meta])+ $value:ident = $name:literal,)*
+        $seen:vis enum $type:ident {
+            $($(#[$does:meta])* $value:ident = $name:literal,)*
         }
     ) => {
         $(#[$about])*
         #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-        pub enum $type {
-            $($(#[$does])+ $value,)*
+        $seen enum $type {
+            $($(#[$does])* $value,)*
         }
 
         impl $type {
             /// All of them.
-            pub const ALL: &'static [Self] = &[$(Self::$value),*];
+            $seen const ALL: [Self; [$($name),*].len()] = [$(Self::$value),*];
             /// Their names in files.
-            pub const NAMES: &'static [&'static str] = &[$($name),*];
+            $seen const NAMES: &'static [&'static str] = &[$($name),*];
 
             /// Its name in files.
             #[must_use]
-            pub const fn name(self) -> &'static str {
+            $seen const fn name(self) -> &'static str {
                 match self {
                     $(Self::$value => $name,)*
                 }
@@ -535,8 +535,8 @@ macro_rules! choices {
 
             /// The one of this name.
             #[must_use]
-            pub fn named(name: &str) -> Option<Self> {
-                Self::ALL.iter().copied().find(|one| one.name() == name)
+            $seen fn named(name: &str) -> Option<Self> {
+                Self::ALL.into_iter().find(|one| one.name() == name)
             }
         }
 
@@ -568,8 +568,7 @@ macro_rules! choices {
     };
 }
 
-pub(crate) use choices;
-pub use properties;
+pub use {choices, properties};
 
 #[cfg(test)]
 #[path = "property_tests.rs"]

@@ -479,7 +479,7 @@ fn what_a_file_holds_and_is_not_taken_is_told() {
 #[test]
 fn times_of_a_recording_are_told_and_put_back() {
     let line = |n: u32| {
-        let jitter = if n % 3 == 0 { 0.004 } else { 0.0 };
+        let jitter = if n.is_multiple_of(3) { 0.004 } else { 0.0 };
         let time = 1_305_031_102.25 + f64::from(n) / 30.0 + jitter;
         format!("{time:.4} {n} 0 0 0 0 0 1\n")
     };

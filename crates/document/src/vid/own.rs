@@ -58,7 +58,9 @@ impl Rows {
         // An axis may stand beside a point or a path.
         if row.keys.len() > 1 && value != Value::Choice("axis") {
             let free = self.met.iter_mut().find(|met| met.is_none());
-            free.map(|free| *free = Some(row.key()));
+            if let Some(free) = free {
+                *free = Some(row.key());
+            }
         }
         (row.exchange)(into, &mut value);
         field.checked((row.check)(into, space))?;
@@ -79,17 +81,17 @@ pub(super) fn value<T>(
         Kind::Part => Value::Part(pace_part(field)?),
         Kind::Turning => Value::Turning(turning_part(field)?),
         Kind::UpPath => Value::UpPath(up_path(field, so_far)?),
-        kind => match (row.value)(of) {
-            Value::BaseFrames(mut frames) => {
-                base_speeds(field, &mut frames)?;
-                Value::BaseFrames(frames)
+        // What is not given there stays.
+        Kind::BaseFrames | Kind::Presets => {
+            let mut value = (row.value)(of);
+            match &mut value {
+                Value::BaseFrames(frames) => base_speeds(field, frames)?,
+                Value::Presets(all) => presets(field, all)?,
+                _ => {}
             }
-            Value::Presets(mut all) => {
-                presets(field, &mut all)?;
-                Value::Presets(all)
-            }
-            _ => field.plain(kind, row.range)?,
-        },
+            value
+        }
+        kind => field.plain(kind, row.range)?,
     })
 }
 

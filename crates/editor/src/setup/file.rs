@@ -9,9 +9,7 @@ use std::path::Path;
 use egui::Color32;
 use toml::de::DeTable;
 
-use super::{
-    Aspect, CameraPlace, Colours, Element, MAX_SENSOR, MIN_SENSOR, Setup, Shown, Theme, View,
-};
+use super::{Colours, Element, MAX_SENSOR, MIN_SENSOR, Setup, Shown, Theme, View};
 use crate::document::save;
 use crate::document::vid::field::{Field, Source, fields};
 use crate::document::vid::read_text;
@@ -44,10 +42,6 @@ const KEYS: [&str; 13] = [
     "dark",
     "light",
 ];
-/// In the order of [`CameraPlace::ALL`].
-const PLACES: [&str; 3] = ["corner", "beside", "whole"];
-/// In the order of [`Aspect::ALL`].
-const ASPECTS: [&str; 5] = ["3:2", "16:9", "4:3", "1:1", "2.39:1"];
 const VIEW_KEYS: [&str; 4] = ["rotation_degrees", "tilt_degrees", "size", "shift"];
 
 /// Reads a setup. Errors of format name file, line and reason.
@@ -121,9 +115,8 @@ fn write_setup(out: &mut String, setup: &Setup) -> std::fmt::Result {
     writeln!(out, "theme = \"{}\"", theme_word(setup.theme))?;
     writeln!(out, "language = \"{}\"", language_word(setup.language))?;
     writeln!(out, "camera_view = {}", setup.camera_view)?;
-    let place = PLACES[setup.camera_place as usize];
-    writeln!(out, "camera_place = \"{place}\"")?;
-    writeln!(out, "camera_aspect = \"{}\"", setup.camera_aspect.word())?;
+    writeln!(out, "camera_place = \"{}\"", setup.camera_place.name())?;
+    writeln!(out, "camera_aspect = \"{}\"", setup.camera_aspect.name())?;
     writeln!(out, "{SENSOR} = {:?}", setup.sensor_height)?;
     writeln!(out, "safe_frame = {}", setup.safe_frame)?;
     writeln!(out, "speed_graph = {}", setup.speed_graph)?;
@@ -135,13 +128,13 @@ fn write_setup(out: &mut String, setup: &Setup) -> std::fmt::Result {
     writeln!(out, "shift = [{:?}, {:?}]", view.shift[0], view.shift[1])?;
     writeln!(out, "\n[shown]")?;
     for element in Element::ALL.into_iter().filter(|e| e.has_switch()) {
-        writeln!(out, "{} = {}", element.key(), setup.shown.has(element))?;
+        writeln!(out, "{} = {}", element.name(), setup.shown.has(element))?;
     }
     for (name, colours) in [("dark", &setup.dark), ("light", &setup.light)] {
         writeln!(out, "\n[{name}]")?;
         for element in Element::ALL {
             let [r, g, b, _] = colours.of(element).to_array();
-            writeln!(out, "{} = \"#{r:02x}{g:02x}{b:02x}\"", element.key())?;
+            writeln!(out, "{} = \"#{r:02x}{g:02x}{b:02x}\"", element.name())?;
         }
     }
     Ok(())
@@ -184,12 +177,8 @@ fn from_toml(text: &str) -> Result<Setup> {
                 }
             }
             "camera_view" => setup.camera_view = field.boolean()?,
-            "camera_place" => {
-                setup.camera_place = CameraPlace::ALL[one_of(&field, &PLACES)?];
-            }
-            "camera_aspect" => {
-                setup.camera_aspect = Aspect::ALL[one_of(&field, &ASPECTS)?];
-            }
+            "camera_place" => setup.camera_place = field.choice()?,
+            "camera_aspect" => setup.camera_aspect = field.choice()?,
             SENSOR => {
                 setup.sensor_height = field.number()?;
                 if !(MIN_SENSOR..=MAX_SENSOR).contains(&setup.sensor_height) {
@@ -207,13 +196,6 @@ fn from_toml(text: &str) -> Result<Setup> {
         }
     }
     Ok(setup)
-}
-
-/// Which of these words it is, by its index.
-fn one_of(field: &Field<'_>, words: &'static [&'static str]) -> Result<usize> {
-    let word = field.text()?;
-    let found = words.iter().position(|&known| known == word);
-    found.ok_or_else(|| field.error(Malformed::OneOf(words)))
 }
 
 fn view(table: Field<'_>) -> Result<View> {
@@ -244,11 +226,11 @@ fn view(table: Field<'_>) -> Result<View> {
 
 fn element(field: &Field<'_>, known: impl Fn(Element) -> bool) -> Result<Element> {
     let mut all = Element::ALL.into_iter().filter(|&element| known(element));
-    match all.find(|element| element.key() == field.key) {
+    match all.find(|element| element.name() == field.key) {
         Some(element) => Ok(element),
         None => {
             let all = Element::ALL.into_iter().filter(|&element| known(element));
-            Err(field.unknown(&all.map(Element::key).collect::<Vec<_>>()))
+            Err(field.unknown(&all.map(Element::name).collect::<Vec<_>>()))
         }
     }
 }
@@ -366,6 +348,7 @@ impl Editor {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::setup::{Aspect, CameraPlace};
 
     fn odd_setup() -> Setup {
         let mut setup = Setup {

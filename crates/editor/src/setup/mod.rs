@@ -16,84 +16,46 @@ use egui::Color32;
 use crate::math::view::HALF_FILM_HEIGHT;
 use crate::texts::Language;
 use crate::theme::rgb;
+use vides_engine::property::choices;
 
-/// Something in the movement window with a colour of its own that can be switched off.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Element {
-    Background,
-    /// The edges of the movement space.
-    Cube,
-    /// The host's wireframe object.
-    Object,
-    Curve,
-    /// The segment that begins at the current point.
-    Segment,
-    /// The small crosses at the support points.
-    Crosses,
-    Numbers,
-    /// The arrow from the current point to what its camera looks at.
-    Vpn,
-    /// The arrow upwards of the current camera.
-    Vup,
-    /// The circle on which the tip of VUP runs.
-    Circle,
-    /// The axes through a point that is dragged.
-    Axes,
-    /// The border of the plane in which it is dragged.
-    Plane,
-    /// The pieces of the curve outside the movement space.
-    Outside,
-    /// Each orientation of the path as a small camera.
-    Cameras,
-    /// The ribbon that shows view and roll all along the curve.
-    Ribbon,
-    /// The camera at the frame that is played.
-    Player,
+choices! {
+    /// Something in the movement window with a colour of its own that can be switched off.
+    #[derive(Hash)]
+    pub(super) enum Element {
+        #[default]
+        Background = "background",
+        /// The edges of the movement space.
+        Cube = "cube",
+        /// The host's wireframe object.
+        Object = "object",
+        Curve = "curve",
+        /// The segment that begins at the current point.
+        Segment = "current_segment",
+        /// The small crosses at the support points.
+        Crosses = "crosses",
+        Numbers = "numbers",
+        /// The arrow from the current point to what its camera looks at.
+        Vpn = "vpn",
+        /// The arrow upwards of the current camera.
+        Vup = "vup",
+        /// The circle on which the tip of VUP runs.
+        Circle = "vup_circle",
+        /// The axes through a point that is dragged.
+        Axes = "axes",
+        /// The border of the plane in which it is dragged.
+        Plane = "plane",
+        /// The pieces of the curve outside the movement space.
+        Outside = "outside",
+        /// Each orientation of the path as a small camera.
+        Cameras = "cameras",
+        /// The ribbon that shows view and roll all along the curve.
+        Ribbon = "ribbon",
+        /// The camera at the frame that is played.
+        Player = "player",
+    }
 }
 
 impl Element {
-    /// In the order in which they are offered.
-    pub(super) const ALL: [Self; 16] = [
-        Self::Background,
-        Self::Cube,
-        Self::Object,
-        Self::Curve,
-        Self::Segment,
-        Self::Crosses,
-        Self::Numbers,
-        Self::Vpn,
-        Self::Vup,
-        Self::Circle,
-        Self::Axes,
-        Self::Plane,
-        Self::Outside,
-        Self::Cameras,
-        Self::Ribbon,
-        Self::Player,
-    ];
-
-    /// Its name in the setup file.
-    pub(super) const fn key(self) -> &'static str {
-        match self {
-            Self::Background => "background",
-            Self::Cube => "cube",
-            Self::Object => "object",
-            Self::Curve => "curve",
-            Self::Segment => "current_segment",
-            Self::Crosses => "crosses",
-            Self::Numbers => "numbers",
-            Self::Vpn => "vpn",
-            Self::Vup => "vup",
-            Self::Circle => "vup_circle",
-            Self::Axes => "axes",
-            Self::Plane => "plane",
-            Self::Outside => "outside",
-            Self::Cameras => "cameras",
-            Self::Ribbon => "ribbon",
-            Self::Player => "player",
-        }
-    }
-
     /// Whether it can be switched off; the background cannot.
     pub(super) const fn has_switch(self) -> bool {
         !matches!(self, Self::Background)
@@ -220,48 +182,40 @@ impl View {
     }
 }
 
-/// Where the camera's picture is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub(super) enum CameraPlace {
-    /// A pane above the movement space.
-    #[default]
-    Corner,
-    /// Side by side with it.
-    Beside,
-    /// In its place.
-    Whole,
+choices! {
+    /// Where the camera's picture is.
+    pub(super) enum CameraPlace {
+        /// A pane above the movement space.
+        #[default]
+        Corner = "corner",
+        /// Side by side with it.
+        Beside = "beside",
+        /// In its place.
+        Whole = "whole",
+    }
 }
 
 impl CameraPlace {
-    pub(super) const ALL: [Self; 3] = [Self::Corner, Self::Beside, Self::Whole];
-
     /// This place, or the corner if it is there already.
     pub(super) fn switched(self, place: Self) -> Self {
         if self == place { Self::Corner } else { place }
     }
 }
 
-/// The aspect ratio of the camera's picture.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub(super) enum Aspect {
-    /// That of film, 36 by 24 mm.
-    #[default]
-    Film,
-    Wide,
-    Television,
-    Square,
-    Scope,
+choices! {
+    /// The aspect ratio of the camera's picture.
+    pub(super) enum Aspect {
+        /// That of film, 36 by 24 mm.
+        #[default]
+        Film = "3:2",
+        Wide = "16:9",
+        Television = "4:3",
+        Square = "1:1",
+        Scope = "2.39:1",
+    }
 }
 
 impl Aspect {
-    pub(super) const ALL: [Self; 5] = [
-        Self::Film,
-        Self::Wide,
-        Self::Television,
-        Self::Square,
-        Self::Scope,
-    ];
-
     pub(super) const fn ratio(self) -> f32 {
         match self {
             Self::Film => 1.5,
@@ -269,16 +223,6 @@ impl Aspect {
             Self::Television => 4.0 / 3.0,
             Self::Square => 1.0,
             Self::Scope => 2.39,
-        }
-    }
-
-    pub(super) const fn word(self) -> &'static str {
-        match self {
-            Self::Film => "3:2",
-            Self::Wide => "16:9",
-            Self::Television => "4:3",
-            Self::Square => "1:1",
-            Self::Scope => "2.39:1",
         }
     }
 
@@ -370,7 +314,7 @@ mod tests {
 
     #[test]
     fn keys_differ() {
-        let mut keys = Element::ALL.map(Element::key);
+        let mut keys = Element::ALL.map(Element::name);
         keys.sort_unstable();
         assert!(keys.windows(2).all(|pair| pair[0] != pair[1]));
     }

@@ -347,10 +347,10 @@ fn caption(editor: &Editor, ui: &mut Ui, size: Vec2, camera: &Camera, actions: &
             if safe.clicked() {
                 changed.safe_frame = !on;
             }
-            let words = RichText::new(setup.camera_aspect.word()).font(theme::small());
+            let words = RichText::new(setup.camera_aspect.name()).font(theme::small());
             let aspect = ui.add(Button::new(words).frame(false));
             aspect.widget_info(|| egui::WidgetInfo {
-                current_text_value: Some(setup.camera_aspect.word().to_owned()),
+                current_text_value: Some(setup.camera_aspect.name().to_owned()),
                 ..egui::WidgetInfo::labeled(egui::Role::Button, true, texts.camera_aspect)
             });
             if aspect.on_hover_text(texts.camera_aspect_tip).clicked() {

@@ -81,6 +81,8 @@ pub(super) struct Motion {
 }
 
 #[derive(Clone, Debug, PartialEq)]
+// One is made at a time.
+#[allow(clippy::large_enum_variant)]
 pub(super) enum Outcome {
     Edit(Edit),
     /// The circle of VUP is seen edge-on: nothing moves.
