@@ -91,7 +91,7 @@ impl Failure {
     fn document(&mut self, error: &vides::Error) {
         match error {
             vides::Error::Engine(error) => self.engine(error),
-            vides::Error::Refused(Refused::NoProperty(_)) => self.no_attribute = true,
+            vides::Error::Refused(Refused::NoProperty { .. }) => self.no_attribute = true,
             vides::Error::Io { place, .. } => self.place.push(place.clone()),
             vides::Error::Format { line, key, .. } => {
                 self.line = Some(*line);

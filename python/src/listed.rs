@@ -3,7 +3,7 @@
 use pyo3::prelude::*;
 use vides::document::tool::{Needs, tools as all_tools};
 use vides::formats::{OPTIONS, formats as all_formats};
-use vides::property::Owner;
+use vides::property::Listed;
 use vides::tools::Unit;
 
 /// Name, title, endings, whether it is read, whether it is written.
@@ -63,29 +63,33 @@ pub(crate) fn tools() -> Vec<ToolRow> {
     .collect()
 }
 
-/// A property: its key, what it is for, its kind, its unit, and its range.
+/// A property: what has it, its key, what it is for, its kind, its unit, its range, and the value of
+/// a new one as a file has it.
 type Row = (
+    &'static str,
     &'static str,
     &'static str,
     String,
     &'static str,
     Option<(f64, f64)>,
+    String,
 );
 
-/// The properties of an orientation, as the engine's table has them.
+/// The properties of paths, points and views, as the engine's table has them.
 #[pyfunction]
 pub(crate) fn keys() -> Vec<Row> {
-    let views = vides::properties().into_iter();
-    let views = views.filter(|row| row.owner == Owner::View);
-    views
-        .map(|row| {
-            (
-                row.key,
-                row.does,
-                row.kind.to_string(),
-                row.unit.name(),
-                row.range,
-            )
-        })
-        .collect()
+    let row = |listed: Listed| {
+        let (owner, key, kind) = (listed.owner.name(), listed.key, listed.kind.to_string());
+        let unit = listed.unit.name();
+        (
+            owner,
+            key,
+            listed.does,
+            kind,
+            unit,
+            listed.range,
+            listed.new,
+        )
+    };
+    vides::properties().into_iter().map(row).collect()
 }

@@ -15,7 +15,7 @@ from . import _vides
 from ._arrays import Array, Vector, doubles, frozen, vector
 from ._error import Error
 from ._files import choices, path_of
-from ._points import Keyed, Points, Section, index_of
+from ._points import Keyed, Points, Section, bare_keys, index_of
 from ._samples import Samples
 from ._told import SVG, Finding
 
@@ -122,7 +122,7 @@ class Path(Keyed):
         return value
 
     def _keys(self) -> list[str]:
-        return sorted({name.split(".")[0] for name, _ in self._native.properties() if not name.startswith("point.")})
+        return bare_keys("path")
 
     # ---- Files --------------------------------------------------------------------------
 

@@ -81,7 +81,7 @@ class Keyed:
 
     def _unknown(self, name: str) -> AttributeError:
         kind = type(self).__name__
-        if name in _bare_keys():
+        if name in bare_keys("point", "view"):
             return AttributeError(f"{kind} has no {name}: its points have", name=name, obj=self)
         near = difflib.get_close_matches(name, dir(self), 1, 0.7)
         meant = f": is {near[0]} meant?" if near else "; dir() lists what it has"
@@ -94,9 +94,10 @@ class Keyed:
         return []
 
 
-def _bare_keys() -> list[str]:
-    """Keys of orientations, without their units."""
-    return [re.sub("_(mm|degrees|frames)$", "", row[0]) for row in _vides.keys()]
+def bare_keys(*owners: str) -> list[str]:
+    """Keys of paths, points or views, without their units."""
+    rows = _vides.keys()
+    return [re.sub("_(mm|degrees|frames)$", "", row[1]) for row in rows if row[0] in owners]
 
 
 class Orientation(Keyed):
@@ -130,7 +131,7 @@ class Orientation(Keyed):
         return f"point.{self._point + 1}.view.{self._at + 1}."
 
     def _keys(self) -> list[str]:
-        return _bare_keys()
+        return bare_keys("view")
 
     @property
     def up_vector(self) -> Array:
@@ -243,7 +244,7 @@ class Point(Keyed):
         return f"point.{self._at + 1}."
 
     def _keys(self) -> list[str]:
-        return ["name", "own", "preset", "tangents", *_bare_keys()]
+        return bare_keys("point", "view")
 
     @property
     def index(self) -> int:
@@ -357,7 +358,7 @@ class Section(Keyed):
         return f"point.{self.point + 1}.view.{self.orientation + 1}."
 
     def _keys(self) -> list[str]:
-        return _bare_keys()
+        return bare_keys("view")
 
     @property
     def point(self) -> int:

@@ -63,8 +63,10 @@ def tools() -> list[Tool]:
 
 
 class Property(NamedTuple):
-    """A property of an orientation."""
+    """A property of a path, a point or an orientation."""
 
+    owner: str
+    """What has it: ``"path"``, ``"point"`` or ``"view"``, an orientation."""
     key: str
     """Its key in files; its unit at the end may be left out."""
     does: str
@@ -75,13 +77,15 @@ class Property(NamedTuple):
     """What its numbers count."""
     range: tuple[float, float] | None
     """The least and the greatest, if they are fixed."""
+    new: str
+    """What a new one has, as files write it; empty if nothing is set."""
 
 
 def properties() -> list[Property]:
-    """The properties of orientations, as the engine's table has them.
+    """What there is to be set by its name, as the engine's table has it.
 
-    >>> [row for row in properties() if row.key == "zoom_mm"][0].range
-    (1.0, 2000.0)
+    >>> [(row.owner, row.unit, row.range) for row in properties() if row.key == "zoom_mm"]
+    [('view', 'mm', (1.0, 2000.0))]
     """
     return [Property(*row) for row in _vides.keys()]
 
