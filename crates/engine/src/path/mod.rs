@@ -39,7 +39,7 @@ pub mod pose;
 pub mod quaternion_spline;
 pub mod resample;
 pub mod sampling;
-mod section_sampler;
+pub(crate) mod section_sampler;
 pub mod space;
 pub mod speed_curve;
 mod tables;
