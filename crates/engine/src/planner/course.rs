@@ -73,9 +73,9 @@ impl Bounds {
         }
     }
 
-    /// Left so much of them, for what the keys will not follow.
-    pub(super) fn with_margin(&self, margin: f64) -> Self {
-        let (rates, changes) = (1.0 - 0.25 * margin, 1.0 - margin);
+    /// Less of the limits of rates and of changes by these shares, for what keys do not follow.
+    pub(super) fn with_margins(&self, [rates, changes]: [f64; 2]) -> Self {
+        let (rates, changes) = (1.0 - rates, 1.0 - changes);
         Self {
             speed: self.speed * rates,
             acceleration: self.acceleration * changes,
@@ -193,7 +193,8 @@ impl Course {
                 turn,
                 twist,
                 zoom: along.zoom_slope.abs(),
-                crossing: if sideways > 1e-9 * width {
+                // At the thing itself there is no picture of it.
+                crossing: if width > 1e-9 * half && sideways > 1e-9 * width {
                     sideways / width
                 } else {
                     0.0

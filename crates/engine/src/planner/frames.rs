@@ -127,6 +127,10 @@ impl Row<'_> {
                 best = route(&tables, first, None)?;
             }
         }
+        if best.1.is_empty() {
+            for (k, t) in tables.iter().enumerate() { eprintln!("{k} top {} most {} gain {} {:?}", tops[k], self.joints[k].most, self.joints[k].gain, t); }
+            return Ok(Vec::new());
+        }
         let mut paces = vec_with_room(count)?;
         for k in 0..count {
             let (a, b) = (best.1[k], best.1[k + 1]);

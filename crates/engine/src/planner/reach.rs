@@ -28,12 +28,10 @@ impl Ellipse {
     }
 }
 
-/// What one cell allows: at most two ellipses.
+/// What one cell allows: the ellipses of way and turning, else a strip along the diagonal.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Cell {
     limits: [Option<Ellipse>; 2],
-    /// Twice its share of the way.
-    width: f64,
 }
 
 impl Cell {
@@ -94,6 +92,11 @@ pub(super) struct Reach {
     pub most: Vec<f64>,
 }
 
+/// Where no change of the rate is limited it is at most this many times the mean, and takes so many
+/// frames to get there.
+const HIGHEST: f64 = 4.0;
+const RISE: f64 = 4.0;
+
 /// Below this share of the greatest a pace counts as resting.
 const RESTS: f64 = 1e-12;
 
@@ -101,10 +104,19 @@ impl Reach {
     /// # Errors
     /// [`crate::Error::Argument`] where the pace would rest within the section;
     /// [`crate::Error::Memory`].
-    pub(super) fn new(course: &Course, bounds: &Bounds) -> Result<Self> {
+    pub(super) fn new(course: &Course, bounds: &Bounds, fps: f64) -> Result<Self> {
         let count = course.cells();
         let width = 2.0 / count as f64;
         let mut cells = vec_with_room(count)?;
+        // Where no change is limited, the rate rises and falls within some frames.
+        let all: f64 = (0..count).map(|cell| 1.0 / bounds.rate(course.middle(cell)).0).sum();
+        let highest = HIGHEST / (all / count as f64).max(1.0 / fps);
+        let strip = (width * highest * fps / RISE).powi(-2);
+        let strip = Ellipse {
+            a: strip,
+            b: -strip,
+            c: strip,
+        };
         for cell in 0..count {
             let ask = course.middle(cell);
             let limit = |one: glam::DVec3, two: glam::DVec3, most: f64| {
@@ -114,13 +126,14 @@ impl Reach {
                 // What hardly moves has no limit.
                 (most.is_finite() && a.min(c) > 1e-24).then_some(Ellipse { a, b, c })
             };
-            cells.push(Cell {
-                limits: [
-                    limit(ask.tangent, ask.bend, bounds.acceleration),
-                    limit(ask.turn, ask.twist, bounds.turning_acceleration),
-                ],
-                width,
-            });
+            let mut limits = [
+                limit(ask.tangent, ask.bend, bounds.acceleration),
+                limit(ask.turn, ask.twist, bounds.turning_acceleration),
+            ];
+            if limits.iter().all(Option::is_none) {
+                limits[0] = Some(strip);
+            }
+            cells.push(Cell { limits });
         }
         let mut most = vec_with_room(count + 1)?;
         let mut fastest = 0.0_f64;
@@ -130,6 +143,10 @@ impl Reach {
             for cell in [node.checked_sub(1), (node < count).then_some(node)] {
                 let middle = cell.map(|cell| bounds.rate(course.middle(cell)).0);
                 rate = rate.min(middle.unwrap_or(f64::INFINITY));
+            }
+            let free = |cell: &Cell| cell.limits[0].is_some_and(|limit| limit.b == -limit.a);
+            if free(&cells[node.min(count - 1)]) || free(&cells[node.max(1) - 1]) {
+                rate = rate.min(highest);
             }
             fastest = fastest.max(rate);
             most.push(rate * rate);
@@ -166,8 +183,13 @@ impl Reach {
         let mut x = start.min(most[0]);
         found.push(x);
         for (cell, most) in self.cells.iter().zip(&most[1..]) {
-            let range = cell.range(x, false).unwrap_or([0.0, 0.0]);
-            x = range[1].min(*most);
+            // By rounding a little too fast to go on.
+            let mut range = cell.range(x, false);
+            while range.is_none() && x > 0.0 {
+                x *= 0.999;
+                range = cell.range(x, false);
+            }
+            x = range.map_or(0.0, |range| range[1].min(*most));
             found.push(x);
         }
         Ok(found)

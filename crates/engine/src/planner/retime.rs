@@ -60,6 +60,9 @@ const KINK: f64 = 0.3;
 /// The first share of the limits left to what keys do not follow, and the greatest.
 const MARGIN: [f64; 2] = [0.004, 0.6];
 
+/// The greatest share of one section's rate by another's where they meet; else the pace rests.
+const MOST_GAIN: f64 = 100.0;
+
 /// Rounds in which margins grow.
 const ROUNDS: usize = 24;
 
@@ -113,7 +116,8 @@ struct Work<'a> {
     /// Frames in which keys of the range rest.
     holds: usize,
     rests: Vec<Rest>,
-    margins: Vec<f64>,
+    /// Shares left of the limits of rates and of changes, for each section.
+    margins: Vec<[f64; 2]>,
     tracks: Vec<Track>,
     /// The section and the limit that were missed last.
     missed: (usize, FindingKind),
@@ -208,7 +212,7 @@ impl<'a> Work<'a> {
             tracks: Vec::new(),
             missed: (0, FindingKind::Speed),
         };
-        work.margins.resize(count, MARGIN[0]);
+        work.margins.resize(count, [0.5 * MARGIN[0], MARGIN[0]]);
         if count > 0 {
             work.join(&beside)?;
         }
@@ -293,7 +297,10 @@ impl<'a> Work<'a> {
             [left, right].map(|ask| ask.turn.length()),
         );
         let pairs = [ways, turns, [left.zoom, right.zoom]];
-        let both = |pair: &&[f64; 2]| pair.iter().all(|length| *length > 1e-9);
+        let both = |pair: &&[f64; 2]| {
+            let [a, b] = **pair;
+            a.min(b) > 1e-6 && (a / b).max(b / a) < MOST_GAIN
+        };
         let Some(pair) = pairs.iter().find(both) else {
             return (rest, Some(FindingKind::Acceleration));
         };
@@ -334,7 +341,7 @@ impl<'a> Work<'a> {
             .min(bounds.jerk / (1.5 * self.request.fps));
         let mut reaches = vec_with_room(self.courses.len())?;
         for (course, margin) in self.courses.iter().zip(&self.margins) {
-            reaches.push(Reach::new(course, &bounds.with_margin(*margin))?);
+            reaches.push(Reach::new(course, &bounds.with_margins(*margin), self.request.fps)?);
         }
         let paces = self.row(&reaches).plan()?;
         Ok((reaches, paces))
@@ -422,7 +429,8 @@ impl<'a> Work<'a> {
             if worst > 1.0 {
                 hold = false;
                 self.missed = (k, kind);
-                self.give_way(k, worst);
+                if std::env::var("DBG").is_ok() { eprintln!("track {k} {worst} {kind:?} frames {} margins {:?} keys {}", pace.frames, self.margins[k], found.keys.len()); }
+                self.give_way(k, worst, kind);
             }
             self.tracks.try_reserve(1)?;
             self.tracks.push(found);
@@ -430,9 +438,13 @@ impl<'a> Work<'a> {
         Ok(hold)
     }
 
-    fn give_way(&mut self, section: usize, worst: f64) {
-        let margin = &mut self.margins[section];
-        let more = (0.6 * (worst - 1.0)).clamp(0.004, 0.08);
+    fn give_way(&mut self, section: usize, worst: f64, kind: FindingKind) {
+        let changes = matches!(
+            kind,
+            FindingKind::Acceleration | FindingKind::TurningAcceleration | FindingKind::Jerk
+        );
+        let margin = &mut self.margins[section][usize::from(changes)];
+        let more = (0.004 + 0.7 * (worst - 1.0)).min(0.08);
         *margin = (*margin + more).min(MARGIN[1]);
     }
 
@@ -516,11 +528,11 @@ impl<'a> Work<'a> {
             };
             hold = false;
             self.missed = (k, finding.kind);
-            self.give_way(k, worst);
+            self.give_way(k, worst, finding.kind);
             // A jump at its beginning is the section's before, too.
             let before = (k + self.courses.len() - 1) % self.courses.len();
             if k > 0 || self.ring {
-                self.give_way(before, worst);
+                self.give_way(before, worst, finding.kind);
             }
         }
         Ok(hold)

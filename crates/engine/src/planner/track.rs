@@ -133,6 +133,14 @@ pub(super) fn track(wanted: &Wanted, course: &Course, bounds: &Bounds, fps: f64)
         let steps = over / fps / wanted.step;
         let smooth = wanted.smoothed(steps)?;
         let found = follow(&smooth, course, bounds, fps)?;
+        if std::env::var("DBG").is_ok() {
+            let mut w = (0.0, FindingKind::Speed, 0.0);
+            for (k, c) in smooth.change.iter().enumerate() {
+                let ask = course.at(smooth.phi[k]);
+                judge(&ask, smooth.rate[k], *c, bounds, &mut |s, kind| if s > w.0 { w = (s, kind, smooth.phi[k]) });
+            }
+            eprintln!("   over {over}: target {w:?} fit {:?} of {}", found.worst, found.keys.len());
+        }
         let better = best
             .as_ref()
             .is_none_or(|best| found.worst.0 < best.worst.0);
