@@ -175,6 +175,10 @@ impl Course {
             turned.push(2.0 * log(along.turn * last.conjugate()) / step);
             last = along.turn;
         }
+        // Rounding turns nothing.
+        if turned.iter().all(|turn| turn.length() < 1e-6) {
+            turned.fill(DVec3::ZERO);
+        }
         let mut asks: Vec<Ask> = vec_with_room(count)?;
         for (k, along) in all.iter().enumerate() {
             // Turns of the halves beside it; at an end that of the two next to it.

@@ -128,7 +128,6 @@ impl Row<'_> {
             }
         }
         if best.1.is_empty() {
-            for (k, t) in tables.iter().enumerate() { eprintln!("{k} top {} most {} gain {} {:?}", tops[k], self.joints[k].most, self.joints[k].gain, t); }
             return Ok(Vec::new());
         }
         let mut paces = vec_with_room(count)?;

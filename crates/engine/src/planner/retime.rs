@@ -3,7 +3,7 @@
 use super::course::{Bounds, Course};
 use super::frames::{Joint, Paced, Row};
 use super::reach::Reach;
-use super::track::{Track, Wanted, track};
+use super::track::{Track, track};
 use crate::error::{Invalid, OutOfRange, Result, vec_with_room};
 use crate::limits::MAX_FRAMES;
 use crate::path::own::distance;
@@ -58,13 +58,13 @@ const JUMP: f64 = 0.1;
 const KINK: f64 = 0.3;
 
 /// The first share of the limits left to what keys do not follow, and the greatest.
-const MARGIN: [f64; 2] = [0.004, 0.6];
+const MARGIN: [f64; 2] = [0.004, 0.98];
 
 /// The greatest share of one section's rate by another's where they meet; else the pace rests.
 const MOST_GAIN: f64 = 100.0;
 
 /// Rounds in which margins grow.
-const ROUNDS: usize = 24;
+const ROUNDS: usize = 40;
 
 /// The pace of a path, or of a range of it, computed anew: as fast as the limits allow, or in a
 /// given time with the lowest peaks. Rest at the ends of an open path and where keys are held;
@@ -241,7 +241,6 @@ impl<'a> Work<'a> {
             gain: 1.0,
             most: 0.0,
         };
-        let whole_ring = self.ring || beside.iter().all(Option::is_none) && self.request.points.is_none();
         for k in 0..=count {
             let before = match k {
                 0 if self.ring => Some(&self.courses[count - 1]),
@@ -278,7 +277,6 @@ impl<'a> Work<'a> {
             }
             self.joints.push(joint);
         }
-        let _ = whole_ring;
         Ok(())
     }
 
@@ -419,17 +417,20 @@ impl<'a> Work<'a> {
 
     /// Keys for all paces; where they do not hold the limits, its margin grows.
     fn tracks(&mut self, paces: &[Paced]) -> Result<bool> {
-        self.tracks.clear();
         let mut hold = true;
+        let mut before = std::mem::take(&mut self.tracks).into_iter();
         for (k, pace) in paces.iter().enumerate() {
             let fps = self.request.fps;
-            let wanted = Wanted::new(&pace.xs, pace.frames, fps)?;
-            let found = track(&wanted, &self.courses[k], &self.bounds, fps)?;
+            // Most sections have the pace that they had.
+            let same = before.next().filter(|track| track.xs == pace.xs && track.frames == pace.frames);
+            let found = match same {
+                Some(found) => found,
+                None => track(pace, &self.courses[k], &self.bounds, fps)?,
+            };
             let (worst, kind) = found.worst;
             if worst > 1.0 {
                 hold = false;
                 self.missed = (k, kind);
-                if std::env::var("DBG").is_ok() { eprintln!("track {k} {worst} {kind:?} frames {} margins {:?} keys {}", pace.frames, self.margins[k], found.keys.len()); }
                 self.give_way(k, worst, kind);
             }
             self.tracks.try_reserve(1)?;
@@ -444,8 +445,8 @@ impl<'a> Work<'a> {
             FindingKind::Acceleration | FindingKind::TurningAcceleration | FindingKind::Jerk
         );
         let margin = &mut self.margins[section][usize::from(changes)];
-        let more = (0.004 + 0.7 * (worst - 1.0)).min(0.08);
-        *margin = (*margin + more).min(MARGIN[1]);
+        let left = (1.0 - *margin) / worst.clamp(1.0, 1.25).powf(0.7) - 0.003;
+        *margin = (1.0 - left).min(MARGIN[1]);
     }
 
     fn not_held(&self) -> crate::Error {

@@ -7,6 +7,7 @@
 //! nowhere.
 
 use super::course::{Ask, Bounds, Course};
+use super::frames::Paced;
 use crate::error::{Result, vec_with_room};
 use crate::limits::MAX_DISTANCE_KEYS;
 use crate::math::monotone_cubic::{cubic, slope, slopes, value};
@@ -118,6 +119,26 @@ impl Wanted {
 pub(super) struct Track {
     pub keys: Vec<[f64; 2]>,
     pub worst: (f64, FindingKind),
+    /// The pace that it follows.
+    pub xs: Vec<f64>,
+    pub frames: usize,
+}
+
+/// Keys with the greatest share of a limit and its kind.
+type Keys = (Vec<[f64; 2]>, (f64, FindingKind));
+
+/// Worse than any.
+const NOT_YET: (f64, FindingKind) = (f64::INFINITY, FindingKind::Speed);
+
+impl Default for Track {
+    fn default() -> Self {
+        Self {
+            keys: Vec::new(),
+            worst: NOT_YET,
+            xs: Vec::new(),
+            frames: 0,
+        }
+    }
 }
 
 /// Smoothing that is tried, in frames.
@@ -127,65 +148,65 @@ const OVER: [f64; 3] = [0.4, 1.0, 2.5];
 const JUMP: f64 = 0.01;
 
 /// Keys within the limits, as few as hold them, else those that come nearest.
-pub(super) fn track(wanted: &Wanted, course: &Course, bounds: &Bounds, fps: f64) -> Result<Track> {
-    let mut best: Option<Track> = None;
+pub(super) fn track(pace: &Paced, course: &Course, bounds: &Bounds, fps: f64) -> Result<Track> {
+    let wanted = Wanted::new(&pace.xs, pace.frames, fps)?;
+    let mut best = Track::default();
+    best.xs.try_reserve(pace.xs.len())?;
     for over in OVER {
         let steps = over / fps / wanted.step;
         let smooth = wanted.smoothed(steps)?;
         let found = follow(&smooth, course, bounds, fps)?;
-        if std::env::var("DBG").is_ok() {
-            let mut w = (0.0, FindingKind::Speed, 0.0);
-            for (k, c) in smooth.change.iter().enumerate() {
-                let ask = course.at(smooth.phi[k]);
-                judge(&ask, smooth.rate[k], *c, bounds, &mut |s, kind| if s > w.0 { w = (s, kind, smooth.phi[k]) });
-            }
-            eprintln!("   over {over}: target {w:?} fit {:?} of {}", found.worst, found.keys.len());
+        if found.1.0 < best.worst.0 {
+            (best.keys, best.worst) = found;
         }
-        let better = best
-            .as_ref()
-            .is_none_or(|best| found.worst.0 < best.worst.0);
-        if better {
-            best = Some(found);
-        }
-        if best.as_ref().is_some_and(|best| best.worst.0 <= 1.0) {
+        if best.worst.0 <= 1.0 {
             break;
         }
     }
-    // There is always a first one.
-    Ok(best.unwrap_or(Track {
-        keys: Vec::new(),
-        worst: (f64::INFINITY, FindingKind::Speed),
-    }))
+    best.xs.extend_from_slice(&pace.xs);
+    best.frames = pace.frames;
+    Ok(best)
 }
 
 /// Keys put in where they miss most, until they hold the limits.
-fn follow(wanted: &Wanted, course: &Course, bounds: &Bounds, fps: f64) -> Result<Track> {
+fn follow(wanted: &Wanted, course: &Course, bounds: &Bounds, fps: f64) -> Result<Keys> {
     let last = wanted.change.len();
     let mut asks: Vec<Ask> = vec_with_room(last + 1)?;
     asks.extend(wanted.phi.iter().map(|phi| course.at(*phi)));
     let mut at: Vec<usize> = vec_with_room(MAX_DISTANCE_KEYS)?;
     at.extend([0, last / 4, last / 2, last - last / 4, last]);
-    let mut best: Option<Track> = None;
+    let mut best: Keys = (Vec::new(), NOT_YET);
     loop {
         let fitted = Fitted::new(wanted, &at);
         let (worst, order) = fitted.judge(wanted, &at, &asks, bounds, fps);
-        if best.as_ref().is_none_or(|best| worst.0 < best.worst.0) {
-            let mut keys = vec_with_room(at.len())?;
-            keys.extend_from_slice(&fitted.keys[..at.len()]);
-            best = Some(Track { keys, worst });
+        if worst.0 < best.1.0 {
+            best = (fitted.copied(at.len())?, worst);
         }
         if worst.0 <= 1.0 || at.len() == MAX_DISTANCE_KEYS {
             break;
         }
-        let Some(gap) = order.filter(|gap| at[gap + 1] - at[*gap] > 1) else {
+        let Some((gap, place)) = order else {
             break;
         };
-        at.insert(gap + 1, (at[gap] + at[gap + 1]) / 2);
+        // Where it misses most, but not next to a key.
+        let beside = (at[gap + 1] - at[gap]).div_ceil(8).max(1);
+        at.insert(gap + 1, place.clamp(at[gap] + beside, at[gap + 1] - beside));
     }
-    Ok(best.unwrap_or(Track {
-        keys: Vec::new(),
-        worst: (f64::INFINITY, FindingKind::Speed),
-    }))
+    if best.1.0 <= 1.0 {
+        let mut k = at.len() - 2;
+        while k > 0 && at.len() > 5 {
+            let key = at.remove(k);
+            let fitted = Fitted::new(wanted, &at);
+            let (worst, _) = fitted.judge(wanted, &at, &asks, bounds, fps);
+            if worst.0 <= 1.0 {
+                best = (fitted.copied(at.len())?, worst);
+            } else {
+                at.insert(k, key);
+            }
+            k -= 1;
+        }
+    }
+    Ok(best)
 }
 
 /// Keys at some steps of a pace, with their cubics.
@@ -195,6 +216,12 @@ struct Fitted {
 }
 
 impl Fitted {
+    fn copied(&self, count: usize) -> Result<Vec<[f64; 2]>> {
+        let mut keys = vec_with_room(count)?;
+        keys.extend_from_slice(&self.keys[..count]);
+        Ok(keys)
+    }
+
     fn new(wanted: &Wanted, at: &[usize]) -> Self {
         let all = wanted.change.len();
         let time = all as f64 * wanted.step;
@@ -235,7 +262,8 @@ impl Fitted {
         made
     }
 
-    /// The greatest share of a limit, and the gap between keys that misses the pace most.
+    /// The greatest share of a limit, and the gap between keys, and the step in it, that
+    /// misses the pace most.
     fn judge(
         &self,
         wanted: &Wanted,
@@ -243,7 +271,7 @@ impl Fitted {
         asks: &[Ask],
         bounds: &Bounds,
         fps: f64,
-    ) -> ((f64, FindingKind), Option<usize>) {
+    ) -> ((f64, FindingKind), Option<(usize, usize)>) {
         let all = wanted.change.len();
         let time = all as f64 * wanted.step;
         let mut worst = (0.0, FindingKind::Speed);
@@ -260,7 +288,7 @@ impl Fitted {
                 see(f64::INFINITY, FindingKind::Acceleration);
             }
             let way = cubic(low, high - low, step, self.slopes[k], self.slopes[k + 1]);
-            let mut off = 0.0_f64;
+            let mut off = (0.0, pair[0]);
             for at in pair[0]..=pair[1] {
                 let x = (at as f64 / all as f64 - from) / step;
                 let rate = slope(&way, x) / (step * time);
@@ -271,11 +299,14 @@ impl Fitted {
                 let weight = weight(ask, bounds);
                 let ahead = (value(&way, x) - wanted.phi[at]).abs() * weight * fps * fps;
                 let rates = (rate - wanted.rate[at]).abs() * weight * fps;
-                off = off.max((change - right).abs() * weight + rates + 0.1 * ahead);
+                let all = (change - right).abs() * weight + rates + 0.1 * ahead;
+                if all > off.0 {
+                    off = (all, at);
+                }
             }
             let splits = pair[1] - pair[0] > 1;
-            if splits && off > missed.0 {
-                missed = (off, Some(k));
+            if splits && off.0 > missed.0 {
+                missed = (off.0, Some((k, off.1)));
             }
         }
         let last = at.len() - 1;
