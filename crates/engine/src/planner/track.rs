@@ -112,7 +112,73 @@ impl Wanted {
         debug_assert!(duration > 0.0);
         Ok(made)
     }
+
+    /// Steps around the few greatest jumps of the change, as far apart as the smoothing halves them;
+    /// empty where there are none, or too many.
+    fn around_jumps(
+        &self,
+        course: &Course,
+        bounds: &Bounds,
+        fps: f64,
+        over: f64,
+    ) -> Result<Vec<usize>> {
+        let count = self.change.len();
+        let window = ((1.0 / fps / self.step) as usize).clamp(2, count / 4);
+        let mut jumps = vec_with_room(count)?;
+        for k in 0..count - window {
+            let ask = course.at(self.phi[k + window / 2]);
+            jumps.push((self.change[k + window] - self.change[k]).abs() * weight(&ask, bounds));
+        }
+        let mut places: Vec<f64> = vec_with_room(JUMPS + 1)?;
+        while places.len() <= JUMPS {
+            let greatest = (0..jumps.len()).max_by(|a, b| jumps[*a].total_cmp(&jumps[*b]));
+            let Some(at) = greatest.filter(|at| jumps[*at] > LEAST_JUMP) else {
+                break;
+            };
+            // The middle of what changes there.
+            let (mut sum, mut all) = (0.0, 0.0);
+            for k in at..at + window {
+                let step = (self.change[k + 1] - self.change[k]).abs();
+                sum += step * (k + 1) as f64;
+                all += step;
+            }
+            places.push(sum / all);
+            let (from, to) = (at.saturating_sub(2 * window), at + 2 * window);
+            jumps[from..to.min(count - window)].fill(0.0);
+        }
+        let mut at: Vec<usize> = vec_with_room(MAX_DISTANCE_KEYS + 2)?;
+        if places.is_empty() || places.len() > JUMPS {
+            return Ok(at);
+        }
+        let beside = [5, 5, 4, 3][places.len() - 1];
+        let apart = over * std::f64::consts::LN_2;
+        for place in places {
+            for k in -beside..=beside {
+                let step = (place + f64::from(k) * apart).round();
+                if step > 0.0 && step < count as f64 {
+                    at.push(step as usize);
+                }
+            }
+        }
+        at.sort_unstable();
+        let least = (0.7 * apart).max(1.0) as usize;
+        let mut last = 0;
+        at.retain(|step| {
+            let fits = *step >= last + least && *step + least <= count;
+            if fits {
+                last = *step;
+            }
+            fits
+        });
+        at.insert(0, 0);
+        at.push(count);
+        Ok(at)
+    }
 }
+
+/// As many jumps of the change have keys around them, if they are this share of the limit.
+const JUMPS: usize = 4;
+const LEAST_JUMP: f64 = 0.2;
 
 /// Keys, and how near they come to the limits: the greatest share of one and its kind.
 #[derive(Debug, Clone)]
@@ -155,9 +221,18 @@ pub(super) fn track(pace: &Paced, course: &Course, bounds: &Bounds, fps: f64) ->
     for over in OVER {
         let steps = over / fps / wanted.step;
         let smooth = wanted.smoothed(steps)?;
-        let found = follow(&smooth, course, bounds, fps)?;
-        if found.1.0 < best.worst.0 {
-            (best.keys, best.worst) = found;
+        let last = wanted.change.len();
+        let mut plain = vec_with_room(MAX_DISTANCE_KEYS)?;
+        plain.extend([0, last / 4, last / 2, last - last / 4, last]);
+        let jumps = wanted.around_jumps(course, bounds, fps, steps)?;
+        for at in [jumps, plain] {
+            if at.is_empty() || best.worst.0 <= 1.0 {
+                continue;
+            }
+            let found = follow(&smooth, at, course, bounds, fps)?;
+            if found.1.0 < best.worst.0 {
+                (best.keys, best.worst) = found;
+            }
         }
         if best.worst.0 <= 1.0 {
             break;
@@ -169,12 +244,16 @@ pub(super) fn track(pace: &Paced, course: &Course, bounds: &Bounds, fps: f64) ->
 }
 
 /// Keys put in where they miss most, until they hold the limits.
-fn follow(wanted: &Wanted, course: &Course, bounds: &Bounds, fps: f64) -> Result<Keys> {
+fn follow(
+    wanted: &Wanted,
+    mut at: Vec<usize>,
+    course: &Course,
+    bounds: &Bounds,
+    fps: f64,
+) -> Result<Keys> {
     let last = wanted.change.len();
     let mut asks: Vec<Ask> = vec_with_room(last + 1)?;
     asks.extend(wanted.phi.iter().map(|phi| course.at(*phi)));
-    let mut at: Vec<usize> = vec_with_room(MAX_DISTANCE_KEYS)?;
-    at.extend([0, last / 4, last / 2, last - last / 4, last]);
     let mut best: Keys = (Vec::new(), NOT_YET);
     loop {
         let fitted = Fitted::new(wanted, &at);
@@ -185,12 +264,10 @@ fn follow(wanted: &Wanted, course: &Course, bounds: &Bounds, fps: f64) -> Result
         if worst.0 <= 1.0 || at.len() == MAX_DISTANCE_KEYS {
             break;
         }
-        let Some((gap, place)) = order else {
+        let Some(gap) = order else {
             break;
         };
-        // Where it misses most, but not next to a key.
-        let beside = (at[gap + 1] - at[gap]).div_ceil(8).max(1);
-        at.insert(gap + 1, place.clamp(at[gap] + beside, at[gap + 1] - beside));
+        at.insert(gap + 1, (at[gap] + at[gap + 1]) / 2);
     }
     if best.1.0 <= 1.0 {
         let mut k = at.len() - 2;
@@ -262,8 +339,7 @@ impl Fitted {
         made
     }
 
-    /// The greatest share of a limit, and the gap between keys, and the step in it, that
-    /// misses the pace most.
+    /// The greatest share of a limit, and the gap between keys that misses the pace most.
     fn judge(
         &self,
         wanted: &Wanted,
@@ -271,7 +347,7 @@ impl Fitted {
         asks: &[Ask],
         bounds: &Bounds,
         fps: f64,
-    ) -> ((f64, FindingKind), Option<(usize, usize)>) {
+    ) -> ((f64, FindingKind), Option<usize>) {
         let all = wanted.change.len();
         let time = all as f64 * wanted.step;
         let mut worst = (0.0, FindingKind::Speed);
@@ -288,7 +364,7 @@ impl Fitted {
                 see(f64::INFINITY, FindingKind::Acceleration);
             }
             let way = cubic(low, high - low, step, self.slopes[k], self.slopes[k + 1]);
-            let mut off = (0.0, pair[0]);
+            let mut off = 0.0_f64;
             for at in pair[0]..=pair[1] {
                 let x = (at as f64 / all as f64 - from) / step;
                 let rate = slope(&way, x) / (step * time);
@@ -299,14 +375,11 @@ impl Fitted {
                 let weight = weight(ask, bounds);
                 let ahead = (value(&way, x) - wanted.phi[at]).abs() * weight * fps * fps;
                 let rates = (rate - wanted.rate[at]).abs() * weight * fps;
-                let all = (change - right).abs() * weight + rates + 0.1 * ahead;
-                if all > off.0 {
-                    off = (all, at);
-                }
+                off = off.max((change - right).abs() * weight + rates + 0.1 * ahead);
             }
             let splits = pair[1] - pair[0] > 1;
-            if splits && off.0 > missed.0 {
-                missed = (off.0, Some((k, off.1)));
+            if splits && off > missed.0 {
+                missed = (off, Some(k));
             }
         }
         let last = at.len() - 1;
