@@ -41,6 +41,7 @@ mod orientations;
 mod pace;
 mod path;
 mod pointers;
+mod planning;
 mod points;
 mod poses;
 mod quaternions;

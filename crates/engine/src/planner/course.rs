@@ -6,7 +6,7 @@ use glam::{DQuat, DVec3};
 use crate::error::{Error, Invalid, Result, vec_with_room};
 use crate::math::quaternion::{continue_sign, log};
 use crate::path::section_sampler::{Along, SectionSampler};
-use crate::path::{CameraPath, Timeline};
+use crate::path::{CameraPath, Target, Timeline};
 use crate::tools::check::{FindingKind, Limits, OFF};
 
 /// Limits for one second, in half sizes, radians and millimetres; infinite: none.
@@ -161,49 +161,11 @@ impl Course {
         let (number, frames) = sampler.number_and_frames();
         let section = timeline.section(number);
         let from = &path.points[section.point].orientations[section.orientation];
-        let half = path.space.half_size;
-        let count = 2 * cells + 1;
-        let step = 1.0 / (count - 1) as f64;
-        let mut shares = vec_with_room(count)?;
-        shares.extend((0..count).map(|k| if k + 1 == count { 1.0 } else { k as f64 * step }));
-        let mut all: Vec<Along> = vec_with_room(count)?;
-        sampler.along(&shares, &mut |along| all.push(along))?;
-        let mut turned: Vec<DVec3> = vec_with_room(count)?;
-        let mut last = all[0].turn;
-        for along in &mut all[1..] {
-            along.turn = continue_sign(last, along.turn).0;
-            turned.push(2.0 * log(along.turn * last.conjugate()) / step);
-            last = along.turn;
-        }
-        // Rounding turns nothing.
-        if turned.iter().all(|turn| turn.length() < 1e-6) {
-            turned.fill(DVec3::ZERO);
-        }
-        let mut asks: Vec<Ask> = vec_with_room(count)?;
-        for (k, along) in all.iter().enumerate() {
-            // Turns of the halves beside it; at an end that of the two next to it.
-            let near = k.clamp(1, count - 2);
-            let (before, after) = (turned[near - 1], turned[near]);
-            let twist = (after - before) / step;
-            let turn = 0.5 * (before + after) + twist * ((k as f64 - near as f64) * step);
-            let depth = path.depth(Some(from.target), along.place);
-            // What is seen goes along with the view; across the picture it moves the other way.
-            let sideways = along.tangent + turn.cross(along.view * depth);
-            let sideways = sideways.reject_from_normalized(along.view).length();
-            let width = 36.0 / along.zoom * depth;
-            asks.push(Ask {
-                tangent: along.tangent / half,
-                bend: along.bend / half,
-                turn,
-                twist,
-                zoom: along.zoom_slope.abs(),
-                // At the thing itself there is no picture of it.
-                crossing: if width > 1e-9 * half && sideways > 1e-9 * width {
-                    sideways / width
-                } else {
-                    0.0
-                },
-            });
+        let mut asks = measured(path, from.target, sampler, cells)?;
+        let mut cells = cells;
+        while cells < MOST_CELLS && asks.windows(3).step_by(2).any(is_coarse) {
+            cells *= 2;
+            asks = measured(path, from.target, sampler, cells)?;
         }
         Ok(Self {
             section: number,
@@ -253,8 +215,89 @@ impl Course {
     }
 }
 
+/// Cells of a section at most, where a view or a curve turns sharply.
+const MOST_CELLS: usize = 1024;
+
+/// Whether a grid misses what is between two of its nodes.
+fn is_coarse(asks: &[Ask]) -> bool {
+    let [from, middle, to] = asks else {
+        return false;
+    };
+    let misses = |f: fn(&Ask) -> DVec3, least: f64| {
+        let (a, b) = (f(from), f(to));
+        let off = (f(middle) - 0.5 * (a + b)).length();
+        off > 0.15 * (a.length() + b.length()) * 0.5 + least
+    };
+    let way = from.tangent.length();
+    misses(|ask| ask.bend, 0.05 * way) || misses(|ask| ask.turn, 0.02)
+}
+
+/// Derivatives at the nodes of so many cells and between them.
+fn measured(
+    path: &CameraPath,
+    target: Target,
+    sampler: &SectionSampler,
+    cells: usize,
+) -> Result<Vec<Ask>> {
+    let half = path.space.half_size;
+    let count = 2 * cells + 1;
+    let step = 1.0 / (count - 1) as f64;
+    let mut shares = vec_with_room(count)?;
+    shares.extend((0..count).map(|k| if k + 1 == count { 1.0 } else { k as f64 * step }));
+    let mut all: Vec<Along> = vec_with_room(count)?;
+    sampler.along(&shares, &mut |along| all.push(along))?;
+    let mut turned: Vec<DVec3> = vec_with_room(count)?;
+    let mut last = all[0].turn;
+    for along in &mut all[1..] {
+        along.turn = continue_sign(last, along.turn).0;
+        turned.push(2.0 * log(along.turn * last.conjugate()) / step);
+        last = along.turn;
+    }
+    // Rounding turns nothing.
+    if turned.iter().all(|turn| turn.length() < 1e-6) {
+        turned.fill(DVec3::ZERO);
+    }
+    let mut asks: Vec<Ask> = vec_with_room(count)?;
+    for (k, along) in all.iter().enumerate() {
+        // A cusp between two places turns the way as much as it does from the one to the other.
+        let mean = if k == 0 || k + 1 == count {
+            DVec3::ZERO
+        } else {
+            (all[k + 1].tangent - all[k - 1].tangent) / (2.0 * step)
+        };
+        let bend = if along.bend.length() < mean.length() {
+            mean
+        } else {
+            along.bend
+        };
+        // Turns of the halves beside it; at an end that of the two next to it.
+        let near = k.clamp(1, count - 2);
+        let (before, after) = (turned[near - 1], turned[near]);
+        let twist = (after - before) / step;
+        let turn = 0.5 * (before + after) + twist * ((k as f64 - near as f64) * step);
+        let depth = path.depth(Some(target), along.place);
+        // What is seen goes along with the view; across the picture it moves the other way.
+        let sideways = along.tangent + turn.cross(along.view * depth);
+        let sideways = sideways.reject_from_normalized(along.view).length();
+        let width = 36.0 / along.zoom * depth;
+        asks.push(Ask {
+            tangent: along.tangent / half,
+            bend: bend / half,
+            turn,
+            twist,
+            zoom: along.zoom_slope.abs(),
+            // At the thing itself there is no picture of it.
+            crossing: if width > 1e-9 * half && sideways > 1e-9 * width {
+                sideways / width
+            } else {
+                0.0
+            },
+        });
+    }
+    Ok(asks)
+}
+
 /// The turn of one quaternion to another.
-#[cfg(test)]
 pub(super) fn turned(a: DQuat, b: DQuat) -> DVec3 {
     2.0 * log(continue_sign(a, b).0 * a.conjugate())
 }

@@ -1,13 +1,15 @@
 //! The pace of a path computed anew: where the camera is at a place it looks where it looked before.
 
-use super::course::{Bounds, Course};
+use std::fmt;
+
+use super::course::{Bounds, Course, turned};
 use super::frames::{Joint, Paced, Row};
 use super::reach::Reach;
 use super::track::{Track, track};
 use crate::error::{Invalid, OutOfRange, Result, vec_with_room};
 use crate::limits::MAX_FRAMES;
 use crate::path::own::distance;
-use crate::path::{CameraPath, Orientation, Pace, PacePart, PaceSource, Sampler, Timeline};
+use crate::path::{CameraPath, Orientation, Pace, PacePart, PaceSource, Pose, Sampler, Timeline};
 use crate::tools::check::{CheckContext, FindingKind, Limits, OFF, check};
 
 /// What is asked for.
@@ -36,6 +38,22 @@ pub struct Rest {
     pub limit: FindingKind,
 }
 
+/// The English sentence.
+impl fmt::Display for Rest {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (point, view) = (self.point + 1, self.orientation + 1);
+        let what = if self.limit == FindingKind::TurningAcceleration {
+            "view"
+        } else {
+            "curve"
+        };
+        write!(
+            f,
+            "at point {point}, view {view} the pace rests, since the {what} has a kink there"
+        )
+    }
+}
+
 /// A path with a new pace.
 #[derive(Debug)]
 pub struct Retimed {
@@ -62,6 +80,9 @@ const MARGIN: [f64; 2] = [0.004, 0.98];
 
 /// The greatest share of one section's rate by another's where they meet; else the pace rests.
 const MOST_GAIN: f64 = 100.0;
+
+/// Places in each of the two frames around a joint at which it is looked at.
+const PHASES: i32 = 10;
 
 /// Rounds in which margins grow.
 const ROUNDS: usize = 40;
@@ -515,7 +536,7 @@ impl<'a> Work<'a> {
             limits,
         };
         let found = check(made, &against)?;
-        let mut hold = true;
+        let mut hold = self.joints_hold(made)?;
         for finding in found {
             let at = (finding.point, finding.orientation);
             let same = |course: &Course| (course.point, course.orientation) == at;
@@ -528,12 +549,63 @@ impl<'a> Work<'a> {
                 finding.value / finding.limit
             };
             hold = false;
-            self.missed = (k, finding.kind);
-            self.give_way(k, worst, finding.kind);
-            // A jump at its beginning is the section's before, too.
-            let before = (k + self.courses.len() - 1) % self.courses.len();
-            if k > 0 || self.ring {
-                self.give_way(before, worst, finding.kind);
+            self.both_give_way(k, worst, finding.kind);
+        }
+        Ok(hold)
+    }
+
+    /// What is missed near the beginning of a section is the one's before, too.
+    fn both_give_way(&mut self, section: usize, worst: f64, kind: FindingKind) {
+        let count = self.courses.len();
+        self.missed = (section, kind);
+        self.give_way(section, worst, kind);
+        if section > 0 || self.ring {
+            self.give_way((section + count - 1) % count, worst, kind);
+        }
+    }
+
+    /// Whether the differences over a frame hold the limits where sections meet, between frames too.
+    fn joints_hold(&mut self, made: &CameraPath) -> Result<bool> {
+        let timeline = Timeline::new(made)?;
+        let sampler = Sampler::new(made, &timeline)?;
+        let last = sampler.frame_count() as f64;
+        let fps = self.request.fps;
+        let half = made.space.half_size;
+        let mut hold = true;
+        for k in 0..self.courses.len() {
+            if self.joints[k].most == 0.0 {
+                continue;
+            }
+            let at = sampler.first_frame(self.courses[k].section) as f64 - 1.0;
+            let mut worst = (1.0, FindingKind::Acceleration);
+            for phase in -PHASES..=PHASES {
+                let middle = at + f64::from(phase) / f64::from(PHASES);
+                if middle < 2.0 || middle > last - 1.0 {
+                    continue;
+                }
+                let mut poses = [Pose::default(); 3];
+                for (pose, frame) in poses.iter_mut().zip([-1.0, 0.0, 1.0]) {
+                    *pose = sampler.pose(middle + frame)?;
+                }
+                let [a, b, c] = poses.map(|pose| pose.position());
+                let bend = (c - 2.0 * b + a).length() / half * fps * fps;
+                let [p, q, r] = poses.map(|pose| pose.rotation());
+                let change = (turned(q, r) - turned(p, q)).length() * fps * fps;
+                for (share, kind) in [
+                    (bend / self.bounds.acceleration, FindingKind::Acceleration),
+                    (
+                        change / self.bounds.turning_acceleration,
+                        FindingKind::TurningAcceleration,
+                    ),
+                ] {
+                    if share > worst.0 {
+                        worst = (share, kind);
+                    }
+                }
+            }
+            if worst.0 > 1.0 {
+                hold = false;
+                self.both_give_way(k, worst.0, worst.1);
             }
         }
         Ok(hold)
