@@ -6,6 +6,7 @@
 #   make check       format, lints and Rust tests: what one runs while working
 #   make check-hosts the window beside hosts of many toolkits; large packages
 #   make check-formats what VIDES writes, read by Blender, ParaView and others; large packages
+#   make check-planning what is planned, beside other libraries
 #   make bench       speed, beside other libraries
 #   make soak        the random checks again, with many more cases, and fuzz
 #   make coverage    which share of the branches the tests take, by folder
@@ -70,7 +71,7 @@ LINT = -D warnings
 .PHONY: all libs demo test check bench soak soak-calls soak-x fuzz coverage miri threads install uninstall header completions reference clean side-by-side FORCE \
 	toolchain check-format check-lints check-rust check-c check-linking \
 	check-calls check-x check-demo check-install check-docs check-dependencies \
-	check-hosts soak-hosts check-formats check-formats-small
+	check-hosts soak-hosts check-planning check-formats check-formats-small
 
 all: libs $(RELEASE)/vides
 
@@ -194,6 +195,14 @@ check-calls: libs
 	mk/libraries.sh $(CARGO_TARGET_DIR)/debug/libvides_archive.a $(CARGO_TARGET_DIR)/inject $(VERSION)
 	$(ONCE)inject $(CARGO_TARGET_DIR)/inject include tests/calls -- \
 	    tests/calls/run.sh $(CARGO_TARGET_DIR)/inject inject hand_over
+
+# The pace of random paths beside another library's; not in `make test`.
+check-planning: all
+	@mk/need.sh python3=python3
+	[ -x $(CARGO_TARGET_DIR)/planning/bin/python ] || { \
+	    python3 -m venv $(CARGO_TARGET_DIR)/planning && \
+	    $(CARGO_TARGET_DIR)/planning/bin/pip -q install -r tests/planning/requirements; }
+	$(CARGO_TARGET_DIR)/planning/bin/python tests/planning/retime.py $(RELEASE)/vides $(CARGO_TARGET_DIR)/planning/paths
 
 # The window, from outside.
 check-x: all

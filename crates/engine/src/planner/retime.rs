@@ -354,10 +354,10 @@ impl<'a> Work<'a> {
     /// Paces of all sections with these limits, made slower all alike.
     fn planned(&self, slower: f64) -> Result<(Vec<Reach>, Vec<Paced>)> {
         let mut bounds = self.bounds.stretched(slower);
-        // The third difference of places within the acceleration's limit is at most 1.5 of it.
+        // Smoothed jumps of the acceleration leave about this; margins do the rest.
         bounds.acceleration = bounds
             .acceleration
-            .min(bounds.jerk / (1.5 * self.request.fps));
+            .min(bounds.jerk / (0.5 * self.request.fps));
         let mut reaches = vec_with_room(self.courses.len())?;
         for (course, margin) in self.courses.iter().zip(&self.margins) {
             reaches.push(Reach::new(course, &bounds.with_margins(*margin), self.request.fps)?);
