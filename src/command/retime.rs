@@ -43,7 +43,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         limits.set(*kind, *limit)?;
     }
     if arguments.seconds.is_some_and(|seconds| !(seconds > 0.0)) {
-        return Err(Failure::Usage("--seconds must be greater than 0".to_owned()));
+        return Err(Failure::Usage(
+            "--seconds must be greater than 0".to_owned(),
+        ));
     }
     let point = |given: Option<usize>, or: usize| match given {
         Some(0) => Err(Failure::Usage("points count from 1".to_owned())),

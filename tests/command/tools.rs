@@ -248,7 +248,14 @@ fn a_path_is_retimed_within_its_limits() {
     let fastest = told(&limits);
     assert!((poses_of(file).len() as f64 - 1.0 - 25.0 * fastest).abs() < 1e-6);
     let limits_of_check = ["speed=0.5", "acceleration=1"];
-    let checked = run(&["check", file, "--limit", limits_of_check[0], "--limit", limits_of_check[1]]);
+    let checked = run(&[
+        "check",
+        file,
+        "--limit",
+        limits_of_check[0],
+        "--limit",
+        limits_of_check[1],
+    ]);
     let found = String::from_utf8(checked.stdout).unwrap();
     for kind in ["  speed  ", "  acceleration  ", "  turning", "  zoom  "] {
         assert!(!found.contains(kind), "{found}");
@@ -257,8 +264,14 @@ fn a_path_is_retimed_within_its_limits() {
     let longer = format!("{}", (fastest * 2.0).ceil());
     let exact = told(&[&limits[..], &["--seconds", &longer]].concat());
     assert_eq!(exact, longer.parse::<f64>().unwrap());
-    let wrong = complaint(&run(&[&["retime", PYRAMID, "--seconds", "0.2"][..], &limits].concat()), 1);
-    assert!(wrong.contains(&format!("the limits allow it in {fastest:.3} s")), "{wrong}");
+    let wrong = complaint(
+        &run(&[&["retime", PYRAMID, "--seconds", "0.2"][..], &limits].concat()),
+        1,
+    );
+    assert!(
+        wrong.contains(&format!("the limits allow it in {fastest:.3} s")),
+        "{wrong}"
+    );
     complaint(&run(&["retime", PYRAMID, "--limit", "speed=0"]), 1);
     complaint(&run(&["retime", PYRAMID, "--limit", "speed=nan"]), 2);
     complaint(&run(&["retime", PYRAMID, "--seconds", "-1"]), 2);

@@ -58,24 +58,24 @@ pub(super) struct ArcLengthCurve {
 #[derive(Debug)]
 pub(crate) struct SectionSampler {
     /// Its number in the timeline.
-    pub section: usize,
+    pub(super) section: usize,
     /// Number of the last pose before its own: the key in which it begins.
-    pub start: usize,
+    pub(super) start: usize,
     /// Its frames, ≥ 1; the last one is the key in which it ends.
-    pub frames: usize,
+    pub(super) frames: usize,
     /// None where the speed is constant.
-    pub speed: Option<Box<[Timing]>>,
+    pub(super) speed: Option<Box<[Timing]>>,
     /// Where the camera moves; None where it stays at `position`.
-    pub way: Option<ArcLengthCurve>,
-    pub position: DVec3,
+    pub(super) way: Option<ArcLengthCurve>,
+    pub(super) position: DVec3,
     /// In the upright axes of `space`.
-    pub turning: Turning,
+    pub(super) turning: Turning,
     /// The path's; where a target is tracked its `up` is what the roll is measured against.
-    pub space: Space,
+    pub(super) space: Space,
     /// Zoom in powers of φ.
-    pub zoom: [f64; 4],
+    pub(super) zoom: [f64; 4],
     /// What fast sampling prepares once, if the section has many frames.
-    pub tables: OnceLock<Tables>,
+    pub(super) tables: OnceLock<Tables>,
 }
 
 impl SectionSampler {

@@ -47,8 +47,15 @@ impl Bounds {
         if KINDS.iter().all(|kind| limits.get(*kind) == OFF) {
             return Err(Invalid::NoPaceLimit.into());
         }
-        let [speed, acceleration, jerk, turning, turning_acceleration, zoom, crossing] =
-            KINDS.map(|kind| limits.get(kind));
+        let [
+            speed,
+            acceleration,
+            jerk,
+            turning,
+            turning_acceleration,
+            zoom,
+            crossing,
+        ] = KINDS.map(|kind| limits.get(kind));
         Ok(Self {
             speed,
             acceleration,

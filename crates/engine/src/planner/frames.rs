@@ -36,9 +36,7 @@ pub(super) struct Row<'a> {
 }
 
 /// Shares of the greatest x at a joint that are tried. The last one always leads on.
-const LEVELS: [f64; 11] = [
-    1.0, 0.98, 0.95, 0.9, 0.84, 0.75, 0.6, 0.45, 0.25, 0.08, 0.0,
-];
+const LEVELS: [f64; 11] = [1.0, 0.98, 0.95, 0.9, 0.84, 0.75, 0.6, 0.45, 0.25, 0.08, 0.0];
 
 /// Frames for which one section less at its share is given up.
 const LOWER: f64 = 1e-3;
@@ -93,7 +91,11 @@ impl Row<'_> {
         let level = |joint: usize, level: usize| tops[joint] * LEVELS[level];
         let levels = |joint: usize| if tops[joint] > 0.0 { LEVELS.len() } else { 1 };
         let start = |section: usize, a: usize| {
-            let gain = if section == 0 { 1.0 } else { self.joints[section].gain };
+            let gain = if section == 0 {
+                1.0
+            } else {
+                self.joints[section].gain
+            };
             level(section, a) * gain
         };
         // Frames from each level of a joint to each of the next.

@@ -23,7 +23,11 @@ impl Ellipse {
     fn range(a: f64, b: f64, c: f64, known: f64) -> Option<[f64; 2]> {
         let middle = -b * known / a;
         let square = middle * middle - (c * known * known - 1.0) / a;
-        let root = if square >= 0.0 { square.sqrt() } else { return None };
+        let root = if square >= 0.0 {
+            square.sqrt()
+        } else {
+            return None;
+        };
         Some([middle - root, middle + root])
     }
 }
@@ -109,7 +113,9 @@ impl Reach {
         let width = 2.0 / count as f64;
         let mut cells = vec_with_room(count)?;
         // Where no change is limited, the rate rises and falls within some frames.
-        let all: f64 = (0..count).map(|cell| 1.0 / bounds.rate(course.middle(cell)).0).sum();
+        let all: f64 = (0..count)
+            .map(|cell| 1.0 / bounds.rate(course.middle(cell)).0)
+            .sum();
         let highest = HIGHEST / (all / count as f64).max(1.0 / fps);
         let strip = (width * highest * fps / RISE).powi(-2);
         let strip = Ellipse {

@@ -194,7 +194,8 @@ impl<'a> Work<'a> {
         let mut all = vec_with_room(moving)?;
         all.extend(sampler.courses());
         let index = |section: usize| {
-            all.iter().position(|course| course.number_and_frames().0 == section)
+            all.iter()
+                .position(|course| course.number_and_frames().0 == section)
         };
         let new = |at: usize| Course::new(path, timeline, all[at], cells);
         let mut places = vec_with_room(sections.len())?;
@@ -213,9 +214,12 @@ impl<'a> Work<'a> {
                 beside[1] = Some(new(around(last, 1))?);
             }
         }
-        let hold = |course: &Course| path.points[course.point].orientations[course.orientation].hold;
+        let hold =
+            |course: &Course| path.points[course.point].orientations[course.orientation].hold;
         let mut holds: usize = courses.iter().map(|course| hold(course) as usize).sum();
-        let end = request.points.map_or(path.points.len() - 1, |points| points[1]);
+        let end = request
+            .points
+            .map_or(path.points.len() - 1, |points| points[1]);
         let end = path.points[end].orientations.last();
         if !(whole && path.closed) {
             holds += end.map_or(0, |end| end.hold as usize);
@@ -248,7 +252,8 @@ impl<'a> Work<'a> {
             // It begins where it rests, if it does anywhere.
             let mut first = None;
             for k in 0..count {
-                let (joint, _) = self.joint(&self.courses[(k + count - 1) % count], &self.courses[k]);
+                let (joint, _) =
+                    self.joint(&self.courses[(k + count - 1) % count], &self.courses[k]);
                 if joint.most == 0.0 && first.is_none() {
                     first = Some(k);
                 }
@@ -326,12 +331,28 @@ impl<'a> Work<'a> {
         let ratio = pair[0] / pair[1];
         let bounds = &self.bounds;
         let fps = self.request.fps;
-        let total: f64 = self.courses.iter().map(|course| course.node(0).tangent.length()).sum();
+        let total: f64 = self
+            .courses
+            .iter()
+            .map(|course| course.node(0).tangent.length())
+            .sum();
         let mut most = bounds.rate(left).0.min(bounds.rate(right).0 / ratio);
-        most = most.min((2.0 * bounds.acceleration * total).sqrt() / ways[0]).min(1e6);
+        most = most
+            .min((2.0 * bounds.acceleration * total).sqrt() / ways[0])
+            .min(1e6);
         let jumps = [
-            (left.tangent, right.tangent, bounds.acceleration, FindingKind::Acceleration),
-            (left.turn, right.turn, bounds.turning_acceleration, FindingKind::TurningAcceleration),
+            (
+                left.tangent,
+                right.tangent,
+                bounds.acceleration,
+                FindingKind::Acceleration,
+            ),
+            (
+                left.turn,
+                right.turn,
+                bounds.turning_acceleration,
+                FindingKind::TurningAcceleration,
+            ),
         ];
         let mut found = (f64::INFINITY, FindingKind::Acceleration);
         for (a, b, limit, kind) in jumps {
@@ -360,7 +381,11 @@ impl<'a> Work<'a> {
             .min(bounds.jerk / (0.5 * self.request.fps));
         let mut reaches = vec_with_room(self.courses.len())?;
         for (course, margin) in self.courses.iter().zip(&self.margins) {
-            reaches.push(Reach::new(course, &bounds.with_margins(*margin), self.request.fps)?);
+            reaches.push(Reach::new(
+                course,
+                &bounds.with_margins(*margin),
+                self.request.fps,
+            )?);
         }
         let paces = self.row(&reaches).plan()?;
         Ok((reaches, paces))
@@ -400,7 +425,10 @@ impl<'a> Work<'a> {
             }
             .into());
         }
-        let mut ends = [1.0, 1.5 * (wanted + self.courses.len()) as f64 / least as f64];
+        let mut ends = [
+            1.0,
+            1.5 * (wanted + self.courses.len()) as f64 / least as f64,
+        ];
         let mut best = self.planned(1.0)?;
         for _ in 0..20 {
             let slower = 0.5 * (ends[0] + ends[1]);
@@ -443,7 +471,9 @@ impl<'a> Work<'a> {
         for (k, pace) in paces.iter().enumerate() {
             let fps = self.request.fps;
             // Most sections have the pace that they had.
-            let same = before.next().filter(|track| track.xs == pace.xs && track.frames == pace.frames);
+            let same = before
+                .next()
+                .filter(|track| track.xs == pace.xs && track.frames == pace.frames);
             let found = match same {
                 Some(found) => found,
                 None => track(pace, &self.courses[k], &self.bounds, fps)?,

@@ -42,7 +42,12 @@ fn sampler(path: &CameraPath) -> Sampler {
 /// From rest to rest with speed v and acceleration a: L/v + v/a, or 2√(L/a).
 #[test]
 fn a_straight_line_takes_the_trapezoid() {
-    for (length, v, a) in [(1.0, 0.5, 1.0), (0.2, 5.0, 1.0), (3.0, 1.0, 0.5), (1.7, 0.3, 2.0)] {
+    for (length, v, a) in [
+        (1.0, 0.5, 1.0),
+        (0.2, 5.0, 1.0),
+        (3.0, 1.0, 0.5),
+        (1.7, 0.3, 2.0),
+    ] {
         let wanted = request(&[(FindingKind::Speed, v), (FindingKind::Acceleration, a)]);
         let made = retime(&line(length), &wanted).unwrap();
         let known = if length > v * v / a {
@@ -58,7 +63,10 @@ fn a_straight_line_takes_the_trapezoid() {
 
 /// Where the camera is at a place it looks where it looked before.
 fn same_views(before: &CameraPath, after: &CameraPath, round: usize) {
-    let (a, b) = (Timeline::new(before).unwrap(), Timeline::new(after).unwrap());
+    let (a, b) = (
+        Timeline::new(before).unwrap(),
+        Timeline::new(after).unwrap(),
+    );
     let (s, t) = (sampler(before), sampler(after));
     for (x, y) in s.courses().zip(t.courses()) {
         assert_eq!(x.number_and_frames().0, y.number_and_frames().0);
@@ -87,7 +95,11 @@ fn peaks(path: &CameraPath, limits: &Limits, fps: f64) -> [f64; 5] {
     let frames = sampler.frame_count();
     let count = 20 * (frames - 1) + 1;
     let poses: Vec<Pose> = (0..count)
-        .map(|k| sampler.pose((1.0 + k as f64 / 20.0).min(frames as f64)).unwrap())
+        .map(|k| {
+            sampler
+                .pose((1.0 + k as f64 / 20.0).min(frames as f64))
+                .unwrap()
+        })
         .collect();
     let place: Vec<DVec3> = poses.iter().map(|pose| pose.vrp.into()).collect();
     let turn: Vec<_> = poses
@@ -104,7 +116,8 @@ fn peaks(path: &CameraPath, limits: &Limits, fps: f64) -> [f64; 5] {
         found[2] = found[2].max(turned.length().to_degrees() * fps / get(FindingKind::Turning));
         if k + 40 < count {
             let bend = place[k + 40] - 2.0 * place[k + 20] + place[k];
-            found[1] = found[1].max(bend.length() / half * fps * fps / get(FindingKind::Acceleration));
+            found[1] =
+                found[1].max(bend.length() / half * fps * fps / get(FindingKind::Acceleration));
             let next = crate::planner::course::turned(turn[k + 20], turn[k + 40]);
             let change = (next - turned).length().to_degrees() * fps * fps;
             found[3] = found[3].max(change / get(FindingKind::TurningAcceleration));
@@ -142,7 +155,12 @@ fn views_stay_and_limits_hold_on_random_paths() {
             }
         };
         kinks += made.rests.len();
-        for orientation in made.path.points.iter().flat_map(|point| &point.orientations) {
+        for orientation in made
+            .path
+            .points
+            .iter()
+            .flat_map(|point| &point.orientations)
+        {
             if let Pace::Distance(all) = &orientation.own.pace {
                 keys += all.len();
                 sections += 1;
@@ -153,8 +171,15 @@ fn views_stay_and_limits_hold_on_random_paths() {
         for (most, found) in most.iter_mut().zip(found) {
             *most = most.max(found);
         }
-        println!("round {round}: {:.2} s, peaks {found:.4?}, rests {}", made.seconds, made.rests.len());
+        println!(
+            "round {round}: {:.2} s, peaks {found:.4?}, rests {}",
+            made.seconds,
+            made.rests.len()
+        );
     }
-    println!("{kinks} kinks, {keys} keys in {sections} sections, most {most:.4?}, {failed} failed, {:?}", start.elapsed());
+    println!(
+        "{kinks} kinks, {keys} keys in {sections} sections, most {most:.4?}, {failed} failed, {:?}",
+        start.elapsed()
+    );
     assert!(failed == 0 && most[..4].iter().all(|share| *share <= 1.001));
 }

@@ -54,11 +54,16 @@ impl Wanted {
             let (from, length) = (xs[k].sqrt(), cell(k));
             let t = (time - begin).clamp(0.0, length);
             let change = (xs[k + 1] - xs[k]) / (2.0 * share);
-            wanted.phi.push(k as f64 * share + t * (from + 0.5 * t * change));
+            wanted
+                .phi
+                .push(k as f64 * share + t * (from + 0.5 * t * change));
             wanted.rate.push(from + t * change);
         }
         wanted.phi[count] = 1.0;
-        let pairs = wanted.rate.windows(2).map(|pair| (pair[1] - pair[0]) / wanted.step);
+        let pairs = wanted
+            .rate
+            .windows(2)
+            .map(|pair| (pair[1] - pair[0]) / wanted.step);
         wanted.change.extend(pairs);
         Ok(wanted)
     }
@@ -85,7 +90,13 @@ impl Wanted {
         // What the ends lack now, as a straight line.
         let n = count as f64;
         let duration = n * self.step;
-        let lost: f64 = self.change.iter().zip(&change).map(|(a, b)| a - b).sum::<f64>() / n;
+        let lost: f64 = self
+            .change
+            .iter()
+            .zip(&change)
+            .map(|(a, b)| a - b)
+            .sum::<f64>()
+            / n;
         let moment = |all: &[f64]| -> f64 {
             let at = |(k, c): (usize, &f64)| c * (n - k as f64 - 0.5) / n;
             all.iter().enumerate().map(at).sum::<f64>() / n
@@ -335,7 +346,12 @@ impl Fitted {
             steps[k] = pair[1][0] - pair[0][0];
             rises[k] = pair[1][1] - pair[0][1];
         }
-        slopes(&steps[..last], &rises[..last], false, &mut made.slopes[..=last]);
+        slopes(
+            &steps[..last],
+            &rises[..last],
+            false,
+            &mut made.slopes[..=last],
+        );
         made
     }
 
@@ -383,10 +399,10 @@ impl Fitted {
             }
         }
         let last = at.len() - 1;
-        for (slope, (rate, ask)) in [self.slopes[0], self.slopes[last]].into_iter().zip([
-            (wanted.rate[0], &asks[0]),
-            (wanted.rate[all], &asks[all]),
-        ]) {
+        for (slope, (rate, ask)) in [self.slopes[0], self.slopes[last]]
+            .into_iter()
+            .zip([(wanted.rate[0], &asks[0]), (wanted.rate[all], &asks[all])])
+        {
             let jump = (slope / time - rate).abs() * weight(ask, bounds) * fps;
             see(jump / JUMP, FindingKind::Acceleration);
         }
@@ -417,9 +433,18 @@ pub(super) fn judge(
     let x = rate * rate;
     let moved = ask.tangent * change + ask.bend * x;
     let turned = ask.turn * change + ask.twist * x;
-    see(ask.tangent.length() * rate / bounds.speed, FindingKind::Speed);
-    see(moved.length() / bounds.acceleration, FindingKind::Acceleration);
-    see(ask.turn.length() * rate / bounds.turning, FindingKind::Turning);
+    see(
+        ask.tangent.length() * rate / bounds.speed,
+        FindingKind::Speed,
+    );
+    see(
+        moved.length() / bounds.acceleration,
+        FindingKind::Acceleration,
+    );
+    see(
+        ask.turn.length() * rate / bounds.turning,
+        FindingKind::Turning,
+    );
     see(
         turned.length() / bounds.turning_acceleration,
         FindingKind::TurningAcceleration,
