@@ -112,11 +112,8 @@ for number in range(count):
     seconds = float(done.stderr.split()[-2])
     known, took = others(Hermite(points))
     theirs_took += took
-    poses = subprocess.run([vides, "sample", out], capture_output=True, text=True, check=True).stdout
-    rows = [line.split() for line in poses.splitlines() if line and line[0] not in "#"]
-    width = len(rows[0])
-    place = np.array([[float(x) for x in row[width - 11 : width - 8]] for row in rows]) if width == 12 else \
-        np.array([[float(x) for x in row[:3]] for row in rows])
+    poses = subprocess.run([vides, "sample", "--digits", "14", out], capture_output=True, text=True, check=True).stdout
+    place = np.array([line.split()[:3] for line in poses.splitlines()], dtype=float)
     speed = np.linalg.norm(np.diff(place, axis=0), axis=1).max() * FPS / SPEED
     bend = np.linalg.norm(np.diff(place, 2, axis=0), axis=1).max() * FPS**2 / ACCELERATION
     worst = [max(worst[0], speed), max(worst[1], bend)]

@@ -144,7 +144,7 @@ fn views_stay_and_limits_hold_on_random_paths() {
     let (mut kinks, mut keys, mut most) = (0, 0, [0.0_f64; 5]);
     let (mut failed, mut sections) = (0, 0);
     let start = std::time::Instant::now();
-    for round in 0..40 {
+    for round in 0..30 {
         let path = random_path(&mut random, round);
         let made = match retime(&path, &wanted) {
             Ok(made) => made,

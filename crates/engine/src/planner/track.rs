@@ -236,7 +236,9 @@ pub(super) fn track(pace: &Paced, course: &Course, bounds: &Bounds, fps: f64) ->
         let mut plain = vec_with_room(MAX_DISTANCE_KEYS)?;
         plain.extend([0, last / 4, last / 2, last - last / 4, last]);
         let jumps = wanted.around_jumps(course, bounds, fps, steps)?;
-        for at in [jumps, plain] {
+        // Even in what is left, which follows smooth changes best.
+        let [even, evenly] = [filled(&jumps)?, filled(&plain)?];
+        for at in [even, evenly, jumps, plain] {
             if at.is_empty() || best.worst.0 <= 1.0 {
                 continue;
             }
@@ -252,6 +254,23 @@ pub(super) fn track(pace: &Paced, course: &Course, bounds: &Bounds, fps: f64) ->
     best.xs.extend_from_slice(&pace.xs);
     best.frames = pace.frames;
     Ok(best)
+}
+
+/// These steps with the widest gaps between them halved, as many as keys may be.
+fn filled(at: &[usize]) -> Result<Vec<usize>> {
+    let mut all = vec_with_room(MAX_DISTANCE_KEYS.max(at.len()))?;
+    all.extend_from_slice(at);
+    while !all.is_empty() && all.len() < MAX_DISTANCE_KEYS {
+        let gaps = all.windows(2).map(|pair| pair[1] - pair[0]).enumerate();
+        let Some((widest, gap)) = gaps
+            .max_by_key(|(_, gap)| *gap)
+            .filter(|widest| widest.1 > 1)
+        else {
+            break;
+        };
+        all.insert(widest + 1, all[widest] + gap / 2);
+    }
+    Ok(all)
 }
 
 /// Keys put in where they miss most, until they hold the limits.
