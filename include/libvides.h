@@ -2802,6 +2802,10 @@ int v_path_fit_poses_robust(const V_POSE *poses,
  * "corner"        degrees by which the way turns at a point (60)
  * "jerk"          in half sizes a second cubed, the third difference of the places at
  *                 whole frames (off unless a limit is set)
+ * "speed"         in half sizes a second (off unless a limit is set)
+ * "crossing"      seconds in which what is in the middle of the picture, as far away as
+ *                 the target (or the middle of the space), would cross it; below the
+ *                 limit (off unless one is set)
  *
  * object  what the camera must not come near to, in the coordinates of the path;
  *     NULL: the path's own object with its faces, if it has one
