@@ -31,6 +31,7 @@ const SOURCES: [&str; 32] = [
     "scene_states",
     "exchange",
     "checks",
+    "planning",
     "editor",
     "live",
     "editor_scene",
