@@ -536,6 +536,35 @@ struct v_finding {
 
 typedef struct v_finding V_FINDING;
 
+/**
+ * Limits of a pace, 0: none. Lengths count in half sizes of the space, as in
+ * v_path_check(). v_limits_init() fills in those that a check has unless told.
+ *
+ * Set size to sizeof (V_LIMITS) before any call, see V_ORIENTATION.
+ */
+struct v_limits {
+    /** sizeof (V_LIMITS) */
+    size_t size;
+    /** half sizes a second */
+    double speed;
+    /** half sizes a second squared, in any direction */
+    double acceleration;
+    /** half sizes a second cubed, the third difference at whole frames */
+    double jerk;
+    /** degrees a second */
+    double turning;
+    /** degrees a second squared */
+    double turning_acceleration;
+    /** mm a second */
+    double zoom;
+    /**
+     * least seconds in which what is in the middle of the picture would cross it
+     */
+    double crossing;
+};
+
+typedef struct v_limits V_LIMITS;
+
 
 /* ---- Editor windows ---------------------------------------------------------- */
 
@@ -2838,6 +2867,39 @@ int v_path_set_limit(V_PATH *path, const char *kind, double limit);
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT.
  */
 int v_path_get_limit(const V_PATH *path, const char *kind, double *limit);
+
+
+/* ---- Planning ---------------------------------------------------------------- */
+
+/**
+ * Fills in the limits that a check has unless told (v_path_check()): acceleration 10,
+ * turning 60, turning_acceleration 300, zoom 30, and no others.
+ * Any thread; from callbacks too. V_ERR_NULL.
+ */
+int v_limits_init(V_LIMITS *limits);
+
+/**
+ * Computes the pace anew from the first orientation of one support point to the last
+ * of another, as fast as the limits allow; the curve and the views stay where they
+ * were in place. The way rests at the ends of an open path, where keys are held, and
+ * where curve or view have a kink; v_last_warning() names these. What is beside the
+ * points keeps its pace. Sections get fixed frames, a given distance and a curve time
+ * of their own.
+ *
+ * limits  see v_limits_init(); NULL: the path's own, see v_path_set_limit()
+ * first_point, last_point  0 and the last: all, closed paths with the way back to
+ *     the first point; on a closed path first_point may lie behind last_point
+ * seconds  0: as few as the limits allow; else exactly so many, to a whole frame, with
+ *     the lowest peaks
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
+ * V_ERR_ARGUMENT (no limit, one that is not positive, too few seconds: v_last_error()
+ * names the least), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_path_retime(V_PATH *path,
+                  const V_LIMITS *limits,
+                  int first_point,
+                  int last_point,
+                  double seconds);
 
 
 /* ---- Opening and closing windows --------------------------------------------- */
