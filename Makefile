@@ -8,6 +8,7 @@
 #   make check-formats what VIDES writes, read by Blender, ParaView and others; large packages
 #   make wheel       the Python package, in target/wheels
 #   make check-packages the Python package with several Pythons and much beside it; large packages
+#   make check-planning what is planned, beside other libraries
 #   make bench       speed, beside other libraries
 #   make soak        the random checks again, with many more cases, and fuzz
 #   make coverage    which share of the branches the tests take, by folder
@@ -73,7 +74,7 @@ LINT = -D warnings
 .PHONY: all libs demo test check bench soak soak-calls soak-x fuzz coverage miri threads install uninstall deb check-deb header completions reference clean side-by-side FORCE \
 	toolchain check-format check-lints check-rust check-c check-linking \
 	check-calls check-x check-demo check-install check-docs check-dependencies \
-	check-hosts soak-hosts check-formats check-formats-small wheel check-python check-packages
+	check-hosts soak-hosts check-planning check-formats check-formats-small wheel check-python check-packages
 
 all: libs $(RELEASE)/vides
 
@@ -204,6 +205,14 @@ check-calls: libs
 	mk/libraries.sh $(CARGO_TARGET_DIR)/debug/libvides_archive.a $(CARGO_TARGET_DIR)/inject $(VERSION)
 	$(ONCE)inject $(CARGO_TARGET_DIR)/inject include tests/calls -- \
 	    tests/calls/run.sh $(CARGO_TARGET_DIR)/inject inject hand_over
+
+# The pace of random paths beside another library's; not in `make test`.
+check-planning: all
+	@mk/need.sh python3=python3
+	[ -x $(CARGO_TARGET_DIR)/planning/bin/python ] || { \
+	    python3 -m venv $(CARGO_TARGET_DIR)/planning && \
+	    $(CARGO_TARGET_DIR)/planning/bin/pip -q install -r tests/planning/requirements; }
+	$(CARGO_TARGET_DIR)/planning/bin/python tests/planning/retime.py $(RELEASE)/vides $(CARGO_TARGET_DIR)/planning/paths
 
 # The window, from outside.
 check-x: all

@@ -34,6 +34,7 @@ complete -c vides -n "__fish_vides_needs_command" -f -a "set" -d 'Sets propertie
 complete -c vides -n "__fish_vides_needs_command" -f -a "fit" -d 'Makes a path of few points of recorded poses'
 complete -c vides -n "__fish_vides_needs_command" -f -a "check" -d 'Tells what will look wrong in a film'
 complete -c vides -n "__fish_vides_needs_command" -f -a "plot" -d 'Draws a path, its views and what changes over its frames'
+complete -c vides -n "__fish_vides_needs_command" -f -a "retime" -d 'Computes the pace of a path anew, within limits'
 complete -c vides -n "__fish_vides_needs_command" -f -a "move" -d 'Makes a path by a ready-made move'
 complete -c vides -n "__fish_vides_needs_command" -f -a "transform" -d 'Moves, turns, scales or mirrors points of a path'
 complete -c vides -n "__fish_vides_needs_command" -f -a "deform" -d 'Tapers, twists, bends or freely deforms points of a path'
@@ -83,6 +84,12 @@ complete -c vides -n "__fish_vides_using_subcommand plot" -s o -l output -d 'Whe
 complete -c vides -n "__fish_vides_using_subcommand plot" -l object -d 'The object in place of the path\'s: a mesh (.obj, .ply, .stl, .gltf, .glb), or the object of a .vid file' -r -F
 complete -c vides -n "__fish_vides_using_subcommand plot" -l dark -d 'On a dark ground'
 complete -c vides -n "__fish_vides_using_subcommand plot" -s h -l help -d 'Print help'
+complete -c vides -n "__fish_vides_using_subcommand retime" -l limit -d 'Another limit than the file\'s, as turning=90; turning=off: none. Those that count: speed, acceleration, jerk, turning, turning-acceleration, zoom, crossing' -r
+complete -c vides -n "__fish_vides_using_subcommand retime" -l from -d 'The point where it begins; the rest stays as it is' -r
+complete -c vides -n "__fish_vides_using_subcommand retime" -l to -d 'The point where it ends' -r
+complete -c vides -n "__fish_vides_using_subcommand retime" -l seconds -d 'Exactly so long, with the lowest peaks; else as short as the limits allow' -r
+complete -c vides -n "__fish_vides_using_subcommand retime" -s o -l output -d 'Where the path goes; - is standard output' -r -F
+complete -c vides -n "__fish_vides_using_subcommand retime" -s h -l help -d 'Print help'
 complete -c vides -n "__fish_vides_using_subcommand move; and not __fish_seen_subcommand_from orbit spiral arc flyby approach dolly-zoom crane pan figure-eight" -s h -l help -d 'Print help'
 complete -c vides -n "__fish_vides_using_subcommand move; and not __fish_seen_subcommand_from orbit spiral arc flyby approach dolly-zoom crane pan figure-eight" -f -a "orbit" -d 'On a circle round a target'
 complete -c vides -n "__fish_vides_using_subcommand move; and not __fish_seen_subcommand_from orbit spiral arc flyby approach dolly-zoom crane pan figure-eight" -f -a "spiral" -d 'Round a target with another radius and height at the end'

@@ -536,6 +536,35 @@ struct v_finding {
 
 typedef struct v_finding V_FINDING;
 
+/**
+ * Limits of a pace, 0: none. Lengths count in half sizes of the space, as in
+ * v_path_check(). v_limits_init() fills in those that a check has unless told.
+ *
+ * Set size to sizeof (V_LIMITS) before any call, see V_ORIENTATION.
+ */
+struct v_limits {
+    /** sizeof (V_LIMITS) */
+    size_t size;
+    /** half sizes a second */
+    double speed;
+    /** half sizes a second squared, in any direction */
+    double acceleration;
+    /** half sizes a second cubed, the third difference at whole frames */
+    double jerk;
+    /** degrees a second */
+    double turning;
+    /** degrees a second squared */
+    double turning_acceleration;
+    /** mm a second */
+    double zoom;
+    /**
+     * least seconds in which what is in the middle of the picture would cross it
+     */
+    double crossing;
+};
+
+typedef struct v_limits V_LIMITS;
+
 
 /* ---- Editor windows ---------------------------------------------------------- */
 
@@ -2681,13 +2710,17 @@ int v_scene_vertices(const V_SCENE *scene,
  * Writes a scene in the format of another program: gltf, glb, usda, blender,
  * paraview, vtk, nerfstudio, transforms, cameras, tum, kitti, colmap (a folder), osg, chan,
  * html, ascii, csv, json or vid; format NULL: the one that the file's name tells. options are
- * lines name=value of the long options of `vides convert` ("fps=30\nnode=camera"); NULL: none.
- * Each file is afterwards wholly the old or wholly the new one.
+ * lines name=value ("fps=30\nnode=camera"), NULL: none; the names are node, frames, fps, start,
+ * size, up, scale, as, tolerance, angle, compact, digits and rotation-order, as `vides convert
+ * --help` explains them; of two alike the last counts, and one that a format has no use for is
+ * ignored. Each file is afterwards wholly the old or wholly the new one; a missing folder is made
+ * only for colmap, in one that is there.
  *
  * What the format cannot hold is left out: the answer is V_OK, and v_last_warning()
  * tells, a line each, "" if nothing is.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY, V_ERR_ARGUMENT (format,
- * options, no such node), V_ERR_RANGE (frames), V_ERR_IO, V_ERR_LIMIT, V_ERR_MEMORY.
+ * options, no such node, a host interpolation that fails), V_ERR_RANGE (frames, fps), V_ERR_FORMAT
+ * (a folder that holds what would be read first), V_ERR_IO, V_ERR_LIMIT, V_ERR_MEMORY.
  * Memory that runs out while a file is opened or written may end the program; the old file
  * stays.
  */
@@ -2701,7 +2734,7 @@ int v_scene_export(const V_SCENE *scene,
  * usda, nerfstudio, transforms, cameras, tum, kitti, colmap, osg, chan, paraview (what
  * v_scene_export() wrote; nothing is run), ascii, csv, json and vid; format NULL: the one that
  * the content shows. options as of v_scene_export(). Poses become a path of few points, fitted,
- * or with "as=keys" a camera with a key for each. *scene is the caller's, to be freed
+ * or with "as=keys", or fewer than three, a camera with a key for each. *scene is the caller's, to be freed
  * with v_scene_free().
  *
  * What is not taken, and how well a path fits, is told by v_last_warning() beside V_OK, a line
@@ -2802,6 +2835,10 @@ int v_path_fit_poses_robust(const V_POSE *poses,
  * "corner"        degrees by which the way turns at a point (60)
  * "jerk"          in half sizes a second cubed, the third difference of the places at
  *                 whole frames (off unless a limit is set)
+ * "speed"         in half sizes a second (off unless a limit is set)
+ * "crossing"      seconds in which what is in the middle of the picture, as far away as
+ *                 the target (or the middle of the space), would cross it; below the
+ *                 limit (off unless one is set)
  *
  * object  what the camera must not come near to, in the coordinates of the path;
  *     NULL: the path's own object with its faces, if it has one
@@ -2834,6 +2871,39 @@ int v_path_set_limit(V_PATH *path, const char *kind, double limit);
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT.
  */
 int v_path_get_limit(const V_PATH *path, const char *kind, double *limit);
+
+
+/* ---- Planning ---------------------------------------------------------------- */
+
+/**
+ * Fills in the limits that a check has unless told (v_path_check()): acceleration 10,
+ * turning 60, turning_acceleration 300, zoom 30, and no others.
+ * Any thread; from callbacks too. V_ERR_NULL.
+ */
+int v_limits_init(V_LIMITS *limits);
+
+/**
+ * Computes the pace anew from the first orientation of one support point to the last
+ * of another, as fast as the limits allow; the curve and the views stay where they
+ * were in place. The way rests at the ends of an open path, where keys are held, and
+ * where curve or view have a kink; v_last_warning() names these. What is beside the
+ * points keeps its pace. Sections get fixed frames, a given distance and a curve time
+ * of their own.
+ *
+ * limits  see v_limits_init(); NULL: the path's own, see v_path_set_limit()
+ * first_point, last_point  0 and the last: all, closed paths with the way back to
+ *     the first point; on a closed path first_point may lie behind last_point
+ * seconds  0: as few as the limits allow; else exactly so many, to a whole frame, with
+ *     the lowest peaks
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
+ * V_ERR_ARGUMENT (no limit, one that is not positive, too few seconds: v_last_error()
+ * names the least), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_path_retime(V_PATH *path,
+                  const V_LIMITS *limits,
+                  int first_point,
+                  int last_point,
+                  double seconds);
 
 
 /* ---- Opening and closing windows --------------------------------------------- */

@@ -161,7 +161,7 @@ const BROKEN: &[(&str, &str)] = &[
     ),
     (
         "unknown_orientation_key",
-        "line 7: unknown key \"rol_degrees\"; known here: target, offset, roll_degrees, zoom_mm, turning, hold_frames, speed_curve, ahead, up, up_point, up_path, frames, locked, ease, distance, pace_part, velocity_degrees, turning_part, roll_slope_degrees, zoom_slope_mm",
+        "line 7: unknown key \"rol_degrees\"; known here: target, offset, roll_degrees, zoom_mm, turning, hold_frames, speed_curve, ahead, up, up_point, up_path, frames, locked, curve_time, ease, distance, pace_part, velocity_degrees, turning_part, roll_slope_degrees, zoom_slope_mm",
     ),
     (
         "unknown_point_key",

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 /// The files with exports, in the order in which the header shows them.
-const SOURCES: [&str; 32] = [
+const SOURCES: [&str; 33] = [
     "status",
     "types",
     "legacy",
@@ -31,6 +31,7 @@ const SOURCES: [&str; 32] = [
     "scene_states",
     "exchange",
     "checks",
+    "planning",
     "editor",
     "live",
     "editor_scene",

@@ -35,7 +35,7 @@ pub(super) struct Arguments {
 }
 
 /// A kind and its limit, as `turning=90`.
-fn limit(text: &str) -> Result<(FindingKind, f64), String> {
+pub(super) fn limit(text: &str) -> Result<(FindingKind, f64), String> {
     let (kind, limit) = text
         .split_once('=')
         .ok_or("a limit is given as KIND=LIMIT")?;

@@ -18,6 +18,7 @@ mod output;
 mod plot;
 mod progress;
 mod properties;
+mod retime;
 mod sample;
 mod scene;
 mod table;
@@ -82,6 +83,8 @@ enum Command {
     Check(check::Arguments),
     /// Draws a path, its views and what changes over its frames
     Plot(plot::Arguments),
+    /// Computes the pace of a path anew, within limits
+    Retime(retime::Arguments),
     /// Makes a path by a ready-made move
     Move(moves::Arguments),
     #[command(flatten)]
@@ -142,6 +145,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Fit(arguments) => fit::run(&arguments),
         Command::Check(arguments) => check::run(&arguments),
         Command::Plot(arguments) => plot::run(&arguments),
+        Command::Retime(arguments) => retime::run(&arguments),
         Command::Move(arguments) => moves::run(&arguments),
         Command::Tool(tool) => tools::run(&tool),
     })

@@ -57,6 +57,8 @@ const NAMES: [&CStr; COUNT] = [
     c"redundant",
     c"corner",
     c"jerk",
+    c"speed",
+    c"crossing",
 ];
 
 fn finding(found: &Finding) -> Answer<V_FINDING> {
@@ -235,6 +237,10 @@ unsafe fn fitted(
 /// "corner"        degrees by which the way turns at a point (60)
 /// "jerk"          in half sizes a second cubed, the third difference of the places at
 ///                 whole frames (off unless a limit is set)
+/// "speed"         in half sizes a second (off unless a limit is set)
+/// "crossing"      seconds in which what is in the middle of the picture, as far away as
+///                 the target (or the middle of the space), would cross it; below the
+///                 limit (off unless one is set)
 ///
 /// object  what the camera must not come near to, in the coordinates of the path;
 ///     NULL: the path's own object with its faces, if it has one

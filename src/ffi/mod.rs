@@ -40,6 +40,7 @@ mod object;
 mod orientations;
 mod pace;
 mod path;
+mod planning;
 mod pointers;
 mod points;
 mod poses;

@@ -217,6 +217,33 @@ pub struct v_space {
 
 pub type V_SPACE = v_space;
 
+/// Limits of a pace, 0: none. Lengths count in half sizes of the space, as in
+/// v_path_check(). v_limits_init() fills in those that a check has unless told.
+///
+/// Set size to sizeof (V_LIMITS) before any call, see V_ORIENTATION.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct v_limits {
+    /// sizeof (V_LIMITS)
+    pub size: usize,
+    /// half sizes a second
+    pub speed: f64,
+    /// half sizes a second squared, in any direction
+    pub acceleration: f64,
+    /// half sizes a second cubed, the third difference at whole frames
+    pub jerk: f64,
+    /// degrees a second
+    pub turning: f64,
+    /// degrees a second squared
+    pub turning_acceleration: f64,
+    /// mm a second
+    pub zoom: f64,
+    /// least seconds in which what is in the middle of the picture would cross it
+    pub crossing: f64,
+}
+
+pub type V_LIMITS = v_limits;
+
 /// How an editor window is opened. v_editor_options_init() fills in defaults;
 /// what is pointed to need not live longer than the call of v_editor_open(),
 /// but for user.

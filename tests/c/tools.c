@@ -309,6 +309,45 @@ static void the_faces_of_the_own_object_are_looked_at(void)
     v_path_free(path);
 }
 
+/* From rest to rest on a straight line: the trapezoid, to the next frames. */
+static void retime(void)
+{
+    V_PATH *path;
+    V_LIMITS limits;
+    V_POSE pose;
+    double place[3] = {0, 0, 0};
+    size_t frames, again;
+
+    CHECK(v_limits_init(NULL) == V_ERR_NULL);
+    OK(v_limits_init(&limits));
+    CHECK(limits.size == sizeof limits && limits.acceleration == 10 && limits.speed == 0);
+    OK(v_path_new(&path));
+    OK(v_path_set_position(path, 0, place));
+    place[0] = 0.9;
+    OK(v_path_set_position(path, 1, place));
+    limits.speed = 0.5;
+    limits.acceleration = 1;
+    OK(v_path_retime(path, &limits, 0, 1, 0));
+    OK(v_path_frame_count(path, &frames));
+    /* 0.9 / 0.5 + 0.5 / 1 = 2.3 s = 57.5 frames. */
+    CHECK(frames >= 59 && frames <= 61);
+    OK(v_path_pose(path, (1 + (double)frames) / 2, &pose));
+    CHECK(fabs(pose.vrp[0] - 0.45) < 0.01);
+    /* Exactly so long; too short is refused, with the least time, and changes nothing. */
+    OK(v_path_retime(path, &limits, 0, 1, 4));
+    OK(v_path_frame_count(path, &frames));
+    CHECK(frames == 101);
+    STATUS(V_ERR_ARGUMENT, v_path_retime(path, &limits, 0, 1, 1));
+    CHECK(strstr(v_last_error(), "too short") != NULL);
+    limits.turning = -1;
+    STATUS(V_ERR_RANGE, v_path_retime(path, &limits, 0, 1, 0));
+    CHECK(strstr(v_last_error(), "turning") != NULL);
+    STATUS(V_ERR_RANGE, v_path_retime(path, NULL, 0, 2, 0));
+    OK(v_path_frame_count(path, &again));
+    CHECK(again == frames);
+    v_path_free(path);
+}
+
 int main(void)
 {
     the_faces_of_the_own_object_are_looked_at();
@@ -318,5 +357,6 @@ int main(void)
     recorded_poses_are_fitted();
     moves_and_fits_have_a_space();
     what_looks_wrong_is_found();
+    retime();
     return failures != 0;
 }

@@ -795,6 +795,33 @@ CALL(v_path_fit_frames)
     return v_path_fit_frames(path, point, point, 100000 + below(1000));
 }
 
+static const V_LIMITS *some_limits(void)
+{
+    V_LIMITS limits;
+
+    v_limits_init(&limits);
+    if (chance(wild)) {
+        frame->unfit = 1;
+        limits.size = below(100);
+    }
+    limits.speed = number(0.5, 2);
+    limits.turning = number(30, 90);
+    return chance(20) ? NULL : given("V_LIMITS", &limits, sizeof limits);
+}
+
+CALL(v_limits_init)
+{
+    return v_limits_init(result(sizeof(V_LIMITS), 0));
+}
+
+CALL(v_path_retime)
+{
+    const V_LIMITS *limits = some_limits();
+    V_PATH *path = a_path();
+    int point = a_point(path);
+    return v_path_retime(path, limits, point, point, 0);
+}
+
 CALL(v_path_set_ahead)
 {
     V_PATH *path = a_path();

@@ -5,6 +5,7 @@ mod table;
 
 use glam::{DQuat, DVec3};
 use vides_engine::deform::{Bounds, Deformation, identity_lattice};
+use vides_engine::planner::{Request, retime};
 use vides_engine::tools::blend::blend;
 use vides_engine::tools::block::{self, Fit};
 use vides_engine::tools::fit::{Options, Tolerance, fit};
@@ -84,6 +85,7 @@ enum Kind {
     Frames,
     Fit,
     Draw,
+    Retime,
 }
 
 const FITS: [Fit; 4] = [Fit::None, Fit::Move, Fit::Turn, Fit::Scale];
@@ -244,6 +246,16 @@ impl Tool {
                     last: points[points.len() - 1],
                     frames: chosen(given.number("frames")),
                 }
+            }
+            (Kind::Retime, _) => {
+                let points = given.points()?;
+                let request = Request {
+                    limits: document.info().limits,
+                    fps: document.info().fps,
+                    points: Some([points[0], points[points.len() - 1]]),
+                    seconds: given.number("seconds"),
+                };
+                Edit::ReplacePath(Box::new(retime(path, &request)?.path))
             }
             (Kind::Fit, ToolInput::Poses(poses, seconds)) => {
                 let tolerance = Tolerance {

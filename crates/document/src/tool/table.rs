@@ -235,6 +235,19 @@ pub(super) const TOOLS: &[Tool] = &[
         ],
     },
     Tool {
+        name: "retime",
+        does: "computes the pace of points anew, within the limits of the check",
+        kind: Kind::Retime,
+        tables: [
+            &[Parameter {
+                least: 0.0,
+                most: 1e6,
+                ..one("seconds", "how long; 0: as short as the limits allow", 0.0)
+            }],
+            RANGE,
+        ],
+    },
+    Tool {
         name: "fit",
         does: "makes a path of few points of recorded poses",
         kind: Kind::Fit,

@@ -227,6 +227,7 @@ mod tests {
                 }),
                 frames: u32::MAX,
                 locked: true,
+                curve_time: Some(number),
                 ahead: Some(number),
                 up: UpVector::Point(vector),
                 velocities: Some(Velocities {

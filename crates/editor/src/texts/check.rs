@@ -97,6 +97,12 @@ const GERMAN: [(&str, &str, &str, &str, &str); COUNT] = [
     ("jerk", "Änderung der Beschleunigung", "halbe Größen/s³",
         "Ab Punkt {2}, Blick {3} ändert sich die Beschleunigung um {0} halbe Größen/s³ (Grenze {1}).",
         "Den Abschnitt sanft beginnen und enden lassen oder ihm mehr Bilder geben."),
+    ("speed", "Geschwindigkeit", "halbe Größen/s",
+        "Ab Punkt {2}, Blick {3} bewegt sich die Kamera mit {0} halben Größen/s (Grenze {1}).",
+        "Dem Abschnitt mehr Bilder geben."),
+    ("crossing", "Zeit, in der etwas das Bild durchquert", "s",
+        "Ab Punkt {2}, Blick {3} durchquert, wohin die Kamera blickt, das Bild in {0} s (Grenze {1} s).",
+        "Dem Abschnitt mehr Bilder geben."),
 ];
 
 fn german(

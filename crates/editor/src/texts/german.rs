@@ -179,6 +179,21 @@ german! {
         BoxEnds => "der Quader darf nicht enden, bevor er beginnt";
         NumberNotFinite(name) => "{name} muss eine endliche Zahl sein";
         NoMove { name, known } => "die Fahrt „{name}“ gibt es nicht; bekannt sind: {known}";
+        PaceLimit(limit) => "die Grenze „{limit}“ muss größer als 0 sein";
+        NoPaceLimit =>
+            "ein Tempo braucht eine Grenze: speed, acceleration, jerk, turning, \
+             turning-acceleration, zoom oder crossing";
+        PaceRests { point, orientation, share, limit } =>
+            "ab Punkt {}, Blick {}, bei {} des Wegs müsste das Tempo an einem Knick von Kurve oder \
+             Blick ruhen ({limit}): dort einen Punkt setzen oder glätten",
+            Index(*point), Index(*orientation), number(*share);
+        PaceKeys { point, orientation, limit } =>
+            "ab Punkt {}, Blick {} hält kein Tempo aus wenigen Stellen die Grenze „{limit}“: einen \
+             Punkt dazwischen setzen",
+            Index(*point), Index(*orientation);
+        PaceSeconds { seconds, least } =>
+            "{} s sind zu kurz: die Grenzen erlauben es in {} s", number(*seconds), number(*least);
+        PaceTime => "die Sekunden eines Tempos müssen 0 oder eine positive Zahl sein";
         NothingSelected => "kein Punkt ist ausgewählt";
         UprightDiffers => "in beiden Pfaden muss dieselbe Achse aufrecht stehen";
         NoNormal => "oben nach „frenet“ braucht eine Kurve der Art cubic, deren Punkte keine \

@@ -55,6 +55,7 @@ const TOOLS: &[(&str, &str, &str, &str)] = &[
     ("reverse", "Reverse", "Umkehren", "kehrt den Weg um"),
     ("repeat", "Go several times", "Mehrmals gehen", "geht den Weg mehrmals"),
     ("frames", "Number of frames", "Zahl der Bilder", "bringt Punkte auf eine Zahl von Bildern"),
+    ("retime", "Pace within limits", "Tempo in Grenzen", "berechnet das Tempo von Punkten neu, in den Grenzen der Prüfung"),
     ("fit", "Fit recorded poses", "Aufgezeichnete Posen annähern", "macht aus aufgezeichneten Posen eine Bahn aus wenigen Punkten"),
 ];
 

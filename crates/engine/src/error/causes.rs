@@ -289,6 +289,38 @@ pub enum Invalid {
     NumberNotFinite(&'static str),
     #[error("there is no move \"{name}\"; known: {known}")]
     NoMove { name: Text, known: &'static str },
+    #[error("the limit \"{0}\" must be greater than 0")]
+    PaceLimit(&'static str),
+    #[error(
+        "a pace needs a limit: speed, acceleration, jerk, turning, turning-acceleration, zoom or \
+         crossing"
+    )]
+    NoPaceLimit,
+    #[error(
+        "from point {}, view {}, at {share:.3} of the way, the pace would have to rest where curve or \
+         view have a kink ({limit}): put a point there or smooth it",
+        Index(*.point), Index(*.orientation)
+    )]
+    PaceRests {
+        point: usize,
+        orientation: usize,
+        share: f64,
+        limit: &'static str,
+    },
+    #[error(
+        "from point {}, view {}, no pace of at most {} keys holds the limit \"{limit}\": put a point \
+         between",
+        Index(*.point), Index(*.orientation), crate::limits::MAX_DISTANCE_KEYS
+    )]
+    PaceKeys {
+        point: usize,
+        orientation: usize,
+        limit: &'static str,
+    },
+    #[error("{seconds} s are too short: the limits allow it in {least:.3} s")]
+    PaceSeconds { seconds: f64, least: f64 },
+    #[error("the seconds of a pace must be 0 or a positive number")]
+    PaceTime,
     #[error("no point is selected")]
     NothingSelected,
     #[error("the same axis must stand upright in both paths")]

@@ -395,6 +395,14 @@ impl Default for CameraPath {
 }
 
 impl CameraPath {
+    /// How far away what the camera looks at is: its target, or as far as the middle of the space.
+    pub(crate) fn depth(&self, target: Option<Target>, place: DVec3) -> f64 {
+        match target {
+            Some(Target::Absolute(target)) => target.distance(place),
+            _ => self.space.centre.distance(place),
+        }
+    }
+
     /// As [`CameraPath::default`] where memory may run out.
     ///
     /// # Errors

@@ -75,8 +75,13 @@ pub fn on_curve(path: &CameraPath, frame: f64) -> Result<Insertion> {
     let old = &path.points[begin.point].orientations[begin.orientation];
     let whole = (timeline.facing_speeds(path, section), old);
     take_part(here, whole, &timing, [0.0, u])?;
-    let turning = turning_part(&sampled.turning, [0.0, sampled.phi(u)]);
-    here.own = here.own.with(|own| own.turning = turning)?;
+    let phi = sampled.phi(u);
+    let turning = turning_part(&sampled.turning, [0.0, phi]);
+    let time = old.own.curve_time;
+    here.own = here.own.with(|own| {
+        own.turning = turning;
+        own.curve_time = time.map(|time| time * phi);
+    })?;
     let fixed = old.own.frames;
     if fixed > 0 {
         let first = ((u * f64::from(fixed)).round() as u32).clamp(1, fixed.max(2) - 1);
@@ -260,7 +265,11 @@ fn divide(
     let whole = (timeline.facing_speeds(path, section), old);
     take_part(&mut orientation, whole, &timing, [u, 1.0])?;
     let turning = turning_part(&sampled.turning, [phi, 1.0]);
-    orientation.own = orientation.own.with(|own| own.turning = turning)?;
+    let time = old.own.curve_time;
+    orientation.own = orientation.own.with(|own| {
+        own.turning = turning;
+        own.curve_time = time.map(|time| time * (1.0 - phi));
+    })?;
     let mut orientations = vec_with_room(1)?;
     orientations.push(orientation);
     let rest = 1.0 - t;

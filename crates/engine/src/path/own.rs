@@ -296,6 +296,14 @@ properties! {
             copied: Copied::IfAsked,
             ..Row::new(&["locked"])
         },
+        /// Curve time of the section that begins here, in frames at speed 50, whatever its frames
+        /// and its pace; none: as they have it.
+        pub curve_time: Option<f64> = None => Row {
+            unit: Unit::Frames,
+            copied: Copied::IfAsked,
+            check: Check::By(|time, _| time.map_or(Ok(()), check_curve_time)),
+            ..Row::new(&["curve_time"])
+        },
         /// How the section that begins here goes through its time.
         pub pace: Pace = Pace::Speeds => Row {
             check: Check::By(|pace, _| pace.check()),
@@ -364,6 +372,18 @@ pub fn check_ahead(distance: f64, space: Space) -> Result<()> {
         return Err(OutOfRange::DistanceAhead.into());
     }
     Ok(())
+}
+
+/// A curve time: as long as some frames can make it, and not zero.
+///
+/// # Errors
+/// [`crate::Error::Range`].
+pub fn check_curve_time(time: f64) -> Result<()> {
+    let most = 2.0 * limits::MAX_FRAMES as f64;
+    if (LEAST_STEP..=most).contains(&time) {
+        return Ok(());
+    }
+    Err(OutOfRange::NumberBetween("curve_time", LEAST_STEP, most).into())
 }
 
 /// Angular velocities and slopes: finite, none beyond [`limits::MAX_RATE`].

@@ -181,6 +181,11 @@ impl Sampler {
         }
     }
 
+    /// The sections in which something changes, for whoever plans their pace.
+    pub(crate) fn courses(&self) -> impl Iterator<Item = &SectionSampler> {
+        self.sections.iter()
+    }
+
     pub(super) fn sections(&self) -> &[SectionSampler] {
         &self.sections
     }

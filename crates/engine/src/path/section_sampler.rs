@@ -6,6 +6,7 @@ use std::sync::atomic::AtomicBool;
 
 use glam::{DQuat, DVec3};
 
+use super::ahead::end_direction;
 use super::arc_length::ArcLength;
 use super::hermite::Cubic;
 use super::pose::Pose;
@@ -37,6 +38,19 @@ pub struct Motion {
     pub curvature: f64,
 }
 
+/// What a section has at a share φ of its way: derivatives are by φ.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Along {
+    pub place: DVec3,
+    pub tangent: DVec3,
+    /// Second derivative of the place; it is perpendicular to the tangent.
+    pub bend: DVec3,
+    pub view: DVec3,
+    pub turn: DQuat,
+    pub zoom: f64,
+    pub zoom_slope: f64,
+}
+
 #[derive(Debug, Clone, Copy)]
 pub(super) struct ArcLengthCurve {
     pub curve: Cubic,
@@ -44,28 +58,28 @@ pub(super) struct ArcLengthCurve {
 }
 
 #[derive(Debug)]
-pub(super) struct SectionSampler {
+pub(crate) struct SectionSampler {
     /// Its number in the timeline.
-    pub section: usize,
+    pub(super) section: usize,
     /// Number of the last pose before its own: the key in which it begins.
-    pub start: usize,
+    pub(super) start: usize,
     /// Its frames, ≥ 1; the last one is the key in which it ends.
-    pub frames: usize,
+    pub(super) frames: usize,
     /// None where the speed is constant.
-    pub speed: Option<Box<[Timing]>>,
+    pub(super) speed: Option<Box<[Timing]>>,
     /// Where the camera moves; None where it stays at `position`.
-    pub way: Option<ArcLengthCurve>,
-    pub position: DVec3,
+    pub(super) way: Option<ArcLengthCurve>,
+    pub(super) position: DVec3,
     /// In the upright axes of `space`.
-    pub turning: Turning,
+    pub(super) turning: Turning,
     /// The path's; where a target is tracked its `up` is what the roll is measured against.
-    pub space: Space,
+    pub(super) space: Space,
     /// Zoom in powers of φ.
-    pub zoom: [f64; 4],
+    pub(super) zoom: [f64; 4],
     /// What fast sampling prepares once, if the section has many frames or is filled again.
-    pub tables: OnceLock<Box<[Tables]>>,
+    pub(super) tables: OnceLock<Box<[Tables]>>,
     /// Whether it has been filled before.
-    pub filled: AtomicBool,
+    pub(super) filled: AtomicBool,
 }
 
 impl SectionSampler {
@@ -162,6 +176,59 @@ impl SectionSampler {
             Turning::Follow(follow) => (value(&follow.roll, phi), slope(&follow.roll, phi)),
             _ => (0.0, 0.0),
         }
+    }
+
+    /// Its number in the timeline and its frames.
+    pub(crate) const fn number_and_frames(&self) -> (usize, usize) {
+        (self.section, self.frames)
+    }
+
+    /// Derivative of the share of the way by the share of the time, at the beginning and the end.
+    pub(crate) fn end_slopes(&self) -> [f64; 2] {
+        [0.0, 1.0].map(|u| self.speed.as_ref().map_or(1.0, |speed| speed[0].slope(u)))
+    }
+
+    /// What changes at some shares φ of the way and of the curve time.
+    pub(crate) fn along(&self, shares: &[f64], see: &mut dyn FnMut(Along)) -> Result<()> {
+        let arc = self.arc()?;
+        let place = |phi: f64| self.place(arc.as_ref(), phi);
+        let up = self.space.up;
+        for &phi in shares {
+            let (view, level) = self.turning.view_at(phi, &place, self.space);
+            let (view, level) = (up.world(view), up.world(level));
+            let (mut tangent, mut bend) = (DVec3::ZERO, DVec3::ZERO);
+            if let Some((curve, arc)) = &arc {
+                let length = arc.length();
+                let t = arc.parameter_at(phi * length);
+                let (first, second) = (curve.derivative(t), curve.second_derivative(t));
+                let speed = first.length();
+                let direction = end_direction(curve, phi > 0.5);
+                let direction = if speed > 1e-9 * length {
+                    first / speed
+                } else {
+                    direction.unwrap_or(DVec3::X)
+                };
+                tangent = direction * length;
+                let across = second - direction * direction.dot(second);
+                // A straight curve may stop and go on; any other has a kink where it stops.
+                let straight = across.length() <= 1e-9 * second.length();
+                bend = if straight {
+                    DVec3::ZERO
+                } else {
+                    across * (length / speed).powi(2)
+                };
+            }
+            see(Along {
+                place: place(phi),
+                tangent,
+                bend,
+                view,
+                turn: quaternion_from_view(view, level),
+                zoom: value(&self.zoom, phi),
+                zoom_slope: self.zoom_slope(phi),
+            });
+        }
+        Ok(())
     }
 
     /// The curve of its way, measured.

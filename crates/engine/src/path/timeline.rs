@@ -57,14 +57,19 @@ pub struct Section {
     pub frames: usize,
     /// Whether its speed is the same all the way.
     pub constant_speed: bool,
+    /// Its own curve time, if it has one.
+    pub curve_time: Option<f64>,
 }
 
 impl Section {
-    /// Its curve time: its frames, at the base speed.
+    /// Its curve time: its own, else its frames, at the base speed.
     #[must_use]
     #[allow(clippy::cast_precision_loss)]
     pub const fn duration(&self) -> f64 {
-        self.frames as f64 * self.mean_speed / BASE_SPEED
+        match self.curve_time {
+            Some(own) => own,
+            None => self.frames as f64 * self.mean_speed / BASE_SPEED,
+        }
     }
 }
 
@@ -83,6 +88,7 @@ struct State {
     /// The hold of the key in which the section begins, if it has frames.
     hold: usize,
     constant_speed: bool,
+    curve_time: Option<f64>,
 }
 
 impl State {
@@ -161,6 +167,7 @@ impl Timeline {
                     frames: 0,
                     hold: 0,
                     constant_speed: true,
+                    curve_time: None,
                 });
             }
         }
@@ -343,6 +350,7 @@ impl Timeline {
             mean_speed: state.mean_speed,
             frames: state.frames,
             constant_speed: state.constant_speed,
+            curve_time: state.curve_time,
         }
     }
 
@@ -503,6 +511,7 @@ impl Timeline {
             hold: 0,
             mean_speed: BASE_SPEED,
             constant_speed: true,
+            curve_time: None,
             ..state
         };
         if state.moves() {
@@ -622,6 +631,7 @@ fn paced(
         frames,
         hold: this.hold as usize,
         constant_speed,
+        curve_time: this.own.curve_time,
         ..state
     })
 }

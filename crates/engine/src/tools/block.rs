@@ -331,6 +331,7 @@ impl Merge<'_> {
         };
         begin.own = begin.own.with(|own| {
             own.frames = 0;
+            own.curve_time = None;
             own.turning = None;
             own.velocities = None;
         })?;
@@ -343,6 +344,7 @@ impl Merge<'_> {
         begin.own = begin.own.with(|own| {
             own.pace = pace.own.pace.clone();
             own.frames = pace.own.frames;
+            own.curve_time = pace.own.curve_time;
         })?;
         let count = self.put.len();
         if self.fit != Fit::Scale
@@ -353,6 +355,7 @@ impl Merge<'_> {
             end.own = end.own.with(|own| {
                 own.pace = rest;
                 own.frames = 0;
+                own.curve_time = None;
             })?;
         }
         Ok(())
@@ -558,6 +561,7 @@ fn backwards(old: &Orientation, section: &Orientation) -> Result<Orientation> {
     new.own = old.own.with(|own| {
         own.up = up;
         own.frames = section.own.frames;
+        own.curve_time = section.own.curve_time;
         own.pace = match &section.own.pace {
             Pace::Speeds => Pace::Speeds,
             Pace::Ease(whole) => Pace::Ease(ease(whole)),

@@ -297,6 +297,11 @@ impl Scan<'_> {
         } else {
             0.0
         };
+        let way = (here.place - last.place).length() / size;
+        self.above(FindingKind::Speed, pair, way * fps)?;
+        let seen = self.path.depth(begin.map(|begin| begin.target), last.place);
+        let crossing = crossing(&last, here, seen) / fps;
+        self.below(FindingKind::Crossing, pair, crossing)?;
         self.above(FindingKind::ViewJump, pair, jump)?;
         self.above(FindingKind::Turning, pair, turned.to_degrees() * fps)?;
         self.above(
@@ -490,6 +495,14 @@ fn time_of(timing: &crate::path::Timing, way: f64) -> f64 {
         }
     }
     low
+}
+
+/// So many frames would a thing need, seen in the middle of the picture at a depth, to cross it.
+fn crossing(last: &Frame, here: &Frame, depth: f64) -> f64 {
+    let thing = last.place + depth * last.pose.view();
+    let seen = (thing - here.place).reject_from_normalized(here.pose.view());
+    let width = 36.0 / here.pose.zoom * depth;
+    width / seen.length()
 }
 
 /// The sides of a picture of 36 × 24 mm, and the plane of the camera.

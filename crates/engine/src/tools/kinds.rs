@@ -42,10 +42,14 @@ pub enum FindingKind {
     Corner,
     /// The acceleration changes too fast.
     Jerk,
+    /// The camera moves too fast.
+    Speed,
+    /// Things cross the picture too fast.
+    Crossing,
 }
 
 /// Number of kinds.
-pub const COUNT: usize = 17;
+pub const COUNT: usize = 19;
 
 /// A limit that nothing is beyond: its kind is not looked for.
 pub const OFF: f64 = f64::INFINITY;
@@ -138,6 +142,13 @@ static ROWS: [Row; COUNT] = [
         "half sizes/s³",
         "From point {2}, view {3} the acceleration changes by {0} half sizes/s³ (limit {1}).",
         "Ease the section or give it more frames."),
+    row(FindingKind::Speed, ["speed", "speed"], [MAX_COORDINATE, OFF], "half sizes/s",
+        "From point {2}, view {3} the camera moves by {0} half sizes/s (limit {1}).",
+        "Give the section more frames."),
+    row(FindingKind::Crossing, ["crossing", "time in which a thing crosses the picture"],
+        [1e6, OFF], "s",
+        "From point {2}, view {3} what the camera looks at crosses the picture in {0} s (limit {1} s).",
+        "Give the section more frames."),
 ];
 
 impl FindingKind {

@@ -56,14 +56,22 @@ impl Quantity {
     #[must_use]
     pub const fn findings(self) -> &'static [FindingKind] {
         use FindingKind::{
-            Acceleration, Clearance, Corner, Cusp, HalfTurn, Jerk, NothingToSee, Pole, Redundant,
-            Space, SpeedJump, Target, Through, Turning, TurningAcceleration, ViewJump, Zoom,
+            Acceleration, Clearance, Corner, Crossing, Cusp, HalfTurn, Jerk, NothingToSee, Pole,
+            Redundant, Space, Speed, SpeedJump, Target, Through, Turning, TurningAcceleration,
+            ViewJump, Zoom,
         };
         match self {
             Self::Distance => &[],
-            Self::Speed => &[SpeedJump, Cusp, Corner, Space],
+            Self::Speed => &[Speed, SpeedJump, Cusp, Corner, Space],
             Self::Acceleration => &[Acceleration, Jerk],
-            Self::Turning => &[Turning, TurningAcceleration, ViewJump, HalfTurn, Pole],
+            Self::Turning => &[
+                Turning,
+                TurningAcceleration,
+                ViewJump,
+                HalfTurn,
+                Pole,
+                Crossing,
+            ],
             Self::Roll => &[Redundant],
             Self::Zoom => &[Zoom],
             Self::Clearance => &[Clearance, Through, NothingToSee, Target],

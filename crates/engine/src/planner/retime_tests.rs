@@ -1,0 +1,186 @@
+use glam::DVec3;
+
+use super::*;
+use crate::math::orientation::quaternion_from_view;
+use crate::path::insertion::tests::random_path;
+use crate::path::test_support::Random;
+use crate::path::{Pose, SupportPoint};
+use crate::tools::check::OFF;
+
+fn limits(all: &[(FindingKind, f64)]) -> Limits {
+    let mut limits = Limits::default();
+    for kind in FindingKind::all() {
+        limits.set(kind, OFF).unwrap();
+    }
+    for (kind, limit) in all {
+        limits.set(*kind, *limit).unwrap();
+    }
+    limits
+}
+
+fn request(all: &[(FindingKind, f64)]) -> Request {
+    Request {
+        limits: limits(all),
+        fps: 25.0,
+        points: None,
+        seconds: 0.0,
+    }
+}
+
+fn line(length: f64) -> CameraPath {
+    CameraPath {
+        points: [0.0, length]
+            .map(|x| SupportPoint::new(DVec3::new(x, 0.0, 0.0)))
+            .to_vec(),
+        ..CameraPath::default()
+    }
+}
+
+fn sampler(path: &CameraPath) -> Sampler {
+    Sampler::new(path, &Timeline::new(path).unwrap()).unwrap()
+}
+
+/// From rest to rest with speed v and acceleration a: L/v + v/a, or 2√(L/a).
+#[test]
+fn a_straight_line_takes_the_trapezoid() {
+    for (length, v, a) in [
+        (1.0, 0.5, 1.0),
+        (0.2, 5.0, 1.0),
+        (3.0, 1.0, 0.5),
+        (1.7, 0.3, 2.0),
+    ] {
+        let wanted = request(&[(FindingKind::Speed, v), (FindingKind::Acceleration, a)]);
+        let made = retime(&line(length), &wanted).unwrap();
+        let known = if length > v * v / a {
+            length / v + v / a
+        } else {
+            2.0 * (length / a).sqrt()
+        };
+        let frames = made.seconds * 25.0;
+        println!("{length} {v} {a}: {frames} known {} keys", known * 25.0);
+        assert!(frames >= known * 25.0 * 0.999 && frames <= known * 25.0 + 2.0);
+    }
+}
+
+/// Where the camera is at a place it looks where it looked before.
+fn same_views(before: &CameraPath, after: &CameraPath, round: usize) {
+    let (a, b) = (
+        Timeline::new(before).unwrap(),
+        Timeline::new(after).unwrap(),
+    );
+    let (s, t) = (sampler(before), sampler(after));
+    for (x, y) in s.courses().zip(t.courses()) {
+        assert_eq!(x.number_and_frames().0, y.number_and_frames().0);
+        let number = x.number_and_frames().0;
+        assert!((a.section(number).duration() - b.section(number).duration()).abs() < 1e-9);
+        let shares: Vec<f64> = (0..=40).map(|k| f64::from(k) / 40.0).collect();
+        let mut all = Vec::new();
+        x.along(&shares, &mut |along| all.push(along)).unwrap();
+        let mut k = 0;
+        y.along(&shares, &mut |along| {
+            let was = &all[k];
+            k += 1;
+            assert!((along.place - was.place).length() < 1e-9, "round {round}");
+            let turned = super::super::course::turned(was.turn, along.turn).length();
+            assert!(turned < 0.05_f64.to_radians(), "round {round}: {turned}");
+            assert!((along.zoom - was.zoom).abs() < 0.05, "round {round}");
+        })
+        .unwrap();
+    }
+}
+
+/// The greatest share of speed, acceleration, turning, turning acceleration at 20 samples a frame:
+/// differences over a frame, and the acceleration over a twentieth of one.
+fn peaks(path: &CameraPath, limits: &Limits, fps: f64) -> [f64; 5] {
+    let sampler = sampler(path);
+    let frames = sampler.frame_count();
+    let count = 20 * (frames - 1) + 1;
+    let poses: Vec<Pose> = (0..count)
+        .map(|k| {
+            sampler
+                .pose((1.0 + k as f64 / 20.0).min(frames as f64))
+                .unwrap()
+        })
+        .collect();
+    let place: Vec<DVec3> = poses.iter().map(|pose| pose.vrp.into()).collect();
+    let turn: Vec<_> = poses
+        .iter()
+        .map(|pose| quaternion_from_view(pose.view(), pose.up()))
+        .collect();
+    let get = |kind| limits.get(kind);
+    let mut found = [0.0_f64; 5];
+    let half = path.space.half_size;
+    for k in 0..count.saturating_sub(20) {
+        let speed = (place[k + 20] - place[k]).length() / half * fps;
+        found[0] = found[0].max(speed / get(FindingKind::Speed));
+        let turned = crate::planner::course::turned(turn[k], turn[k + 20]);
+        found[2] = found[2].max(turned.length().to_degrees() * fps / get(FindingKind::Turning));
+        if k + 40 < count {
+            let bend = place[k + 40] - 2.0 * place[k + 20] + place[k];
+            found[1] =
+                found[1].max(bend.length() / half * fps * fps / get(FindingKind::Acceleration));
+            let next = crate::planner::course::turned(turn[k + 20], turn[k + 40]);
+            let change = (next - turned).length().to_degrees() * fps * fps;
+            found[3] = found[3].max(change / get(FindingKind::TurningAcceleration));
+        }
+        if k + 2 < count {
+            let bend = place[k + 2] - 2.0 * place[k + 1] + place[k];
+            let fine = bend.length() / half * (20.0 * fps).powi(2);
+            found[4] = found[4].max(fine / get(FindingKind::Acceleration));
+        }
+    }
+    found
+}
+
+#[test]
+fn views_stay_and_limits_hold_on_random_paths() {
+    let mut random = Random(61);
+    let wanted = request(&[
+        (FindingKind::Speed, 1.0),
+        (FindingKind::Acceleration, 2.0),
+        (FindingKind::Turning, 60.0),
+        (FindingKind::TurningAcceleration, 300.0),
+        (FindingKind::Zoom, 30.0),
+    ]);
+    let (mut kinks, mut keys, mut most) = (0, 0, [0.0_f64; 5]);
+    let (mut failed, mut sections) = (0, 0);
+    let start = std::time::Instant::now();
+    for round in 0..30 {
+        let path = random_path(&mut random, round);
+        let made = match retime(&path, &wanted) {
+            Ok(made) => made,
+            Err(error) => {
+                println!("round {round}: {error}");
+                failed += 1;
+                continue;
+            }
+        };
+        kinks += made.rests.len();
+        for orientation in made
+            .path
+            .points
+            .iter()
+            .flat_map(|point| &point.orientations)
+        {
+            if let Pace::Distance(all) = &orientation.own.pace {
+                keys += all.len();
+                sections += 1;
+            }
+        }
+        same_views(&path, &made.path, round);
+        let found = peaks(&made.path, &wanted.limits, 25.0);
+        for (most, found) in most.iter_mut().zip(found) {
+            *most = most.max(found);
+        }
+        println!(
+            "round {round}: {:.2} s, peaks {found:.4?}, rests {}",
+            made.seconds,
+            made.rests.len()
+        );
+    }
+    println!(
+        "{kinks} kinks, {keys} keys in {sections} sections, most {most:.4?}, {failed} failed, {:?}",
+        start.elapsed()
+    );
+    assert!(failed == 0 && most[..4].iter().all(|share| *share <= 1.001));
+}
