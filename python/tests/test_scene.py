@@ -1,7 +1,6 @@
 """A scene: made, evaluated, sampled, saved."""
 
 import copy
-import inspect
 import pickle
 from pathlib import Path as File
 
@@ -100,8 +99,7 @@ def test_matrices_are_those_of_the_poses(scene: vides.Scene) -> None:
     state = scene.evaluate(20)["camera"]
     np.testing.assert_allclose(state.matrix[:3, 2], state.pose[3:6], atol=1e-12)
     for owner in (vides.State, vides.Motion, vides.Scene.sample, vides.Scene.evaluate):
-        source = inspect.getsource(owner)
-        assert "forward" in source or "State.matrix" in source
+        assert "forward" in (owner.__doc__ or "")
 
 
 def test_what_looks_nowhere_has_no_pose(scene: vides.Scene) -> None:

@@ -13,6 +13,10 @@ class Error(Exception):
     ``AttributeError``, as everywhere in Python. What the system refuses is an ``OSError`` too, a
     missing file a ``FileNotFoundError``, a point that is no longer there an ``IndexError``.
 
+    ``kind`` is ``"argument"``, ``"range"``, ``"limit"`` (too many), ``"memory"``, ``"io"`` (the
+    system refused), ``"format"`` (a file's content) or ``"display"`` (no window); ``place`` is a
+    file, a point or a key, ``line`` a line of a file from 1; ``None`` where there is none.
+
     >>> path = Path()
     >>> try:
     ...     path.points[1].zoom = 5000

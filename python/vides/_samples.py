@@ -32,6 +32,8 @@ class Samples:
 
     ``positions``, ``view``, ``up`` and ``zoom`` are views of :attr:`array`: they copy nothing, and
     what is written into them is written into it. ``numpy.asarray(samples)`` is the array.
+    ``frames`` (n,) are their numbers, ``fps`` frames per second, ``world_up`` is the upright axis of
+    the world, ``"y"`` or ``"z"``, or ``None`` where a file does not say.
 
     >>> samples = Path().sample()
     >>> len(samples), samples.array.shape, samples.array.dtype

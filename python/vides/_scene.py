@@ -36,14 +36,18 @@ class Keys(NamedTuple):
 
 
 class State(NamedTuple):
-    """A node at a frame."""
+    """A node at a frame.
+
+    ``matrix`` (4, 4) leads from its coordinates into the world's, for column vectors. In a camera's
+    own coordinates x is left, y up and z *forward*: the convention ``"vides"`` of
+    :meth:`Samples.matrices`, not OpenGL's; OpenGL's are ``scene.sample(…).poses.matrices("opengl")``.
+    ``pose`` (10,), of cameras and lights, is as a row of :class:`Samples`, of others NaN.
+    ``visible`` is whether it and all that it is in are visible; ``colour`` (linear red, green, blue)
+    is of lights and objects, ``intensity`` and ``cone`` (half angles in degrees) of lights.
+    """
 
     matrix: Array
-    """(4, 4): from the node's coordinates into the world's, for column vectors.
-
-    In a camera's own coordinates x is left, y up and z *forward*, as in the convention ``"vides"``
-    of :meth:`Samples.matrices`; OpenGL's come from ``scene.sample(…).poses.matrices("opengl")``.
-    """
+    """(4, 4): from the node's coordinates into the world's; a camera's z is forward."""
     pose: Array
     """(10,): of cameras and lights, as a row of :class:`Samples`; of others NaN."""
     visible: bool
@@ -57,16 +61,18 @@ class State(NamedTuple):
 
 
 class Motion(NamedTuple):
-    """A node at several frames."""
+    """A node at several frames.
+
+    ``frames`` is (n,). ``matrices`` (n, 4, 4) lead from its coordinates into the world's, for column
+    vectors: in a camera's own x is left, y up and z *forward*, the convention ``"vides"``, not
+    OpenGL's, which is the default of ``poses.matrices()``. ``poses`` are :class:`Samples`, NaN where
+    it is neither camera nor light.
+    """
 
     frames: Array
     """(n,)."""
     matrices: Array
-    """(n, 4, 4): from the node's coordinates into the world's, for column vectors.
-
-    In a camera's own coordinates x is left, y up and z *forward*: the convention ``"vides"``, not
-    OpenGL's, which is the default of ``poses.matrices()``.
-    """
+    """(n, 4, 4): from the node's coordinates into the world's; a camera's z is forward."""
     poses: Samples
     """Of a camera or light; of others NaN."""
 
@@ -405,7 +411,8 @@ class Scene(Mapping[str, Node]):
         self._native.set_space(vector(centre, "centre"), half_size, up)
 
     def evaluate(self, frame: float) -> dict[str, State]:
-        """All nodes at a frame, by their names. Axes of cameras: see :attr:`State.matrix`.
+        """All nodes at a frame, by their names. In a camera's matrix z is forward: see
+        :class:`State`.
 
         >>> scene = Scene.of_path(Path())
         >>> scene.evaluate(1)["camera"].pose[:3]
