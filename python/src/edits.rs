@@ -10,6 +10,7 @@ use vides::tools::Unit;
 
 use crate::document::upright;
 use crate::error::{Failure, Result};
+use crate::listed::usable;
 
 /// A point by its number.
 pub(crate) fn point(document: &Document, at: usize) -> Result<&SupportPoint> {
@@ -140,7 +141,7 @@ pub(crate) fn tool(
     block: Option<CameraPath>,
 ) -> Result<()> {
     let Some(tool) = tools().find(|tool| tool.name == name) else {
-        let names: Vec<_> = tools().map(|tool| tool.name).collect();
+        let names: Vec<_> = tools().filter(usable).map(|tool| tool.name).collect();
         let names = names.join(", ");
         return Err(Failure::argument(format!(
             "there is no tool {name:?}; tools are {names}"
@@ -152,7 +153,10 @@ pub(crate) fn tool(
         let (Some(parameter), Some(place)) = (parameter, tool.place_of(name)) else {
             let names: Vec<_> = tool
                 .parameters()
-                .map(|known| known.name.replace('-', "_"))
+                .map(|known| match known.name {
+                    "from" => "from_".to_owned(),
+                    name => name.replace('-', "_"),
+                })
                 .collect();
             return Err(Failure::argument(format!(
                 "{} takes no {}; it takes {}",

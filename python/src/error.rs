@@ -3,7 +3,6 @@
 use pyo3::exceptions::PyAttributeError;
 use pyo3::prelude::*;
 use pyo3::sync::PyOnceLock;
-use pyo3::types::PyType;
 use vides::error::{EngineError, ErrorKind, FromZero, OutOfRange, Refused};
 use vides::{formats, window};
 
@@ -17,7 +16,18 @@ pub(crate) struct Failure {
     sentence: String,
     /// Nothing has this name: what Python calls an error of attributes.
     no_attribute: bool,
+    /// No point or orientation has this number: an error of indices, too.
+    no_index: bool,
+    /// What the system said, by its number.
+    errno: Option<i32>,
 }
+
+/// The command's words, and Python's for them.
+const WORDS: [(&str, &str); 3] = [
+    ("--to in the command", "format="),
+    ("--from in the command", "format="),
+    ("(--robust)", "(robust=True)"),
+];
 
 pub(crate) type Result<T, E = Failure> = std::result::Result<T, E>;
 
@@ -35,12 +45,11 @@ const fn name(kind: ErrorKind) -> &'static str {
 
 impl Failure {
     fn new(kind: ErrorKind, error: &dyn std::fmt::Display) -> Self {
+        let sentence = FromZero(error).to_string();
+        let in_python = |sentence: String, (command, python)| sentence.replace(command, python);
         Self {
             kind: name(kind),
-            place: Vec::new(),
-            line: None,
-            sentence: FromZero(error).to_string(),
-            no_attribute: false,
+            ..Self::argument(WORDS.into_iter().fold(sentence, in_python))
         }
     }
 
@@ -52,6 +61,8 @@ impl Failure {
             line: None,
             sentence: sentence.into(),
             no_attribute: false,
+            no_index: false,
+            errno: None,
         }
     }
 
@@ -61,6 +72,12 @@ impl Failure {
             kind: "display",
             ..Self::argument(why)
         }
+    }
+
+    /// Where `format=` goes by another name.
+    pub(crate) fn with_format_as(mut self, name: &str) -> Self {
+        self.sentence = self.sentence.replace(" format=", &format!(" {name}"));
+        self
     }
 
     /// A path of `last` frames has not so many from the first on.
@@ -82,9 +99,13 @@ impl Failure {
     }
 
     fn engine(&mut self, error: &EngineError) {
-        if let EngineError::At(place, cause) = error {
-            self.place.push(bare(place));
-            self.engine(cause);
+        match error {
+            EngineError::At(place, cause) => {
+                self.place.push(bare(place));
+                self.engine(cause);
+            }
+            EngineError::Range(OutOfRange::NoPoint { .. }) => self.no_index = true,
+            _ => {}
         }
     }
 
@@ -92,7 +113,11 @@ impl Failure {
         match error {
             vides::Error::Engine(error) => self.engine(error),
             vides::Error::Refused(Refused::NoProperty { .. }) => self.no_attribute = true,
-            vides::Error::Io { place, .. } => self.place.push(place.clone()),
+            vides::Error::Refused(Refused::NoOrientation { .. }) => self.no_index = true,
+            vides::Error::Io { place, source } => {
+                self.place.push(place.clone());
+                self.errno = source.raw_os_error();
+            }
             vides::Error::Format { line, key, .. } => {
                 self.line = Some(*line);
                 self.place.extend(key.0.iter().map(ToString::to_string));
@@ -151,12 +176,6 @@ impl From<EngineError> for Failure {
 impl From<formats::Error> for Failure {
     fn from(error: formats::Error) -> Self {
         let mut failure = Self::new(error.kind(), &error);
-        for (command, python) in [
-            ("--to in the command", "format="),
-            ("--from in the command", "format="),
-        ] {
-            failure.sentence = failure.sentence.replace(command, python);
-        }
         failure.formats(&error);
         failure
     }
@@ -173,16 +192,24 @@ impl From<window::Error> for Failure {
 
 impl From<Failure> for PyErr {
     fn from(failure: Failure) -> Self {
-        static CLASS: PyOnceLock<Py<PyType>> = PyOnceLock::new();
+        static MAKE: PyOnceLock<Py<PyAny>> = PyOnceLock::new();
         Python::attach(|py| {
             if failure.no_attribute {
                 return PyAttributeError::new_err(failure.sentence);
             }
             let place = (!failure.place.is_empty()).then(|| failure.place.join(": "));
-            let given = (failure.sentence, failure.kind, place, failure.line);
-            let error = CLASS
-                .import(py, "vides._error", "Error")
-                .and_then(|class| class.call1(given));
+            let (kind, errno) = (failure.kind, failure.errno);
+            let given = (
+                failure.sentence,
+                kind,
+                place,
+                failure.line,
+                errno,
+                failure.no_index,
+            );
+            let error = MAKE
+                .import(py, "vides._error", "error_of")
+                .and_then(|make| make.call1(given));
             error.map_or_else(|raised| raised, Self::from_value)
         })
     }

@@ -1,12 +1,13 @@
 //! Other programs' files, and recorded poses that become a path.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 use vides::document::{self, Info};
 use vides::formats::{self, As, Format, Options, Report, Source};
+use vides::path::Up;
 use vides::tools::fit::{Options as FitOptions, Tolerance};
 
 use crate::arrays;
@@ -28,6 +29,30 @@ pub(crate) fn format(name: Option<&str>) -> Result<Option<&'static dyn Format>> 
     Ok(name.map(formats::by_name).transpose()?)
 }
 
+/// What a file is written in. A format of several files is never chosen because a folder happens to
+/// be there.
+pub(crate) fn format_for(
+    file: &Path,
+    named: Option<&'static dyn Format>,
+) -> Result<&'static dyn Format> {
+    match named {
+        Some(format) => Ok(format),
+        None if file.is_dir() => {
+            let all = formats::formats().iter().map(|format| format.row());
+            let folders = all.filter(|row| row.writes && !row.parts.is_empty());
+            let names: Vec<_> = folders
+                .map(|row| format!("format={:?}", row.name))
+                .collect();
+            Err(Failure::argument(format!(
+                "{} is a folder: name the format of several files that is written into it, {}",
+                file.display(),
+                names.join(" or ")
+            )))
+        }
+        None => Ok(formats::by_target(file)?),
+    }
+}
+
 pub(crate) fn losses(report: &Report) -> Vec<String> {
     report.losses().iter().map(ToString::to_string).collect()
 }
@@ -45,10 +70,8 @@ pub(crate) fn convert(
 ) -> Result<Vec<String>> {
     let mut options = options(&choices)?;
     let from = format(read_as)?;
-    let to = match format(write_as)? {
-        Some(to) => to,
-        None => formats::by_target(&target)?,
-    };
+    let to = format_for(&target, format(write_as)?)
+        .map_err(|failure| failure.with_format_as("target_format="))?;
     let same = |a: &PathBuf, b: &PathBuf| Some(a.canonicalize().ok()? == b.canonicalize().ok()?);
     if same(&source, &target) == Some(true) {
         let name = target.display();
@@ -61,7 +84,8 @@ pub(crate) fn convert(
         options.as_ = options.as_.or(Some(As::Keys));
     }
     py.detach(|| {
-        let imported = formats::import(&Source::open(&source)?, from, &options)?;
+        let imported = formats::import(&Source::open(&source)?, from, &options)
+            .map_err(|error| Failure::from(error).with_format_as("source_format="))?;
         let warned = imported.document.warnings().iter();
         let mut told: Vec<String> = warned.map(ToString::to_string).collect();
         told.extend(losses(&imported.report));
@@ -71,12 +95,13 @@ pub(crate) fn convert(
     })
 }
 
-/// Poses, their frames and seconds where there are some, frames per second, losses.
+/// Poses, their frames and seconds where there are some, frames per second, the upright axis, losses.
 type Recorded<'py> = (
     Bound<'py, PyArray2<f64>>,
     Option<Bound<'py, PyArray1<f64>>>,
     Option<Bound<'py, PyArray1<f64>>>,
     Option<f64>,
+    Option<&'static str>,
     Vec<String>,
 );
 
@@ -104,13 +129,14 @@ pub(crate) fn recording<'py>(
         };
         Ok::<_, Failure>((recording, report))
     })?;
-    let fps = options.fps.or(recording.fps);
+    let fps = options.fps.or(recording.rate());
     let row = |numbers: Option<Vec<f64>>| numbers.map(|numbers| PyArray1::from_vec(py, numbers));
     Ok((
         arrays::table(py, recording.poses.iter().map(arrays::row)),
         row(recording.frames),
         row(recording.seconds),
         fps,
+        options.up.or(recording.up).map(Up::name),
         losses(&report),
     ))
 }

@@ -1,7 +1,7 @@
 //! What there is, from the tables of the crates.
 
 use pyo3::prelude::*;
-use vides::document::tool::{Needs, tools as all_tools};
+use vides::document::tool::{Needs, Tool, tools as all_tools};
 use vides::formats::{OPTIONS, formats as all_formats};
 use vides::property::Listed;
 use vides::tools::Unit;
@@ -40,11 +40,15 @@ type ToolRow = (
     Vec<(String, &'static str, String, usize)>,
 );
 
+/// Whether Python has it: the others want a file to write, a line drawn by hand, or poses, for
+/// which there is `fit`.
+pub(crate) fn usable(tool: &Tool) -> bool {
+    matches!(tool.needs(), Needs::Nothing | Needs::Block)
+}
+
 #[pyfunction]
 pub(crate) fn tools() -> Vec<ToolRow> {
-    // The others want a file to write, a line drawn by hand, or poses, for which there is `fit`.
-    let usable = |needs| matches!(needs, Needs::Nothing | Needs::Block);
-    let rows = all_tools().filter(|tool| usable(tool.needs()));
+    let rows = all_tools().filter(usable);
     rows.map(|tool| {
         let parameters = tool.parameters().map(|known| {
             let unit = match known.unit {

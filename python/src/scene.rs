@@ -19,7 +19,7 @@ use vides::scene::{
 use crate::arrays::{self, BLOCK, WIDTH, rows_mut, table};
 use crate::document::{Document, upright};
 use crate::error::{Failure, Result};
-use crate::files::{Choices, format, losses, options};
+use crate::files::{Choices, format, format_for, losses, options};
 
 /// A scene with its info.
 #[pyclass(frozen, module = "vides._vides")]
@@ -159,10 +159,7 @@ impl Scene {
     ) -> Result<Vec<String>> {
         let (to, options) = (format(write_as)?, options(&choices)?);
         self.read(py, |document| {
-            let to = match to {
-                Some(to) => to,
-                None => formats::by_target(&file)?,
-            };
+            let to = format_for(&file, to)?;
             let report = formats::export(document, &file, to, &options, &mut |_, _| {})?;
             Ok::<_, Failure>(losses(&report))
         })

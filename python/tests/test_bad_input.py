@@ -2,8 +2,10 @@
 
 import inspect
 import os
+import pickle
 import random
 from collections.abc import Callable
+from pathlib import Path as File
 from typing import Any
 
 import numpy as np
@@ -192,3 +194,107 @@ def test_nothing_is_half_done() -> None:
     finally:
         os.chmod(".", 0o755)
     assert vides.Path.load(file) == path
+
+
+def test_the_system_refuses(tmp_path: File) -> None:
+    for call in (
+        lambda: vides.Path.load("missing.vid"),
+        lambda: vides.Samples.load("missing.csv"),
+        lambda: vides.Scene.load("missing.glb"),
+        lambda: vides.Path().set_object("missing.obj"),
+        lambda: vides.Path().save("missing/there.vid"),
+        lambda: vides.Path().save("missing/there.csv"),
+        lambda: vides.convert("missing.vid", "there.csv"),
+    ):
+        with pytest.raises(FileNotFoundError, match="missing.*: ") as raised:
+            call()
+        error = raised.value
+        assert isinstance(error, vides.Error) and error.kind == "io" and error.errno == 2
+        again = pickle.loads(pickle.dumps(error))
+        assert str(again) == str(error) and isinstance(again, FileNotFoundError)
+    with pytest.raises(OSError) as refused:
+        vides.Path.load("/proc/self/mem")
+    assert isinstance(refused.value, vides.Error)
+    assert not isinstance(refused.value, FileNotFoundError)
+
+
+def test_what_is_gone_is_an_index_error() -> None:
+    path = vides.Path([[0, 0, 0], [1, 0, 0], [1, 1, 0]])
+    last, view = path.points[2], path.points[0].orientations.append()
+    del path.points[2], path.points[0].orientations[1]
+    for call in (
+        lambda: last.position,
+        lambda: last.zoom,
+        lambda: setattr(last, "zoom", 30),
+        lambda: view.zoom,
+        lambda: view.make_absolute(),
+        lambda: view.up_vector,
+        lambda: last.orientations[0],
+    ):
+        with pytest.raises(IndexError, match="there is no (point 2|orientation 1)") as raised:
+            call()
+        assert isinstance(raised.value, vides.Error)
+
+
+COUNTS: list[tuple[Callable[[vides.Path], object], str]] = [
+    (lambda path: vides.Path([[0, 0, 0], [1, 0, 0]], frames=-5), "^frames must lie"),
+    (lambda path: vides.Path([[0, 0, 0], [1, 0, 0]], frames=2**70), "^frames must lie"),
+    (lambda path: vides.Path([[0, 0, 0], [1, 0, 0]], frames=True), "^frames must be a whole"),
+    (lambda path: vides.Path([[0, 0, 0], [1, 0, 0]], frames=2.5), "^frames must be a whole"),  # type: ignore[arg-type]
+    (lambda path: vides.Path([[0, 0, 0], [1, 0, 0]], fps="a"), "^fps must be a number"),  # type: ignore[arg-type]
+    (lambda path: vides.Path([[0, 0, 0], [1, 0, 0]], zoom=True), "^zoom must be a number"),
+    (lambda path: path.set_frames(-3), "^frames must lie"),
+    (lambda path: path.divide(-1), "^segment must lie"),
+    (lambda path: path.divide(0, -1), "^points must lie"),
+    (lambda path: path.divide(True), "^segment must be a whole"),
+    (lambda path: path.insert_on_curve("x"), "^frame must be a number"),  # type: ignore[arg-type]
+    (lambda path: setattr(path.points[0], "name", 5), "^name is a text, not int"),
+    (lambda path: setattr(path, "comment", True), "^comment is a text, not bool"),
+]
+
+
+@pytest.mark.parametrize(("call", "said"), COUNTS)
+def test_numbers_are_called_by_their_names(call: Callable[[vides.Path], object], said: str) -> None:
+    path = vides.Path()
+    with pytest.raises((TypeError, vides.Error), match=said):
+        call(path)
+    assert path == vides.Path()
+
+
+def test_a_folder_is_written_only_where_it_is_asked_for(tmp_path: File) -> None:
+    target = tmp_path / "model"
+    target.mkdir()
+    for call in (
+        lambda: vides.Path().save(target),
+        lambda: vides.Path().save("."),
+        lambda: vides.Scene.of_path(vides.Path()).save(target),
+    ):
+        with pytest.raises(vides.Error, match='is a folder: .*format="colmap"'):
+            call()
+    vides.Path().save("flight.vid")
+    with pytest.raises(vides.Error, match="is a folder"):
+        vides.convert("flight.vid", target)
+    assert list(target.iterdir()) == []
+    vides.Path().save(target, "colmap")
+    assert len(list(target.iterdir())) == 3
+
+
+def test_messages_speak_of_python() -> None:
+    path = vides.Path()
+    with pytest.raises(vides.Error, match="tools are orbit") as raised:
+        path.tool("xx")
+    told = str(raised.value).split("tools are ")[1].split(", ")
+    assert told == [tool.name for tool in vides.tools()]
+    with pytest.raises(vides.Error, match=r"it takes .*\bfrom_,"):
+        path.tool("orbit", x=3)
+    path.save("flight.vid")
+    File("odd.dat").write_bytes(b"\x00\x01")
+    with pytest.raises(vides.Error, match="name it, with target_format="):
+        vides.convert("flight.vid", "flight.foo")
+    with pytest.raises(vides.Error, match="name it, with source_format="):
+        vides.convert("odd.dat", "flight.csv")
+    # It leaps to and fro between whole frames.
+    leaps = path.sample().array.copy()
+    leaps[::2, 1] += 1
+    with pytest.raises(vides.Error, match=r"robust fit \(robust=True\)"):
+        vides.Path.fit(leaps, np.arange(121) / 60, tolerance=0.01)

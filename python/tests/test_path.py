@@ -3,6 +3,7 @@
 import copy
 import gc
 import pickle
+import re
 import weakref
 from html.parser import HTMLParser
 from pathlib import Path as File
@@ -288,3 +289,39 @@ def test_sections_are_edited(path: vides.Path) -> None:
     assert path.base_speeds["zoom_frames"] == 42 and len(path.base_speeds) == 4
     path.presets = {"3": {"tension": 1.0, "continuity": 0.0, "bias": 0.0}}
     assert path.presets["3"]["tension"] == 1
+
+
+def test_insert_counts_as_lists_do() -> None:
+    path = vides.Path(POINTS)
+    for at in (-1, -len(POINTS), 0, 2, len(POINTS)):
+        wanted = [tuple(place) for place in POINTS]
+        wanted.insert(at, (9.0, 9.0, 9.0))
+        twin = path.copy()
+        point = twin.points.insert(at, (9, 9, 9))
+        assert [tuple(place) for place in twin.positions] == wanted
+        assert tuple(point.position) == (9, 9, 9)
+    views = path.points[0].orientations
+    views[0].roll = 10
+    views.append().roll = 20
+    views.insert(-1).roll = 15
+    assert [view.roll for view in views] == [10, 15, 20]
+    for wrong in (-len(POINTS) - 1, len(POINTS) + 1):
+        with pytest.raises(IndexError):
+            path.points.insert(wrong, (0, 0, 0))
+
+
+def test_points_are_compared() -> None:
+    path = vides.Path(POINTS)
+    assert path.points[0] == path.points[0] and path.points[0] != path.points[1]
+    assert path.points[0] in path.points and path.points[0] != path.copy().points[0]
+    path.base_speeds = path.presets = None
+    assert path == vides.Path(POINTS)
+
+
+def test_what_the_docstring_names_is_there() -> None:
+    path = vides.Path()
+    named = (vides.Path.__doc__ or "").split("by the key that it has there:")[1].split(". A path")[0]
+    keys = re.findall("``(\\w+)``", named)
+    assert len(keys) == 10
+    for key in keys:
+        getattr(path, key)

@@ -1,5 +1,7 @@
 """Matrices and quaternions, held against what a camera sees."""
 
+import copy
+import pickle
 from typing import get_args
 
 import numpy as np
@@ -81,6 +83,76 @@ def test_fields_of_view() -> None:
 
 
 def test_an_array_is_not_copied() -> None:
-    array = np.zeros((4, 10))
+    array = vides.Path().sample(1, 4).array
     assert vides.Samples(array).array is array
+    strided = np.concatenate([array, array])[::2]
+    assert vides.Samples(strided).array is strided
     assert vides.Samples(array.astype(np.float32)).array.dtype == np.float64
+
+
+def test_what_no_camera_has_is_refused() -> None:
+    good = vides.Path().sample(1, 3).array
+    for column, number, said in (
+        (slice(3, 6), 0, r"poses\[1\]: view has the length 0"),
+        (slice(6, 9), 0, r"poses\[1\]: up has the length 0"),
+        (slice(6, 9), good[1, 3:6], r"poses\[1\]: view and up"),
+        (slice(0, 10), np.nan, r"poses\[1, 0\] is nan"),
+        (slice(9, 10), -3, r"poses\[1\]: zoom must lie between 1 and 2000, not -3"),
+        (slice(9, 10), 2001, "2000"),
+    ):
+        array = good.copy()
+        array[1, column] = number
+        with pytest.raises(vides.Error, match=said):
+            vides.Samples(array)
+    # As rounded as files have them.
+    vides.Samples(vides.Path(POSITIONS, look_at=(0, 0, 0)).sample().array.round(4))
+
+
+POSITIONS = [[3, 1, 0], [0, 2, 3], [-3, 1, 0]]
+
+
+def test_a_mask_is_not_lost() -> None:
+    masked = np.ma.masked_equal(vides.Path().sample().array, 24.0)
+    frames = np.ma.masked_array([1.0, 2.0], [False, True])
+    positions = np.ma.masked_less(np.array(POSITIONS), 0)
+    for call in (
+        lambda: vides.Samples(masked),
+        lambda: vides.Path(positions),
+        lambda: vides.Path().evaluate(frames),
+        lambda: vides.Path().evaluate(seconds=frames),
+        lambda: vides.Scene().add("a").set_keys("roll", [1, 2], frames),
+    ):
+        with pytest.raises(vides.Error, match="is masked"):
+            call()
+    whole = np.ma.masked_array(vides.Path().sample().array)
+    assert type(vides.Samples(whole).array) is np.ndarray
+
+
+def test_the_same_numbers_are_equal() -> None:
+    path = vides.Path()
+    assert path.sample() == path.sample() and path.sample() != path.sample(2)
+    other = path.sample()
+    other.zoom[3] = 30
+    assert other != path.sample() and other != path.sample().array.tolist()
+    assert pickle.loads(pickle.dumps(other)) == other == copy.deepcopy(other)
+
+
+@pytest.mark.parametrize("fps", [30, 25, 24000 / 1001])
+def test_seconds_come_back_from_a_table(fps: float) -> None:
+    path = vides.Path(POSITIONS, look_at=(0, 0, 0), frames=61, fps=fps)
+    path.save("flight.csv")
+    again = vides.Samples.load("flight.csv")
+    np.testing.assert_allclose(again.seconds, path.sample().seconds, atol=1e-5)
+    assert again.fps == pytest.approx(fps, rel=1e-6)
+
+
+def test_which_axis_stands_upright() -> None:
+    path = vides.Path(POSITIONS, look_at=(0, 0, 0), frames=20)
+    path.save("transforms.json", "nerfstudio")
+    samples = vides.Samples.load("transforms.json")
+    assert (path.sample().world_up, samples.world_up, samples[3:].world_up) == ("y", "z", "z")
+    x, y, z = path.sample().positions.T
+    np.testing.assert_allclose(samples.positions, np.stack([x, -z, y], 1), atol=1e-6)
+    assert vides.Path.fit(samples).up == "z" and vides.Path.fit(samples, up="y").up == "y"
+    path.save("poses.tum", "tum")
+    assert vides.Samples.load("poses.tum").world_up is None

@@ -90,3 +90,32 @@ def test_files(scene: vides.Scene, tmp_path: File) -> None:
     assert vides.convert(tmp_path / "scene.glb", tmp_path / "scene.usda") is not None
     with pytest.raises(vides.Error, match="would be replaced"):
         vides.convert(tmp_path / "scene.glb", tmp_path / "scene.glb")
+
+
+def test_matrices_are_those_of_the_poses(scene: vides.Scene) -> None:
+    motion = scene.sample("camera", 11, 60)
+    np.testing.assert_allclose(motion.matrices, motion.poses.matrices("vides"), atol=1e-12)
+    # What a camera sees ahead lies along its +z.
+    state = scene.evaluate(20)["camera"]
+    np.testing.assert_allclose(state.matrix[:3, 2], state.pose[3:6], atol=1e-12)
+    for owner in (vides.State, vides.Motion, vides.Scene.sample, vides.Scene.evaluate):
+        assert "forward" in (owner.__doc__ or "")
+
+
+def test_what_looks_nowhere_has_no_pose(scene: vides.Scene) -> None:
+    states = scene.evaluate(5)
+    assert np.isnan(states["cube"].pose).all() and np.isnan(states["arm"].pose).all()
+    assert np.isfinite(states["lamp"].pose).all() and np.isfinite(states["camera"].pose).all()
+    assert np.isnan(scene.sample("cube", 1, 3).poses.array).all()
+    assert np.isfinite(scene.sample("lamp", 1, 3).poses.array).all()
+
+
+def test_nodes_are_copied_and_compared(scene: vides.Scene) -> None:
+    cube = scene["cube"]
+    assert cube == scene["cube"] and cube != scene["arm"] and scene == scene
+    assert copy.copy(cube) == cube
+    for twin in (copy.deepcopy(cube), pickle.loads(pickle.dumps(cube))):
+        assert twin.name == "cube" and twin != cube
+        np.testing.assert_array_equal(twin.position, cube.position)
+        twin.position = (9, 9, 9)
+        assert cube.position[0] == 0

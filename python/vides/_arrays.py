@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Sequence
-from typing import Union
+from typing import SupportsFloat, SupportsIndex, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -19,6 +20,9 @@ Vector = Union[Sequence[float], npt.NDArray[np.floating]]
 
 def doubles(values: npt.ArrayLike, shape: tuple[int | None, ...], name: str) -> Array:
     """Finite doubles row by row; ``None`` in the shape is any number."""
+    if isinstance(values, np.ma.MaskedArray) and np.ma.getmaskarray(values).any():
+        at = tuple(int(k) for k in np.argwhere(np.ma.getmaskarray(values))[0])
+        raise Error(f"{name}{list(at)} is masked: what is left out must be taken out, by compressed()")
     try:
         array = np.asarray(values)
     except ValueError as error:
@@ -37,6 +41,29 @@ def doubles(values: npt.ArrayLike, shape: tuple[int | None, ...], name: str) -> 
         at = tuple(int(k) for k in np.argwhere(~np.isfinite(array))[0])
         raise Error(f"{name}{list(at)} is {array[at]}: all numbers must be finite")
     return array
+
+
+def count(value: SupportsIndex, name: str) -> int:
+    """A whole number that is not negative, and no switch."""
+    try:
+        if isinstance(value, (bool, np.bool_)):
+            raise TypeError
+        number = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{name} must be a whole number, not {type(value).__name__}") from None
+    if not 0 <= number < 2**31:
+        raise Error(f"{name} must lie between 0 and {2**31 - 1}, not {number}", "range")
+    return number
+
+
+def number(value: SupportsFloat, name: str) -> float:
+    """A number that is no switch and no text."""
+    if isinstance(value, (bool, np.bool_, str)) or not hasattr(type(value), "__float__"):
+        raise TypeError(f"{name} must be a number, not {type(value).__name__}")
+    try:
+        return float(value)
+    except OverflowError as error:
+        raise Error(f"{name}: {error}", "range") from None
 
 
 def vector(values: Vector, name: str) -> tuple[float, float, float]:

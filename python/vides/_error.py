@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
+import errno
+
 
 class Error(Exception):
     """Something cannot be done; nothing was changed.
 
     ``str()`` of it is one sentence that names the place and the reason. Wrong types raise
     ``TypeError``, numbers beyond a sequence ``IndexError``, unknown attributes
-    ``AttributeError``, as everywhere in Python.
+    ``AttributeError``, as everywhere in Python. What the system refuses is an ``OSError`` too, a
+    missing file a ``FileNotFoundError``, a point that is no longer there an ``IndexError``.
+
+    ``kind`` is ``"argument"``, ``"range"``, ``"limit"`` (too many), ``"memory"``, ``"io"`` (the
+    system refused), ``"format"`` (a file's content) or ``"display"`` (no window); ``place`` is a
+    file, a point or a key, ``line`` a line of a file from 1; ``None`` where there is none.
 
     >>> path = Path()
     >>> try:
@@ -41,5 +48,33 @@ class Error(Exception):
         self.place = place
         self.line = line
 
+    def __str__(self) -> str:
+        return str(self.args[0])
+
     def __reduce__(self) -> tuple[type[Error], tuple[str, str, str | None, int | None]]:
         return type(self), (str(self), self.kind, self.place, self.line)
+
+
+class SystemRefused(Error, OSError):
+    """What the system refused."""
+
+
+class NoFile(SystemRefused, FileNotFoundError):
+    """A file that is not there."""
+
+
+class NoIndex(Error, IndexError):
+    """A point or an orientation that is not there."""
+
+
+def error_of(
+    sentence: str, kind: str, place: str | None, line: int | None, number: int | None, no_index: bool
+) -> Error:
+    """The error for what the engine says; ``number`` is the system's."""
+    if no_index:
+        return NoIndex(sentence, kind, place, line)
+    if kind != "io":
+        return Error(sentence, kind, place, line)
+    error = (NoFile if number == errno.ENOENT else SystemRefused)(sentence, kind, place, line)
+    error.errno, error.filename = number, place
+    return error

@@ -83,7 +83,9 @@ def convert(
     ``size=(1920, 1080)``, ``scale=0.01``, ``up="z"``, ``as_="path"``, ``tolerance=0.01``.
 
     Returns what the target cannot hold, a sentence each. ``target`` is replaced only when it is
-    whole.
+    whole; a folder only with ``target_format="colmap"``. Where a format has an upright axis of its
+    own (z: ``nerfstudio``, ``transforms``), the world is turned on writing, and stays so when the
+    file is read again.
 
     >>> import tempfile, pathlib
     >>> with tempfile.TemporaryDirectory() as folder:

@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _vides
-from ._arrays import Array, Vector, doubles, frozen, vector
+from ._arrays import Array, Vector, count, doubles, frozen, number, vector
 from ._error import Error
 from ._files import choices, path_of
 from ._points import Keyed, Points, Section, bare_keys, index_of
@@ -31,7 +31,8 @@ class Path(Keyed):
 
     ``positions``, shape (n, 3) with n ≥ 2, are the points, in the world's lengths. Every camera
     looks at ``look_at`` (3,); without it along −z, or −x where z is ``up``. ``frames`` is how many
-    poses there are in all; without it the base speeds say. ``zoom`` is a focal length in mm (24: a
+    poses there are in all; without it the base speeds say. The first is shown at second 0, so n
+    seconds from the first to the last take ``frames=n * fps + 1``. ``zoom`` is a focal length in mm (24: a
     vertical field of view of 53°). ``curve`` is ``"tcb"`` (Kochanek–Bartels), ``"cubic"`` (a
     spline with continuous second derivatives) or ``"linear"``.
 
@@ -44,7 +45,7 @@ class Path(Keyed):
     <vides.Path: 100 points, 500 frames, closed>
 
     What a ``.vid`` file says of the whole path is an attribute, by the key that it has there:
-    ``fps``, ``title``, ``comment``, ``unit``, ``closed``, ``curve``, ``orientation_mode``,
+    ``fps``, ``title``, ``comment``, ``closed``, ``curve``, ``orientation_mode``,
     ``zoom_mode``, ``first_frame``, ``base_speeds``, ``presets``. A path has its frames: another
     ``fps`` shows them faster or slower, :meth:`set_frames` brings it to a length.
 
@@ -55,6 +56,16 @@ class Path(Keyed):
     >>> path.base_speeds["move_frames"]
     100.0
     >>> path.base_speeds = {"move_frames": 250}
+
+    How fast the camera goes is said of the section that begins at a point: its ``frames``, and of
+    those ``speed_curve``, ten speeds from its start to its end, or ``ease``. Slowing down to the
+    third point:
+
+    >>> path = Path([[0, 0, 0], [1, 0, 0], [2, 0, 0], [3, 0, 0]], frames=301)
+    >>> path.points[1].speed_curve = [50, 50, 50, 45, 40, 35, 30, 25, 20, 15]
+    >>> steps = path.motion([110, 190])[:, 1]  # way per frame
+    >>> bool(steps[1] < steps[0] / 2)
+    True
     """
 
     __slots__ = ("_native", "losses", "__weakref__")
@@ -89,10 +100,10 @@ class Path(Keyed):
                 None if look_at is None else vector(look_at, "look_at"),
                 up,
                 closed,
-                frames,
-                zoom,
+                None if frames is None else count(frames, "frames"),
+                number(zoom, "zoom"),
                 curve,
-                fps,
+                number(fps, "fps"),
             )
         self._set(native)
 
@@ -155,7 +166,20 @@ class Path(Keyed):
         """Writes a ``.vid`` file, or another program's, as its name says or ``format``.
 
         The file is replaced only when the new one is whole. Returns what the format cannot hold, a
-        sentence each; for options see :func:`options`.
+        sentence each; for options see :func:`options`. Several files of ``format="colmap"`` are
+        written into a folder.
+
+        The world's axes stay as they are, but for formats that have an upright axis of their own:
+        z in ``transforms.json`` (``nerfstudio``, ``transforms``). A path with y upright is turned
+        for them by 90° about x: (x, y, z) becomes (x, −z, y), and is so when it is read again.
+
+        >>> import os, tempfile
+        >>> with tempfile.TemporaryDirectory() as folder:
+        ...     file = os.path.join(folder, "transforms.json")
+        ...     _ = Path().save(file, "nerfstudio")
+        ...     samples = Samples.load(file)
+        >>> samples.world_up, samples.positions[0].round(6)
+        ('z', array([-0.6, -0.8,  0.2]))
         """
         name = path_of(file)
         if format in (None, "vid") and name.endswith(".vid") and not options:
@@ -244,11 +268,13 @@ class Path(Keyed):
 
     def divide(self, segment: int, points: int = 1) -> None:
         """New points on the curve between point ``segment`` and the next, 1 to 10 of them."""
-        self._native.edit("divide", segment=segment, points=points)
+        self._native.edit(
+            "divide", segment=count(segment, "segment"), points=count(points, "points")
+        )
 
     def insert_on_curve(self, frame: float) -> None:
         """A new point on the curve where the camera is at a frame; the flight stays as it is."""
-        self._native.edit("insert_on_curve", frame=frame)
+        self._native.edit("insert_on_curve", frame=number(frame, "frame"))
 
     def set_frames(self, frames: int, first: int = 0, last: int = -1) -> None:
         """Exactly so many poses from point ``first`` to point ``last``, both included.
@@ -258,12 +284,12 @@ class Path(Keyed):
         >>> path.frame_count
         101
         """
-        count = len(self.points)
+        points = len(self.points)
         self._native.edit(
             "fit_frames",
-            first=index_of(first, count, "point"),
-            last=index_of(last, count, "point"),
-            frames=frames,
+            first=index_of(first, points, "point"),
+            last=index_of(last, points, "point"),
+            frames=count(frames, "frames"),
         )
 
     # ---- Poses --------------------------------------------------------------------------
@@ -275,7 +301,7 @@ class Path(Keyed):
 
     @property
     def duration(self) -> float:
-        """Seconds from the first pose to the last.
+        """Seconds from the first pose to the last: 300 frames at 30 a second are 9.967 s.
 
         >>> Path().duration
         4.8
@@ -309,20 +335,20 @@ class Path(Keyed):
         """
         first = operator.index(first)
         last = self.frame_count if last is None else operator.index(last)
-        count = last + 1 - first
-        if first < 1 or count < 0:
+        rows = last + 1 - first
+        if first < 1 or rows < 0:
             raise Error(f"frames {first} to {last} are wanted: the first is 1, and no later than the last", "range")
         if out is None:
             if last > self.frame_count:
                 raise Error(f"there is no frame {last}: the frames are 1 to {self.frame_count}", "range")
-            out = np.empty((count, 10))
-        elif not isinstance(out, np.ndarray) or out.dtype != np.float64 or out.shape != (count, 10):
+            out = np.empty((rows, 10))
+        elif not isinstance(out, np.ndarray) or out.dtype != np.float64 or out.shape != (rows, 10):
             what = f"{out.dtype} {out.shape}" if isinstance(out, np.ndarray) else type(out).__name__
-            raise Error(f"out must be an array of float64 of the shape ({count}, 10), not {what}")
+            raise Error(f"out must be an array of float64 of the shape ({rows}, 10), not {what}")
         elif not (out.flags.c_contiguous and out.flags.writeable):
             raise Error("out must be writeable and lie row by row without gaps (order C)")
         self._native.sample(first, out)
-        return Samples(out, float(self.fps), np.arange(first, last + 1.0))
+        return Samples._of(out, float(self.fps), np.arange(first, last + 1.0), self.up)
 
     def evaluate(
         self, frames: npt.ArrayLike | None = None, *, seconds: npt.ArrayLike | None = None
@@ -339,12 +365,13 @@ class Path(Keyed):
         >>> path.evaluate(seconds=0.5).frames
         array([13.5])
         """
-        if (frames is None) == (seconds is None):
+        if seconds is not None and frames is None:
+            wanted = doubles(np.atleast_1d(seconds), (None,), "seconds") * self.fps + 1.0
+        elif frames is not None and seconds is None:
+            wanted = doubles(np.atleast_1d(frames), (None,), "frames")
+        else:
             raise TypeError("evaluate() takes either frames or seconds")
-        if seconds is not None:
-            frames = doubles(np.atleast_1d(np.asarray(seconds)), (None,), "seconds") * self.fps + 1.0
-        wanted = doubles(np.atleast_1d(np.asarray(frames)), (None,), "frames")
-        return Samples(self._native.poses(wanted), float(self.fps), wanted)
+        return Samples._of(self._native.poses(wanted), float(self.fps), wanted, self.up)
 
     def motion(self, frames: npt.ArrayLike) -> Array:
         """(n, 4), how the camera moves at frames, whole or between two.
@@ -355,13 +382,15 @@ class Path(Keyed):
         >>> Path().motion([1, 121])[:, 0].round(6)
         array([0. , 1.2])
         """
-        wanted = doubles(np.atleast_1d(np.asarray(frames)), (None,), "frames")
+        wanted = doubles(np.atleast_1d(frames), (None,), "frames")
         return self._native.motion(wanted)
 
     # ---- Tools --------------------------------------------------------------------------
 
     def check(self) -> list[Finding]:
         """What will look wrong in the film: jerks, fast turns, what comes too near, and so on.
+
+        Points count from 0, in the sentences too.
 
         >>> Path().check()
         []
@@ -413,7 +442,7 @@ class Path(Keyed):
         fps: float | None = None,
         tolerance: float | None = None,
         angle: float = 0.5,
-        up: Axis = "y",
+        up: Axis | None = None,
         robust: bool = False,
     ) -> Path:
         """A path of few points near recorded poses.
@@ -421,7 +450,8 @@ class Path(Keyed):
         ``poses`` are samples or an array (n, 10); ``seconds`` (n,) rise, and are those of the
         samples unless given. The path stays within ``tolerance`` of the positions (a length; 1/1000
         of the diagonal of their bounds unless given), and within ``angle`` degrees of view, up and
-        field of view. ``robust`` leaves out poses that do not fit those around them.
+        field of view. ``robust`` leaves out poses that do not fit those around them. ``up`` is the
+        axis of the world that stands upright: that of the samples unless given, else ``"y"``.
 
         >>> path = Path()
         >>> path.points.insert(1, (0, 0.6, 0.4))
@@ -435,15 +465,17 @@ class Path(Keyed):
             array = doubles(poses.array, (None, 10), "poses")
             seconds = poses.seconds if seconds is None else seconds
             fps = poses.fps if fps is None else fps
+            known = poses.world_up
         else:
             array = doubles(poses, (None, 10), "poses")
+            known = None
         times = None if seconds is None else doubles(seconds, (len(array),), "seconds")
         if len(array) < 2:
             raise Error(f"at least two poses are wanted, not {len(array)}", "range")
         if tolerance is None:
             tolerance = 1e-3 * float(np.linalg.norm(np.ptp(array[:, :3], axis=0)))
         rate = 25.0 if fps is None else float(fps)
-        native, left_out = _vides.fit(array, times, rate, tolerance, angle, up, robust)
+        native, left_out = _vides.fit(array, times, rate, tolerance, angle, up or known or "y", robust)
         losses = [f"pose {at} is left out" for at in left_out]
         return cls._of(native, losses)
 
@@ -463,7 +495,8 @@ class Path(Keyed):
     def plot(self, dark: bool = False) -> SVG:
         """The way from three sides, the views on a sphere, and charts over the frames: an SVG.
 
-        A notebook shows it; it is the picture of ``vides plot``.
+        A notebook shows it; ``pathlib.Path("plot.svg").write_text(path.plot())`` keeps it. It is
+        the picture of ``vides plot``, in which points count from 1.
 
         >>> Path().plot()[:4]
         '<svg'

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+import functools
 import operator
 import re
 from collections.abc import Iterator, Sequence
@@ -23,6 +24,14 @@ def index_of(at: SupportsIndex, count: int, what: str) -> int:
     if not -count <= number < count:
         raise IndexError(f"there is no {what} {number}: there are {count}, counted from 0")
     return number % count
+
+
+def place_of(at: SupportsIndex, count: int) -> int:
+    """Before which of so many something is inserted, as ``list.insert`` counts."""
+    number = operator.index(at)
+    if not -count <= number <= count:
+        raise IndexError(f"there is no place {number}: there are {count}, counted from 0")
+    return number + count if number < 0 else number
 
 
 class Keyed:
@@ -69,6 +78,8 @@ class Keyed:
             self._set_key(name, value)
 
     def _set_key(self, name: str, value: object) -> None:
+        if not isinstance(value, (str, type(None))) and name in _texts():
+            raise TypeError(f"{name} is a text, not {type(value).__name__}")
         try:
             self._document().set_property(self._prefix() + name, value)
         except AttributeError:
@@ -77,7 +88,7 @@ class Keyed:
             # In files points count from 1.
             sentence = str(error).removeprefix(self._prefix())
             place = name if error.place == self._prefix() + name else error.place
-            raise Error(sentence, error.kind, place, error.line) from None
+            raise type(error)(sentence, error.kind, place, error.line) from None
 
     def _unknown(self, name: str) -> AttributeError:
         kind = type(self).__name__
@@ -98,6 +109,11 @@ def bare_keys(*owners: str) -> list[str]:
     """Keys of paths, points or views, without their units."""
     rows = _vides.keys()
     return [re.sub("_(mm|degrees|frames)$", "", row[1]) for row in rows if row[0] in owners]
+
+
+@functools.cache
+def _texts() -> frozenset[str]:
+    return frozenset(row[1] for row in _vides.keys() if row[3] == "text")
 
 
 class Orientation(Keyed):
@@ -191,14 +207,15 @@ class Orientations(_Sequence[Orientation]):
         return "orientation"
 
     def insert(self, at: int) -> Orientation:
-        """A new orientation before number ``at``: a copy of the one before it.
+        """A new orientation before number ``at``: a copy of the one before it. Below 0 counts from
+        the end, as in ``list.insert``: −1 is before the last.
 
         >>> path = Path()
         >>> path.points[0].orientations.append().roll = 90
         >>> [view.roll for view in path.points[0].orientations]
         [0.0, 90.0]
         """
-        at = index_of(at, len(self) + 1, "place")
+        at = place_of(at, len(self))
         self._owner._native.edit("insert_orientation", point=self._point, at=at)
         return Orientation(self._owner, self._point, at)
 
@@ -302,8 +319,9 @@ class Points(_Sequence[Point]):
         return "point"
 
     def insert(self, at: int, position: Vector) -> Point:
-        """A new point before number ``at``; all but its name is as at the one before it."""
-        at = index_of(at, len(self) + 1, "place")
+        """A new point before number ``at``; all but its name is as at the one before it. Below 0
+        counts from the end, as in ``list.insert``: −1 is before the last."""
+        at = place_of(at, len(self))
         self._owner._native.edit("insert_point", at=at, position=vector(position, "position"))
         return Point(self._owner, at)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import operator
 import os
 from collections.abc import Iterator
-from typing import Any, Literal, overload
+from typing import Any, ClassVar, Literal, overload
 
 import numpy as np
 import numpy.typing as npt
@@ -32,6 +32,8 @@ class Samples:
 
     ``positions``, ``view``, ``up`` and ``zoom`` are views of :attr:`array`: they copy nothing, and
     what is written into them is written into it. ``numpy.asarray(samples)`` is the array.
+    ``frames`` (n,) are their numbers, ``fps`` frames per second, ``world_up`` is the upright axis of
+    the world, ``"y"`` or ``"z"``, or ``None`` where a file does not say.
 
     >>> samples = Path().sample()
     >>> len(samples), samples.array.shape, samples.array.dtype
@@ -42,9 +44,12 @@ class Samples:
     True
     >>> float(samples[10:20].frames[0])
     11.0
+
+    Poses are saved as the path that they are on, ``Path.fit(samples).save("flight.csv")``, or as
+    they are, ``numpy.savetxt("poses.txt", samples.array)``.
     """
 
-    __slots__ = ("array", "fps", "frames")
+    __slots__ = ("array", "fps", "frames", "world_up")
 
     array: Array
     """(n, 10): position x y z (``vrp``), view direction (``vpn``), up (``vup``), zoom in mm."""
@@ -55,20 +60,27 @@ class Samples:
     frames: Array
     """(n,): the number of each frame; the first of a path is 1."""
 
+    world_up: str | None
+    """Which axis of the world stands upright, ``"y"`` or ``"z"``, as the path or the file says:
+    files of a format with an axis of its own (``transforms.json``) keep it. ``None``: unknown."""
+
     def __init__(
         self, array: npt.ArrayLike, fps: float = 25.0, frames: npt.ArrayLike | None = None
     ) -> None:
         """Poses of an array of shape (n, 10), which is not copied if it is one of doubles.
 
-        ``frames`` are 1, 2, … unless given.
+        ``frames`` are 1, 2, … unless given. View and up must be unit vectors, to a thousandth, and
+        perpendicular; the zoom lies between 1 and 2000.
+
+        >>> Samples([[0, 0, 0, 0, 0, -1, 0, 1, 0, -3]])
+        Traceback (most recent call last):
+        vides._error.Error: poses[0]: zoom must lie between 1 and 2000, not -3
         """
-        given = array if isinstance(array, np.ndarray) else None
-        self.array = (
-            given
-            if given is not None and given.dtype == np.float64 and given.ndim == 2
-            and given.shape[1] == 10
-            else doubles(array, (None, 10), "poses")
-        )
+        checked = doubles(array, (None, 10), "poses")
+        _check(checked)
+        # Strided arrays are shared as they are.
+        plain = type(array) is np.ndarray and array.dtype == np.float64
+        self.array = array if plain and isinstance(array, np.ndarray) else checked
         if not (isinstance(fps, (int, float, np.number)) and 0 < fps <= 100_000):
             raise Error(f"fps must be greater than 0 and at most 100000, not {fps!r}", "range")
         self.fps = float(fps)
@@ -76,6 +88,14 @@ class Samples:
         self.frames = (
             np.arange(1.0, count + 1.0) if frames is None else doubles(frames, (count,), "frames")
         )
+        self.world_up = None
+
+    @classmethod
+    def _of(cls, array: Array, fps: float, frames: Array, world_up: str | None) -> Samples:
+        """What the engine gives, not looked at again."""
+        made = cls.__new__(cls)
+        made.array, made.fps, made.frames, made.world_up = array, fps, frames, world_up
+        return made
 
     @classmethod
     def load(cls, file: str | os.PathLike[str], format: str | None = None, **options: object) -> Samples:
@@ -83,13 +103,17 @@ class Samples:
 
         ``format`` is a name of :func:`formats`, else it is found by the content; ``options`` are
         those of :func:`convert`. Where the file has no frames of its own but seconds,
-        :attr:`frames` are made of them, from 1 on.
+        :attr:`frames` are made of them, from 1 on; :attr:`fps` is the file's, or follows from its
+        seconds. The axes of the world are the file's: ``transforms.json`` has z upright, whatever
+        was written into it; :attr:`world_up` says so.
         """
-        array, frames, seconds, fps, _ = _vides.recording(os.fspath(file), format, choices(options))
+        array, frames, seconds, fps, up, _ = _vides.recording(os.fspath(file), format, choices(options))
         rate = 25.0 if fps is None else fps
         if frames is None and seconds is not None and len(seconds) > 0:
             frames = (seconds - seconds[0]) * rate + 1.0
-        return cls(array, rate, frames)
+        if frames is None:
+            frames = np.arange(1.0, len(array) + 1.0)
+        return cls._of(array, rate, frames, up)
 
     @classmethod
     def of(
@@ -205,9 +229,7 @@ class Samples:
     def __getitem__(self, index: int | slice) -> Samples | Array:
         """A row of ten numbers; of a slice samples that share the array."""
         if isinstance(index, slice):
-            part = Samples.__new__(Samples)
-            part.array, part.frames, part.fps = self.array[index], self.frames[index], self.fps
-            return part
+            return Samples._of(self.array[index], self.fps, self.frames[index], self.world_up)
         row: Array = self.array[operator.index(index)]
         return row
 
@@ -219,11 +241,36 @@ class Samples:
             return np.array(self.array, dtype=dtype)
         return np.asarray(self.array, dtype=dtype)
 
+    def __eq__(self, other: object) -> bool:
+        """Whether poses, frames and rate are the same, number by number."""
+        if not isinstance(other, Samples):
+            return NotImplemented
+        return (
+            self.fps == other.fps
+            and np.array_equal(self.frames, other.frames)
+            and np.array_equal(self.array, other.array, equal_nan=True)
+        )
+
+    __hash__: ClassVar[None] = None  # type: ignore[assignment]
+
     def __repr__(self) -> str:
         if len(self) == 0:
             return "<vides.Samples: none>"
         first, last = self.frames[0], self.frames[-1]
         return f"<vides.Samples: {len(self)} poses, frames {first:g} to {last:g}, {self.fps:g} a second>"
+
+
+def _check(poses: Array) -> None:
+    """Fails for the first pose that no camera has."""
+    view, up, zoom = poses[:, 3:6], poses[:, 6:9], poses[:, 9]
+    for name, vectors in (("view", view), ("up", up)):
+        lengths = np.linalg.norm(vectors, axis=1)
+        for at in np.flatnonzero(~(abs(lengths - 1.0) <= 1e-3))[:1]:
+            raise Error(f"poses[{at}]: {name} has the length {lengths[at]:g}: it must be 1", "range")
+    for at in np.flatnonzero(~(abs(np.sum(view * up, axis=1)) <= 1e-3))[:1]:
+        raise Error(f"poses[{at}]: view and up must be perpendicular", "range")
+    for at in np.flatnonzero(~((zoom >= 1.0) & (zoom <= 2000.0)))[:1]:
+        raise Error(f"poses[{at}]: zoom must lie between 1 and 2000, not {zoom[at]:g}", "range")
 
 
 def _convention(name: str) -> tuple[tuple[int, int, int], tuple[int, int, int]]:

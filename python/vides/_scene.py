@@ -18,6 +18,9 @@ from ._samples import Samples
 
 Extrapolation = Literal["hold", "repeat", "pingpong", "offset"]
 
+_BLIND = ("group", "object")
+"""Kinds of nodes that look nowhere."""
+
 
 class Keys(NamedTuple):
     """The keys of one channel of a node."""
@@ -33,12 +36,20 @@ class Keys(NamedTuple):
 
 
 class State(NamedTuple):
-    """A node at a frame."""
+    """A node at a frame.
+
+    ``matrix`` (4, 4) leads from its coordinates into the world's, for column vectors. In a camera's
+    own coordinates x is left, y up and z *forward*: the convention ``"vides"`` of
+    :meth:`Samples.matrices`, not OpenGL's; OpenGL's are ``scene.sample(…).poses.matrices("opengl")``.
+    ``pose`` (10,), of cameras and lights, is as a row of :class:`Samples`, of others NaN.
+    ``visible`` is whether it and all that it is in are visible; ``colour`` (linear red, green, blue)
+    is of lights and objects, ``intensity`` and ``cone`` (half angles in degrees) of lights.
+    """
 
     matrix: Array
-    """(4, 4): from the node's coordinates into the world's, for column vectors."""
+    """(4, 4): from the node's coordinates into the world's; a camera's z is forward."""
     pose: Array
-    """(10,): of cameras and lights, as a row of :class:`Samples`; of others 0."""
+    """(10,): of cameras and lights, as a row of :class:`Samples`; of others NaN."""
     visible: bool
     """Whether it and all that it is in are visible."""
     colour: tuple[float, float, float]
@@ -50,14 +61,20 @@ class State(NamedTuple):
 
 
 class Motion(NamedTuple):
-    """A node at several frames."""
+    """A node at several frames.
+
+    ``frames`` is (n,). ``matrices`` (n, 4, 4) lead from its coordinates into the world's, for column
+    vectors: in a camera's own x is left, y up and z *forward*, the convention ``"vides"``, not
+    OpenGL's, which is the default of ``poses.matrices()``. ``poses`` are :class:`Samples`, NaN where
+    it is neither camera nor light.
+    """
 
     frames: Array
     """(n,)."""
     matrices: Array
-    """(n, 4, 4): from the node's coordinates into the world's, for column vectors."""
+    """(n, 4, 4): from the node's coordinates into the world's; a camera's z is forward."""
     poses: Samples
-    """Of a camera or light; of others 0."""
+    """Of a camera or light; of others NaN."""
 
 
 class Node:
@@ -131,7 +148,9 @@ class Node:
 
     def __getattr__(self, name: str) -> Any:
         """A value at rest; three and more numbers are an array that is read only."""
-        value = None if name.startswith("_") else self._owner._native.rest(self._at, name)
+        if name.startswith("_"):
+            raise AttributeError(f"Node has no {name}", name=name, obj=self)
+        value = self._owner._native.rest(self._at, name)
         if value is None:
             raise AttributeError(f"{self.kind} {self._name!r} has no {name}", name=name, obj=self)
         return frozen(value) if isinstance(value, list) else value
@@ -172,7 +191,7 @@ class Node:
         the keys.
         """
         at = doubles(frames, (None,), "frames")
-        array = np.asarray(values)
+        array = np.asanyarray(values)
         if array.ndim == 1:
             array = array[:, np.newaxis]
         numbers = doubles(array, (len(at), None), "values")
@@ -245,6 +264,9 @@ class Node:
     def __hash__(self) -> int:
         return hash((id(self._owner), self._name))
 
+    def __reduce__(self) -> tuple[type[Node], tuple[Scene, str]]:
+        return type(self), (self._owner, self._name)
+
     def __repr__(self) -> str:
         return f"<vides.Node {self._name!r}, {self.kind}>"
 
@@ -309,7 +331,10 @@ class Scene(Mapping[str, Node]):
         return self._native.text()
 
     def save(self, file: str | os.PathLike[str], format: str | None = None, **options: object) -> list[str]:
-        """Writes a ``.vid`` file or another program's; returns what that cannot hold."""
+        """Writes a ``.vid`` file or another program's; returns what that cannot hold.
+
+        The world is turned where a format has an upright axis of its own: see :meth:`Path.save`.
+        """
         name = path_of(file)
         if format in (None, "vid") and name.endswith(".vid") and not options:
             self._native.save(name)
@@ -386,13 +411,17 @@ class Scene(Mapping[str, Node]):
         self._native.set_space(vector(centre, "centre"), half_size, up)
 
     def evaluate(self, frame: float) -> dict[str, State]:
-        """All nodes at a frame, by their names.
+        """All nodes at a frame, by their names. In a camera's matrix z is forward: see
+        :class:`State`.
 
         >>> scene = Scene.of_path(Path())
         >>> scene.evaluate(1)["camera"].pose[:3]
         array([-0.6,  0.2,  0.8])
         """
         matrices, poses, (colours, intensities, cones, visible) = self._native.states(frame)
+        for at, node in enumerate(self._native.nodes()):
+            if node[1] in _BLIND:
+                poses[at] = np.nan
         return {
             name: State(
                 matrices[at].reshape(4, 4),
@@ -414,6 +443,12 @@ class Scene(Mapping[str, Node]):
     ) -> Motion:
         """A node, unless given the shown camera, from frame ``first`` to ``last``, both included.
 
+        The matrices of a camera have z forward (convention ``"vides"``); of its poses
+        :meth:`Samples.matrices` makes those of OpenGL, OpenCV and ROS.
+
+        >>> motion = Scene.of_path(Path()).sample()
+        >>> bool(abs(motion.matrices - motion.poses.matrices("vides")).max() < 1e-12)
+        True
         >>> Scene.of_path(Path()).sample(first=1, last=3).matrices.shape
         (3, 4, 4)
         """
@@ -432,8 +467,11 @@ class Scene(Mapping[str, Node]):
         count = int(np.floor(many + 1e-9)) + 1
         poses, matrices = np.empty((count, 10)), np.empty((count, 16))
         self._native.sample(at, start, step, poses, matrices)
+        if self._native.nodes()[at][1] in _BLIND:
+            poses.fill(np.nan)
         frames = start + step * np.arange(count, dtype=np.float64)
-        return Motion(frames, matrices.reshape(count, 4, 4), Samples(poses, self.fps, frames))
+        samples = Samples._of(poses, self.fps, frames, self.up)
+        return Motion(frames, matrices.reshape(count, 4, 4), samples)
 
     def path(self) -> Path:
         """The path that the shown camera follows; a copy."""

@@ -45,11 +45,11 @@ def edit(
         path = Path.load(file) if os.path.exists(file) else Path()
     if on_view is not None and not callable(on_view):
         raise TypeError("on_view is a function of a pose and a reason")
-    fps = float(path.fps)
+    fps, up = float(path.fps), path.up
 
     def view(row: np.ndarray[tuple[int, int], np.dtype[np.float64]], frame: float, reason: str) -> None:
         if on_view is not None:
-            on_view(Samples(row, fps, [frame]), reason)
+            on_view(Samples._of(row, fps, np.array([frame]), up), reason)
 
     window = _vides.Window(path._native, None if on_view is None else view, file, title)
     try:
