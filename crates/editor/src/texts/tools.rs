@@ -110,6 +110,7 @@ const HINTS: &[(&str, &str)] = &[
     ("how often round; negative: clockwise from above", "wie oft herum; negativ: von oben gesehen im Uhrzeigersinn"),
     ("focal length", "Brennweite"),
     ("focal length at the beginning", "Brennweite am Anfang"),
+    ("how long; 0: as short as the limits allow", "wie lange; 0: so kurz, wie die Grenzen erlauben"),
     ("how long it takes; 0: by its length", "wie lange es dauert; 0: nach der Länge"),
     ("the radius at the end", "der Radius am Ende"),
     ("the height at the end", "die Höhe am Ende"),

@@ -6,7 +6,7 @@ use super::course::{Bounds, Course};
 use super::frames::{Joint, Paced, Row};
 use super::reach::Reach;
 use super::track::{Track, track};
-use crate::error::{Invalid, OutOfRange, Result, vec_with_room};
+use crate::error::{Error, Invalid, OutOfRange, Result, vec_with_room};
 use crate::limits::MAX_FRAMES;
 use crate::path::own::distance;
 use crate::path::{CameraPath, Orientation, Pace, PacePart, PaceSource, Sampler, Timeline};
@@ -108,7 +108,18 @@ pub fn retime(path: &CameraPath, request: &Request) -> Result<Retimed> {
         });
     }
     for _ in 0..ROUNDS {
-        let paces = work.paces()?;
+        let paces = match work.paces() {
+            // What was found is the least of a pace without whole frames and keys.
+            Err(Error::Argument(Invalid::PaceSeconds { seconds, .. })) => {
+                let fastest = Request {
+                    seconds: 0.0,
+                    ..*request
+                };
+                let least = retime(path, &fastest)?.seconds;
+                return Err(Invalid::PaceSeconds { seconds, least }.into());
+            }
+            paces => paces?,
+        };
         if !work.tracks(&paces)? {
             continue;
         }
