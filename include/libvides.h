@@ -2877,10 +2877,22 @@ int v_path_get_limit(const V_PATH *path, const char *kind, double *limit);
 
 /**
  * Fills in the limits that a check has unless told (v_path_check()): acceleration 10,
- * turning 60, turning_acceleration 300, zoom 30, and no others.
- * Any thread; from callbacks too. V_ERR_NULL.
+ * turning 60, turning_acceleration 300, zoom 30, and no others. NULL does nothing but
+ * set v_last_error(). In C a macro of this name hands the struct's size on to
+ * v_limits_init_sized(); the function itself, for other languages, fills in the struct
+ * of version 1.0.
+ * Any thread; from callbacks too.
  */
-int v_limits_init(V_LIMITS *limits);
+void v_limits_init(V_LIMITS *limits);
+
+/**
+ * As v_limits_init(), for a struct that is size bytes long. One shorter than in version
+ * 1.0 stays as it is, and v_last_error() says so. What is behind the fields that the
+ * library knows is not touched, and size is set to what was filled in.
+ * Any thread; from callbacks too.
+ */
+void v_limits_init_sized(V_LIMITS *limits,
+                         size_t size);
 
 /**
  * Computes the pace anew from the first orientation of one support point to the last
@@ -3329,5 +3341,6 @@ int v_pose_projection(const V_POSE *pose,
 #define v_editor_options_init(options) \
     v_editor_options_init_sized(options, sizeof(V_EDITOR_OPTIONS))
 #define v_space_init(space) v_space_init_sized(space, sizeof(V_SPACE))
+#define v_limits_init(limits) v_limits_init_sized(limits, sizeof(V_LIMITS))
 
 #endif  /* LIBVIDES_H */

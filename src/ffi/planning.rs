@@ -48,15 +48,29 @@ fn limits(given: &V_LIMITS) -> Answer<Limits> {
 /// ==== Planning ====
 ///
 /// Fills in the limits that a check has unless told (v_path_check()): acceleration 10,
-/// turning 60, turning_acceleration 300, zoom 30, and no others.
-/// Any thread; from callbacks too. V_ERR_NULL.
+/// turning 60, turning_acceleration 300, zoom 30, and no others. NULL does nothing but
+/// set v_last_error(). In C a macro of this name hands the struct's size on to
+/// v_limits_init_sized(); the function itself, for other languages, fills in the struct
+/// of version 1.0.
+/// Any thread; from callbacks too.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn v_limits_init(limits: *mut V_LIMITS) -> c_int {
-    border(V_ERR_INTERNAL, || {
+pub unsafe extern "C" fn v_limits_init(limits: *mut V_LIMITS) {
+    border((), || {
         // SAFETY: room for the struct of version 1.0, as the header says.
-        unsafe { init(limits, V_LIMITS::DEFAULTS, V_LIMITS::FIRST, "limits") }?;
-        Ok(V_OK)
-    })
+        unsafe { init(limits, V_LIMITS::DEFAULTS, V_LIMITS::FIRST, "limits") }
+    });
+}
+
+/// As v_limits_init(), for a struct that is size bytes long. One shorter than in version
+/// 1.0 stays as it is, and v_last_error() says so. What is behind the fields that the
+/// library knows is not touched, and size is set to what was filled in.
+/// Any thread; from callbacks too.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_limits_init_sized(limits: *mut V_LIMITS, size: usize) {
+    border((), || {
+        // SAFETY: room for so much of the struct, as the header says.
+        unsafe { init(limits, V_LIMITS::DEFAULTS, size, "limits") }
+    });
 }
 
 /// Computes the pace anew from the first orientation of one support point to the last

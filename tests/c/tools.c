@@ -318,8 +318,9 @@ static void retime(void)
     double place[3] = {0, 0, 0};
     size_t frames, again;
 
-    CHECK(v_limits_init(NULL) == V_ERR_NULL);
-    OK(v_limits_init(&limits));
+    v_limits_init(NULL);
+    CHECK(strstr(v_last_error(), "limits is NULL") != NULL);
+    v_limits_init(&limits);
     CHECK(limits.size == sizeof limits && limits.acceleration == 10 && limits.speed == 0);
     OK(v_path_new(&path));
     OK(v_path_set_position(path, 0, place));

@@ -811,7 +811,14 @@ static const V_LIMITS *some_limits(void)
 
 CALL(v_limits_init)
 {
-    return v_limits_init(result(sizeof(V_LIMITS), 0));
+    (v_limits_init)(result(sizeof(V_LIMITS), 0));
+    return 0;
+}
+
+CALL(v_limits_init_sized)
+{
+    v_limits_init(result(sizeof(V_LIMITS), 0));
+    return 0;
 }
 
 CALL(v_path_retime)

@@ -88,7 +88,8 @@
     F(v_path_set_frames_locked, STATUS, V_OK, 0) \
     F(v_path_get_frames_locked, STATUS, V_OK, 0) \
     F(v_path_fit_frames, STATUS, -2, 0) \
-    F(v_limits_init, STATUS, V_OK, 0) \
+    F(v_limits_init, NOTHING, V_OK, 0) \
+    F(v_limits_init_sized, NOTHING, V_OK, 0) \
     F(v_path_retime, STATUS, -2, 0) \
     F(v_path_set_ahead, STATUS, V_OK, 0) \
     F(v_path_get_ahead, STATUS, V_OK, 0) \

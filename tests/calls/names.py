@@ -103,7 +103,7 @@ def a_scene():
 
 def with_size(kind):
     init = {"V_ORIENTATION": "v_orientation_init", "V_EDITOR_OPTIONS": "v_editor_options_init",
-            "V_SPACE": "v_space_init"}
+            "V_SPACE": "v_space_init", "V_LIMITS": "v_limits_init"}
     if kind == "V_MESH":
         return a_mesh()
     if kind == "V_NODE":
@@ -118,7 +118,8 @@ def with_size(kind):
     return room
 
 
-SIZED = ("V_ORIENTATION", "V_MESH", "V_NODE", "V_VIEW", "V_SPACE", "V_MOTION", "V_EDITOR_OPTIONS")
+SIZED = ("V_ORIENTATION", "V_MESH", "V_NODE", "V_VIEW", "V_SPACE", "V_MOTION", "V_EDITOR_OPTIONS",
+         "V_LIMITS")
 window = []
 
 
@@ -160,7 +161,7 @@ INTS = {"last_point": 1, "up": 1, "count": 2, "points": 1, "node": 1, ("v_path_e
 SIZES = {"capacity": 50000, "count": 2, "keys": 2, "points": 4, "size": len(VID), "first": 1,
          "frames": 500, ("v_path_fit_poses", "count"): 12,
          ("v_path_fit_poses_in_space", "count"): 12, ("v_path_fit_poses_robust", "count"): 12,
-         ("v_space_init_sized", "size"): 48,
+         ("v_space_init_sized", "size"): 48, ("v_limits_init_sized", "size"): 64,
          ("v_editor_options_init_sized", "size"): 1000}
 DOUBLES = {"fps": 25.0, "frame": 2.5, "back": 10.0, "rise": 0.2, "fall": 0.2, "cruise": 50.0, "s": 0.1,
            "tolerance": 0.01, "half_size": 1.0, "far_plane": 10.0, "move_frames": 20.0}
