@@ -58,7 +58,7 @@ cmp of_shared.txt of_cmake.txt
 [ -f /usr/share/man/man3/v_haupt.3.gz ]
 
 # Python.
-python3 - <<'END'
+/usr/bin/python3 - <<'END'
 import vides
 samples = vides.Path().sample()
 print("python", vides.__version__, samples.positions.shape)
