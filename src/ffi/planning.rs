@@ -5,7 +5,7 @@ use std::ffi::c_int;
 use super::border::border;
 use super::path::edit_by;
 use super::pointers::{Growing, index, init, optional, read_growing};
-use super::status::{Answer, V_ERR_INTERNAL, V_OK, add_last_warning, clear_last_warning};
+use super::status::{Answer, V_ERR_INTERNAL, add_last_warning, clear_last_warning};
 use super::types::{V_LIMITS, V_PATH};
 use crate::document::Edit;
 use crate::error::can_allocate;
