@@ -1,6 +1,6 @@
 //! Great arcs without branches: slerp for whole vectors.
 //!
-//! For arcs up to [`MAX_ANGLE`] the squared angle is a polynomial in the squared chord, and sin θ/θ
+//! For arcs up to `MAX_ANGLE` the squared angle is a polynomial in the squared chord, and sin θ/θ
 //! and θ/sin θ are polynomials in the squared angle, so that no case near zero is needed, only
 //! multiplications and additions. The polynomials are Chebyshev fits.
 
