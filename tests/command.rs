@@ -9,6 +9,8 @@ use std::process::{Command, Output, Stdio};
 
 #[path = "command/convert.rs"]
 mod convert;
+#[path = "command/planner.rs"]
+mod planner;
 #[path = "command/tools.rs"]
 mod tools;
 

@@ -82,16 +82,17 @@ impl Document {
     }
 }
 
+fn collected(places: impl Iterator<Item = DVec3>) -> Vec<[f64; 3]> {
+    places.map(DVec3::into).collect()
+}
+
 /// By its name in files.
 fn curve(name: &str) -> Result<CurveKind> {
-    match name {
-        "tcb" => Ok(CurveKind::Tcb),
-        "cubic" => Ok(CurveKind::Cubic),
-        "linear" => Ok(CurveKind::Linear),
-        _ => Err(Failure::argument(format!(
+    CurveKind::named(name).ok_or_else(|| {
+        Failure::argument(format!(
             "the curve is \"tcb\", \"cubic\" or \"linear\", not {name:?}"
-        ))),
-    }
+        ))
+    })
 }
 
 pub(crate) fn upright(name: &str) -> Result<Up> {
@@ -211,11 +212,7 @@ impl Document {
     fn positions<'py>(&self, py: Python<'py>) -> Result<Bound<'py, PyArray2<f64>>> {
         let places = self.read(py, |document| {
             let points = document.path().points.iter();
-            Ok::<_, Failure>(
-                points
-                    .map(|point| point.position.to_array())
-                    .collect::<Vec<_>>(),
-            )
+            Ok::<_, Failure>(collected(points.map(|point| point.position)))
         })?;
         Ok(table(py, places.into_iter()))
     }
@@ -446,11 +443,7 @@ impl Document {
     fn object_points<'py>(&self, py: Python<'py>) -> Result<Bound<'py, PyArray2<f64>>> {
         let places = self.read(py, |document| {
             let points = document.info().object.iter();
-            Ok::<_, Failure>(
-                points
-                    .map(|point| point.position.to_array())
-                    .collect::<Vec<_>>(),
-            )
+            Ok::<_, Failure>(collected(points.map(|point| point.position)))
         })?;
         Ok(table(py, places.into_iter()))
     }

@@ -3,6 +3,16 @@
  */
 #include "check.h"
 
+#include <sys/stat.h>
+#include <unistd.h>
+
+static const char AIMING[] =
+    "version = 1\n"
+    "[[node]]\nname = \"mark\"\nkind = \"group\"\n"
+    "[[node.track]]\nchannel = \"position\"\ninterpolation = \"host:none\"\n"
+    "frames = [1.0, 9.0]\nvalues = [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0]]\n"
+    "[[node]]\nname = \"camera\"\nkind = \"camera\"\naim = \"mark\"\nposition = [0.0, 0.0, 3.0]\n";
+
 static char file[1024];
 
 static const char *in(const char *folder, const char *name)
@@ -95,6 +105,53 @@ static void refused(const char *folder)
     v_scene_free(scene);
 }
 
+/* What was told of a call that succeeded does not stand beside one that fails. */
+static void warnings_are_the_last_calls(const char *folder)
+{
+    V_SCENE *scene = flight(), *again = NULL;
+    OK(v_scene_export(scene, in(folder, "w.tum"), NULL, NULL));
+    CHECK(v_last_warning()[0] != '\0');
+    STATUS(V_ERR_IO, v_scene_export(scene, in(folder, "none/w.tum"), NULL, NULL));
+    CHECK(strcmp(v_last_warning(), "") == 0);
+    OK(v_scene_import(in(folder, "w.tum"), NULL, NULL, &again));
+    CHECK(v_last_warning()[0] != '\0');
+    v_scene_free(again);
+    STATUS(V_ERR_IO, v_scene_import(in(folder, "none.tum"), NULL, NULL, &again));
+    CHECK(strcmp(v_last_warning(), "") == 0);
+    v_scene_free(scene);
+}
+
+/* A folder of files is written wholly or not at all, and is made in one that is there. */
+static void folders_are_whole(const char *folder)
+{
+    V_SCENE *scene = flight();
+    char text[8] = "";
+    FILE *old;
+    CHECK(mkdir(in(folder, "half"), 0777) == 0 && mkdir(in(folder, "half/points3D.txt"), 0777) == 0);
+    old = fopen(in(folder, "half/cameras.txt"), "w");
+    fputs("old", old);
+    fclose(old);
+    STATUS(V_ERR_IO, v_scene_export(scene, in(folder, "half"), "colmap", NULL));
+    old = fopen(in(folder, "half/cameras.txt"), "r");
+    CHECK(fread(text, 1, sizeof text, old) == 3 && strcmp(text, "old") == 0);
+    fclose(old);
+    CHECK(access(in(folder, "half/images.txt"), F_OK) != 0);
+    STATUS(V_ERR_IO, v_scene_export(scene, in(folder, "new/deep"), "colmap", NULL));
+    CHECK(access(in(folder, "new"), F_OK) != 0);
+    v_scene_free(scene);
+}
+
+/* A camera that aims at what a function of the host moves, which is not there. */
+static void aims_that_fail_are_told(const char *folder)
+{
+    V_SCENE *scene = NULL;
+    OK(v_scene_load_from_memory(AIMING, strlen(AIMING), &scene));
+    STATUS(V_ERR_ARGUMENT, v_scene_export(scene, in(folder, "aim.tum"), NULL, NULL));
+    CHECK(strstr(v_last_error(), "node \"mark\": channel \"position\": no interpolation \"host:none\"") != NULL);
+    CHECK(access(in(folder, "aim.tum"), F_OK) != 0);
+    v_scene_free(scene);
+}
+
 int main(int count, char **arguments)
 {
     const char *folder = count > 1 ? arguments[1] : ".";
@@ -108,5 +165,8 @@ int main(int count, char **arguments)
     there_and_back(folder, "paraview", "c.py", 1e-15);
     losses(folder);
     refused(folder);
+    warnings_are_the_last_calls(folder);
+    folders_are_whole(folder);
+    aims_that_fail_are_told(folder);
     return failures != 0;
 }

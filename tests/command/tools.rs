@@ -229,56 +229,6 @@ fn frames_are_given_as_seconds_too() {
     }
 }
 
-/// The pyramid as fast as its limits allow: a check finds none of them.
-#[test]
-fn a_path_is_retimed_within_its_limits() {
-    let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("paced.vid");
-    let file = file.to_str().unwrap();
-    let told = |arguments: &[&str]| {
-        let mut all = vec!["retime", PYRAMID, "-o", file];
-        all.extend(arguments);
-        let done = run(&all);
-        assert!(done.status.success(), "{done:?}");
-        let said = String::from_utf8(done.stderr).unwrap();
-        let seconds = said.trim_end().strip_suffix(" s").unwrap();
-        seconds.rsplit(' ').next().unwrap().parse::<f64>().unwrap()
-    };
-    let limits = ["--limit", "speed=0.5", "--limit", "acceleration=1"];
-    let fastest = told(&limits);
-    assert!((poses_of(file).len() as f64 - 1.0 - 25.0 * fastest).abs() < 1e-6);
-    let limits_of_check = ["speed=0.5", "acceleration=1"];
-    let checked = run(&[
-        "check",
-        file,
-        "--limit",
-        limits_of_check[0],
-        "--limit",
-        limits_of_check[1],
-    ]);
-    let found = String::from_utf8(checked.stdout).unwrap();
-    for kind in ["  speed  ", "  acceleration  ", "  turning", "  zoom  "] {
-        assert!(!found.contains(kind), "{found}");
-    }
-    // Exactly so long, or refused with the shortest time.
-    let longer = format!("{}", (fastest * 2.0).ceil());
-    let exact = told(&[&limits[..], &["--seconds", &longer]].concat());
-    assert_eq!(exact, longer.parse::<f64>().unwrap());
-    let wrong = complaint(
-        &run(&[&["retime", PYRAMID, "--seconds", "0.2"][..], &limits].concat()),
-        1,
-    );
-    assert!(
-        wrong.contains(&format!("the limits allow it in {fastest:.3} s")),
-        "{wrong}"
-    );
-    complaint(&run(&["retime", PYRAMID, "--limit", "speed=0"]), 1);
-    complaint(&run(&["retime", PYRAMID, "--limit", "speed=nan"]), 2);
-    complaint(&run(&["retime", PYRAMID, "--seconds", "-1"]), 2);
-    complaint(&run(&["retime", PYRAMID, "--from", "0"]), 2);
-    complaint(&run(&["retime", PYRAMID, "--to", "99"]), 1);
-}
-
 /// An object's file needs no checksum by hand; saved, it has one.
 #[test]
 fn an_object_is_named_by_its_file_alone() {

@@ -2,12 +2,14 @@
 
 mod causes;
 mod counting;
+mod range;
 
 use std::fmt::{self, Write as _};
 use std::sync::Arc;
 
-pub use causes::{Bound, Invalid, OutOfRange, Quantity, TooMany};
+pub use causes::{Invalid, TooMany};
 pub use counting::{Called, Entry, FromZero, Index};
+pub use range::{Bound, OutOfRange, Quantity};
 
 /// What can go wrong in the engine.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
