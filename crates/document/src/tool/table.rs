@@ -240,6 +240,7 @@ pub(super) const TOOLS: &[Tool] = &[
         kind: Kind::Retime,
         tables: [
             &[Parameter {
+                unit: Unit::Seconds,
                 least: 0.0,
                 most: 1e6,
                 ..one("seconds", "how long; 0: as short as the limits allow", 0.0)

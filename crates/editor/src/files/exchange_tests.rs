@@ -4,7 +4,9 @@ use std::path::Path;
 
 use super::tests::{modified, name, window_in};
 use crate::files::Purpose;
+use crate::formats::{Loss, Report};
 use crate::tests::*;
+use crate::texts::formats::losses_of;
 
 const BOTH: [Language; 2] = [Language::English, Language::German];
 
@@ -118,4 +120,15 @@ fn poses_are_fitted_and_the_unknown_is_refused() {
         assert!(said.contains(why), "{said}");
         assert_eq!(window.state().document.path(), &before);
     }
+}
+
+/// Seconds since 1970 are read digit by digit.
+#[test]
+fn times_of_recordings_are_written_out() {
+    let mut report = Report::default();
+    report.add(Loss::Epoch(1_305_031_102.5));
+    assert_eq!(
+        losses_of(Language::German, &report),
+        ["die Zeiten beginnen bei 1305031102,5 s: hier zählen sie ab 0"]
+    );
 }

@@ -141,7 +141,8 @@ german! {
             "es gelten die Zeiten der Bilder; nach den Sekunden wäre Pose {} bei {} s, nach ihrem Bild ist sie bei {} s",
             pose + 1, number(*seconds), number(*by_frame);
         Upright(axis) => "in der Datei steht {axis} senkrecht, in diesem Dokument nicht";
-        Epoch(start) => "die Zeiten beginnen bei {} s: hier zählen sie ab 0", number(*start);
+        Epoch(start) => "die Zeiten beginnen bei {} s: hier zählen sie ab 0",
+            Language::German.written(start.to_string());
         Rates(count) => "Bildraten außerhalb von 0 bis {MAX_FPS} bleiben weg: {count}";
         Markers(count) => "Marken bleiben weg: {count}";
         PointColours => "die Farben von Punkten bleiben weg";
