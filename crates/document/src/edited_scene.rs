@@ -372,7 +372,7 @@ impl Poses<'_> {
     /// As [`Sampler::sample`].
     pub fn sample(&self, first: usize, poses: &mut [Pose]) -> Result<(), EngineError> {
         match self {
-            Self::Path(sampler) => sampler.sample(first, poses),
+            Self::Path(sampler) => sampler.sample_once(first, poses),
             Self::Scene {
                 scene,
                 camera,

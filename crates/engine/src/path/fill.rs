@@ -52,8 +52,12 @@ const MANY: usize = 50_000;
 
 /// Working memory that one call hands from section to section.
 pub(super) struct Scratch {
-    /// The tables of a section that does not keep its own.
+    /// The tables of a section that has none of its own yet.
     tables: Tables,
+    /// A copy of them, to be the section's own once all that is wanted has been filled.
+    pub(super) kept: Option<Box<[Tables]>>,
+    /// The poses are wanted once: only long sections keep tables.
+    pub(super) once: bool,
     block: Block,
     records: Records,
     past_caches: bool,
@@ -70,6 +74,8 @@ impl Scratch {
         };
         Self {
             tables: Tables::default(),
+            kept: None,
+            once: false,
             block,
             records: Records([0.0; 10 * (BLOCK + STRIDE)]),
             past_caches: poses >= MANY,
@@ -94,13 +100,12 @@ pub(super) fn fill<V: Vector>(
     }
     let tables = match section.tables.get() {
         Some(tables) => &tables[0],
-        None if section.frames >= KEEP || section.filled.swap(true, Ordering::Relaxed) => {
-            scratch.tables.build::<V>(section)?;
-            let tables = scratch.tables.kept()?;
-            &section.tables.get_or_init(|| tables)[0]
-        }
         None => {
             scratch.tables.build::<V>(section)?;
+            let again = !scratch.once && section.filled.swap(true, Ordering::Relaxed);
+            if section.frames >= KEEP || again {
+                scratch.kept = Some(scratch.tables.kept()?);
+            }
             &scratch.tables
         }
     };

@@ -218,12 +218,27 @@ impl Sampler {
     /// [`crate::Error::Range`] if not all of them are frames of the path, [`crate::Error::Memory`];
     /// what `poses` holds is then unspecified.
     pub fn sample(&self, first: usize, poses: &mut [Pose]) -> Result<()> {
+        self.sample_with(&mut Scratch::new(poses.len()), first, poses)
+    }
+
+    /// As [`Sampler::sample`], of poses that are handed on and not asked for again: short sections
+    /// keep nothing for the next time.
+    ///
+    /// # Errors
+    /// As [`Sampler::sample`].
+    pub fn sample_once(&self, first: usize, poses: &mut [Pose]) -> Result<()> {
+        let mut scratch = Scratch::new(poses.len());
+        scratch.once = true;
+        self.sample_with(&mut scratch, first, poses)
+    }
+
+    fn sample_with(&self, scratch: &mut Scratch, first: usize, poses: &mut [Pose]) -> Result<()> {
         let inside = first >= 1 && first <= self.frames + 1;
         if !inside || poses.len() > self.frames + 1 - first {
             let last = first.saturating_add(poses.len().saturating_sub(1));
             return Err(self.no_frame(if inside { last } else { first } as f64));
         }
-        let mut scratch = Scratch::new(poses.len());
+        let mut kept = Vec::new();
         let mut rest = poses;
         let mut number = first;
         // The section whose own poses end at or after the first one wanted.
@@ -245,7 +260,11 @@ impl Sampler {
             let (moved, after) = after.split_at_mut(between);
             if between > 0 {
                 SectionSampler::fetch(&self.sections[index + 1..]);
-                dispatch::fill(section, &mut scratch, number - section.start, moved)?;
+                dispatch::fill(section, scratch, number - section.start, moved)?;
+                if let Some(tables) = scratch.kept.take() {
+                    kept.try_reserve(1)?;
+                    kept.push((section, tables));
+                }
             }
             number += between;
             rest = after;
@@ -255,6 +274,10 @@ impl Sampler {
                 number += 1;
             }
             index += 1;
+        }
+        // Only now, so that a call that fails leaves nothing behind.
+        for (section, tables) in kept {
+            section.tables.get_or_init(|| tables);
         }
         Ok(())
     }
