@@ -2,13 +2,16 @@
 //!
 //! [`retime()`] computes the pace anew within limits. `course` measures what the curve and the views
 //! ask of the pace, `reach` finds how fast it may be anywhere, `frames` gives each section a whole
-//! number of frames, `track` few keys of a given distance. Limits are those of a check
+//! number of frames, `track` few keys of a given distance. [`avoid()`] leads the way clear of an
+//! object. Limits are those of a check
 //! ([`crate::tools::check::Limits`]), in half sizes, degrees, millimetres and seconds.
 
+pub mod avoid;
 mod course;
 mod frames;
 mod reach;
 pub mod retime;
 mod track;
 
+pub use avoid::{AvoidRequest, Avoided, AvoidedPart, avoid, avoid_object};
 pub use retime::{Request, Rest, Retimed, retime};
