@@ -7,8 +7,10 @@
 
 mod course;
 mod frames;
+pub mod picture;
 mod reach;
 pub mod retime;
 mod track;
 
+pub use picture::{Framed, PictureRequest, What, keep_in_picture};
 pub use retime::{Request, Rest, Retimed, retime};
