@@ -7,7 +7,7 @@ mod outline;
 mod zoom;
 
 use crate::error::{Invalid, OutOfRange, Result};
-use crate::path::{CameraPath, Pose};
+use crate::path::CameraPath;
 use crate::property::choices;
 use crate::scene::Mesh;
 use crate::tools::check::Limits;

@@ -64,7 +64,7 @@ impl<'a> Outline<'a> {
         let mut most = [f64::NEG_INFINITY; 4];
         let mut before = true;
         let last = &mut self.last;
-        let mut see = |corner: DVec3, most: &mut [f64; 4], last: &mut [DVec3; 4]| {
+        let see = |corner: DVec3, most: &mut [f64; 4], last: &mut [DVec3; 4]| {
             let way = corner - eye;
             let depth = way.dot(view);
             for k in 0..4 {
