@@ -9,9 +9,11 @@
 pub mod avoid;
 mod course;
 mod frames;
+pub mod picture;
 mod reach;
 pub mod retime;
 mod track;
 
 pub use avoid::{AvoidRequest, Avoided, AvoidedPart, avoid, avoid_object};
+pub use picture::{Framed, PictureRequest, What, keep_in_picture};
 pub use retime::{Request, Rest, Retimed, retime};
