@@ -23,6 +23,7 @@ mod projection;
 mod ribbon;
 mod scene;
 mod sliders;
+mod start;
 mod strokes;
 mod tangents;
 mod transform;
@@ -222,7 +223,8 @@ impl MovementWindow {
         response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Canvas, true, name));
         let context = ui.ctx().clone();
         let layer = ui.layer_id();
-        let above = gizmo::rooms(editor, viewport);
+        let mut above = gizmo::rooms(editor, viewport);
+        above.extend(start::rooms(editor, viewport));
         let mine = |at| {
             viewport.contains(at)
                 && !above.iter().any(|room| room.contains(at))
@@ -281,7 +283,8 @@ impl MovementWindow {
         });
         let before = &mut self.view_before;
         editor.part(&context, |editor, actions| {
-            gizmo::show(editor, before, ui, viewport, actions)
+            gizmo::show(editor, before, ui, viewport, actions);
+            start::show(editor, ui, viewport, actions);
         });
     }
 
