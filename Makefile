@@ -288,7 +288,7 @@ soak: toolchain libs fuzz
 	@mk/need.sh python3=python3 Xvfb=xvfb xdotool=xdotool xclip=xclip setxkbmap=x11-xkb-utils \
 	    /usr/share/X11/locale/compose.dir=libx11-data c++=g++ valgrind=valgrind
 	@mk/locale.sh
-	VIDES_KILLS=200 VIDES_DRAGS=10000 PROPTEST_CASES=$(SOAK_CASES) $(CARGO) test --locked --workspace --all-features
+	VIDES_KILLS=200 VIDES_DRAGS=10000 VIDES_PATHS=200 PROPTEST_CASES=$(SOAK_CASES) $(CARGO) test --locked --workspace --all-features
 	VIDES_SAVE_KILLS=1000 tests/c/run.sh $(LIB) saving
 	$(MAKE) soak-calls soak-x soak-hosts
 
