@@ -21,6 +21,7 @@ mod properties;
 mod retime;
 mod sample;
 mod scene;
+mod steady;
 mod table;
 mod tools;
 
@@ -85,6 +86,8 @@ enum Command {
     Plot(plot::Arguments),
     /// Computes the pace of a path anew, within limits
     Retime(retime::Arguments),
+    /// Takes the shaking of a hand out of a recorded flight
+    Steady(steady::Arguments),
     /// Makes a path by a ready-made move
     Move(moves::Arguments),
     #[command(flatten)]
@@ -146,6 +149,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Check(arguments) => check::run(&arguments),
         Command::Plot(arguments) => plot::run(&arguments),
         Command::Retime(arguments) => retime::run(&arguments),
+        Command::Steady(arguments) => steady::run(&arguments),
         Command::Move(arguments) => moves::run(&arguments),
         Command::Tool(tool) => tools::run(&tool),
     })

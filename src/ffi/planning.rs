@@ -10,7 +10,7 @@ use super::types::{V_LIMITS, V_PATH};
 use crate::document::Edit;
 use crate::error::can_allocate;
 use crate::path::CameraPath;
-use crate::planner::{Request, retime};
+use crate::planner::{Request, SteadyRequest, retime, steady};
 use crate::tools::check::{FindingKind, Limits, OFF};
 
 // SAFETY: a number of bytes first, then doubles.
@@ -116,6 +116,38 @@ pub unsafe extern "C" fn v_path_retime(
             for rest in &made.rests {
                 add_last_warning(format_args!("{rest}"));
             }
+            can_allocate(size_of::<CameraPath>())?;
+            Ok(Edit::ReplacePath(Box::new(made.path)))
+        })
+    })
+}
+
+/// A recorded flight without the shaking of a hand: places, views and zoom go through a low pass
+/// without a lag, at whole frames, and become a path of few support points again, as
+/// v_path_fit_poses() makes one, of as many frames. The first and the last pose stay. Names of
+/// points, targets and modes go; a closed path comes back open. v_last_warning() says how far
+/// it went from what it was.
+///
+/// seconds  half of a movement that takes so long there and back stays, hardly anything of
+///     quicker ones; greater than 0 and at most 2,000 frames
+/// within   no place goes farther than so; 0: no bound
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a path that
+/// does not move, no path within the bound), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_steady(path: *mut V_PATH, seconds: f64, within: f64) -> c_int {
+    clear_last_warning();
+    border(V_ERR_INTERNAL, || {
+        edit_by(path, |document| {
+            let request = SteadyRequest {
+                seconds,
+                within,
+                fps: document.info().fps,
+            };
+            let made = steady(document.path(), &request, &mut |_, _| true)?;
+            add_last_warning(format_args!(
+                "places went {:.6} at most, views turned {:.3} degrees",
+                made.furthest, made.turned
+            ));
             can_allocate(size_of::<CameraPath>())?;
             Ok(Edit::ReplacePath(Box::new(made.path)))
         })

@@ -349,6 +349,55 @@ static void retime(void)
     v_path_free(path);
 }
 
+static void larger(double *most, double value)
+{
+    if (value > *most)
+        *most = value;
+}
+
+/* A flight with a shake at every other frame: it goes, and within a bound no place goes far. */
+static void steady(void)
+{
+    V_PATH *path, *again;
+    V_POSE poses[200], was, pose;
+    size_t frames, k;
+    double shake = 0, rest = 0, far = 0;
+
+    memset(poses, 0, sizeof poses);
+    for (k = 0; k < 200; k++) {
+        poses[k].vrp[0] = 0.01 * (double)k;
+        poses[k].vrp[1] = 0.5 * sin(0.02 * (double)k) + (k % 2 ? 0.004 : -0.004);
+        poses[k].vpn[2] = poses[k].vup[1] = 1;
+        poses[k].zoom = 30;
+    }
+    OK(v_path_fit_poses(poses, NULL, 200, 25, 1e-4, 0.1, &path));
+    OK(v_path_clone(path, &again));
+    OK(v_path_steady(path, 1, 0));
+    CHECK(strstr(v_last_warning(), "places went 0.00") != NULL);
+    OK(v_path_frame_count(path, &frames));
+    CHECK(frames == 200);
+    for (k = 20; k < 180; k++) {
+        double smooth = 0.5 * sin(0.02 * (double)k);
+        OK(v_path_pose(path, (double)(k + 1), &pose));
+        larger(&shake, fabs(poses[k].vrp[1] - smooth));
+        larger(&rest, fabs(pose.vrp[1] - smooth));
+    }
+    CHECK(shake > 0.0039 && rest < 0.001);
+    OK(v_path_steady(again, 1, 0.003));
+    for (k = 0; k < 200; k++) {
+        OK(v_path_pose(again, (double)(k + 1), &was));
+        larger(&far, fabs(was.vrp[1] - poses[k].vrp[1]));
+    }
+    CHECK(far < 0.0032);
+    STATUS(V_ERR_RANGE, v_path_steady(path, 0, 0));
+    STATUS(V_ERR_RANGE, v_path_steady(path, 80.1, 0));
+    CHECK(strstr(v_last_error(), "seconds") != NULL);
+    STATUS(V_ERR_RANGE, v_path_steady(path, 1, -1));
+    CHECK(strstr(v_last_error(), "within") != NULL);
+    v_path_free(path);
+    v_path_free(again);
+}
+
 int main(void)
 {
     the_faces_of_the_own_object_are_looked_at();
@@ -359,5 +408,6 @@ int main(void)
     moves_and_fits_have_a_space();
     what_looks_wrong_is_found();
     retime();
+    steady();
     return failures != 0;
 }

@@ -829,6 +829,13 @@ CALL(v_path_retime)
     return v_path_retime(path, limits, point, point, 0);
 }
 
+CALL(v_path_steady)
+{
+    V_PATH *path = a_path();
+    double seconds = number(0, 4), within = number(0, 1);
+    return v_path_steady(path, seconds, within);
+}
+
 CALL(v_path_set_ahead)
 {
     V_PATH *path = a_path();

@@ -51,3 +51,37 @@ fn a_path_is_retimed_within_its_limits() {
     complaint(&run(&["retime", PYRAMID, "--from", "0"]), 2);
     complaint(&run(&["retime", PYRAMID, "--to", "99"]), 1);
 }
+
+/// Poses that shake: it is told how far they went, and a bound holds.
+#[test]
+fn a_recorded_flight_becomes_steady() {
+    let folder = tempfile::tempdir().unwrap();
+    let [poses, shaken, file] = ["poses.txt", "shaken.vid", "steady.vid"]
+        .map(|name| folder.path().join(name).to_str().unwrap().to_owned());
+    let smooth = |k: usize| [0.01 * k as f64, 0.5 * (0.02 * k as f64).sin()];
+    let line = |k: usize| {
+        let [x, y] = smooth(k);
+        let y = y + [0.004, -0.004][k % 2];
+        format!("{x} {y} 0 0 0 1 0 1 0 30\n")
+    };
+    std::fs::write(&poses, (0..200).map(line).collect::<String>()).unwrap();
+    let fitted = run(&["fit", &poses, "--tolerance", "0.0001", "-o", &shaken]);
+    assert!(fitted.status.success(), "{fitted:?}");
+    let made = |options: &[&str]| {
+        let done = run(&[&["steady", &shaken, "-o", &file, "--seconds", "1"][..], options].concat());
+        assert!(done.status.success(), "{done:?}");
+        let said = String::from_utf8(done.stderr).unwrap();
+        let far = said.split(" went ").nth(1).unwrap();
+        far.split(' ').next().unwrap().parse::<f64>().unwrap()
+    };
+    let far = made(&[]);
+    assert!(far > 0.0035 && far < 0.006, "{far}");
+    let again = poses_of(&file);
+    assert_eq!(again.len(), 200);
+    assert!(made(&["--within", "0.003"]) <= 0.003);
+    let wrong = complaint(&run(&["steady", &shaken, "--seconds", "81"]), 1);
+    assert!(wrong.contains("at most 80 s"), "{wrong}");
+    complaint(&run(&["steady", &shaken, "--seconds", "nan"]), 1);
+    complaint(&run(&["steady", &shaken, "--seconds", "1", "--within", "0"]), 2);
+    complaint(&run(&["steady", &shaken]), 2);
+}

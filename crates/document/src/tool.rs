@@ -5,7 +5,7 @@ mod table;
 
 use glam::{DQuat, DVec3};
 use vides_engine::deform::{Bounds, Deformation, identity_lattice};
-use vides_engine::planner::{Request, retime};
+use vides_engine::planner::{Request, SteadyRequest, retime, steady};
 use vides_engine::tools::blend::blend;
 use vides_engine::tools::block::{self, Fit};
 use vides_engine::tools::fit::{Options, Tolerance, fit};
@@ -86,6 +86,7 @@ enum Kind {
     Fit,
     Draw,
     Retime,
+    Steady,
 }
 
 const FITS: [Fit; 4] = [Fit::None, Fit::Move, Fit::Turn, Fit::Scale];
@@ -130,6 +131,12 @@ impl Tool {
     #[must_use]
     pub const fn has_numbers(&self) -> bool {
         !self.tables[0].is_empty() || !self.tables[1].is_empty()
+    }
+
+    /// Whether it fits a path anew to the poses of this one.
+    #[must_use]
+    pub const fn fits_anew(&self) -> bool {
+        matches!(self.kind, Kind::Steady)
     }
 
     /// What it needs besides its numbers.
@@ -256,6 +263,15 @@ impl Tool {
                     seconds: given.number("seconds"),
                 };
                 Edit::ReplacePath(Box::new(retime(path, &request)?.path))
+            }
+            (Kind::Steady, _) => {
+                let request = SteadyRequest {
+                    seconds: given.number("period"),
+                    within: given.number("within"),
+                    fps: document.info().fps,
+                };
+                let made = steady(path, &request, &mut |_, _| true)?;
+                Edit::ReplacePath(Box::new(made.path))
             }
             (Kind::Fit, ToolInput::Poses(poses, seconds)) => {
                 let tolerance = Tolerance {

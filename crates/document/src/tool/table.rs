@@ -249,6 +249,33 @@ pub(super) const TOOLS: &[Tool] = &[
         ],
     },
     Tool {
+        name: "steady",
+        does: "takes the shaking of a hand out of a recorded flight",
+        kind: Kind::Steady,
+        tables: [
+            &[
+                Parameter {
+                    unit: Unit::Seconds,
+                    least: 1e-3,
+                    most: 600.0,
+                    ..one(
+                        "period",
+                        "half of a movement that takes so long there and back stays, and hardly \
+                         anything of quicker ones",
+                        1.0,
+                    )
+                },
+                Parameter {
+                    unit: Unit::Length,
+                    least: 0.0,
+                    most: MAX_COORDINATE,
+                    ..one("within", "no place goes farther than so; 0: no bound", 0.0)
+                },
+            ],
+            &[],
+        ],
+    },
+    Tool {
         name: "fit",
         does: "makes a path of few points of recorded poses",
         kind: Kind::Fit,

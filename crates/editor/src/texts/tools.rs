@@ -56,6 +56,7 @@ const TOOLS: &[(&str, &str, &str, &str)] = &[
     ("repeat", "Go several times", "Mehrmals gehen", "geht den Weg mehrmals"),
     ("frames", "Number of frames", "Zahl der Bilder", "bringt Punkte auf eine Zahl von Bildern"),
     ("retime", "Pace within limits", "Tempo in Grenzen", "berechnet das Tempo von Punkten neu, in den Grenzen der Prüfung"),
+    ("steady", "Steady", "Beruhigen", "nimmt einem aufgezeichneten Flug das Zittern der Hand"),
     ("fit", "Fit recorded poses", "Aufgezeichnete Posen annähern", "macht aus aufgezeichneten Posen eine Bahn aus wenigen Punkten"),
 ];
 
@@ -71,6 +72,8 @@ const LABELS: &[Word] = &[
     ("turns", "Turns", "Runden"),
     ("zoom", "Zoom", "Zoom"),
     ("seconds", "Duration", "Dauer"),
+    ("period", "Period", "Periode"),
+    ("within", "Within", "Höchstens"),
     ("end-radius", "Radius at the end", "Radius am Ende"),
     ("end-height", "Height at the end", "Höhe am Ende"),
     ("distance", "Distance", "Abstand"),
