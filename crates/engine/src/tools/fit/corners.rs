@@ -57,13 +57,14 @@ impl Data {
         Ok(found)
     }
 
-    /// Of the poses around one; NaN where some are left out or not one a frame.
+    /// Of the poses around one; NaN where some are left out or not one at each whole frame.
     fn fourth_difference(&self, at: usize) -> Row {
         let Some(first) = at.checked_sub(2).filter(|_| at + 2 < self.raw.len()) else {
             return [f64::NAN; 7];
         };
-        let even = |k: usize| (self.times[k + 1] - self.times[k] - 1.0).abs() < 1e-6;
-        if (first..=at + 2).any(|k| self.left_out[k]) || !(first..at + 2).all(even) {
+        let whole = |k: usize| (self.times[k] - self.times[at].round()).abs();
+        let even = |k: usize| (whole(k) - at.abs_diff(k) as f64).abs() < 1e-6;
+        if !(first..=at + 2).all(|k| even(k) && !self.left_out[k]) {
             return [f64::NAN; 7];
         }
         let mut sum: Row = [0.0; 7];

@@ -23,6 +23,9 @@ const POSES: usize = 240;
 /// Lengths of tangents that are tried, in ways.
 const LENGTHS: [f64; 3] = [0.3, 1.0, 3.0];
 
+/// No tangent is longer.
+const LONGEST: f64 = 20.0;
+
 /// What they may say nothing of stays: along a straight line a cubic may go in many ways.
 const DAMPING: f64 = 1e-9;
 
@@ -83,7 +86,7 @@ impl Data {
         let ends = [stretch.first, stretch.last].map(|k| self.times[k].round());
         let mut course = Course::new(stretch, ends, joint, [true; 2], peaks)?;
         if let Some((start, _)) = self.cubic(&course)?
-            && let Some(curve) = self.by_poses(start, stretch, lengths)?
+            && let Some(curve) = self.by_poses(start, stretch, joint.sample.position, lengths)?
         {
             let arc = ArcLength::new(&curve)?;
             let pace = own::distance(&[[0.0, 0.0], [1.0, 1.0]])?;
@@ -104,7 +107,13 @@ impl Data {
     }
 
     /// The first of several beginnings that leads to a cubic within the tolerance.
-    fn by_poses(&self, start: Cubic, stretch: &Stretch, lengths: &[f64]) -> Result<Option<Cubic>> {
+    fn by_poses(
+        &self,
+        start: Cubic,
+        stretch: &Stretch,
+        from: DVec3,
+        lengths: &[f64],
+    ) -> Result<Option<Cubic>> {
         let place = |k: usize| self.raw[k].position;
         let (first, last) = (stretch.first, stretch.last);
         let directions = [
@@ -114,13 +123,15 @@ impl Data {
         let [leave, reach] = directions.map(DVec3::normalize_or_zero);
         let way: f64 = (first..last).map(|k| place(k).distance(place(k + 1))).sum();
         let tangents = [start.derivative(0.0), start.derivative(1.0)];
-        let found = self.nearer(stretch, tangents)?;
+        let most = LONGEST * way;
+        let found = self.nearer(stretch, from, tangents, most)?;
         if found.is_some() {
             return Ok(found);
         }
         for a in lengths {
             for b in lengths {
-                let found = self.nearer(stretch, [leave * (a * way), reach * (b * way)])?;
+                let tangents = [leave * (a * way), reach * (b * way)];
+                let found = self.nearer(stretch, from, tangents, most)?;
                 if found.is_some() {
                     return Ok(found);
                 }
@@ -129,15 +140,21 @@ impl Data {
         Ok(None)
     }
 
-    /// A cubic that goes through the poses of a stretch at an even pace; none if none of them does
-    /// within the tolerance. Gauss–Newton for its tangents, by what it misses across its way: what it
+    /// A cubic with tangents no longer than `most` that goes through the poses of a stretch at an even
+    /// pace; none if none does within the tolerance. Gauss–Newton for its tangents, by what it misses across its way: what it
     /// misses along it says only that its length is another one (tangent distances: Wang, Pottmann,
     /// Liu, *Fitting B-spline curves to point clouds*, 2006).
-    fn nearer(&self, stretch: &Stretch, mut tangents: [DVec3; 2]) -> Result<Option<Cubic>> {
+    fn nearer(
+        &self,
+        stretch: &Stretch,
+        from: DVec3,
+        mut tangents: [DVec3; 2],
+        most: f64,
+    ) -> Result<Option<Cubic>> {
         let (first, last) = (stretch.first, stretch.last);
         let [begin, end] = [first, last].map(|k| self.times[k]);
         let skip = (last - first).div_ceil(POSES).max(1);
-        let [from, to] = [first, last].map(|k| self.raw[k].position);
+        let to = self.raw[last].position;
         let mut step = [DVec3::ZERO; 2];
         let mut best: Option<(f64, f64, [DVec3; 2])> = None;
         for _ in 0..ROUNDS {
@@ -173,8 +190,8 @@ impl Data {
             } else {
                 step = step.map(|part| 0.25 * part);
             }
-            let Some((.., from)) = best else { break };
-            tangents = [from[0] + step[0], from[1] + step[1]];
+            let Some((.., were)) = best else { break };
+            tangents = [0, 1].map(|end| (were[end] + step[end]).clamp_length_max(most));
         }
         let near = best.filter(|best| best.1 <= self.tolerance);
         Ok(near.map(|(.., [leave, reach])| Cubic::hermite(from, to, leave, reach)))
