@@ -68,7 +68,11 @@ fn a_recorded_flight_becomes_steady() {
     let fitted = run(&["fit", &poses, "--tolerance", "0.0001", "-o", &shaken]);
     assert!(fitted.status.success(), "{fitted:?}");
     let made = |options: &[&str]| {
-        let done = run(&[&["steady", &shaken, "-o", &file, "--seconds", "1"][..], options].concat());
+        let done = run(&[
+            &["steady", &shaken, "-o", &file, "--seconds", "1"][..],
+            options,
+        ]
+        .concat());
         assert!(done.status.success(), "{done:?}");
         let said = String::from_utf8(done.stderr).unwrap();
         let far = said.split(" went ").nth(1).unwrap();
@@ -82,6 +86,9 @@ fn a_recorded_flight_becomes_steady() {
     let wrong = complaint(&run(&["steady", &shaken, "--seconds", "81"]), 1);
     assert!(wrong.contains("at most 80 s"), "{wrong}");
     complaint(&run(&["steady", &shaken, "--seconds", "nan"]), 1);
-    complaint(&run(&["steady", &shaken, "--seconds", "1", "--within", "0"]), 2);
+    complaint(
+        &run(&["steady", &shaken, "--seconds", "1", "--within", "0"]),
+        2,
+    );
     complaint(&run(&["steady", &shaken]), 2);
 }

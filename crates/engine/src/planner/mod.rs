@@ -3,8 +3,8 @@
 //! [`retime()`] computes the pace anew within limits. `course` measures what the curve and the views
 //! ask of the pace, `reach` finds how fast it may be anywhere, `frames` gives each section a whole
 //! number of frames, `track` few keys of a given distance. [`avoid()`] leads the way clear of an
-//! object. Limits are those of a check
-//! ([`crate::tools::check::Limits`]), in half sizes, degrees, millimetres and seconds.
+//! object, [`steady()`] takes the shaking of a hand out of a recorded flight. Limits are those of a
+//! check ([`crate::tools::check::Limits`]), in half sizes, degrees, millimetres and seconds.
 
 pub mod avoid;
 mod course;
