@@ -213,6 +213,7 @@ check-planning: all
 	    python3 -m venv $(CARGO_TARGET_DIR)/planning && \
 	    $(CARGO_TARGET_DIR)/planning/bin/pip -q install -r tests/planning/requirements; }
 	$(CARGO_TARGET_DIR)/planning/bin/python tests/planning/retime.py $(RELEASE)/vides $(CARGO_TARGET_DIR)/planning/paths
+	$(CARGO_TARGET_DIR)/planning/bin/python tests/planning/avoid.py $(RELEASE)/vides $(CARGO_TARGET_DIR)/planning/avoid
 
 # The window, from outside.
 check-x: all

@@ -185,7 +185,8 @@ impl ToolWindow {
     }
 
     fn is_slow(&self) -> bool {
-        matches!(&self.material, ToolInput::Poses(poses, _) if poses.len() > POSES)
+        self.tool.name == "avoid"
+            || matches!(&self.material, ToolInput::Poses(poses, _) if poses.len() > POSES)
     }
 
     /// The size of the result, in words.
