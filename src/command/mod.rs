@@ -4,6 +4,7 @@
 //! Exit statuses: 0 done, or the reader of our output closed it; 1 bad input, or a file cannot be
 //! read or written; 2 bad usage; 3 a check found something.
 
+mod avoid;
 mod check;
 #[cfg(test)]
 mod completions_tests;
@@ -88,6 +89,8 @@ enum Command {
     Retime(retime::Arguments),
     /// Takes the shaking of a hand out of a recorded flight
     Steady(steady::Arguments),
+    /// Leads the way of a path clear of an object
+    Avoid(avoid::Arguments),
     /// Makes a path by a ready-made move
     Move(moves::Arguments),
     #[command(flatten)]
@@ -150,6 +153,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Plot(arguments) => plot::run(&arguments),
         Command::Retime(arguments) => retime::run(&arguments),
         Command::Steady(arguments) => steady::run(&arguments),
+        Command::Avoid(arguments) => avoid::run(&arguments),
         Command::Move(arguments) => moves::run(&arguments),
         Command::Tool(tool) => tools::run(&tool),
     })

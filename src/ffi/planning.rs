@@ -5,12 +5,14 @@ use std::ffi::c_int;
 use super::border::border;
 use super::path::edit_by;
 use super::pointers::{Growing, index, init, optional, read_growing};
+use super::scene_tracks::mesh;
+use super::scene_types::V_MESH;
 use super::status::{Answer, V_ERR_INTERNAL, add_last_warning, clear_last_warning};
 use super::types::{V_LIMITS, V_PATH};
 use crate::document::Edit;
 use crate::error::can_allocate;
 use crate::path::CameraPath;
-use crate::planner::{Request, SteadyRequest, retime, steady};
+use crate::planner::{AvoidRequest, Request, SteadyRequest, avoid_object, retime, steady};
 use crate::tools::check::{FindingKind, Limits, OFF};
 
 // SAFETY: a number of bytes first, then doubles.
@@ -148,6 +150,42 @@ pub unsafe extern "C" fn v_path_steady(path: *mut V_PATH, seconds: f64, within: 
                 "places went {:.6} at most, views turned {:.3} degrees",
                 made.furthest, made.turned
             ));
+            can_allocate(size_of::<CameraPath>())?;
+            Ok(Edit::ReplacePath(Box::new(made.path)))
+        })
+    })
+}
+
+/// Leads the way clear of an object: where the camera, or a sphere around it, comes nearer
+/// than the clearance, or goes through it, points are moved as little as possible and as
+/// few put in as it takes; points that were clear stay, but for those within a closed
+/// part of the object between others outside. Frames and targets stay. v_last_warning()
+/// has a line for each part that changed, "" if the way was clear.
+///
+/// object  in the coordinates of the path; NULL: the path's own
+/// clearance, radius  in the path's units; the clearance greater than 0, the radius of the
+///     sphere 0 or greater
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT
+/// (no way round: v_last_error() names the frame and the place; an object without
+/// geometry), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_avoid(
+    path: *mut V_PATH,
+    object: *const V_MESH,
+    clearance: f64,
+    radius: f64,
+) -> c_int {
+    clear_last_warning();
+    border(V_ERR_INTERNAL, || {
+        // SAFETY: a mesh, as the header says.
+        let object = optional(object, |object| unsafe { mesh(object, "object") })?;
+        edit_by(path, |document| {
+            let object = document.solid(object.as_ref())?;
+            let request = AvoidRequest { clearance, radius };
+            let made = avoid_object(document.path(), &object, &request, &mut |_, _| true)?;
+            for part in &made.parts {
+                add_last_warning(format_args!("{part}"));
+            }
             can_allocate(size_of::<CameraPath>())?;
             Ok(Edit::ReplacePath(Box::new(made.path)))
         })

@@ -398,6 +398,51 @@ static void steady(void)
     v_path_free(again);
 }
 
+/* Round a box; within a closed one there is no way. */
+static void avoid(void)
+{
+    V_PATH *path = NULL;
+    V_FINDING found[16];
+    V_MESH box = {sizeof box, NULL, 0, NULL, NULL, 0, NULL, 0};
+    double corners[24], value = 9, place[3];
+    const double ends[2][3] = {{-0.8, 0.01, 0.02}, {0.8, 0.01, 0.02}};
+    size_t i, count = 0;
+    int points;
+
+    for (i = 0; i < 24; i++)
+        corners[i] = (i / 3) >> (i % 3) & 1 ? 0.25 : -0.25;
+    box.xyz = corners;
+    box.points = 8;
+    box.triangles = box_corners;
+    box.corners = 36;
+    OK(v_path_new(&path));
+    OK(v_path_set_position(path, 0, ends[0]));
+    OK(v_path_set_position(path, 1, ends[1]));
+    STATUS(V_ERR_ARGUMENT, v_path_avoid(path, NULL, 0.1, 0));
+    STATUS(V_ERR_ARGUMENT, v_path_avoid(path, &box, 0, 0));
+    STATUS(V_ERR_ARGUMENT, v_path_avoid(path, &box, 0.1, NAN));
+    OK(v_path_set_limit(path, "clearance", 0.12));
+    OK(v_path_check(path, &box, found, 16, &count));
+    CHECK(has(found, count, "through", &value));
+    OK(v_path_avoid(path, &box, 0.1, 0.02));
+    CHECK(strstr(v_last_warning(), "put in") != NULL);
+    OK(v_path_check(path, &box, found, 16, &count));
+    CHECK(!has(found, count, "through", &value) && !has(found, count, "clearance", &value));
+    OK(v_path_point_count(path, &points));
+    CHECK(points == 3);
+    OK(v_path_get_position(path, 2, place));
+    CHECK(memcmp(place, ends[1], sizeof place) == 0);
+    OK(v_path_avoid(path, &box, 0.1, 0.02));
+    CHECK(strcmp(v_last_warning(), "") == 0);
+    OK(v_path_point_count(path, &points));
+    CHECK(points == 3);
+    place[0] = place[1] = place[2] = 0;
+    OK(v_path_set_position(path, 2, place));
+    STATUS(V_ERR_ARGUMENT, v_path_avoid(path, &box, 0.1, 0));
+    CHECK(strstr(v_last_error(), "no way round") != NULL && strstr(v_last_error(), "frame") != NULL);
+    v_path_free(path);
+}
+
 int main(void)
 {
     the_faces_of_the_own_object_are_looked_at();
@@ -409,5 +454,6 @@ int main(void)
     what_looks_wrong_is_found();
     retime();
     steady();
+    avoid();
     return failures != 0;
 }

@@ -836,6 +836,12 @@ CALL(v_path_steady)
     return v_path_steady(path, seconds, within);
 }
 
+CALL(v_path_avoid)
+{
+    const V_MESH *mesh = chance(50) ? NULL : a_mesh();
+    return v_path_avoid(a_path(), mesh, number(0.01, 0.2), number(0, 0.1));
+}
+
 CALL(v_path_set_ahead)
 {
     V_PATH *path = a_path();

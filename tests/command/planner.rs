@@ -92,3 +92,63 @@ fn a_recorded_flight_becomes_steady() {
     );
     complaint(&run(&["steady", &shaken]), 2);
 }
+
+/// A mast in the way of the pyramid's flight: gone round, or told where there is no way.
+#[test]
+fn a_way_is_led_clear_of_an_object() {
+    let folder = tempfile::tempdir().unwrap();
+    let [mesh, file, again] = ["mast.obj", "clear.vid", "again.vid"].map(|name| {
+        let file = folder.path().join(name);
+        file.to_str().unwrap().to_owned()
+    });
+    let [x, y, z] = poses_of(PYRAMID)[40].vrp;
+    std::fs::write(
+        &mesh,
+        format!("v {x} {} {z}\nv {x} {} {z}\nl 1 2\n", y - 9.0, y + 9.0),
+    )
+    .unwrap();
+    let arguments = ["avoid", PYRAMID, "--object", &mesh, "--clearance", "0.05"];
+    let done = run(&[&arguments[..], &["--around", "0.01", "-o", &file]].concat());
+    assert!(done.status.success(), "{done:?}");
+    let said = String::from_utf8(done.stderr).unwrap();
+    assert!(said.contains("put in") || said.contains("moved"), "{said}");
+    assert_eq!(poses_of(&file).len(), poses_of(PYRAMID).len());
+    for pose in poses_of(&file) {
+        let [a, _, c] = pose.vrp;
+        assert!((a - x).hypot(c - z) >= 0.06 - 1e-9);
+    }
+    // What is clear stays, to the last byte.
+    let more = [
+        "avoid",
+        &file,
+        "--object",
+        &mesh,
+        "--clearance",
+        "0.05",
+        "-o",
+        &again,
+    ];
+    let done = run(&more);
+    assert!(
+        String::from_utf8(done.stderr)
+            .unwrap()
+            .contains("clear as it is")
+    );
+    let bytes = [&file, &again].map(|file| std::fs::read(file).unwrap());
+    assert_eq!(bytes[0], bytes[1]);
+    let wrong = complaint(
+        &run(&["avoid", PYRAMID, "--object", &mesh, "--clearance", "90"]),
+        1,
+    );
+    assert!(
+        wrong.contains("at frame") || wrong.contains("at most"),
+        "{wrong}"
+    );
+    complaint(&run(&["avoid", PYRAMID, "--object", &mesh]), 2);
+    for bad in ["0", "-1", "nan", "inf", "1e300"] {
+        complaint(
+            &run(&["avoid", PYRAMID, "--object", &mesh, "--clearance", bad]),
+            1,
+        );
+    }
+}

@@ -2,13 +2,15 @@
 
 use glam::DVec3;
 use vides_engine::path::{Ease, EaseKind, Section, Timing, timing};
+use vides_engine::planner::{AvoidRequest, avoid_object};
 use vides_engine::tools::check::{Finding, FindingKind};
 use vides_engine::tools::clearance::Clearance;
 use vides_engine::tools::redundant::without;
 
 use super::edit::{At, Edit};
 use super::editing::Document;
-use crate::error::Result;
+use super::tool::least_clearance;
+use crate::error::{ErrorKind, Result};
 use crate::limits::{MAX_FRAMES, MAX_SPEED, MIN_POINTS, MIN_SPEED, SPEEDS};
 use crate::path::{CameraPath, Change, Orientation, OrientationOverrides, Pace, Tangents, curve};
 
@@ -103,6 +105,32 @@ impl Document {
         }
     }
 
+    /// As [`Document::remedy`] against the object with which it was found: where that is too near
+    /// or in the way, the whole way is led clear of it ([`vides_engine::planner::avoid()`]), with
+    /// the limit of the clearance.
+    ///
+    /// # Errors
+    /// As there; [`vides_engine::Error::Argument`] where there is no way round.
+    pub fn remedy_against(
+        &self,
+        finding: &Finding,
+        object: Option<&Clearance>,
+    ) -> Result<Vec<Edit>> {
+        let Some(object) = object.filter(|_| is_avoided(finding.kind)) else {
+            return self.remedy(finding);
+        };
+        let request = AvoidRequest {
+            clearance: least_clearance(self),
+            radius: 0.0,
+        };
+        let made = avoid_object(self.path(), object, &request, &mut |_, _| true)?;
+        let edit = Edit::ReplacePath(Box::new(made.path));
+        Ok((!made.parts.is_empty())
+            .then_some(edit)
+            .into_iter()
+            .collect())
+    }
+
     /// More frames for the sections of a finding, in proportion.
     fn slower(&self, finding: &Finding) -> Result<Vec<Edit>> {
         let sampler = self.sampler()?;
@@ -193,7 +221,11 @@ impl Document {
                 if tried.iter().filter(|known| **known == place).count() >= TIMES {
                     continue;
                 }
-                let edits = self.remedy(finding)?;
+                let edits = match self.remedy_against(finding, object) {
+                    // No way round.
+                    Err(error) if error.kind() == ErrorKind::Argument => Vec::new(),
+                    edits => edits?,
+                };
                 if edits.is_empty() {
                     continue;
                 }
@@ -219,6 +251,12 @@ impl Document {
             return Ok(found);
         }
     }
+}
+
+/// Whether a finding is cured by another way: the object is too near, or in it.
+#[must_use]
+pub const fn is_avoided(kind: FindingKind) -> bool {
+    matches!(kind, FindingKind::Clearance | FindingKind::Through)
 }
 
 /// Whether less is found; or of one kind less or smaller excesses, and of the others not more.

@@ -5,9 +5,10 @@ mod table;
 
 use glam::{DQuat, DVec3};
 use vides_engine::deform::{Bounds, Deformation, identity_lattice};
-use vides_engine::planner::{Request, SteadyRequest, retime, steady};
+use vides_engine::planner::{AvoidRequest, Request, SteadyRequest, avoid_object, retime, steady};
 use vides_engine::tools::blend::blend;
 use vides_engine::tools::block::{self, Fit};
+use vides_engine::tools::check::{FindingKind, OFF};
 use vides_engine::tools::fit::{Options, Tolerance, fit};
 use vides_engine::tools::moves::{MOVES, Move};
 use vides_engine::tools::{Parameter, transform};
@@ -87,6 +88,7 @@ enum Kind {
     Draw,
     Retime,
     Steady,
+    Avoid,
 }
 
 const FITS: [Fit; 4] = [Fit::None, Fit::Move, Fit::Turn, Fit::Scale];
@@ -167,6 +169,7 @@ impl Tool {
         };
         match self.kind {
             Kind::Frames => numbers[0] = document.sampler()?.frame_count() as f64,
+            Kind::Avoid => numbers[0] = least_clearance(document),
             Kind::Deform("free-form") => numbers = identity_lattice().to_vec(),
             _ => {}
         }
@@ -273,6 +276,15 @@ impl Tool {
                 let made = steady(path, &request, &mut |_, _| true)?;
                 Edit::ReplacePath(Box::new(made.path))
             }
+            (Kind::Avoid, _) => {
+                let request = AvoidRequest {
+                    clearance: given.number("clearance"),
+                    radius: given.number("sphere"),
+                };
+                let object = document.solid(None)?;
+                let made = avoid_object(path, &object, &request, &mut |_, _| true)?;
+                Edit::ReplacePath(Box::new(made.path))
+            }
             (Kind::Fit, ToolInput::Poses(poses, seconds)) => {
                 let tolerance = Tolerance {
                     position: given.number("tolerance"),
@@ -308,6 +320,18 @@ impl Tool {
         let given = ToolArguments::new(self, document, numbers);
         Document::from_parts(given.extracted()?, document.info().try_clone()?)
     }
+}
+
+/// The distance from the object that the document's check asks for, else the usual one.
+pub(super) fn least_clearance(document: &Document) -> f64 {
+    let limit = document.info().limits.get(FindingKind::Clearance);
+    let known = limit > 0.0 && limit < OFF;
+    let limit = if known {
+        limit
+    } else {
+        FindingKind::Clearance.limit().default
+    };
+    limit * document.path().space.half_size
 }
 
 /// A path of few points through recorded poses, with the base speeds of another, and in its space

@@ -276,6 +276,32 @@ pub(super) const TOOLS: &[Tool] = &[
         ],
     },
     Tool {
+        name: "avoid",
+        does: "leads the way clear of the object",
+        kind: Kind::Avoid,
+        tables: [
+            &[
+                Parameter {
+                    unit: Unit::Length,
+                    least: 1e-9,
+                    most: MAX_COORDINATE,
+                    ..one("clearance", "how near the object may come", 0.02)
+                },
+                Parameter {
+                    unit: Unit::Length,
+                    least: 0.0,
+                    most: MAX_COORDINATE,
+                    ..one(
+                        "sphere",
+                        "the radius of a sphere around the camera that keeps it",
+                        0.0,
+                    )
+                },
+            ],
+            &[],
+        ],
+    },
+    Tool {
         name: "fit",
         does: "makes a path of few points of recorded poses",
         kind: Kind::Fit,

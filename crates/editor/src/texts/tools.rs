@@ -57,6 +57,7 @@ const TOOLS: &[(&str, &str, &str, &str)] = &[
     ("frames", "Number of frames", "Zahl der Bilder", "bringt Punkte auf eine Zahl von Bildern"),
     ("retime", "Pace within limits", "Tempo in Grenzen", "berechnet das Tempo von Punkten neu, in den Grenzen der Prüfung"),
     ("steady", "Steady", "Beruhigen", "nimmt einem aufgezeichneten Flug das Zittern der Hand"),
+    ("avoid", "Clear of the object", "Frei vom Objekt", "führt den Weg frei am Objekt vorbei"),
     ("fit", "Fit recorded poses", "Aufgezeichnete Posen annähern", "macht aus aufgezeichneten Posen eine Bahn aus wenigen Punkten"),
 ];
 
@@ -98,6 +99,8 @@ const LABELS: &[Word] = &[
     ("times", "How often", "Wie oft"),
     ("frames", "Frames", "Bilder"),
     ("tolerance", "Tolerance", "Toleranz"),
+    ("clearance", "Clearance", "Abstand"),
+    ("sphere", "Sphere", "Kugel"),
     ("lattice", "Square", "Quadrat"),
     ("weight", "Weight", "Gewicht"),
 ];
@@ -148,6 +151,8 @@ const HINTS: &[(&str, &str)] = &[
     ("how often", "wie oft"),
     ("how many, the first and the last with them", "wie viele, das erste und das letzte mitgezählt"),
     ("how far a position may be from what was given", "wie weit eine Position vom Gegebenen entfernt sein darf"),
+    ("how near the object may come", "wie nahe das Objekt kommen darf"),
+    ("the radius of a sphere around the camera that keeps it", "der Radius einer Kugel um die Kamera, die ihn hält"),
     ("one of 4 × 4 × 4 squares, and where it is in the box", "eines von 4 × 4 × 4 Quadraten, und wo es im Quader ist"),
     ("how much of the other path", "wie viel von der anderen Bahn"),
     ("how far view, up and field of view may be from theirs",

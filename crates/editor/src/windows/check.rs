@@ -8,7 +8,7 @@ use egui::{Button, Context, Label, RichText, ScrollArea, Ui, vec2};
 
 use super::{SubWindow, Windows, sub_window};
 use crate::actions::Action;
-use crate::document::{Edit, Note, StepName};
+use crate::document::{Edit, Note, StepName, is_avoided};
 use crate::error::Result;
 use crate::number::{Entry, Number};
 use crate::state::Editor;
@@ -182,16 +182,23 @@ fn row(
         if response.clicked() {
             actions.push(Action::GoTo(*finding));
         }
-        let room = if mend.is_empty() { 0.0 } else { 88.0 };
+        // What takes longer is computed when it is asked for.
+        let avoids = is_avoided(finding.kind);
+        let mends = avoids || !mend.is_empty();
+        let room = if mends { 88.0 } else { 0.0 };
         let width = (ui.available_width() - room).max(80.0);
         ui.allocate_ui(vec2(width, theme::ROW), |ui| {
             ui.set_width(width);
             ui.add(Label::new(words).wrap()).on_hover_text(remedy);
         });
-        if !mend.is_empty() {
+        if mends {
             let button = ui.add_enabled(current, Button::new(texts.mend));
             if button.on_hover_text(remedy).clicked() {
-                actions.push(Action::Mend(mend.clone()));
+                actions.push(if avoids {
+                    Action::Avoid(*finding)
+                } else {
+                    Action::Mend(mend.clone())
+                });
             }
         }
     });
@@ -258,6 +265,17 @@ impl Editor {
 }
 
 impl Editor {
+    /// Leads the way clear of the object, or tells why there is no way.
+    pub(crate) fn avoid(&mut self, finding: &Finding) {
+        let found = self
+            .obstacles()
+            .and_then(|tree| self.document.remedy_against(finding, tree.as_deref()));
+        match found {
+            Ok(edits) => self.mend(edits),
+            Err(error) => self.complain_of(&error),
+        }
+    }
+
     /// Applies what mends a finding, as one step.
     pub(crate) fn mend(&mut self, edits: Vec<Edit>) {
         self.document.begin_step();

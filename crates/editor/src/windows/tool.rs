@@ -194,7 +194,7 @@ impl ToolWindow {
             }
             _ => 0,
         };
-        poses > POSES
+        self.tool.name == "avoid" || poses > POSES
     }
 
     /// The size of the result, in words.
