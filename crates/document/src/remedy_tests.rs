@@ -14,7 +14,7 @@ fn mended(document: &mut Document, kind: &str) -> bool {
         let Some(finding) = found(document, kind) else {
             return true;
         };
-        let edits = document.remedy(&finding).unwrap();
+        let edits = document.remedy(&finding, None).unwrap();
         assert!(!edits.is_empty(), "{finding:?}");
         edits
             .into_iter()
@@ -64,7 +64,7 @@ fn presses_leave_nothing_at_the_limit() {
         document.apply(few).unwrap();
         let mut presses = 0;
         while let Some(finding) = found(&document, "turning") {
-            for edit in document.remedy(&finding).unwrap() {
+            for edit in document.remedy(&finding, None).unwrap() {
                 document.apply(edit).unwrap();
             }
             presses += 1;
@@ -106,7 +106,7 @@ fn a_turn_at_once_is_left_to_the_user() {
     document.apply(few).unwrap();
     let finding = found(&document, "turning").unwrap();
     assert!(finding.value > 8.0 * finding.limit, "{finding:?}");
-    assert!(document.remedy(&finding).unwrap().is_empty());
+    assert!(document.remedy(&finding, None).unwrap().is_empty());
 }
 
 #[test]
@@ -175,7 +175,7 @@ fn what_is_for_the_user_to_choose_has_no_edit() {
         .apply(Edit::set(At::Point(2), "position", position))
         .unwrap();
     let finding = found(&document, "space").unwrap();
-    assert!(document.remedy(&finding).unwrap().is_empty());
+    assert!(document.remedy(&finding, None).unwrap().is_empty());
 }
 
 fn speeds(document: &mut Document, point: usize, speed: f64, (frames, hold): (u32, u32)) {

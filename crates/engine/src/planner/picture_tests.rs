@@ -6,6 +6,9 @@ use crate::path::test_support::Random;
 use crate::path::{Sampler, Target, Timeline};
 use crate::tools::check::{CheckContext, FindingKind, OFF, check};
 
+/// Paths of each kind that are tried here; `make check-planning` tries more.
+const COUNT: usize = 14;
+
 fn object(random: &mut Random, size: f64) -> Mesh {
     let mut corner =
         || DVec3::from_array(std::array::from_fn(|_| size * (2.0 * random.unit() - 1.0)));
@@ -64,7 +67,7 @@ fn path(random: &mut Random, number: usize) -> CameraPath {
 fn the_zoom_shows_all_of_it() {
     let mut random = Random(5);
     let mut tried = 0;
-    for number in 0..60 {
+    for number in 0..COUNT {
         let path = path(&mut random, number);
         if path.check().is_err() {
             continue;
@@ -118,5 +121,56 @@ fn the_zoom_shows_all_of_it() {
         let again = keep_in_picture(&made.path, &object, &request(What::Zoom)).unwrap();
         assert_eq!(again.path, made.path);
     }
-    assert!(tried > 40, "{tried}");
+    assert!(2 * tried > COUNT, "{tried}");
+}
+
+#[test]
+fn distance_and_view_show_all_of_it() {
+    let mut random = Random(11);
+    for what in [What::Distance, What::View] {
+        let mut tried = 0;
+        for number in 0..COUNT {
+            let mut path = path(&mut random, number);
+            if path.check().is_err() {
+                continue;
+            }
+            for orientation in path
+                .points
+                .iter_mut()
+                .flat_map(|point| &mut point.orientations)
+            {
+                orientation.zoom = 14.0 + 6.0 * random.unit();
+                if what == What::View {
+                    let aside =
+                        DVec3::from_array(std::array::from_fn(|_| 1.4 * random.unit() - 0.7));
+                    orientation.target = Target::Absolute(aside);
+                    orientation.zoom = 10.0;
+                }
+            }
+            let object = object(&mut random, 0.4);
+            let was = seen(&path, &object, 0.1);
+            let made = match keep_in_picture(&path, &object, &request(what)) {
+                Ok(made) => made,
+                Err(error) => {
+                    println!("{what:?} {number}: {error} (was {was})");
+                    continue;
+                }
+            };
+            tried += 1;
+            let share = seen(&made.path, &object, 0.1);
+            println!(
+                "{what:?} {number}: was {was} now {share} loosest {} added {} of {}",
+                made.loosest,
+                made.added,
+                path.points.len()
+            );
+            assert!(
+                share <= 1.0 && (share >= 0.99 || was <= 1.0),
+                "{number}: {share}"
+            );
+            let frames = |path: &CameraPath| Timeline::new(path).unwrap().frame_count().unwrap();
+            assert_eq!(frames(&path), frames(&made.path));
+        }
+        assert!(2 * tried > COUNT, "{tried}");
+    }
 }

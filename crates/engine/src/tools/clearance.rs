@@ -4,6 +4,7 @@
 
 use glam::DVec3;
 
+use crate::deform::Bounds;
 use crate::error::{Invalid, Result, vec_with_room};
 use crate::scene::Mesh;
 
@@ -52,6 +53,13 @@ impl Clearance {
         let mut nodes = vec_with_room(2 * count.div_ceil(LEAF / 2) + 1)?;
         build(&mut primitives, 0, &mut nodes);
         Ok(Self { primitives, nodes })
+    }
+
+    /// The box around it.
+    #[must_use]
+    pub fn bounds(&self) -> Option<Bounds> {
+        let node = self.nodes.first()?;
+        Some(Bounds::of(&[node.min, node.max]))
     }
 
     /// The distance from a place to the nearest of it, if that is below `most`.
