@@ -286,11 +286,15 @@ fn where_nothing_is_to_be_seen_views_turn_to_the_object() {
             ..Mesh::default()
         };
         let object = Clearance::new(&mesh).unwrap();
-        let kinds = |found: &[Finding]| found.iter().map(|finding| finding.kind).collect::<Vec<_>>();
+        let kinds =
+            |found: &[Finding]| found.iter().map(|finding| finding.kind).collect::<Vec<_>>();
         let found = document.check_against(Some(&object)).unwrap();
         assert!(kinds(&found).contains(&FindingKind::NothingToSee));
         let left = document.fix(Some(&object), &mut |_| ()).unwrap();
-        assert!(!kinds(&left).contains(&FindingKind::NothingToSee), "{left:?}");
+        assert!(
+            !kinds(&left).contains(&FindingKind::NothingToSee),
+            "{left:?}"
+        );
         let pose = document.sampler().unwrap().pose(1.0).unwrap();
         let seen = |corner: &DVec3| {
             let way = *corner - pose.position();

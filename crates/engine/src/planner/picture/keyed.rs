@@ -237,53 +237,29 @@ impl Work<'_> {
         };
         let halves = [0, 2].map(|k| (self.room[k] * aim / one.zoom).atan());
         let mut turned = false;
-        for turn in 0..TURNS {
-            let view = match self.outline.reach(&camera) {
-                Some(reach) => {
-                    let angles = reach.map(f64::atan);
-                    let over = |side: usize| {
-                        let [there, back] = [angles[2 * side], angles[2 * side + 1]];
-                        let half = halves[side];
-                        if there + back > 2.0 * half * (1.0 + 0.01 * SPARE) {
-                            return None;
-                        }
-                        // A little more than it takes, so that it comes to an end.
-                        let missing = |angle: f64| (angle - half) * 1.001 + 0.01 * SPARE * half;
-                        Some(if there > half {
-                            missing(there).min(half - back).max(there - half)
-                        } else if back > half {
-                            -missing(back).min(half - there).max(back - half)
-                        } else {
-                            0.0
-                        })
-                    };
-                    let (Some(aside), Some(above)) = (over(0), over(1)) else {
-                        if turn < TURNS / 2 && !turned {
-                            // Seen aslant it is wider than from its middle.
-                            turned = true;
-                            self.towards(&mut camera, axis, roll);
-                            continue;
-                        }
-                        return Err(large());
-                    };
-                    if aside == 0.0 && above == 0.0 {
-                        break;
-                    }
+        for turn in 0.. {
+            let missing = self
+                .outline
+                .reach(&camera)
+                .map(|reach| missing(reach, halves));
+            match missing {
+                Some(Some([0.0, 0.0])) => break,
+                Some(Some([aside, above])) => {
                     let right = camera.view.cross(camera.up);
                     let turn = DQuat::from_axis_angle(camera.up, -aside)
                         * DQuat::from_axis_angle(right, above);
-                    turn * camera.view
+                    camera.view = unit(turn * camera.view);
                 }
-                None if !turned => {
-                    self.towards(&mut camera, axis, roll);
-                    camera.view
+                // Not all before the camera, or seen aslant wider than from its middle.
+                _ if !turned => {
+                    let (min, max) = self.outline.bounds();
+                    camera.view = unit(min.midpoint(max) - camera.eye);
                 }
-                None => return Err(large()),
-            };
+                _ => return Err(large()),
+            }
             turned = true;
-            camera.view = unit(view);
             camera.up = axis.up_from_roll(camera.view, roll);
-            if turn + 1 == TURNS {
+            if turn == TURNS {
                 return Err(large());
             }
         }
@@ -296,7 +272,9 @@ impl Work<'_> {
             (Target::Absolute(_), None) => Target::Absolute(position + offset),
             _ => Target::Relative(offset),
         };
-        one.roll = roll.to_degrees();
+        if !one.own.up.is_level() {
+            one.roll = roll.to_degrees();
+        }
         one.own = one.own.with(|own| {
             own.ahead = None;
             own.velocities = None;
@@ -307,14 +285,6 @@ impl Work<'_> {
             }
         })?;
         Ok(())
-    }
-
-    fn towards(&self, camera: &mut Camera, axis: crate::path::Up, roll: f64) {
-        let (min, max) = self.outline.bounds();
-        if let Some(view) = (min.midpoint(max) - camera.eye).try_normalize() {
-            camera.view = view;
-            camera.up = axis.up_from_roll(view, roll);
-        }
     }
 
     /// All points moved along the view, as near to the object as the room allows.
@@ -399,6 +369,27 @@ impl Work<'_> {
         }
         Ok(most)
     }
+}
+
+/// The angles by which a view must turn to the right and up, so that what reaches so far is within
+/// half angles of the picture; none where it is too large.
+fn missing(reach: [f64; 4], halves: [f64; 2]) -> Option<[f64; 2]> {
+    let angles = reach.map(f64::atan);
+    let mut turns = [0.0; 2];
+    for (side, (turn, half)) in turns.iter_mut().zip(halves).enumerate() {
+        let [there, back] = [angles[2 * side], angles[2 * side + 1]];
+        if there + back > 2.0 * half * (1.0 + 0.01 * SPARE) {
+            return None;
+        }
+        // A little more than it takes, so that it comes to an end.
+        let more = |angle: f64| (angle - half) * 1.001 + 0.01 * SPARE * half;
+        if there > half {
+            *turn = more(there).min(half - back).max(there - half);
+        } else if back > half {
+            *turn = -more(back).min(half - there).max(back - half);
+        }
+    }
+    Some(turns)
 }
 
 /// The path with all its frames and curve times as they are.
