@@ -129,10 +129,8 @@ impl Document {
             Err(Error::Engine(EngineError::Argument(_))) => {}
             Err(error) => return Err(error),
         }
-        let Some(bounds) = object.bounds() else {
-            return Ok(Vec::new());
-        };
-        let target = Target::Absolute(bounds.min().midpoint(bounds.max()));
+        let [min, max] = object.bounds();
+        let target = Target::Absolute(min.midpoint(max));
         let sampler = self.sampler()?;
         // All views between which it is, and the one behind.
         let keys = self.timeline(|timeline| {

@@ -105,7 +105,7 @@ pub fn keep_all_in_picture(
     match request.what {
         What::Zoom => work.by_zoom(path, &film),
         What::Distance => {
-            let (min, max) = work.outline.bounds();
+            let [min, max] = object.bounds();
             if min == max {
                 return Err(Invalid::PicturePlace.into());
             }
@@ -138,8 +138,7 @@ pub fn orientation_towards(
     let known = support.orientations.get(orientation);
     let mut one = known.ok_or(OutOfRange::Orientations)?.clone();
     let mut work = Work::new(object, &request);
-    let (min, max) = work.outline.bounds();
-    let middle = min.midpoint(max);
+    let middle = work.outline.middle();
     let far = middle - support.position;
     let view = far.try_normalize().ok_or(Invalid::TargetOnCamera)?;
     let level = one.own.up.level(path.space.up);

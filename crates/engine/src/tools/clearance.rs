@@ -4,7 +4,6 @@
 
 use glam::DVec3;
 
-use crate::deform::Bounds;
 use crate::error::{Invalid, Result, vec_with_room};
 use crate::scene::Mesh;
 
@@ -55,11 +54,11 @@ impl Clearance {
         Ok(Self { primitives, nodes })
     }
 
-    /// The box around it.
+    /// The box around all of it: lowest and highest corner.
     #[must_use]
-    pub fn bounds(&self) -> Option<Bounds> {
-        let node = self.nodes.first()?;
-        Some(Bounds::of(&[node.min, node.max]))
+    pub fn bounds(&self) -> [DVec3; 2] {
+        let all = self.nodes.first();
+        all.map_or([DVec3::ZERO; 2], |node| [node.min, node.max])
     }
 
     /// The distance from a place to the nearest of it, if that is below `most`.

@@ -156,8 +156,7 @@ impl Work<'_> {
         if !all().all(fixed) {
             return Ok(None);
         }
-        let (min, max) = self.outline.bounds();
-        let middle = min.midpoint(max);
+        let middle = self.outline.middle();
         let mut ends = [0.0, 1.0];
         let mut best = None;
         for round in 0..20 {
@@ -252,8 +251,7 @@ impl Work<'_> {
                 }
                 // Not all before the camera, or seen aslant wider than from its middle.
                 _ if !turned => {
-                    let (min, max) = self.outline.bounds();
-                    camera.view = unit(min.midpoint(max) - camera.eye);
+                    camera.view = unit(self.outline.middle() - camera.eye);
                 }
                 _ => return Err(large()),
             }

@@ -56,14 +56,10 @@ impl<'a> Outline<'a> {
         }
     }
 
-    /// The box around it.
-    pub(super) fn bounds(&self) -> (DVec3, DVec3) {
-        let mut bounds = (DVec3::ZERO, DVec3::ZERO);
-        self.tree.walk(&mut |node, _| {
-            bounds = (node.min, node.max);
-            false
-        });
-        bounds
+    /// The middle of the box around it.
+    pub(super) fn middle(&self) -> DVec3 {
+        let [min, max] = self.tree.bounds();
+        min.midpoint(max)
     }
 
     /// The greatest x/d of all corners to the right, to the left, up and down; none where not all of
