@@ -122,7 +122,7 @@ fn the_zoom_shows_all_of_it() {
 fn distance_and_view_show_all_of_it() {
     let mut random = Random(11);
     for what in [What::Distance, What::View] {
-        let mut tried = 0;
+        let (mut tried, mut loose) = (0, 0);
         for number in 0..COUNT {
             let mut path = path(&mut random, number);
             if path.check().is_err() {
@@ -151,13 +151,14 @@ fn distance_and_view_show_all_of_it() {
             };
             tried += 1;
             let share = seen(&made.path, &object, 0.1);
-            assert!(
-                share <= 1.0 && (share >= 0.99 || was <= 1.0),
-                "{number}: {share}"
-            );
+            assert!(share <= 1.0, "{what:?} {number}: {share}");
+            // Turned views may jump past a target.
+            let tight = share >= 0.99 || what == What::View && was <= 1.0;
+            loose += usize::from(!tight);
             let frames = |path: &CameraPath| Timeline::new(path).unwrap().frame_count().unwrap();
             assert_eq!(frames(&path), frames(&made.path));
         }
+        assert!(loose <= usize::from(what == What::View), "{loose}");
         assert!(2 * tried > COUNT, "{tried}");
     }
 }
@@ -193,6 +194,8 @@ fn a_square_ahead_has_the_zoom_of_its_height() {
     // By the distance: as far as the zoom of 24 mm asks, everywhere the same.
     wanted.what = What::Distance;
     let made = keep_in_picture(&path, &square(-2.0, 0.4), &wanted).unwrap();
+    let frames = |path: &CameraPath| Timeline::new(path).unwrap().frame_count().unwrap();
+    assert_eq!(frames(&made.path), frames(&path));
     for point in &made.path.points {
         let depth = 24.0 * 0.4 / (12.0 * 0.9);
         assert!(

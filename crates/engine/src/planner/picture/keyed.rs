@@ -9,7 +9,7 @@ use super::{Framed, SPARE, TIGHT, What, Work};
 use crate::error::{Error, Invalid, Result, vec_with_room};
 use crate::math::orientation::unit;
 use crate::path::insertion::on_curve;
-use crate::path::{CameraPath, Orientation, Tangents, Target, UpVector};
+use crate::path::{CameraPath, Change, Orientation, Tangents, Target, UpVector};
 use crate::tools::check::FindingKind;
 
 /// The share of the room that keys first take.
@@ -32,6 +32,9 @@ const TURNS: usize = 100;
 
 /// The share of the way to a target that the camera may go.
 const TO_TARGET: f64 = 0.95;
+
+/// The least way between two points, in half sizes.
+const STEP: f64 = 1e-6;
 
 /// Angle between the ways before and behind a point from which it is a corner, in radians.
 const CORNER: f64 = 0.2;
@@ -67,6 +70,10 @@ impl Work<'_> {
                 _ => self.moved(&base, &before, &aims)?,
             };
             let now = Film::new(&made, self.request.fps)?;
+            if now.pieces.len() != before.pieces.len() {
+                // Where nothing changes any more there are no frames.
+                break;
+            }
             let over = self.overs(&now)?;
             if over.iter().all(|(share, _)| *share <= 1.0 - SPARE) {
                 made.check()?;
@@ -183,8 +190,11 @@ impl Work<'_> {
                 return Ok(None);
             }
             let made = pinned(&made, film)?;
-            let (tightest, loosest) = self.shares(&Film::new(&made, self.request.fps)?);
-            let fits = tightest <= 1.0 - SPARE;
+            let now = Film::new(&made, self.request.fps)?;
+            let (tightest, loosest) = self.shares(&now);
+            // Where nothing changes any more there are no frames.
+            let same = now.pieces.len() == film.pieces.len();
+            let fits = same && tightest <= 1.0 - SPARE;
             if round == 0 && !fits {
                 return Ok(None);
             }
@@ -473,9 +483,16 @@ fn place(base: &CameraPath, film: &Film, ways: &[DVec3], far: &[f64]) -> Result<
             made.points[point].position = moved(k);
         }
     }
+    let step = STEP * base.space.half_size;
     for (k, piece) in film.pieces.iter().enumerate() {
         if piece.orientation + 1 < base.points[piece.point].orientations.len() {
             continue;
+        }
+        // A section without any way would have no frames.
+        let next = (piece.point + 1) % count;
+        let [from, to] = [piece.point, next].map(|point| made.points[point].position);
+        if piece.change == Change::Position && from.distance(to) < step {
+            made.points[next].position -= 2.0 * step * ways[piece.from];
         }
         let range = film.range(k);
         // Behind the last section stands the last key.
@@ -484,7 +501,6 @@ fn place(base: &CameraPath, film: &Film, ways: &[DVec3], far: &[f64]) -> Result<
         } else {
             range.end
         };
-        let next = (piece.point + 1) % count;
         let start = slope(film, &moved, piece.from + 1, end - 1);
         let finish = slope(film, &moved, end - 1, piece.from + 1);
         tangents[piece.point][1] = Some((start, piece.duration));
