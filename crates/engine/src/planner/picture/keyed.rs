@@ -4,7 +4,6 @@ use glam::{DQuat, DVec3};
 
 use super::below::Course;
 use super::film::{Film, Spot};
-use super::outline::Camera;
 use super::{Framed, SPARE, TIGHT, What, Work};
 use crate::error::{Error, Invalid, Result, vec_with_room};
 use crate::math::orientation::unit;
