@@ -16,6 +16,7 @@ mod info_json;
 mod input;
 mod moves;
 mod output;
+mod picture;
 mod plot;
 mod progress;
 mod properties;
@@ -91,6 +92,8 @@ enum Command {
     Steady(steady::Arguments),
     /// Leads the way of a path clear of an object
     Avoid(avoid::Arguments),
+    /// Keeps an object whole in the picture, as large as a margin allows
+    Picture(picture::Arguments),
     /// Makes a path by a ready-made move
     Move(moves::Arguments),
     #[command(flatten)]
@@ -154,6 +157,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Retime(arguments) => retime::run(&arguments),
         Command::Steady(arguments) => steady::run(&arguments),
         Command::Avoid(arguments) => avoid::run(&arguments),
+        Command::Picture(arguments) => picture::run(&arguments),
         Command::Move(arguments) => moves::run(&arguments),
         Command::Tool(tool) => tools::run(&tool),
     })

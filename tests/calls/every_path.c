@@ -842,6 +842,14 @@ CALL(v_path_avoid)
     return v_path_avoid(a_path(), mesh, number(0.01, 0.2), number(0, 0.1));
 }
 
+CALL(v_path_keep_in_picture)
+{
+    V_PATH *path = a_path();
+    const V_MESH *object = a_mesh();
+    return v_path_keep_in_picture(path, object, number(0, 0.45),
+                                  whole(V_PICTURE_ZOOM, V_PICTURE_VIEW));
+}
+
 CALL(v_path_set_ahead)
 {
     V_PATH *path = a_path();

@@ -58,6 +58,7 @@ const TOOLS: &[(&str, &str, &str, &str)] = &[
     ("retime", "Pace within limits", "Tempo in Grenzen", "berechnet das Tempo von Punkten neu, in den Grenzen der Prüfung"),
     ("steady", "Steady", "Beruhigen", "nimmt einem aufgezeichneten Flug das Zittern der Hand"),
     ("avoid", "Clear of the object", "Frei vom Objekt", "führt den Weg frei am Objekt vorbei"),
+    ("picture", "Keep in the picture", "Im Bild halten", "hält das Objekt ganz im Bild, so groß, wie ein Rand es erlaubt"),
     ("fit", "Fit recorded poses", "Aufgezeichnete Posen annähern", "macht aus aufgezeichneten Posen eine Bahn aus wenigen Punkten"),
 ];
 
@@ -103,6 +104,8 @@ const LABELS: &[Word] = &[
     ("sphere", "Sphere", "Kugel"),
     ("lattice", "Square", "Quadrat"),
     ("weight", "Weight", "Gewicht"),
+    ("margin", "Margin", "Rand"),
+    ("what", "By", "Durch"),
 ];
 
 /// What the parameters do, in German.
@@ -154,6 +157,8 @@ const HINTS: &[(&str, &str)] = &[
     ("how near the object may come", "wie nahe das Objekt kommen darf"),
     ("the radius of a sphere around the camera that keeps it", "der Radius einer Kugel um die Kamera, die ihn hält"),
     ("one of 4 × 4 × 4 squares, and where it is in the box", "eines von 4 × 4 × 4 Quadraten, und wo es im Quader ist"),
+    ("the share that stays free at each side", "der Anteil, der auf jeder Seite frei bleibt"),
+    ("by what it is kept there", "wodurch es dort gehalten wird"),
     ("how much of the other path", "wie viel von der anderen Bahn"),
     ("how far view, up and field of view may be from theirs",
         "wie weit Blick, oben und Bildwinkel von ihren abweichen dürfen"),
@@ -174,6 +179,9 @@ const CHOICES: &[Word] = &[
     ("move", "moved here", "hierher verschoben"),
     ("turn", "turned too", "auch gedreht"),
     ("scale", "scaled too", "auch skaliert"),
+    ("zoom", "the zoom", "den Zoom"),
+    ("distance", "the distance", "den Abstand"),
+    ("view", "turning", "Drehen"),
 ];
 
 fn word(words: &'static [Word], language: Language, name: &'static str) -> &'static str {

@@ -8,7 +8,7 @@ use egui::{Button, Context, Label, RichText, ScrollArea, Ui, vec2};
 
 use super::{SubWindow, Windows, sub_window};
 use crate::actions::Action;
-use crate::document::{Edit, Note, StepName, is_avoided};
+use crate::document::{Edit, Note, StepName, is_planned};
 use crate::error::Result;
 use crate::number::{Entry, Number};
 use crate::state::Editor;
@@ -183,8 +183,8 @@ fn row(
             actions.push(Action::GoTo(*finding));
         }
         // What takes longer is computed when it is asked for.
-        let avoids = is_avoided(finding.kind);
-        let mends = avoids || !mend.is_empty();
+        let planned = is_planned(finding.kind);
+        let mends = planned || !mend.is_empty();
         let room = if mends { 88.0 } else { 0.0 };
         let width = (ui.available_width() - room).max(80.0);
         ui.allocate_ui(vec2(width, theme::ROW), |ui| {
@@ -194,8 +194,8 @@ fn row(
         if mends {
             let button = ui.add_enabled(current, Button::new(texts.mend));
             if button.on_hover_text(remedy).clicked() {
-                actions.push(if avoids {
-                    Action::Avoid(*finding)
+                actions.push(if planned {
+                    Action::Cure(*finding)
                 } else {
                     Action::Mend(mend.clone())
                 });
@@ -237,7 +237,10 @@ impl CheckWindow {
             self.found = document.check_against(tree.as_deref())?;
             let listed = self.found.iter().take(MOST);
             self.mends = listed
-                .map(|finding| document.remedy(finding))
+                .map(|finding| match is_planned(finding.kind) {
+                    true => Ok(Vec::new()),
+                    false => document.remedy(finding, None),
+                })
                 .collect::<Result<_>>()?;
             Ok(())
         });
@@ -265,11 +268,11 @@ impl Editor {
 }
 
 impl Editor {
-    /// Leads the way clear of the object, or tells why there is no way.
-    pub(crate) fn avoid(&mut self, finding: &Finding) {
+    /// Mends a finding by the planner, or tells why it cannot be.
+    pub(crate) fn cure(&mut self, finding: &Finding) {
         let found = self
             .obstacles()
-            .and_then(|tree| self.document.remedy_against(finding, tree.as_deref()));
+            .and_then(|tree| self.document.remedy(finding, tree.as_deref()));
         match found {
             Ok(edits) => self.mend(edits),
             Err(error) => self.complain_of(&error),
