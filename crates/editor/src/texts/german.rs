@@ -194,6 +194,13 @@ german! {
         PaceSeconds { seconds, least } =>
             "{} s sind zu kurz: die Grenzen erlauben es in {} s", number(*seconds), number(*least);
         PaceTime => "die Sekunden eines Tempos müssen 0 oder eine positive Zahl sein";
+        NoSurface =>
+            "eine Rundfahrt braucht ein Objekt mit Oberfläche: Dreiecke, die nicht alle ohne Fläche sind";
+        TourNothing => "aus diesem Abstand zeigt keine Ansicht einer Rundfahrt etwas";
+        TourStart => "der Beginn einer Rundfahrt muss ein Ort sein, der nicht im Objekt oder dicht daneben liegt";
+        NoRoomInside => "im Objekt ist kein freier Ort, von dem eine Rundfahrt es zeigen könnte";
+        TourWay => "kein Weg einer Rundfahrt bleibt vom Objekt entfernt: einen anderen Abstand wählen";
+        TourCancelled => "die Rundfahrt wurde abgebrochen";
         NothingSelected => "kein Punkt ist ausgewählt";
         UprightDiffers => "in beiden Pfaden muss dieselbe Achse aufrecht stehen";
         NoNormal => "oben nach „frenet“ braucht eine Kurve der Art cubic, deren Punkte keine \
@@ -342,6 +349,11 @@ german! {
         WeightSum(sum) => "die Gewichte müssen zusammen 1 ergeben, nicht {}", number(*sum);
         Tolerance => "die Toleranz muss endlich und größer als 0 sein";
         ToleranceAngle => "die Toleranz der Winkel muss größer als 0 sein, und höchstens 180 Grad";
+        Coverage => "der Anteil der Oberfläche einer Rundfahrt muss größer als 0 und höchstens 1 sein";
+        TourDistance =>
+            "der Abstand einer Rundfahrt muss 0 sein oder zwischen dem {}- und dem {}-Fachen der halben \
+             Diagonale des Objekts liegen",
+            number(limits::TOUR_DISTANCES[0]), number(limits::TOUR_DISTANCES[1]);
     }
     TooMany {
         NameBytes => "höchstens {} Byte sind erlaubt", limits::MAX_NAME_BYTES;

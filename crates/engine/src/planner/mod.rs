@@ -9,6 +9,8 @@ mod course;
 mod frames;
 mod reach;
 pub mod retime;
+pub mod tour;
 mod track;
 
 pub use retime::{Request, Rest, Retimed, retime};
+pub use tour::{Tour, TourRequest, tour};
