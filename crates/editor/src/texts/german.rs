@@ -201,6 +201,21 @@ german! {
         NoRoomInside => "im Objekt ist kein freier Ort, von dem eine Rundfahrt es zeigen könnte";
         TourWay => "kein Weg einer Rundfahrt bleibt vom Objekt entfernt: einen anderen Abstand wählen";
         TourCancelled => "die Rundfahrt wurde abgebrochen";
+        PictureMargin => "der Rand eines Bildes muss mindestens 0 und kleiner als 0,5 sein";
+        PictureBehind { frame } =>
+            "bei Bild {} ist nicht das ganze Objekt vor der Kamera, kein Zoom zeigt es ganz",
+            number(*frame);
+        PictureZoom { frame, zoom } =>
+            "bei Bild {} wäre das Objekt mit einem Zoom von {} mm ganz zu sehen, weniger als 1 mm",
+            number(*frame), number(*zoom);
+        PictureLarge { frame } =>
+            "bei Bild {} ist das Objekt zu groß für das Bild, wohin auch die Kamera blickt",
+            number(*frame);
+        PicturePlace => "das Objekt ist ein einzelner Ort, aus jeder Entfernung gleich groß";
+        PictureKeys { frame } =>
+            "um Bild {} halten keine Orientierungen das Objekt im Bild: dort einen Punkt setzen oder \
+             dem Abschnitt mehr Bilder geben",
+            number(*frame);
         NothingSelected => "kein Punkt ist ausgewählt";
         UprightDiffers => "in beiden Pfaden muss dieselbe Achse aufrecht stehen";
         NoNormal => "oben nach „frenet“ braucht eine Kurve der Art cubic, deren Punkte keine \

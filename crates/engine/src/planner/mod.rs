@@ -7,10 +7,12 @@
 
 mod course;
 mod frames;
+pub mod picture;
 mod reach;
 pub mod retime;
 pub mod tour;
 mod track;
 
+pub use picture::{Framed, PictureRequest, What, keep_in_picture};
 pub use retime::{Request, Rest, Retimed, retime};
 pub use tour::{Tour, TourRequest, tour};
