@@ -23,6 +23,7 @@ mod sample;
 mod scene;
 mod table;
 mod tools;
+mod tour;
 
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -85,6 +86,8 @@ enum Command {
     Plot(plot::Arguments),
     /// Computes the pace of a path anew, within limits
     Retime(retime::Arguments),
+    /// Makes a flight that shows an object
+    Tour(tour::Arguments),
     /// Makes a path by a ready-made move
     Move(moves::Arguments),
     #[command(flatten)]
@@ -146,6 +149,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Check(arguments) => check::run(&arguments),
         Command::Plot(arguments) => plot::run(&arguments),
         Command::Retime(arguments) => retime::run(&arguments),
+        Command::Tour(arguments) => tour::run(&arguments),
         Command::Move(arguments) => moves::run(&arguments),
         Command::Tool(tool) => tools::run(&tool),
     })

@@ -5,7 +5,7 @@ mod table;
 
 use glam::{DQuat, DVec3};
 use vides_engine::deform::{Bounds, Deformation, identity_lattice};
-use vides_engine::planner::{Request, retime};
+use vides_engine::planner::{Request, TourRequest, retime, tour};
 use vides_engine::tools::blend::blend;
 use vides_engine::tools::block::{self, Fit};
 use vides_engine::tools::fit::{Options, Tolerance, fit};
@@ -86,6 +86,7 @@ enum Kind {
     Fit,
     Draw,
     Retime,
+    Tour,
 }
 
 const FITS: [Fit; 4] = [Fit::None, Fit::Move, Fit::Turn, Fit::Scale];
@@ -257,6 +258,7 @@ impl Tool {
                 };
                 Edit::ReplacePath(Box::new(retime(path, &request)?.path))
             }
+            (Kind::Tour, _) => Edit::ReplacePath(Box::new(given.tour()?)),
             (Kind::Fit, ToolInput::Poses(poses, seconds)) => {
                 let tolerance = Tolerance {
                     position: given.number("tolerance"),
@@ -374,6 +376,24 @@ impl<'a> ToolArguments<'a> {
             return Err(OutOfRange::NumberBetween(LAST.name, 1.0, count as f64).into());
         }
         Ok((first - 1..last).collect())
+    }
+
+    fn tour(&self) -> Result<CameraPath> {
+        let (space, info) = (self.document.path().space, self.document.info());
+        let request = TourRequest {
+            seconds: self.number("seconds"),
+            coverage: self.number("coverage"),
+            distance: self.number("distance"),
+            inside: self.number("inside") != 0.0,
+            start: None,
+            up: space.up,
+            space: Some(space),
+            stills: false,
+            limits: info.limits,
+            fps: info.fps,
+        };
+        let object = self.document.obstacles()?.unwrap_or_default();
+        Ok(tour(&object, &request, &mut |_, _| true)?.path)
     }
 
     fn places(&self) -> Result<Vec<DVec3>> {

@@ -195,12 +195,12 @@ german! {
             "{} s sind zu kurz: die Grenzen erlauben es in {} s", number(*seconds), number(*least);
         PaceTime => "die Sekunden eines Tempos müssen 0 oder eine positive Zahl sein";
         NoSurface =>
-            "eine Rundfahrt braucht ein Objekt mit Oberfläche: Dreiecke, die nicht alle ohne Fläche sind";
-        TourNothing => "aus diesem Abstand zeigt keine Ansicht einer Rundfahrt etwas";
-        TourStart => "der Beginn einer Rundfahrt muss ein Ort sein, der nicht im Objekt oder dicht daneben liegt";
-        NoRoomInside => "im Objekt ist kein freier Ort, von dem eine Rundfahrt es zeigen könnte";
-        TourWay => "kein Weg einer Rundfahrt bleibt vom Objekt entfernt: einen anderen Abstand wählen";
-        TourCancelled => "die Rundfahrt wurde abgebrochen";
+            "ein Rundflug braucht ein Objekt mit Oberfläche: Dreiecke, die nicht alle ohne Fläche sind";
+        TourNothing => "aus diesem Abstand zeigt keine Ansicht eines Rundflugs etwas";
+        TourStart => "der Beginn eines Rundflugs muss ein Ort sein, der nicht im Objekt oder dicht daneben liegt";
+        NoRoomInside => "im Objekt ist kein freier Ort, von dem ein Rundflug es zeigen könnte";
+        TourWay => "kein Weg eines Rundflugs bleibt vom Objekt entfernt: einen anderen Abstand wählen";
+        TourCancelled => "der Rundflug wurde abgebrochen";
         PictureMargin => "der Rand eines Bildes muss mindestens 0 und kleiner als 0,5 sein";
         PictureBehind { frame } =>
             "bei Bild {} ist nicht das ganze Objekt vor der Kamera, kein Zoom zeigt es ganz",
@@ -364,9 +364,9 @@ german! {
         WeightSum(sum) => "die Gewichte müssen zusammen 1 ergeben, nicht {}", number(*sum);
         Tolerance => "die Toleranz muss endlich und größer als 0 sein";
         ToleranceAngle => "die Toleranz der Winkel muss größer als 0 sein, und höchstens 180 Grad";
-        Coverage => "der Anteil der Oberfläche einer Rundfahrt muss größer als 0 und höchstens 1 sein";
+        Coverage => "der Anteil der Oberfläche eines Rundflugs muss größer als 0 und höchstens 1 sein";
         TourDistance =>
-            "der Abstand einer Rundfahrt muss 0 sein oder zwischen dem {}- und dem {}-Fachen der halben \
+            "der Abstand eines Rundflugs muss 0 sein oder zwischen dem {}- und dem {}-Fachen der halben \
              Diagonale des Objekts liegen",
             number(limits::TOUR_DISTANCES[0]), number(limits::TOUR_DISTANCES[1]);
     }

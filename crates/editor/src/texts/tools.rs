@@ -56,6 +56,7 @@ const TOOLS: &[(&str, &str, &str, &str)] = &[
     ("repeat", "Go several times", "Mehrmals gehen", "geht den Weg mehrmals"),
     ("frames", "Number of frames", "Zahl der Bilder", "bringt Punkte auf eine Zahl von Bildern"),
     ("retime", "Pace within limits", "Tempo in Grenzen", "berechnet das Tempo von Punkten neu, in den Grenzen der Prüfung"),
+    ("tour", "Tour", "Rundflug", "macht einen Flug, der das Objekt zeigt"),
     ("fit", "Fit recorded poses", "Aufgezeichnete Posen annähern", "macht aus aufgezeichneten Posen eine Bahn aus wenigen Punkten"),
 ];
 
@@ -97,6 +98,8 @@ const LABELS: &[Word] = &[
     ("tolerance", "Tolerance", "Toleranz"),
     ("lattice", "Square", "Quadrat"),
     ("weight", "Weight", "Gewicht"),
+    ("coverage", "Coverage", "Anteil"),
+    ("inside", "Inside", "Innen"),
 ];
 
 /// What the parameters do, in German.
@@ -146,6 +149,12 @@ const HINTS: &[(&str, &str)] = &[
     ("how many, the first and the last with them", "wie viele, das erste und das letzte mitgezählt"),
     ("how far a position may be from what was given", "wie weit eine Position vom Gegebenen entfernt sein darf"),
     ("one of 4 × 4 × 4 squares, and where it is in the box", "eines von 4 × 4 × 4 Quadraten, und wo es im Quader ist"),
+    ("how long the flight takes", "wie lange der Flug dauert"),
+    ("the share of what can be seen of the surface that is shown",
+        "welcher Anteil dessen, was von der Oberfläche zu sehen ist, gezeigt wird"),
+    ("how far the camera is from what it shows; 0: found",
+        "wie weit die Kamera von dem weg ist, was sie zeigt; 0: wird gefunden"),
+    ("in the object's free space, not around it", "im freien Raum des Objekts, nicht um es herum"),
     ("how much of the other path", "wie viel von der anderen Bahn"),
     ("how far view, up and field of view may be from theirs",
         "wie weit Blick, oben und Bildwinkel von ihren abweichen dürfen"),

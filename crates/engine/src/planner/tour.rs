@@ -8,6 +8,8 @@ mod places;
 mod round;
 mod seen;
 
+use std::fmt;
+
 use glam::DVec3;
 
 use self::cover::fewest;
@@ -95,6 +97,35 @@ pub struct Tour {
     pub hidden: f64,
 }
 
+/// English sentences, a line each.
+impl fmt::Display for Tour {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let percent = |share: f64| format!("{:.1} %", 100.0 * share);
+        let places = if self.places == 1 {
+            "place shows"
+        } else {
+            "places show"
+        };
+        writeln!(
+            f,
+            "{} {places} {} of the surface that can be seen; {:.4} long, {:.3} s",
+            self.places,
+            percent(self.coverage),
+            self.length,
+            self.seconds
+        )?;
+        write!(
+            f,
+            "of the whole surface {} is shown, {} is seen from places that were not needed, {} only \
+             from nearer, through gaps or at a grazing angle, {} from nowhere",
+            percent(self.surface),
+            percent(self.left_out),
+            percent(self.narrow),
+            percent(self.hidden)
+        )
+    }
+}
+
 /// By how much the distance that is found is greater than half the diagonal.
 const FIT: f64 = 1.3;
 
@@ -104,9 +135,13 @@ const CLEAR: [f64; 2] = [0.6, 0.4];
 /// The focal length.
 const ZOOM: f64 = 24.0;
 
-/// Places tried for what no other shows; triangles that are asked where they might be seen from,
-/// and in how many directions.
+/// More triangles than this have fewer places tried.
+const MANY: f64 = 250_000.0;
+
+/// Places tried for what no other shows.
 const MORE: usize = 100;
+
+/// So many triangles are asked where they might be seen from, and in so many directions.
 const ASKED: usize = 1500;
 const WAYS: usize = 96;
 
@@ -213,7 +248,9 @@ impl<'a> Work<'a> {
         let start = (DVec3::INFINITY, DVec3::NEG_INFINITY);
         let (low, high) = corners
             .map(|at| object.points[*at as usize])
-            .fold(start, |(low, high), place| (low.min(place), high.max(place)));
+            .fold(start, |(low, high), place| {
+                (low.min(place), high.max(place))
+            });
         let bounds = Bounds::new(low, high)?;
         let half = 0.5 * (high - low).length();
         if request.distance > TOUR_DISTANCES[1] * half
@@ -247,8 +284,15 @@ impl<'a> Work<'a> {
         self.surface.distance = distance;
         let limit = self.request.limits.get(FindingKind::Clearance);
         let room = if self.request.inside { 0.0 } else { distance };
-        let size = self.request.space.map_or(1.2 * (self.half + room), |space| space.half_size);
-        let near = if limit.is_finite() { 1.5 * limit * size } else { 0.0 };
+        let size = self
+            .request
+            .space
+            .map_or(1.2 * (self.half + room), |space| space.half_size);
+        let near = if limit.is_finite() {
+            1.5 * limit * size
+        } else {
+            0.0
+        };
         self.least = near.max(0.05 * distance).min(0.8 * distance);
     }
 
@@ -275,7 +319,8 @@ impl<'a> Work<'a> {
             self.least = self.least.min(0.2 * widest);
             (places, views)
         } else {
-            places::outside(self.tree, &self.bounds, self.surface.distance, self.request.up)?
+            let up = (self.request.up, self.effort());
+            places::outside(self.tree, &self.bounds, self.surface.distance, up)?
         };
         let all = self.views.len() + MORE;
         self.sets.try_reserve(all)?;
@@ -285,6 +330,12 @@ impl<'a> Work<'a> {
             self.sets.push(set);
         }
         self.ask(&mut |more| stopped(all - MORE + more, all))
+    }
+
+    /// Fewer places are tried for a surface of very many triangles, which takes long.
+    fn effort(&self) -> f64 {
+        let count = self.surface.areas.len() as f64;
+        (MANY / count).sqrt().clamp(0.4, 1.0)
     }
 
     fn camera(&self, view: View) -> Option<Camera> {
@@ -307,7 +358,11 @@ impl<'a> Work<'a> {
         let mut more = 0;
         let step = left.div_ceil(ASKED).max(1);
         let mut open = vec_with_room(left / step + 1)?;
-        open.extend((0..count).filter(|at| seen[at / 64] >> (at % 64) & 1 == 0).step_by(step));
+        open.extend(
+            (0..count)
+                .filter(|at| seen[at / 64] >> (at % 64) & 1 == 0)
+                .step_by(step),
+        );
         let is_seen = |seen: &Set, at: usize| seen[at / 64] >> (at % 64) & 1 == 1;
         let mut found = vec_with_room(open.len())?;
         for at in open {
@@ -357,7 +412,11 @@ impl<'a> Work<'a> {
         }
         let facing = |way: &DVec3| {
             let share = normal.dot(*way) / self.surface.areas[at];
-            if self.surface.one_sided { share } else { share.abs() }
+            if self.surface.one_sided {
+                share
+            } else {
+                share.abs()
+            }
         };
         let near = 1e-6 * self.half;
         let free = |way: &DVec3| {
@@ -408,7 +467,10 @@ impl<'a> Work<'a> {
         let (clear, middle) = if self.request.inside {
             (self.least, None)
         } else {
-            ((CLEAR[0] * self.surface.distance).max(self.least), Some(middle))
+            (
+                (CLEAR[0] * self.surface.distance).max(self.least),
+                Some(middle),
+            )
         };
         let up = self.request.up.world(DVec3::Y);
         Roads::new(self.tree, clear, up, middle, places)
@@ -422,7 +484,9 @@ impl<'a> Work<'a> {
         for at in 0..count {
             if home[at] == usize::MAX {
                 let (far, _) = roads.from(at)?;
-                (0..count).filter(|k| far[*k] < f64::INFINITY).for_each(|k| home[k] = at);
+                (0..count)
+                    .filter(|k| far[*k] < f64::INFINITY)
+                    .for_each(|k| home[k] = at);
             }
         }
         let size = |at: usize| self.views.iter().filter(|view| home[view.at] == at).count();
@@ -439,7 +503,8 @@ impl<'a> Work<'a> {
             }
         }
         if self.views.is_empty() {
-            return Err(Invalid::TourNothing.into());
+            let start = self.request.start.map(|_| Invalid::TourStart);
+            return Err(start.unwrap_or(Invalid::TourNothing).into());
         }
         Ok(())
     }
@@ -455,19 +520,39 @@ impl<'a> Work<'a> {
     fn choose(&mut self, visible: f64) -> Result<Vec<(View, Set)>> {
         let wanted = self.request.coverage * visible;
         let mut taken = fewest(&self.sets, &self.surface.areas, wanted)?;
-        let another = |taken: &[usize], at: usize| {
-            taken.iter().all(|k| self.views[*k].at != self.views[at].at)
-        };
-        if self.request.start.is_none() && taken.iter().all(|at| self.views[*at].at == self.views[taken[0]].at) {
-            let area = |at: usize| self.surface.area_of(&self.sets[at]);
-            let others = (0..self.views.len()).filter(|at| another(&taken, *at));
-            taken.extend(others.rev().max_by(|a, b| area(*a).total_cmp(&area(*b))));
+        // A round has three places; those that are not needed are far from the others.
+        let least = if self.request.start.is_some() { 1 } else { 3 };
+        let place = |at: usize| self.places[self.views[at].at];
+        taken.try_reserve(least)?;
+        for _ in 0..least {
+            let mut all = taken.iter().map(|at| self.views[*at].at);
+            let first = all.clone().next();
+            let second = all.clone().find(|at| Some(*at) != first);
+            let count = match second {
+                Some(_) if all.any(|at| Some(at) != first && Some(at) != second) => 3,
+                Some(_) => 2,
+                None => taken.len().min(1),
+            };
+            if count >= least {
+                break;
+            }
+            let apart = |at: &usize| {
+                let near = taken.iter().map(|other| place(*other).distance(place(*at)));
+                near.fold(f64::INFINITY, f64::min)
+            };
+            let far = (0..self.views.len()).rev().map(|at| (at, apart(&at)));
+            let farthest = far.max_by(|a, b| a.1.total_cmp(&b.1));
+            taken.extend(farthest.filter(|(_, far)| *far > 0.0).map(|(at, _)| at));
         }
-        if taken.len() < 2 && self.request.start.is_none() {
+        if taken.is_empty() || (self.request.start.is_none() && taken.len() < 2) {
             return Err(Invalid::TourNothing.into());
         }
         let mut chosen = vec_with_room(taken.len())?;
-        chosen.extend(taken.iter().map(|at| (self.views[*at], std::mem::take(&mut self.sets[*at]))));
+        chosen.extend(
+            taken
+                .iter()
+                .map(|at| (self.views[*at], std::mem::take(&mut self.sets[*at]))),
+        );
         Ok(chosen)
     }
 
@@ -521,7 +606,7 @@ impl<'a> Work<'a> {
             row.extend(stops.iter().map(|(to, _)| all[*to]));
             far.push(row);
         }
-        let closed = self.request.start.is_none();
+        let closed = self.request.start.is_none() && stops.len() > 2;
         let order = round(&far, closed)?;
         let mut flight = Flight {
             stops: Vec::new(),
@@ -546,10 +631,12 @@ impl<'a> Work<'a> {
             }
             let way = roads.way(at, stops[next].0)?;
             flight.stops.try_reserve(way.len())?;
-            flight.stops.extend(way.iter().take(way.len() - 1).map(|via| Stop {
-                place: roads.places[*via],
-                targets: Vec::new(),
-            }));
+            flight
+                .stops
+                .extend(way.iter().take(way.len() - 1).map(|via| Stop {
+                    place: roads.places[*via],
+                    targets: Vec::new(),
+                }));
         }
         Ok(flight)
     }
@@ -575,15 +662,19 @@ impl<'a> Work<'a> {
         if !self.request.stills {
             let share = if self.request.inside { 0.0 } else { CLEAR[1] };
             let clear = (share * self.surface.distance).max(self.least);
+            if self.request.inside {
+                flight.turn(self.request.up)?;
+            }
             flight.clear(self.tree, clear)?;
-            flight.look(self.request.inside)?;
+            flight.look(self.request.up, self.request.inside)?;
         }
         let places = flight.reach()?;
         let places = places.iter().copied();
         let corners = [self.bounds.min(), self.bounds.max()];
         let own = Space::around(places.clone().chain(corners), self.request.up)?;
         let given = self.request.space.filter(|space| {
-            let holds = |place: DVec3| (place - space.centre).abs().max_element() <= 0.98 * space.half_size;
+            let holds =
+                |place: DVec3| (place - space.centre).abs().max_element() <= 0.98 * space.half_size;
             space.up == self.request.up && places.clone().all(holds)
         });
         let space = given.unwrap_or(own);

@@ -16,12 +16,17 @@ pub(super) fn fewest(sets: &[Set], areas: &[f64], wanted: f64) -> Result<Vec<usi
     let mut area = 0.0;
     while area < wanted {
         // The first of the greatest.
-        let Some(best) = (0..sets.len()).rev().max_by(|a, b| gains[*a].total_cmp(&gains[*b]))
+        let Some(best) = (0..sets.len())
+            .rev()
+            .max_by(|a, b| gains[*a].total_cmp(&gains[*b]))
         else {
             break;
         };
         let gain = gain(&sets[best], &covered, areas);
-        let leads = gains.iter().enumerate().all(|(at, other)| at == best || *other <= gain);
+        let leads = gains
+            .iter()
+            .enumerate()
+            .all(|(at, other)| at == best || *other <= gain);
         gains[best] = gain;
         if !leads {
             continue;
@@ -32,7 +37,10 @@ pub(super) fn fewest(sets: &[Set], areas: &[f64], wanted: f64) -> Result<Vec<usi
         chosen.push(best);
         area += gain;
         gains[best] = 0.0;
-        covered.iter_mut().zip(&sets[best]).for_each(|(all, own)| *all |= own);
+        covered
+            .iter_mut()
+            .zip(&sets[best])
+            .for_each(|(all, own)| *all |= own);
     }
     drop_needless(sets, areas, wanted.min(area), &mut chosen)?;
     Ok(chosen)
@@ -51,24 +59,31 @@ fn gain(set: &Set, covered: &Set, areas: &[f64]) -> f64 {
 }
 
 /// Takes away, the last first, what is not needed for the area.
-fn drop_needless(
-    sets: &[Set],
-    areas: &[f64],
-    wanted: f64,
-    chosen: &mut Vec<usize>,
-) -> Result<()> {
+fn drop_needless(sets: &[Set], areas: &[f64], wanted: f64, chosen: &mut Vec<usize>) -> Result<()> {
     let mut times: Vec<u16> = vec_with_room(areas.len())?;
     times.resize(areas.len(), 0);
     let count = |times: &mut Vec<u16>, set: &Set, add: bool| {
         members(set).for_each(|at| {
-            times[at] = if add { times[at].saturating_add(1) } else { times[at] - 1 };
+            times[at] = if add {
+                times[at].saturating_add(1)
+            } else {
+                times[at] - 1
+            };
         });
     };
-    chosen.iter().for_each(|at| count(&mut times, &sets[*at], true));
-    let mut area: f64 = (0..areas.len()).filter(|at| times[*at] > 0).map(|at| areas[at]).sum();
+    chosen
+        .iter()
+        .for_each(|at| count(&mut times, &sets[*at], true));
+    let mut area: f64 = (0..areas.len())
+        .filter(|at| times[*at] > 0)
+        .map(|at| areas[at])
+        .sum();
     for k in (0..chosen.len()).rev() {
         let own = &sets[chosen[k]];
-        let alone: f64 = members(own).filter(|at| times[*at] == 1).map(|at| areas[at]).sum();
+        let alone: f64 = members(own)
+            .filter(|at| times[*at] == 1)
+            .map(|at| areas[at])
+            .sum();
         // Sums of another order differ by rounding.
         if area - alone >= wanted * (1.0 - 1e-12) {
             area -= alone;

@@ -60,12 +60,12 @@ pub(super) fn outside(
     object: &Clearance,
     bounds: &Bounds,
     distance: f64,
-    up: Up,
+    (up, effort): (Up, f64),
 ) -> Result<(Vec<DVec3>, Vec<View>)> {
     let half = 0.5 * (bounds.max() - bounds.min());
     let middle = bounds.min() + half;
     // Near to a large object it takes more.
-    let more = (half.length() / distance).clamp(1.0, 2.0);
+    let more = effort * (half.length() / distance).clamp(1.0, 2.0);
     let all: usize = AROUND.iter().map(|(count, _)| scaled(*count, more)).sum();
     let (mut places, mut views) = (vec_with_room(all)?, vec_with_room(all)?);
     for (count, share) in AROUND {
@@ -77,7 +77,10 @@ pub(super) fn outside(
             };
             let target = ahead(bounds, eye);
             if !is_steep(eye, target, up) {
-                views.push(View { at: places.len(), target });
+                views.push(View {
+                    at: places.len(),
+                    target,
+                });
                 places.push(eye);
             }
         }
@@ -117,7 +120,9 @@ pub(super) fn inside(
 ) -> Result<(Vec<DVec3>, Vec<View>, f64)> {
     let (low, size) = (bounds.min(), bounds.max() - bounds.min());
     let step = size.max_element() / CELLS;
-    let counts = (size / step).to_array().map(|cells| scaled(1, cells.ceil().max(1.0)));
+    let counts = (size / step)
+        .to_array()
+        .map(|cells| scaled(1, cells.ceil().max(1.0)));
     let mut found: Vec<(DVec3, f64)> = vec_with_room(counts.iter().product())?;
     for x in 0..counts[0] {
         go_on()?;
@@ -183,7 +188,11 @@ fn look_round(
             });
         }
     }
-    let from = views.len() - VIEWS.iter().map(|(count, _)| *count as usize).sum::<usize>();
+    let from = views.len()
+        - VIEWS
+            .iter()
+            .map(|(count, _)| *count as usize)
+            .sum::<usize>();
     for view in &mut views[from..] {
         let way = up.world(view.target);
         let ahead = object.ahead(eye, way, 0.0).unwrap_or(far);

@@ -27,7 +27,7 @@ pub(super) struct Roads<'a> {
 }
 
 impl<'a> Roads<'a> {
-    pub fn new(
+    pub(super) fn new(
         object: &'a Clearance,
         clear: f64,
         up: DVec3,
@@ -44,7 +44,9 @@ impl<'a> Roads<'a> {
             places,
         };
         for place in &made.places {
-            let far = object.distance(*place, f64::INFINITY).unwrap_or(f64::INFINITY);
+            let far = object
+                .distance(*place, f64::INFINITY)
+                .unwrap_or(f64::INFINITY);
             made.apart.push(far);
             made.ways.push(Vec::new());
         }
@@ -52,7 +54,11 @@ impl<'a> Roads<'a> {
         for from in 0..made.places.len() {
             near.clear();
             let far = |to: usize| made.places[to].distance_squared(made.places[from]);
-            near.extend((0..made.places.len()).filter(|to| *to != from).map(|to| (far(to), to)));
+            near.extend(
+                (0..made.places.len())
+                    .filter(|to| *to != from)
+                    .map(|to| (far(to), to)),
+            );
             near.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
             for &(far, to) in near.iter().take(NEIGHBOURS) {
                 let known = made.ways[from].iter().any(|way| way.0 == to);
@@ -68,7 +74,7 @@ impl<'a> Roads<'a> {
     }
 
     /// Whether the straight way between two places keeps clear.
-    pub fn is_free(&self, from: usize, to: usize) -> bool {
+    pub(super) fn is_free(&self, from: usize, to: usize) -> bool {
         let clear = self.clear.min(0.95 * self.apart[from].min(self.apart[to]));
         let (a, b) = (self.places[from], self.places[to]);
         if let Some(middle) = self.middle {
@@ -100,7 +106,7 @@ impl<'a> Roads<'a> {
     }
 
     /// How far it is from one place to all others, and over which place each is reached.
-    pub fn from(&self, start: usize) -> Result<(Vec<f64>, Vec<usize>)> {
+    pub(super) fn from(&self, start: usize) -> Result<(Vec<f64>, Vec<usize>)> {
         let count = self.places.len();
         let (mut far, mut over) = (vec_with_room(count)?, vec_with_room(count)?);
         let mut done: Vec<bool> = vec_with_room(count)?;
@@ -125,7 +131,7 @@ impl<'a> Roads<'a> {
 
     /// The places on the shortest way behind `from` up to `to`, with those left out that a straight
     /// way passes by.
-    pub fn way(&self, from: usize, to: usize) -> Result<Vec<usize>> {
+    pub(super) fn way(&self, from: usize, to: usize) -> Result<Vec<usize>> {
         let (_, over) = self.from(to)?;
         let mut all = vec_with_room(self.places.len() + 1)?;
         let mut at = from;

@@ -17,7 +17,7 @@ const BEFORE: f64 = 0.005;
 
 /// The least size in the picture by that of the same triangle straight before a camera at the
 /// distance of the tour: nothing is shown at a grazing angle or from too far away.
-const LEAST: f64 = 0.1;
+pub(super) const LEAST: f64 = 0.1;
 
 /// Nearer than this share of the tour's distance nothing is drawn.
 const NEAR: f64 = 1e-3;
@@ -50,7 +50,7 @@ pub(super) struct Camera {
 }
 
 impl Camera {
-    pub fn new(eye: DVec3, target: DVec3, up: Up, zoom: f64) -> Option<Self> {
+    pub(super) fn new(eye: DVec3, target: DVec3, up: Up, zoom: f64) -> Option<Self> {
         let view = (target - eye).try_normalize()?;
         let above = up.up_from_roll(view, 0.0);
         Some(Self {
@@ -60,6 +60,13 @@ impl Camera {
             up: above,
             half: DVec2::new(18.0, 12.0) / zoom,
         })
+    }
+
+    /// Whether a place is in the picture, whatever is before it.
+    pub(super) fn holds(&self, place: DVec3) -> bool {
+        let [x, y, depth] = self.project(place);
+        let inside = x >= 0.0 && y >= 0.0 && x < SIZE[0] as f64 && y < SIZE[1] as f64;
+        inside && depth > 0.0
     }
 
     /// A place in the picture in pixels, and 1 / depth, which is 0 or less behind the eye.
@@ -85,7 +92,7 @@ impl Camera {
 
 impl<'a> Surface<'a> {
     /// Of a mesh; inside of it either side counts.
-    pub fn new(mesh: &'a Mesh, inside: bool) -> Result<Self> {
+    pub(super) fn new(mesh: &'a Mesh, inside: bool) -> Result<Self> {
         let count = mesh.triangles.len();
         let (mut middles, mut across) = (vec_with_room(count)?, vec_with_room(count)?);
         let mut areas = vec_with_room(count)?;
@@ -124,7 +131,7 @@ impl<'a> Surface<'a> {
     }
 
     /// The mean of the middles, by area, of some triangles.
-    pub fn middle_of(&self, which: impl Fn(usize) -> bool) -> Option<DVec3> {
+    pub(super) fn middle_of(&self, which: impl Fn(usize) -> bool) -> Option<DVec3> {
         let (mut sum, mut area) = (DVec3::ZERO, 0.0);
         for at in (0..self.areas.len()).filter(|at| which(*at)) {
             sum += self.areas[at] * self.middles[at];
@@ -133,12 +140,12 @@ impl<'a> Surface<'a> {
         (area > 0.0).then(|| sum / area)
     }
 
-    pub fn area_of(&self, set: &Set) -> f64 {
+    pub(super) fn area_of(&self, set: &Set) -> f64 {
         members(set).map(|at| self.areas[at]).sum()
     }
 
     /// An empty set.
-    pub fn nothing(&self) -> Result<Set> {
+    pub(super) fn nothing(&self) -> Result<Set> {
         let words = self.areas.len().div_ceil(64);
         let mut set = vec_with_room(words)?;
         set.resize(words, 0);
@@ -146,10 +153,14 @@ impl<'a> Surface<'a> {
     }
 
     /// Whether a triangle is seen well enough from a place, if nothing is between.
-    pub fn faces(&self, at: usize, eye: DVec3) -> bool {
+    pub(super) fn faces(&self, at: usize, eye: DVec3) -> bool {
         let way = eye - self.middles[at];
         let towards = self.across[at].dot(way);
-        let towards = if self.one_sided { towards } else { towards.abs() };
+        let towards = if self.one_sided {
+            towards
+        } else {
+            towards.abs()
+        };
         let far = way.length_squared();
         let shrunk = (self.distance * self.distance / far).min(1.0);
         towards * shrunk > LEAST * self.areas[at] * far.sqrt()
@@ -216,7 +227,7 @@ pub(super) struct Picture {
 }
 
 impl Picture {
-    pub fn new(surface: &Surface) -> Result<Self> {
+    pub(super) fn new(surface: &Surface) -> Result<Self> {
         let (mut depths, mut corners) = (
             vec_with_room(SIZE[0] * SIZE[1])?,
             vec_with_room(surface.mesh.points.len())?,
@@ -227,7 +238,7 @@ impl Picture {
     }
 
     /// Puts what a camera shows into an empty set.
-    pub fn look(&mut self, surface: &Surface, camera: &Camera, seen: &mut Set) {
+    pub(super) fn look(&mut self, surface: &Surface, camera: &Camera, seen: &mut Set) {
         self.draw(surface, camera);
         let near = 1.0 / (NEAR * surface.distance);
         for (at, middle) in surface.middles.iter().enumerate() {
@@ -235,8 +246,7 @@ impl Picture {
                 continue;
             }
             let [x, y, depth] = camera.project(*middle);
-            let inside = x >= 0.0 && y >= 0.0 && x < SIZE[0] as f64 && y < SIZE[1] as f64;
-            if !(inside && depth > 0.0 && depth < near) {
+            if !(camera.holds(*middle) && depth < near) {
                 continue;
             }
             // The plane of the triangle in the middle of the pixel.
@@ -316,7 +326,10 @@ fn fill(depths: &mut [f64], corners: [[f64; 3]; 3]) {
     let (u, v) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
     let area = u[0] * v[1] - v[0] * u[1];
     let (du, dv) = (b[2] - a[2], c[2] - a[2]);
-    let slope = [(du * v[1] - dv * u[1]) / area, (dv * u[0] - du * v[0]) / area];
+    let slope = [
+        (du * v[1] - dv * u[1]) / area,
+        (dv * u[0] - du * v[0]) / area,
+    ];
     if !(slope[0].is_finite() && slope[1].is_finite()) {
         return;
     }
@@ -337,8 +350,7 @@ fn fill(depths: &mut [f64], corners: [[f64; 3]; 3]) {
         let end = (to - 0.5).ceil().min(right + 1.0);
         if first < end {
             let start = pixel(row) * SIZE[0];
-            let mut depth =
-                a[2] + slope[0] * (first + 0.5 - a[0]) + slope[1] * (y - a[1]);
+            let mut depth = a[2] + slope[0] * (first + 0.5 - a[0]) + slope[1] * (y - a[1]);
             for cell in &mut depths[start + pixel(first)..start + pixel(end)] {
                 *cell = cell.max(depth.min(nearest));
                 depth += slope[0];
