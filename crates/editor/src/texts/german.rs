@@ -201,6 +201,12 @@ german! {
         NoRoomInside => "im Objekt ist kein freier Ort, von dem ein Rundflug es zeigen könnte";
         TourWay => "kein Weg eines Rundflugs bleibt vom Objekt entfernt: einen anderen Abstand wählen";
         TourCancelled => "der Rundflug wurde abgebrochen";
+        AvoidClearance(most) =>
+            "der Abstand muss größer als 0 sein, der Radius mindestens 0, beide zusammen höchstens {}",
+            number(*most);
+        NoWayRound { frame, x, y, z, need } =>
+            "bei Bild {}, bei ({}, {}, {}), führt kein Weg um das Objekt, der {} von ihm entfernt bleibt",
+            number(*frame), number(*x), number(*y), number(*z), number(*need);
         PictureMargin => "der Rand eines Bildes muss mindestens 0 und kleiner als 0,5 sein";
         PictureBehind { frame } =>
             "bei Bild {} ist nicht das ganze Objekt vor der Kamera, kein Zoom zeigt es ganz",

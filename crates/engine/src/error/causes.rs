@@ -273,6 +273,21 @@ pub enum Invalid {
     TourWay,
     #[error("the tour was cancelled")]
     TourCancelled,
+    #[error(
+        "the clearance must be greater than 0, the radius 0 or greater, both together at most {0}"
+    )]
+    AvoidClearance(f64),
+    #[error(
+        "at frame {frame:.0}, at ({x:.4}, {y:.4}, {z:.4}), there is no way round the object that keeps \
+         {need} from it"
+    )]
+    NoWayRound {
+        frame: f64,
+        x: f64,
+        y: f64,
+        z: f64,
+        need: f64,
+    },
     #[error("the margin of a picture must be at least 0 and less than 0.5")]
     PictureMargin,
     #[error(

@@ -54,6 +54,13 @@ impl Clearance {
         Ok(Self { primitives, nodes })
     }
 
+    /// The box around all of it: lowest and highest corner.
+    #[must_use]
+    pub fn bounds(&self) -> [DVec3; 2] {
+        let all = self.nodes.first();
+        all.map_or([DVec3::ZERO; 2], |node| [node.min, node.max])
+    }
+
     /// The distance from a place to the nearest of it, if that is below `most`.
     #[must_use]
     pub fn distance(&self, place: DVec3, most: f64) -> Option<f64> {
