@@ -108,9 +108,10 @@ impl fmt::Display for Tour {
         };
         writeln!(
             f,
-            "{} {places} {} of the surface that can be seen; {:.4} long, {:.3} s",
+            "{} {places} {} of the surface that can be seen, from a distance of {:.4}; {:.4} long, {:.3} s",
             self.places,
             percent(self.coverage),
+            self.distance,
             self.length,
             self.seconds
         )?;
@@ -126,11 +127,12 @@ impl fmt::Display for Tour {
     }
 }
 
-/// By how much the distance that is found is greater than half the diagonal.
-const FIT: f64 = 1.3;
+/// The distance that is found: so many times half the height, or half the diagonal of the ground,
+/// are whole in the picture with a tenth to spare.
+const FIT: [f64; 2] = [2.2, 1.47];
 
 /// Ways keep this share of the distance away, the curve this one.
-const CLEAR: [f64; 2] = [0.6, 0.4];
+const CLEAR: [f64; 2] = [0.8, 0.7];
 
 /// The focal length.
 const ZOOM: f64 = 24.0;
@@ -275,7 +277,8 @@ impl<'a> Work<'a> {
         made.set_distance(if request.distance > 0.0 {
             request.distance
         } else {
-            FIT * half
+            let size = 0.5 * request.up.upright(high - low);
+            (FIT[0] * size.y).max(FIT[1] * size.x.hypot(size.z))
         });
         Ok(made)
     }
@@ -525,24 +528,18 @@ impl<'a> Work<'a> {
         let place = |at: usize| self.places[self.views[at].at];
         taken.try_reserve(least)?;
         for _ in 0..least {
-            let mut all = taken.iter().map(|at| self.views[*at].at);
-            let first = all.clone().next();
-            let second = all.clone().find(|at| Some(*at) != first);
-            let count = match second {
-                Some(_) if all.any(|at| Some(at) != first && Some(at) != second) => 3,
-                Some(_) => 2,
-                None => taken.len().min(1),
-            };
-            if count >= least {
+            // The first view from each place.
+            let own = |k: &usize| taken[..*k].iter().all(|at| place(*at) != place(taken[*k]));
+            if (0..taken.len()).filter(own).count() >= least {
                 break;
             }
-            let apart = |at: &usize| {
-                let near = taken.iter().map(|other| place(*other).distance(place(*at)));
+            let apart = |at: usize| {
+                let near = taken.iter().map(|other| place(*other).distance(place(at)));
                 near.fold(f64::INFINITY, f64::min)
             };
-            let far = (0..self.views.len()).rev().map(|at| (at, apart(&at)));
-            let farthest = far.max_by(|a, b| a.1.total_cmp(&b.1));
-            taken.extend(farthest.filter(|(_, far)| *far > 0.0).map(|(at, _)| at));
+            let others = (0..self.views.len()).rev().filter(|at| apart(*at) > 0.0);
+            let farthest = others.max_by(|a, b| apart(*a).total_cmp(&apart(*b)));
+            taken.extend(farthest);
         }
         if taken.is_empty() || (self.request.start.is_none() && taken.len() < 2) {
             return Err(Invalid::TourNothing.into());
