@@ -523,7 +523,10 @@ impl<'a> Work<'a> {
     fn choose(&mut self, visible: f64) -> Result<Vec<(View, Set)>> {
         let wanted = self.request.coverage * visible;
         let mut taken = fewest(&self.sets, &self.surface.areas, wanted)?;
-        // A round has three places; those that are not needed are far from the others.
+        // A round has three places; those that are not needed are far from the others, and show
+        // half as much as the best at least.
+        let area = |at: usize| self.surface.area_of(&self.sets[at]);
+        let most = taken.iter().fold(0.0, |most: f64, at| most.max(area(*at)));
         let least = if self.request.start.is_some() { 1 } else { 3 };
         let place = |at: usize| self.places[self.views[at].at];
         taken.try_reserve(least)?;
@@ -537,7 +540,9 @@ impl<'a> Work<'a> {
                 let near = taken.iter().map(|other| place(*other).distance(place(at)));
                 near.fold(f64::INFINITY, f64::min)
             };
-            let others = (0..self.views.len()).rev().filter(|at| apart(*at) > 0.0);
+            let others = (0..self.views.len())
+                .rev()
+                .filter(|at| apart(*at) > 0.0 && area(*at) >= 0.5 * most);
             let farthest = others.max_by(|a, b| apart(*a).total_cmp(&apart(*b)));
             taken.extend(farthest);
         }
