@@ -26,6 +26,7 @@ mod scene;
 mod steady;
 mod table;
 mod tools;
+mod tour;
 
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -94,6 +95,8 @@ enum Command {
     Avoid(avoid::Arguments),
     /// Keeps an object whole in the picture, as large as a margin allows
     Picture(picture::Arguments),
+    /// Makes a flight that shows an object
+    Tour(tour::Arguments),
     /// Makes a path by a ready-made move
     Move(moves::Arguments),
     #[command(flatten)]
@@ -158,6 +161,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Steady(arguments) => steady::run(&arguments),
         Command::Avoid(arguments) => avoid::run(&arguments),
         Command::Picture(arguments) => picture::run(&arguments),
+        Command::Tour(arguments) => tour::run(&arguments),
         Command::Move(arguments) => moves::run(&arguments),
         Command::Tool(tool) => tools::run(&tool),
     })

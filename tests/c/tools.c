@@ -532,6 +532,66 @@ static void picture(void)
     v_path_free(path);
 }
 
+/* An octahedron is seen from all sides; nothing is found by a check. */
+static void tour(void)
+{
+    const double xyz[] = {1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1};
+    const unsigned corners[] = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
+    V_MESH object;
+    V_TOUR tour;
+    V_PATH *path, *other;
+    V_FINDING found[8];
+    double coverage = 0;
+    size_t frames, count;
+
+    memset(&object, 0, sizeof object);
+    object.size = sizeof object;
+    v_tour_init(NULL);
+    CHECK(strstr(v_last_error(), "tour is NULL") != NULL);
+    v_tour_init(&tour);
+    CHECK(tour.size == sizeof tour && tour.seconds == 60 && tour.coverage == 0.95 && tour.up == V_UP_Y);
+    object.points = 6;
+    object.xyz = xyz;
+    object.triangles = corners;
+    object.corners = 24;
+    tour.seconds = 40;
+    tour.coverage = 1;
+    OK(v_path_tour(&object, &tour, &path, &coverage));
+    CHECK(coverage > 0.999 && strstr(v_last_warning(), "100.0 %") != NULL);
+    OK(v_path_frame_count(path, &frames));
+    /* A closed round comes back to its first pose, which is not shown twice. */
+    CHECK(frames >= 1000 && frames <= 1001);
+    OK(v_path_check(path, &object, found, 8, &count));
+    CHECK(count == 0);
+    v_path_free(path);
+    /* All goes through NULL, and from a start; what will not do is refused. */
+    OK(v_path_tour(&object, NULL, &path, NULL));
+    v_path_free(path);
+    tour.has_start = 1;
+    tour.start[2] = 4;
+    OK(v_path_tour(&object, &tour, &path, NULL));
+    v_path_free(path);
+    other = NULL;
+    tour.start[2] = 0.5;
+    STATUS(V_ERR_ARGUMENT, v_path_tour(&object, &tour, &other, NULL));
+    CHECK(strstr(v_last_error(), "start") != NULL);
+    tour.has_start = 0;
+    tour.seconds = 0.1;
+    STATUS(V_ERR_ARGUMENT, v_path_tour(&object, &tour, &other, NULL));
+    CHECK(strstr(v_last_error(), "too short") != NULL);
+    tour.seconds = 40;
+    tour.coverage = 1.5;
+    STATUS(V_ERR_RANGE, v_path_tour(&object, &tour, &other, NULL));
+    tour.coverage = 1;
+    tour.inside = 1;
+    OK(v_path_tour(&object, &tour, &path, &coverage));
+    CHECK(coverage > 0.999);
+    v_path_free(path);
+    object.corners = 0;
+    STATUS(V_ERR_ARGUMENT, v_path_tour(&object, NULL, &other, NULL));
+    CHECK(other == NULL && strstr(v_last_error(), "surface") != NULL);
+}
+
 int main(void)
 {
     the_faces_of_the_own_object_are_looked_at();
@@ -545,5 +605,6 @@ int main(void)
     steady();
     avoid();
     picture();
+    tour();
     return failures != 0;
 }

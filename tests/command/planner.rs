@@ -222,3 +222,76 @@ fn a_way_is_led_clear_of_an_object() {
         );
     }
 }
+
+/// A cube of twelve triangles: all is shown, a check finds nothing, the same bytes each time.
+#[test]
+fn an_object_gets_a_tour() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let object = place("cube.obj");
+    let mut text = String::new();
+    for k in 0..8 {
+        text += &format!("v {} {} {}\n", k & 1, k >> 1 & 1, k >> 2);
+    }
+    for side in [
+        "1 3 4 2", "5 6 8 7", "1 2 6 5", "3 7 8 4", "1 5 7 3", "2 4 8 6",
+    ] {
+        text += &format!("f {side}\n");
+    }
+    std::fs::write(&object, text).unwrap();
+    let (first, second) = (place("first.vid"), place("second.vid"));
+    for out in [&first, &second] {
+        let done = run(&[
+            "tour",
+            &object,
+            "-o",
+            out,
+            "--seconds",
+            "30",
+            "--coverage",
+            "1",
+        ]);
+        assert!(done.status.success(), "{done:?}");
+        let told = String::from_utf8(done.stderr).unwrap();
+        assert!(
+            told.contains("show 100.0 % of the surface") && told.contains("30.000 s"),
+            "{told}"
+        );
+    }
+    assert_eq!(
+        std::fs::read(&first).unwrap(),
+        std::fs::read(&second).unwrap()
+    );
+    let checked = run(&["check", &first]);
+    assert!(checked.status.success(), "{checked:?}");
+    let stills = place("stills.vid");
+    let done = run(&["tour", &object, "-o", &stills, "--stills"]);
+    assert!(
+        done.status.success() && (3..9).contains(&poses_of(&stills).len()),
+        "{done:?}"
+    );
+    let inside = run(&[
+        "tour",
+        &object,
+        "--inside",
+        "--start",
+        "0.5,0.5,0.5",
+        "--up",
+        "z",
+    ]);
+    assert!(inside.status.success(), "{inside:?}");
+    for (more, status) in [
+        (&["--seconds", "0.1"][..], 1),
+        (&["--coverage", "0"], 1),
+        (&["--distance", "-1"], 1),
+        (&["--start", "0.5,0.5,0.5"], 1),
+        (&["--start", "1,2"], 2),
+        (&["--up", "x"], 2),
+        (&["--stills", "--seconds", "3"], 2),
+    ] {
+        let said = complaint(&run(&[&["tour", &object][..], more].concat()), status);
+        assert!(!said.is_empty());
+    }
+    complaint(&run(&["tour", PYRAMID]), 1);
+    complaint(&run(&["tour", &place("none.obj")]), 1);
+}

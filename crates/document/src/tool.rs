@@ -8,7 +8,7 @@ use std::rc::Rc;
 use glam::{DQuat, DVec3};
 use vides_engine::deform::{Bounds, Deformation, identity_lattice};
 use vides_engine::planner::{
-    AvoidRequest, Request, SteadyRequest, What, avoid_object, retime, steady,
+    AvoidRequest, Request, SteadyRequest, TourRequest, What, avoid_object, retime, steady, tour,
 };
 use vides_engine::tools::blend::blend;
 use vides_engine::tools::block::{self, Fit};
@@ -97,6 +97,7 @@ enum Kind {
     Steady,
     Avoid,
     Picture,
+    Tour,
 }
 
 const FITS: [Fit; 4] = [Fit::None, Fit::Move, Fit::Turn, Fit::Scale];
@@ -141,7 +142,7 @@ impl Tool {
     /// time.
     #[must_use]
     pub const fn asks_object(&self) -> bool {
-        matches!(self.kind, Kind::Picture)
+        matches!(self.kind, Kind::Picture | Kind::Avoid)
     }
 
     /// Whether it has parameters.
@@ -291,13 +292,20 @@ impl Tool {
                 let made = steady(path, &request, &mut |_, _| true)?;
                 Edit::ReplacePath(Box::new(made.path))
             }
-            (Kind::Avoid, _) => {
+            (Kind::Avoid, material) => {
                 let request = AvoidRequest {
                     clearance: given.number("clearance"),
                     radius: given.number("sphere"),
                 };
-                let object = document.solid(None)?;
-                let made = avoid_object(path, &object, &request, &mut |_, _| true)?;
+                let own;
+                let object = match material {
+                    ToolInput::Object(object) => &**object,
+                    _ => {
+                        own = document.solid(None)?;
+                        &own
+                    }
+                };
+                let made = avoid_object(path, object, &request, &mut |_, _| true)?;
                 Edit::ReplacePath(Box::new(made.path))
             }
             (Kind::Picture, material) => {
@@ -313,6 +321,7 @@ impl Tool {
                 )?;
                 Edit::ReplacePath(Box::new(made.path))
             }
+            (Kind::Tour, _) => Edit::ReplacePath(Box::new(given.tour()?)),
             (Kind::Fit, ToolInput::Poses(poses, seconds)) => {
                 let tolerance = Tolerance {
                     position: given.number("tolerance"),
@@ -442,6 +451,24 @@ impl<'a> ToolArguments<'a> {
             return Err(OutOfRange::NumberBetween(LAST.name, 1.0, count as f64).into());
         }
         Ok((first - 1..last).collect())
+    }
+
+    fn tour(&self) -> Result<CameraPath> {
+        let (space, info) = (self.document.path().space, self.document.info());
+        let request = TourRequest {
+            seconds: self.number("seconds"),
+            coverage: self.number("coverage"),
+            distance: self.number("distance"),
+            inside: self.number("inside") != 0.0,
+            start: None,
+            up: space.up,
+            space: Some(space),
+            stills: false,
+            limits: info.limits,
+            fps: info.fps,
+        };
+        let object = self.document.obstacles()?.unwrap_or_default();
+        Ok(tour(&object, &request, &mut |_, _| true)?.path)
     }
 
     fn places(&self) -> Result<Vec<DVec3>> {

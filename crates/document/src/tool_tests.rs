@@ -1,5 +1,7 @@
 use super::*;
-use crate::{At, Edit, StepName};
+use vides_engine::scene::Mesh;
+
+use crate::{At, Edit, Object, StepName};
 
 /// A path with four points about (0.2, 0, 0).
 fn document() -> Document {
@@ -18,6 +20,15 @@ fn document() -> Document {
     }
     document.select(1, 0).unwrap();
     document
+}
+
+fn tetrahedron() -> Object {
+    Object::of_mesh(Mesh {
+        points: vec![DVec3::ZERO, 0.2 * DVec3::X, 0.2 * DVec3::Y, 0.2 * DVec3::Z],
+        triangles: vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]],
+        ..Mesh::default()
+    })
+    .unwrap()
 }
 
 fn tool(name: &str) -> Tool {
@@ -68,6 +79,11 @@ fn each_tool_changes_a_path_in_one_step_that_leaves_nothing_behind() {
             let mut info = document.info().clone();
             info.object = mesh.unwrap();
             document = Document::from_parts(document.path().clone(), info).unwrap();
+        }
+        if tool.name == "tour" {
+            let mut info = document.info().clone();
+            info.object = tetrahedron();
+            document.apply(Edit::SetInfo(Box::new(info))).unwrap();
         }
         let before = document.path().clone();
         let set = [("by", 0.1), ("frames", 100.0), ("lattice", -0.7)];

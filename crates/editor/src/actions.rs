@@ -456,6 +456,14 @@ impl Editor {
             Action::Tool(tool) => {
                 self.open_tool(tool);
                 ToolWindow::to_top(context);
+                let flies = self
+                    .windows
+                    .tool
+                    .as_ref()
+                    .is_some_and(ToolWindow::shows_tour);
+                if flies && !self.playing.is_playing() {
+                    self.play_or_pause(context);
+                }
             }
             Action::Check => windows::open::<CheckWindow>(self, context),
             Action::GoTo(finding) => self.go_to(&finding),

@@ -319,6 +319,46 @@ pub(super) const TOOLS: &[Tool] = &[
         ],
     },
     Tool {
+        name: "tour",
+        does: "makes a flight that shows the object",
+        kind: Kind::Tour,
+        tables: [
+            &[
+                Parameter {
+                    unit: Unit::Seconds,
+                    least: 1e-3,
+                    most: 1e6,
+                    ..one("seconds", "how long the flight takes", 60.0)
+                },
+                Parameter {
+                    least: 1e-6,
+                    most: 1.0,
+                    ..one(
+                        "coverage",
+                        "the share of what can be seen of the surface that is shown",
+                        0.95,
+                    )
+                },
+                Parameter {
+                    unit: Unit::Length,
+                    least: 0.0,
+                    ..one(
+                        "distance",
+                        "how far the camera is from what it shows; 0: found",
+                        0.0,
+                    )
+                },
+                Parameter {
+                    unit: Unit::Switch,
+                    least: 0.0,
+                    most: 1.0,
+                    ..one("inside", "in the object's free space, not around it", 0.0)
+                },
+            ],
+            &[],
+        ],
+    },
+    Tool {
         name: "fit",
         does: "makes a path of few points of recorded poses",
         kind: Kind::Fit,

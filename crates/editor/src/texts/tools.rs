@@ -59,6 +59,7 @@ const TOOLS: &[(&str, &str, &str, &str)] = &[
     ("steady", "Steady", "Beruhigen", "nimmt einem aufgezeichneten Flug das Zittern der Hand"),
     ("avoid", "Clear of the object", "Frei vom Objekt", "führt den Weg frei am Objekt vorbei"),
     ("picture", "Keep in the picture", "Im Bild halten", "hält das Objekt ganz im Bild, so groß, wie ein Rand es erlaubt"),
+    ("tour", "Tour", "Rundflug", "macht einen Flug, der das Objekt zeigt"),
     ("fit", "Fit recorded poses", "Aufgezeichnete Posen annähern", "macht aus aufgezeichneten Posen eine Bahn aus wenigen Punkten"),
 ];
 
@@ -106,6 +107,8 @@ const LABELS: &[Word] = &[
     ("weight", "Weight", "Gewicht"),
     ("margin", "Margin", "Rand"),
     ("what", "By", "Durch"),
+    ("coverage", "Coverage", "Anteil"),
+    ("inside", "Inside", "Innen"),
 ];
 
 /// What the parameters do, in German.
@@ -159,6 +162,12 @@ const HINTS: &[(&str, &str)] = &[
     ("one of 4 × 4 × 4 squares, and where it is in the box", "eines von 4 × 4 × 4 Quadraten, und wo es im Quader ist"),
     ("the share that stays free at each side", "der Anteil, der auf jeder Seite frei bleibt"),
     ("by what it is kept there", "wodurch es dort gehalten wird"),
+    ("how long the flight takes", "wie lange der Flug dauert"),
+    ("the share of what can be seen of the surface that is shown",
+        "welcher Anteil dessen, was von der Oberfläche zu sehen ist, gezeigt wird"),
+    ("how far the camera is from what it shows; 0: found",
+        "wie weit die Kamera von dem weg ist, was sie zeigt; 0: wird gefunden"),
+    ("in the object's free space, not around it", "im freien Raum des Objekts, nicht um es herum"),
     ("how much of the other path", "wie viel von der anderen Bahn"),
     ("how far view, up and field of view may be from theirs",
         "wie weit Blick, oben und Bildwinkel von ihren abweichen dürfen"),
