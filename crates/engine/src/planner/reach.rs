@@ -104,11 +104,21 @@ const RISE: f64 = 4.0;
 /// Below this share of the greatest a pace counts as resting.
 const RESTS: f64 = 1e-12;
 
+/// Shares of the limits of rates and of changes that are left free.
+pub(super) type Margin = [f64; 2];
+
 impl Reach {
+    /// Margins are those of the cells.
+    ///
     /// # Errors
     /// [`crate::Error::Argument`] where the pace would rest within the section;
     /// [`crate::Error::Memory`].
-    pub(super) fn new(course: &Course, bounds: &Bounds, fps: f64) -> Result<Self> {
+    pub(super) fn new(
+        course: &Course,
+        bounds: &Bounds,
+        margins: &[Margin],
+        fps: f64,
+    ) -> Result<Self> {
         let count = course.cells();
         let width = 2.0 / count as f64;
         let mut cells = vec_with_room(count)?;
@@ -125,6 +135,7 @@ impl Reach {
         };
         for cell in 0..count {
             let ask = course.middle(cell);
+            let bounds = bounds.with_margin(margins[cell]);
             let limit = |one: glam::DVec3, two: glam::DVec3, most: f64| {
                 let (one, two) = (one / (width * most), 0.5 * two / most);
                 let (p, q) = (two - one, two + one);
@@ -144,11 +155,13 @@ impl Reach {
         let mut most = vec_with_room(count + 1)?;
         let mut fastest = 0.0_f64;
         for node in 0..=count {
-            let mut rate = bounds.rate(course.node(node)).0;
+            let mut rate = f64::INFINITY;
             // Between nodes, too.
             for cell in [node.checked_sub(1), (node < count).then_some(node)] {
-                let middle = cell.map(|cell| bounds.rate(course.middle(cell)).0);
-                rate = rate.min(middle.unwrap_or(f64::INFINITY));
+                let Some(cell) = cell else { continue };
+                let bounds = bounds.with_margin(margins[cell]);
+                let both = [course.node(node), course.middle(cell)].map(|ask| bounds.rate(ask).0);
+                rate = rate.min(both[0]).min(both[1]);
             }
             let free = |cell: &Cell| cell.limits[0].is_some_and(|limit| limit.b == -limit.a);
             if free(&cells[node.min(count - 1)]) || free(&cells[node.max(1) - 1]) {

@@ -4,12 +4,13 @@ use std::fmt;
 
 use super::course::{Bounds, Course};
 use super::frames::{Joint, Paced, Row};
-use super::reach::Reach;
-use super::track::{Track, track};
+use super::reach::{Margin, Reach};
+use super::track::{Miss, Track, knots, track};
 use crate::error::{Error, Invalid, OutOfRange, Result, vec_with_room};
-use crate::limits::MAX_FRAMES;
-use crate::path::own::distance;
-use crate::path::{CameraPath, Orientation, Pace, PacePart, PaceSource, Sampler, Timeline};
+use crate::limits::{MAX_FRAMES, MAX_SPEED, MIN_SPEED, SPEEDS};
+use crate::path::{
+    CameraPath, Orientation, Pace, PacePart, PaceSource, Sampler, Timeline, Timing, own,
+};
 use crate::tools::check::{FindingKind, Limits};
 
 /// What is asked for.
@@ -75,8 +76,10 @@ const JUMP: f64 = 0.1;
 /// A joint at which a pace could have less than this share of its rate is a kink.
 const KINK: f64 = 0.3;
 
-/// The first share of the limits left to what keys do not follow, and the greatest.
-const MARGIN: [f64; 2] = [0.004, 0.98];
+/// The first shares of the limits of rates and of changes that are left free, for what cells and
+/// keys do not follow, and the greatest.
+const LEAST_MARGIN: Margin = [0.001, 0.002];
+const MOST_MARGIN: f64 = 0.98;
 
 /// The greatest share of one section's rate by another's where they meet; else the pace rests.
 const MOST_GAIN: f64 = 100.0;
@@ -145,8 +148,9 @@ struct Work<'a> {
     /// Frames in which keys of the range rest.
     holds: usize,
     rests: Vec<Rest>,
-    /// Shares left of the limits of rates and of changes, for each section.
-    margins: Vec<[f64; 2]>,
+    /// Shares of the limits of rates and of changes that are left free, for each cell of each
+    /// section.
+    margins: Vec<Vec<Margin>>,
     tracks: Vec<Track>,
     /// The section and the limit that were missed last.
     missed: (usize, FindingKind),
@@ -245,9 +249,14 @@ impl<'a> Work<'a> {
             tracks: Vec::new(),
             missed: (0, FindingKind::Speed),
         };
-        work.margins.resize(count, [0.5 * MARGIN[0], MARGIN[0]]);
         if count > 0 {
             work.join(&beside)?;
+        }
+        // Of a ring the first section is known now.
+        for course in &work.courses {
+            let mut margins = vec_with_room(course.cells())?;
+            margins.resize(course.cells(), LEAST_MARGIN);
+            work.margins.push(margins);
         }
         Ok(work)
     }
@@ -388,12 +397,8 @@ impl<'a> Work<'a> {
             .acceleration
             .min(bounds.jerk / (0.5 * self.request.fps));
         let mut reaches = vec_with_room(self.courses.len())?;
-        for (course, margin) in self.courses.iter().zip(&self.margins) {
-            reaches.push(Reach::new(
-                course,
-                &bounds.with_margins(*margin),
-                self.request.fps,
-            )?);
+        for (course, margins) in self.courses.iter().zip(&self.margins) {
+            reaches.push(Reach::new(course, &bounds, margins, self.request.fps)?);
         }
         let paces = self.row(&reaches).plan()?;
         Ok((reaches, paces))
@@ -478,19 +483,20 @@ impl<'a> Work<'a> {
         let mut before = std::mem::take(&mut self.tracks).into_iter();
         for (k, pace) in paces.iter().enumerate() {
             let fps = self.request.fps;
+            let knots = knots(&pace.xs, pace.frames as f64 / fps)?;
             // Most sections have the pace that they had.
-            let same = before
-                .next()
-                .filter(|track| track.xs == pace.xs && track.frames == pace.frames);
+            let same = before.next().filter(|track| track.knots == knots);
             let found = match same {
                 Some(found) => found,
-                None => track(pace, &self.courses[k], &self.bounds, fps)?,
+                None => track(knots, &self.courses[k], &self.bounds, fps)?,
             };
-            let (worst, kind) = found.worst;
+            let (worst, kind) = found.worst();
             if worst > 1.0 {
                 hold = false;
                 self.missed = (k, kind);
-                self.give_way(k, worst, kind);
+                for miss in &found.misses {
+                    self.give_way(k, *miss);
+                }
             }
             self.tracks.try_reserve(1)?;
             self.tracks.push(found);
@@ -498,14 +504,20 @@ impl<'a> Work<'a> {
         Ok(hold)
     }
 
-    fn give_way(&mut self, section: usize, worst: f64, kind: FindingKind) {
+    /// A part of a section leaves more of a limit free.
+    fn give_way(&mut self, section: usize, miss: Miss) {
         let changes = matches!(
-            kind,
+            miss.kind,
             FindingKind::Acceleration | FindingKind::TurningAcceleration | FindingKind::Jerk
         );
-        let margin = &mut self.margins[section][usize::from(changes)];
-        let left = (1.0 - *margin) / worst.clamp(1.0, 1.25).powf(0.7) - 0.003;
-        *margin = (1.0 - left).min(MARGIN[1]);
+        let cells = self.margins[section].len();
+        let cell = |share: f64| ((share * cells as f64).max(0.0) as usize).min(cells);
+        let range = cell(miss.from).saturating_sub(1)..(cell(miss.to) + 2).min(cells);
+        for margin in &mut self.margins[section][range] {
+            let margin = &mut margin[usize::from(changes)];
+            let left = (1.0 - *margin) / miss.worst.clamp(1.0, 1.25).powf(0.7) - 0.001;
+            *margin = (1.0 - left).min(MOST_MARGIN);
+        }
     }
 
     fn not_held(&self) -> crate::Error {
@@ -538,12 +550,17 @@ impl<'a> Work<'a> {
         }
         for ((course, pace), track) in self.courses.iter().zip(paces).zip(&self.tracks) {
             let orientation = &mut made.points[course.point].orientations[course.orientation];
-            let keys = distance(&track.keys)?;
+            pinned(orientation, own::track(&track.keys)?)?;
             orientation.own = orientation.own.with(|own| {
                 own.frames = pace.frames as u32;
-                own.pace = keys;
                 own.curve_time = Some(course.curve_time);
             })?;
+            let timing = Timing::new(orientation, None, None)?;
+            for (k, speed) in orientation.speeds.iter_mut().enumerate() {
+                *speed = timing
+                    .speed(k as f64 / (SPEEDS - 1) as f64)
+                    .clamp(MIN_SPEED, MAX_SPEED);
+            }
         }
         made.check()?;
         Ok(made)

@@ -40,8 +40,7 @@ fn sampler(path: &CameraPath) -> Sampler {
     Sampler::new(path, &Timeline::new(path).unwrap()).unwrap()
 }
 
-/// From rest to rest with speed v and acceleration a: L/v + v/a, or 2√(L/a); keys and whole frames
-/// take up to 2 % and a frame more, the most where the ramps last some frames only.
+/// From rest to rest with speed v and acceleration a: L/v + v/a, or 2√(L/a), to a frame.
 #[test]
 fn a_straight_line_takes_the_trapezoid() {
     for (length, v, a) in [
@@ -59,7 +58,7 @@ fn a_straight_line_takes_the_trapezoid() {
         };
         let frames = made.seconds * 25.0;
         println!("{length} {v} {a}: {frames} known {} keys", known * 25.0);
-        assert!(frames >= known * 25.0 * 0.999 && frames <= 1.02 * known * 25.0 + 1.0);
+        assert!(frames >= known * 25.0 - 1e-6 && frames <= known * 25.0 + 1.0);
     }
 }
 
@@ -146,7 +145,7 @@ fn views_stay_and_limits_hold_on_random_paths() {
     let (mut kinks, mut keys, mut most) = (0, 0, [0.0_f64; 5]);
     let (mut failed, mut sections) = (0, 0);
     let start = std::time::Instant::now();
-    for round in 0..30 {
+    for round in 0..200 {
         let path = random_path(&mut random, round);
         let made = match retime(&path, &wanted) {
             Ok(made) => made,
@@ -163,7 +162,11 @@ fn views_stay_and_limits_hold_on_random_paths() {
             .iter()
             .flat_map(|point| &point.orientations)
         {
-            if let Pace::Distance(all) = &orientation.own.pace {
+            if let Pace::Part(PacePart {
+                of: PaceSource::Track(all),
+                ..
+            }) = &orientation.own.pace
+            {
                 keys += all.len();
                 sections += 1;
             }
