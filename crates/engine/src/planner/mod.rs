@@ -9,6 +9,7 @@ mod course;
 mod frames;
 mod reach;
 pub mod retime;
+mod smooth;
 mod track;
 
 pub use retime::{Request, Rest, Retimed, retime};

@@ -94,6 +94,7 @@ impl Cell {
 pub(super) struct Reach {
     cells: Vec<Cell>,
     pub most: Vec<f64>,
+    pub ramps: Ramps,
 }
 
 /// Where no change of the rate is limited it is at most this many times the mean, and takes so many
@@ -180,7 +181,12 @@ impl Reach {
         for most in &mut most {
             *most = most.min(1e12);
         }
-        Ok(Self { cells, most })
+        let ramp = |cell: &Cell, backwards: bool| {
+            let range = cell.range(0.0, backwards);
+            range.map_or(0.0, |range| 0.5 * count as f64 * range[1])
+        };
+        let ramps = [ramp(&cells[0], false), ramp(&cells[count - 1], true)];
+        Ok(Self { cells, most, ramps })
     }
 
     /// From an end with at most `end`: the greatest x from which it is reached.
@@ -274,22 +280,49 @@ impl Reach {
     }
 }
 
+/// The greatest d²φ/dt² in the first and the last cell of a section.
+pub(super) type Ramps = [f64; 2];
+
+/// Seconds in each cell of a pace. One that begins or ends at rest is gone through as fast as it may
+/// be with the rate at its other end: a ramp may be much shorter than a cell.
+pub(super) fn times(xs: &[f64], ramps: Ramps) -> impl Iterator<Item = f64> {
+    let last = xs.len() - 2;
+    let share = 1.0 / (last + 1) as f64;
+    xs.windows(2).enumerate().map(move |(k, pair)| {
+        let rates = pair[0].sqrt() + pair[1].sqrt();
+        match ramp(k, last, pair, ramps) {
+            Some(ramp) => share / rates + 0.5 * rates / ramp,
+            None => 2.0 * share / rates,
+        }
+    })
+}
+
+/// With which change the ramp in a cell goes, if there is one shorter than the cell.
+pub(super) fn ramp(cell: usize, last: usize, pair: &[f64], ramps: Ramps) -> Option<f64> {
+    let share = 1.0 / (last + 1) as f64;
+    let ramp = match (cell, pair) {
+        (0, [0.0, _]) => ramps[0],
+        (cell, [_, 0.0]) if cell == last => ramps[1],
+        _ => return None,
+    };
+    let x = pair[0] + pair[1];
+    (x > 0.0 && ramp.is_finite() && 2.0 * share * ramp > x * (1.0 + 1e-9)).then_some(ramp)
+}
+
 /// Seconds that a pace takes.
-pub(super) fn seconds(xs: &[f64]) -> f64 {
-    let width = 2.0 / (xs.len() - 1) as f64;
-    let cell = |pair: &[f64]| width / (pair[0].sqrt() + pair[1].sqrt());
-    xs.windows(2).map(cell).sum()
+pub(super) fn seconds(xs: &[f64], ramps: Ramps) -> f64 {
+    times(xs, ramps).sum()
 }
 
 /// A mix of a fast and a slow pace that takes so many seconds.
-pub(super) fn mixed(fast: &[f64], slow: &[f64], wanted: f64) -> Result<Vec<f64>> {
+pub(super) fn mixed(fast: &[f64], slow: &[f64], ramps: Ramps, wanted: f64) -> Result<Vec<f64>> {
     let mut mix = vec_with_room(fast.len())?;
     let mut ends = [0.0, 1.0];
     for _ in 0..60 {
         let share = 0.5 * (ends[0] + ends[1]);
         mix.clear();
         mix.extend(fast.iter().zip(slow).map(|(f, s)| f + (s - f) * share));
-        ends[usize::from(seconds(&mix) > wanted)] = share;
+        ends[usize::from(seconds(&mix, ramps) > wanted)] = share;
     }
     Ok(mix)
 }

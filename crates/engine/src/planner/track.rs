@@ -5,6 +5,7 @@
 //! each key on, the longest cubic that holds the limits.
 
 use super::course::{Ask, Bounds, Course};
+use super::reach::{Ramps, ramp, times};
 use crate::error::{Result, vec_with_room};
 use crate::limits::MAX_DISTANCE_KEYS;
 use crate::math::monotone_cubic::{cubic, scale, slope, value};
@@ -55,22 +56,35 @@ impl Track {
 }
 
 /// The knots of squared rates on an even grid, in so many seconds.
-pub(super) fn knots(xs: &[f64], seconds: f64) -> Result<Vec<Knot>> {
-    let cells = xs.len() - 1;
-    let mut found: Vec<Knot> = vec_with_room(xs.len())?;
+pub(super) fn knots(xs: &[f64], ramps: Ramps, seconds: f64) -> Result<Vec<Knot>> {
+    let last = xs.len() - 2;
+    let share = 1.0 / (last + 1) as f64;
+    let mut found: Vec<Knot> = vec_with_room(xs.len() + 2)?;
     let mut time = 0.0;
-    for (k, x) in xs.iter().enumerate() {
-        found.push([time, k as f64 / cells as f64, x.sqrt()]);
-        if k < cells {
-            time += 2.0 / cells as f64 / (x.sqrt() + xs[k + 1].sqrt());
+    found.push([0.0, 0.0, xs[0].sqrt()]);
+    for (k, takes) in times(xs, ramps).enumerate() {
+        let pair = [xs[k].sqrt(), xs[k + 1].sqrt()];
+        let (from, to) = (k as f64 * share, (k + 1) as f64 * share);
+        if let Some(ramp) = ramp(k, last, &xs[k..k + 2], ramps) {
+            // Up to the rate at once, or down from it at last.
+            let rate = pair[0] + pair[1];
+            let (rise, way) = (rate / ramp, 0.5 * rate * rate / ramp);
+            found.push(if pair[0] == 0.0 {
+                [time + rise, from + way, rate]
+            } else {
+                [time + takes - rise, to - way, rate]
+            });
         }
+        time += takes;
+        found.push([time, to, pair[1]]);
     }
     let longer = seconds / time;
     for knot in &mut found {
         knot[0] *= longer;
         knot[2] /= longer;
     }
-    found[cells][0] = seconds;
+    let last = found.len() - 1;
+    (found[last][0], found[last][1]) = (seconds, 1.0);
     Ok(found)
 }
 
@@ -95,8 +109,12 @@ pub(super) fn track(knots: Vec<Knot>, course: &Course, bounds: &Bounds, fps: f64
     let (mut at, mut length) = (0, 1);
     while at < last {
         let gap = |length: usize| {
-            let pair = [track.knots[at], track.knots[at + length]];
-            between(pair, course, bounds, fps)
+            let knots = &track.knots[at..=at + length];
+            let found = between([knots[0], knots[length]], course, bounds, fps);
+            if length > 1 && !joins(knots, course, bounds, fps) {
+                return (f64::INFINITY, FindingKind::Jerk);
+            }
+            found
         };
         let most = last - at;
         // One as long as the last one, or half of that and so on; then twice as long, halved.
@@ -150,6 +168,36 @@ pub(super) fn track(knots: Vec<Knot>, course: &Course, bounds: &Bounds, fps: f64
     Ok(track)
 }
 
+/// Jump of the acceleration, as a share of what the jerk allows in a frame, that keys may make.
+const JUMP: f64 = 0.01;
+
+/// Whether one cubic in place of several makes no jerk that those have not.
+fn joins(knots: &[Knot], course: &Course, bounds: &Bounds, fps: f64) -> bool {
+    if bounds.jerk.is_infinite() {
+        return true;
+    }
+    let last = knots.len() - 1;
+    let piece = |from: Knot, to: Knot| {
+        let time = to[0] - from[0];
+        let c = cubic(from[1], to[1] - from[1], time, from[2], to[2]);
+        let square = time * time;
+        (
+            [2.0 * c[2] / square, (6.0 * c[3] + 2.0 * c[2]) / square],
+            time,
+        )
+    };
+    let (whole, time) = piece(knots[0], knots[last]);
+    let (first, begins) = piece(knots[0], knots[1]);
+    let (end, ends) = piece(knots[last - 1], knots[last]);
+    let ways = [knots[0][1], knots[last][1]].map(|way| course.at(way).tangent.length());
+    let jump = ((whole[0] - first[0]).abs() * ways[0]).max((whole[1] - end[1]).abs() * ways[1]);
+    let way = ways[0].max(ways[1]);
+    let jerk = |[from, to]: [f64; 2], time: f64| (to - from).abs() / time * way;
+    // Over less than a frame a window may make more.
+    let most = bounds.jerk.max(jerk(first, begins)).max(jerk(end, ends));
+    jump * fps <= JUMP * bounds.jerk && jerk(whole, time) <= most * (1.0 + 1e-6)
+}
+
 /// The greatest share of a limit on the cubic between two knots; infinite where it goes back.
 fn between(
     [from, to]: [Knot; 2],
@@ -159,7 +207,7 @@ fn between(
 ) -> (f64, FindingKind) {
     let (time, way) = (to[0] - from[0], to[1] - from[1]);
     let mut worst = (0.0, FindingKind::Speed);
-    if !(time > 0.0 && way > 0.0) || scale(way / time, from[2], to[2]) < 1.0 - 1e-12 {
+    if !(time > 0.0 && way > 0.0) || scale(way / time, from[2], to[2]) < 1.0 - 1e-6 {
         return (f64::INFINITY, worst.1);
     }
     let cubic = cubic(from[1], way, time, from[2], to[2]);
