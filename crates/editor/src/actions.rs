@@ -13,7 +13,7 @@ use crate::limits::SPEEDS;
 use crate::number::Entry;
 use crate::panels::orientation::OwnedMotion;
 use crate::path::{CameraPath, Tangents, Target, UpVector, insertion};
-use crate::playing::Pace;
+use crate::playing::{Pace, Retiming};
 use crate::selected::SelectionChange;
 use crate::setup::{CameraPlace, ColourWindow, DisplayWindow, Setup, Theme, View};
 use crate::space::{Camera, Gesture, Joint};
@@ -143,7 +143,7 @@ pub(super) enum Action {
     SwitchCameraView,
     /// Put the camera's picture there, or back into its corner.
     CameraPlace(CameraPlace),
-    /// Plot this, or else the speeds of the sections.
+    /// Show this in the graph, or else the pace, or no longer.
     Plot(Option<Quantity>),
     /// Open or close the speeds of the whole path.
     SwitchSpeedGraph,
@@ -177,6 +177,13 @@ pub(super) enum Action {
     SwitchLoops,
     /// Keep the length of the path whatever is changed, or no longer.
     SwitchKeepsLength,
+    /// What follows a key that is moved in time moves along, or no longer.
+    SwitchMovesAlong,
+    /// Move or copy a key in time, in place of what the open step has done.
+    Retime(Retiming),
+    /// The ruler counts frames, or seconds.
+    RulerInFrames(bool),
+    GraphHeight(f32),
     Pace(Pace),
     Setup(Box<Setup>),
     /// A language of the window, or the environment's.
@@ -236,6 +243,10 @@ impl Action {
                 | Self::Playhead(_)
                 | Self::SwitchLoops
                 | Self::SwitchKeepsLength
+                | Self::SwitchMovesAlong
+                | Self::Retime(_)
+                | Self::RulerInFrames(_)
+                | Self::GraphHeight(_)
                 | Self::Pace(_)
                 | Self::Setup(_)
                 | Self::Language(_)
@@ -285,6 +296,9 @@ impl Action {
                 | Self::PlayOrPause
                 | Self::SwitchLoops
                 | Self::SwitchKeepsLength
+                | Self::SwitchMovesAlong
+                | Self::RulerInFrames(_)
+                | Self::GraphHeight(_)
                 | Self::Pace(_)
                 | Self::Plot(_)
                 | Self::Fly(_)
@@ -490,6 +504,10 @@ impl Editor {
             Action::Playhead(entry) => self.enter_frame(entry),
             Action::SwitchLoops => self.switch_loops(context),
             Action::SwitchKeepsLength => self.switch_keeps_length(),
+            Action::SwitchMovesAlong => self.switch_moves_along(),
+            Action::Retime(retiming) => self.retime(retiming),
+            Action::RulerInFrames(frames) => self.choose_ruler(frames),
+            Action::GraphHeight(height) => self.set_graph_height(height),
             Action::Pace(pace) => self.set_pace(pace, context),
             Action::Setup(setup) => {
                 self.setup = *setup;

@@ -44,6 +44,7 @@ use self::ribbon::Ribbon;
 use self::scene::{Look, PathLines};
 use self::strokes::Strokes;
 pub(super) use self::tangents::Joint;
+pub(super) use self::typed::Typed;
 use crate::actions::Action;
 use crate::document::Document;
 use crate::error::Result;
@@ -107,7 +108,8 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
 }
 
 /// What mouse and keys do beside what the thesis names: input and meaning.
-pub(super) fn shortcut_help(texts: &Texts) -> [(&'static str, &'static str); 28] {
+pub(super) fn shortcut_help(texts: &Texts) -> [(&'static str, &'static str); 30] {
+    let timeline = &texts.timeline;
     let texts = &texts.space;
     [
         (texts.shift_mouse, texts.shift_meaning),
@@ -134,6 +136,8 @@ pub(super) fn shortcut_help(texts: &Texts) -> [(&'static str, &'static str); 28]
         (texts.play_keys, texts.play_meaning),
         (texts.loop_keys, texts.loop_meaning),
         (texts.speed_graph_keys, texts.speed_graph_meaning),
+        (timeline.drag_mouse, timeline.drag_meaning),
+        (timeline.move_keys, timeline.move_meaning),
         (texts.camera_keys, texts.camera_meaning),
         (texts.camera_place_keys, texts.camera_place_meaning),
         (texts.fly_mouse, texts.fly_meaning),

@@ -194,6 +194,27 @@ german! {
         PaceSeconds { seconds, least } =>
             "{} s sind zu kurz: die Grenzen erlauben es in {} s", number(*seconds), number(*least);
         PaceTime => "die Sekunden eines Tempos müssen 0 oder eine positive Zahl sein";
+        AvoidClearance(most) =>
+            "der Abstand muss größer als 0 sein, der Radius mindestens 0, beide zusammen höchstens {}",
+            number(*most);
+        NoWayRound { frame, x, y, z, need } =>
+            "bei Bild {}, bei ({}, {}, {}), führt kein Weg um das Objekt, der {} von ihm entfernt bleibt",
+            number(*frame), number(*x), number(*y), number(*z), number(*need);
+        PictureMargin => "der Rand eines Bildes muss mindestens 0 und kleiner als 0,5 sein";
+        PictureBehind { frame } =>
+            "bei Bild {} ist nicht das ganze Objekt vor der Kamera, kein Zoom zeigt es ganz",
+            number(*frame);
+        PictureZoom { frame, zoom } =>
+            "bei Bild {} wäre das Objekt mit einem Zoom von {} mm ganz zu sehen, weniger als 1 mm",
+            number(*frame), number(*zoom);
+        PictureLarge { frame } =>
+            "bei Bild {} ist das Objekt zu groß für das Bild, wohin auch die Kamera blickt",
+            number(*frame);
+        PicturePlace => "das Objekt ist ein einzelner Ort, aus jeder Entfernung gleich groß";
+        PictureKeys { frame } =>
+            "um Bild {} halten keine Orientierungen das Objekt im Bild: dort einen Punkt setzen oder \
+             dem Abschnitt mehr Bilder geben",
+            number(*frame);
         NothingSelected => "kein Punkt ist ausgewählt";
         UprightDiffers => "in beiden Pfaden muss dieselbe Achse aufrecht stehen";
         NoNormal => "oben nach „frenet“ braucht eine Kurve der Art cubic, deren Punkte keine \

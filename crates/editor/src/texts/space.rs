@@ -113,9 +113,9 @@ texts! {
         loop_meaning: "Loop: begin anew at the end when playing", "Endlos: beim Abspielen am Ende von vorn beginnen";
         too_many_frames: "Too many frames", "Zu viele Bilder";
         speed_graph: "Pace", "Tempo";
-        plot: "Plot", "Verlauf";
-        plot_tip: "Shown along the path, with its value at the playhead; what an open check has found is marked",
-            "Über der Bahn gezeigt, mit dem Wert am Abspielkopf; was eine offene Prüfung fand, ist markiert";
+        plot: "Graph", "Verlauf";
+        plot_tip: "What is shown along the path, several over one another, with the values at the playhead; limits of the check are dashed red lines, what an open check has found is marked",
+            "Was über der Bahn gezeigt wird, auch mehreres übereinander, mit den Werten am Abspielkopf; Grenzen der Prüfung sind rot gestrichelt, was eine offene Prüfung fand, ist markiert";
         plot_distance: "Distance", "Strecke";
         plot_clearance: "Clearance", "Abstand";
         plot_speed: "Speed", "Geschwindigkeit";
@@ -138,13 +138,13 @@ texts! {
         plot_zoom_tip: "The camera's zoom, in millimetres", "Der Zoom der Kamera, in Millimetern";
         speed_graph_tip: "Speed all along the path; 50 is the base speed, a red step a jump",
             "Geschwindigkeit über die ganze Bahn; 50 ist die Grundgeschwindigkeit, eine rote Stufe ein Sprung";
-        speed_graph_switch: "Shows the speed all along the path (G)",
-            "Zeigt die Geschwindigkeit über die ganze Bahn (G)";
+        speed_graph_switch: "Shows the pace and more all along the path (G)",
+            "Zeigt das Tempo und anderes über die ganze Bahn (G)";
         speed_graph_keys: "G", "G";
         speed_graph_meaning: "Pace: show or hide the speed all along the path", "Tempo: die Geschwindigkeit über die ganze Bahn zeigen oder verbergen";
         section_border: "End of section {0}", "Ende des Abschnitts {0}";
-        section_border_tip: "Drag: frames go from one section to the other; Shift: all behind moves along",
-            "Ziehen: Bilder wechseln vom einen Abschnitt zum anderen; Umschalt: alles dahinter rückt mit";
+        section_border_tip: "Drag: frames go from one section to the other; Shift: ten times finer; Ctrl: a copy of the key",
+            "Ziehen: Bilder wechseln vom einen Abschnitt zum anderen; Umschalt: zehnmal feiner; Strg: eine Kopie des Schlüssels";
         camera_whole: "Camera only", "Nur Kamera";
         camera_whole_tip: "The camera's picture in place of the space, and back (Shift+C)",
             "Das Kamerabild an Stelle des Raumes, und zurück (Umschalt+C)";

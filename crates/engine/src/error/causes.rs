@@ -261,6 +261,44 @@ pub enum Invalid {
     PaceSeconds { seconds: f64, least: f64 },
     #[error("the seconds of a pace must be 0 or a positive number")]
     PaceTime,
+    #[error(
+        "the clearance must be greater than 0, the radius 0 or greater, both together at most {0}"
+    )]
+    AvoidClearance(f64),
+    #[error(
+        "at frame {frame:.0}, at ({x:.4}, {y:.4}, {z:.4}), there is no way round the object that keeps \
+         {need} from it"
+    )]
+    NoWayRound {
+        frame: f64,
+        x: f64,
+        y: f64,
+        z: f64,
+        need: f64,
+    },
+    #[error("the margin of a picture must be at least 0 and less than 0.5")]
+    PictureMargin,
+    #[error(
+        "at frame {frame:.2} not all of the object is before the camera, so that no zoom shows it \
+         whole"
+    )]
+    PictureBehind { frame: f64 },
+    #[error(
+        "at frame {frame:.2} the object would be whole with a zoom of {zoom:.3} mm, below the least, \
+         1 mm"
+    )]
+    PictureZoom { frame: f64, zoom: f64 },
+    #[error(
+        "at frame {frame:.2} the object is too large for the picture, wherever the camera turns"
+    )]
+    PictureLarge { frame: f64 },
+    #[error("the object is a single place, which is as large from any distance")]
+    PicturePlace,
+    #[error(
+        "around frame {frame:.2} no keys keep the object in the picture: put a point there, or give \
+         the section more frames"
+    )]
+    PictureKeys { frame: f64 },
     #[error("no point is selected")]
     NothingSelected,
     #[error("the same axis must stand upright in both paths")]

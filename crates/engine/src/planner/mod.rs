@@ -2,14 +2,19 @@
 //!
 //! [`retime()`] computes the pace anew within limits. `course` measures what the curve and the views
 //! ask of the pace, `reach` finds how fast it may be anywhere, `frames` gives each section a whole
-//! number of frames, `track` few keys of a given distance. Limits are those of a check
+//! number of frames, `track` few keys of a given distance. [`avoid()`] leads the way clear of an
+//! object. Limits are those of a check
 //! ([`crate::tools::check::Limits`]), in half sizes, degrees, millimetres and seconds.
 
+pub mod avoid;
 mod course;
 mod frames;
+pub mod picture;
 mod reach;
 pub mod retime;
 mod smooth;
 mod track;
 
+pub use avoid::{AvoidRequest, Avoided, AvoidedPart, avoid, avoid_object};
+pub use picture::{Framed, PictureRequest, What, keep_in_picture};
 pub use retime::{Request, Rest, Retimed, retime};

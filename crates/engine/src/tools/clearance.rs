@@ -11,14 +11,14 @@ const LEAF: usize = 4;
 
 /// A point, a line or a triangle; corners repeat where there are fewer than three.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Primitive(pub(super) [DVec3; 3]);
+pub(crate) struct Primitive(pub(crate) [DVec3; 3]);
 
 #[derive(Debug, Clone, Copy)]
-pub(super) struct BoxNode {
-    pub(super) min: DVec3,
-    pub(super) max: DVec3,
+pub(crate) struct BoxNode {
+    pub(crate) min: DVec3,
+    pub(crate) max: DVec3,
     /// First primitive of a leaf, else the second child; the first one follows.
-    pub(super) at: u32,
+    pub(crate) at: u32,
     /// Primitives of a leaf; 0: not one.
     count: u32,
 }
@@ -26,7 +26,7 @@ pub(super) struct BoxNode {
 /// The object, ready to be asked.
 #[derive(Debug)]
 pub struct Clearance {
-    pub(super) primitives: Vec<Primitive>,
+    pub(crate) primitives: Vec<Primitive>,
     nodes: Vec<BoxNode>,
 }
 
@@ -52,6 +52,13 @@ impl Clearance {
         let mut nodes = vec_with_room(2 * count.div_ceil(LEAF / 2) + 1)?;
         build(&mut primitives, 0, &mut nodes);
         Ok(Self { primitives, nodes })
+    }
+
+    /// The box around all of it: lowest and highest corner.
+    #[must_use]
+    pub fn bounds(&self) -> [DVec3; 2] {
+        let all = self.nodes.first();
+        all.map_or([DVec3::ZERO; 2], |node| [node.min, node.max])
     }
 
     /// The distance from a place to the nearest of it, if that is below `most`.
@@ -143,7 +150,7 @@ impl Clearance {
     }
 
     /// Walks the tree; `look` gets a node with a leaf's primitives and tells whether to go deeper.
-    pub(super) fn walk(&self, look: &mut dyn FnMut(&BoxNode, &[Primitive]) -> bool) {
+    pub(crate) fn walk(&self, look: &mut dyn FnMut(&BoxNode, &[Primitive]) -> bool) {
         // Deeper than a tree of 2⁶⁰ primitives, split at the median.
         let mut stack = [0_u32; 64];
         let mut depth = 1;

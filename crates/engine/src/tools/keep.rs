@@ -59,7 +59,7 @@ pub(super) fn tangents(path: &CameraPath) -> Result<Vec<Option<Tangents>>> {
 }
 
 /// Lets those points own their tangents that would have others than is wanted.
-pub(super) fn keep_tangents(path: &mut CameraPath, wanted: &[Option<Tangents>]) -> Result<()> {
+pub(crate) fn keep_tangents(path: &mut CameraPath, wanted: &[Option<Tangents>]) -> Result<()> {
     let last = path.points.len() - 1;
     for _ in 0..ROUNDS {
         let mut settled = true;

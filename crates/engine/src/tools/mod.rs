@@ -10,7 +10,7 @@ pub mod check;
 pub mod clearance;
 pub mod enclosure;
 pub mod fit;
-mod keep;
+pub(crate) mod keep;
 mod kinds;
 pub mod moves;
 pub mod parameter;
