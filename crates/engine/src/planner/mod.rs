@@ -13,6 +13,7 @@ mod frames;
 pub mod picture;
 mod reach;
 pub mod retime;
+mod smooth;
 pub mod steady;
 pub mod tour;
 mod track;
