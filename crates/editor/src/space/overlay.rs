@@ -10,7 +10,7 @@ use glam::{DVec2, DVec3};
 use super::cameras::Camera;
 use super::drag::{DragConstraint, Handle, VUP_LENGTH};
 use super::picking::Tips;
-use super::projection::{Axis, from_pos, to_pos};
+use super::projection::{Axis, to_pos};
 use super::scene::{Look, THIN};
 use super::strokes::Strokes;
 use super::tangents;
@@ -544,6 +544,7 @@ fn halo(painter: &Painter, look: &Look<'_>, text: Rect) {
 
 #[cfg(test)]
 mod tests {
+    use super::super::projection::from_pos;
     use super::super::scene::tests::Eye;
     use super::*;
     use crate::document::Info;
