@@ -1,7 +1,6 @@
 //! Checks a document's path against its own space, object and limits.
 
 use glam::{DAffine3, DVec3};
-use vides_engine::error::Invalid;
 use vides_engine::scene::{Kind, Mesh, NodeState, Warnings};
 use vides_engine::tools::check::{CheckContext, Finding, check};
 use vides_engine::tools::clearance::Clearance;
@@ -118,8 +117,8 @@ impl Document {
     /// # Errors
     /// As [`Document::check`]; [`vides_engine::Error::Argument`] if there is none.
     pub fn solid(&self, object: Option<&Mesh>) -> Result<Clearance> {
-        let none = || vides_engine::Error::from(Invalid::NoGeometry);
-        Ok(self.clearance(object)?.ok_or_else(none)?)
+        self.clearance(object)?
+            .ok_or_else(|| Invalid::NoGeometry.into())
     }
 
     /// As [`Document::check`], against a prepared object or none.

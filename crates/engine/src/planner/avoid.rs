@@ -440,7 +440,7 @@ impl<'a> Work<'a> {
         let Detour { from, to, .. } = detours[k];
         let stays = |u: &f64| !self.moves(*u, detours);
         let points = || self.points.iter().map(|(_, u)| *u);
-        let low = points().filter(|u| *u <= from).filter(stays).last();
+        let low = points().rfind(|u| *u <= from && stays(u));
         let high = points().find(|u| *u >= to && stays(u));
         let before = k.checked_sub(1).map_or(0.0, |k| detours[k].to);
         let behind = detours.get(k + 1);
