@@ -453,7 +453,9 @@ fn one_orientation_shows_the_whole_object() {
         click(&mut window, texts.whole);
         let target = window.state().orientation().unwrap().target;
         let middle = DVec3::new(0.05, 0.15, -0.9);
-        assert!(matches!(target, crate::path::Target::Absolute(at) if at.abs_diff_eq(middle, 1e-12)));
+        assert!(
+            matches!(target, crate::path::Target::Absolute(at) if at.abs_diff_eq(middle, 1e-12))
+        );
         let pose = poses(window.state())[0];
         let mut most = 0.0_f64;
         for corner in corners {
