@@ -189,6 +189,8 @@ pub(super) enum Action {
     /// The ruler counts frames, or seconds.
     RulerInFrames(bool),
     GraphHeight(f32),
+    /// Show the sliders around the space, or hide them.
+    SwitchSliders,
     Pace(Pace),
     Setup(Box<Setup>),
     /// A language of the window, or the environment's.
@@ -250,6 +252,7 @@ impl Action {
                 | Self::SwitchKeepsLength
                 | Self::SwitchMovesAlong
                 | Self::Retime(_)
+                | Self::SwitchSliders
                 | Self::RulerInFrames(_)
                 | Self::GraphHeight(_)
                 | Self::Pace(_)
@@ -302,6 +305,7 @@ impl Action {
                 | Self::SwitchLoops
                 | Self::SwitchKeepsLength
                 | Self::SwitchMovesAlong
+                | Self::SwitchSliders
                 | Self::RulerInFrames(_)
                 | Self::GraphHeight(_)
                 | Self::Pace(_)
@@ -512,6 +516,7 @@ impl Editor {
             Action::SwitchKeepsLength => self.switch_keeps_length(),
             Action::SwitchMovesAlong => self.switch_moves_along(),
             Action::Retime(retiming) => self.retime(retiming),
+            Action::SwitchSliders => self.switch_sliders(),
             Action::RulerInFrames(frames) => self.choose_ruler(frames),
             Action::GraphHeight(height) => self.set_graph_height(height),
             Action::Pace(pace) => self.set_pace(pace, context),
