@@ -477,10 +477,8 @@ fn place(base: &CameraPath, film: &Film, ways: &[DVec3], far: &[f64]) -> Result<
     let count = base.points.len();
     let mut tangents: Vec<[Option<(DVec3, f64)>; 2]> = vec_with_room(count)?;
     tangents.resize(count, [None; 2]);
-    for k in 0..film.spots.len() {
-        if let Some(point) = stands(base, film, k) {
-            made.points[point].position = moved(k);
-        }
+    for (point, _, spot) in keys(base, film)? {
+        made.points[point].position = base.points[point].position + far[spot] * ways[spot];
     }
     let step = STEP * base.space.half_size;
     for (k, piece) in film.pieces.iter().enumerate() {
