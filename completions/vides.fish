@@ -35,6 +35,7 @@ complete -c vides -n "__fish_vides_needs_command" -f -a "fit" -d 'Makes a path o
 complete -c vides -n "__fish_vides_needs_command" -f -a "check" -d 'Tells what will look wrong in a film'
 complete -c vides -n "__fish_vides_needs_command" -f -a "plot" -d 'Draws a path, its views and what changes over its frames'
 complete -c vides -n "__fish_vides_needs_command" -f -a "retime" -d 'Computes the pace of a path anew, within limits'
+complete -c vides -n "__fish_vides_needs_command" -f -a "avoid" -d 'Leads the way of a path clear of an object'
 complete -c vides -n "__fish_vides_needs_command" -f -a "move" -d 'Makes a path by a ready-made move'
 complete -c vides -n "__fish_vides_needs_command" -f -a "transform" -d 'Moves, turns, scales or mirrors points of a path'
 complete -c vides -n "__fish_vides_needs_command" -f -a "deform" -d 'Tapers, twists, bends or freely deforms points of a path'
@@ -90,6 +91,11 @@ complete -c vides -n "__fish_vides_using_subcommand retime" -l to -d 'The point 
 complete -c vides -n "__fish_vides_using_subcommand retime" -l seconds -d 'Exactly so long, with the lowest peaks; else as short as the limits allow' -r
 complete -c vides -n "__fish_vides_using_subcommand retime" -s o -l output -d 'Where the path goes; - is standard output' -r -F
 complete -c vides -n "__fish_vides_using_subcommand retime" -s h -l help -d 'Print help'
+complete -c vides -n "__fish_vides_using_subcommand avoid" -l clearance -d 'The least distance from the object, in the path\'s units' -r
+complete -c vides -n "__fish_vides_using_subcommand avoid" -l around -d 'The radius of a sphere around the camera that keeps it' -r
+complete -c vides -n "__fish_vides_using_subcommand avoid" -l object -d 'The object in place of the path\'s: a mesh (.obj, .ply, .stl, .gltf, .glb), or the object of a .vid file' -r -F
+complete -c vides -n "__fish_vides_using_subcommand avoid" -s o -l output -d 'Where the path goes; - is standard output' -r -F
+complete -c vides -n "__fish_vides_using_subcommand avoid" -s h -l help -d 'Print help'
 complete -c vides -n "__fish_vides_using_subcommand move; and not __fish_seen_subcommand_from orbit spiral arc flyby approach dolly-zoom crane pan figure-eight" -s h -l help -d 'Print help'
 complete -c vides -n "__fish_vides_using_subcommand move; and not __fish_seen_subcommand_from orbit spiral arc flyby approach dolly-zoom crane pan figure-eight" -f -a "orbit" -d 'On a circle round a target'
 complete -c vides -n "__fish_vides_using_subcommand move; and not __fish_seen_subcommand_from orbit spiral arc flyby approach dolly-zoom crane pan figure-eight" -f -a "spiral" -d 'Round a target with another radius and height at the end'

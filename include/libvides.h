@@ -2917,6 +2917,25 @@ int v_path_retime(V_PATH *path,
                   int last_point,
                   double seconds);
 
+/**
+ * Leads the way clear of an object: where the camera, or a sphere around it, comes nearer
+ * than the clearance, or goes through it, points are moved as little as possible and as
+ * few put in as it takes; points that were clear stay, but for those within a closed
+ * part of the object between others outside. Frames and targets stay. v_last_warning()
+ * has a line for each part that changed, "" if the way was clear.
+ *
+ * object  in the coordinates of the path; NULL: the path's own
+ * clearance, radius  in the path's units; the clearance greater than 0, the radius of the
+ *     sphere 0 or greater
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT
+ * (no way round: v_last_error() names the frame and the place; an object without
+ * geometry), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_path_avoid(V_PATH *path,
+                 const V_MESH *object,
+                 double clearance,
+                 double radius);
+
 
 /* ---- Opening and closing windows --------------------------------------------- */
 
