@@ -3,8 +3,9 @@
 VIDES is the command. Random paths (tcb, cubic and linear, open and closed, 2 to 6 points) lead through
 bunny, teapot and dragon (npm), airplane, ant and nut (pyvista), hills of VTK's generator and a furnished
 room. Each is led clear; the way is then held against VTK's locator at 20 places a frame, and against
-`vides check`. Points that were clear and outside have to stay to the last bit, frames as many as they
-were. Ends with status 1 for any that is not so, and if a closed box is not refused with its frame.
+`vides check`. Points that were clear have to stay to the last bit, unless no way leads to them
+(cells are flooded from them, with VTK's distances); frames are as many as they were, and what is
+refused has such points at an end. Ends with status 1 for any that is not so, and if a closed box is not refused with its frame.
 """
 
 import gzip
@@ -105,6 +106,31 @@ class Object:
         return any(not self.crossed(place, place + self.far * (w - 1)) for w in ways)
 
 
+def is_shut(of, place, clear):
+    """Whether no way leads out from a place that keeps clear: cells that may be free are flooded."""
+    step = clear / 4
+    low, high = of.low - 2 * clear, of.high + 2 * clear
+    known, left = {(0, 0, 0)}, [(0, 0, 0)]
+    ways = [(x - 1, y - 1, z - 1) for x, y, z in np.ndindex(3, 3, 3) if (x, y, z) != (1, 1, 1)]
+    while left:
+        x, y, z = left.pop()
+        for i, j, k in ways:
+            cell = (x + i, y + j, z + k)
+            if cell in known:
+                continue
+            known.add(cell)
+            there = (place[0] + step * cell[0], place[1] + step * cell[1], place[2] + step * cell[2])
+            # A way through a cell comes within half its diagonal of its middle.
+            if of.distance(there) < clear - step * 0.87:
+                continue
+            if any(not l <= t <= h for l, t, h in zip(low, there, high)):
+                return False
+            left.append(cell)
+        if len(known) > 300_000:
+            return False
+    return True
+
+
 def path_text(space, points, curve, closed, target):
     middle, half = space
     text = f"version = 1\ncurve = \"{curve}\"\nclosed = {str(closed).lower()}\n"
@@ -154,8 +180,10 @@ def tried(of, number, random):
     took = time.perf_counter() - begin
     if done.returncode:
         told = done.stderr.strip()
-        said = "at frame" in told and not out.exists()
-        return (0 if said else fault(of, number, told)), f"refused: {told.split(': ', 2)[-1]}", 0, 0, 0, took
+        shut = [k + 1 for k, point in enumerate(points) if of.distance(point) > clear and is_shut(of, point, clear)]
+        said = "at frame" in told and not out.exists() and (shut or of.inside)
+        told = f"refused: {told.split(': ', 2)[-1]}; points {shut} are shut in"
+        return (0 if said else fault(of, number, told)), told, 0, 0, 0, took
     faults = 0
     fine = places(out, FINE)
     near = min(of.distance(place) for place in fine)
@@ -174,7 +202,7 @@ def tried(of, number, random):
     kept = {tuple(map(float, point["position"])) for point in made}
     for point in points:
         stays = tuple(point.tolist()) in kept
-        if not stays and of.distance(point) > clear * (1 + 1e-9) and of.is_outside(point):
+        if not stays and of.distance(point) > clear * (1 + 1e-9) and of.is_outside(point) and not is_shut(of, point, clear):
             faults += fault(of, number, f"the clear point {point} was moved")
     parts = re.findall(r"(\d+) points? moved, (\d+) points? put in", done.stderr)
     moved, new = [sum(int(part[k]) for part in parts) for k in (0, 1)]
