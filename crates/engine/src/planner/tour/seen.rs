@@ -63,10 +63,9 @@ impl Camera {
     }
 
     /// Whether a place is in the picture, whatever is before it.
+    #[cfg(test)]
     pub(super) fn holds(&self, place: DVec3) -> bool {
-        let [x, y, depth] = self.project(place);
-        let inside = x >= 0.0 && y >= 0.0 && x < SIZE[0] as f64 && y < SIZE[1] as f64;
-        inside && depth > 0.0
+        is_in_picture(self.project(place))
     }
 
     /// A place in the picture in pixels, and 1 / depth, which is 0 or less behind the eye.
@@ -155,12 +154,13 @@ impl<'a> Surface<'a> {
     /// Whether a triangle is seen well enough from a place, if nothing is between.
     pub(super) fn faces(&self, at: usize, eye: DVec3) -> bool {
         let way = eye - self.middles[at];
-        let towards = self.across[at].dot(way);
-        let towards = if self.one_sided {
-            towards
-        } else {
-            towards.abs()
-        };
+        let mut towards = self.across[at].dot(way);
+        if !(towards > 0.0) {
+            if self.one_sided {
+                return false;
+            }
+            towards = -towards;
+        }
         let far = way.length_squared();
         let shrunk = (self.distance * self.distance / far).min(1.0);
         towards * shrunk > LEAST * self.areas[at] * far.sqrt()
@@ -246,7 +246,7 @@ impl Picture {
                 continue;
             }
             let [x, y, depth] = camera.project(*middle);
-            if !(camera.holds(*middle) && depth < near) {
+            if !(is_in_picture([x, y, depth]) && depth < near) {
                 continue;
             }
             // The plane of the triangle in the middle of the pixel.
@@ -280,6 +280,11 @@ impl Picture {
             }
         }
     }
+}
+
+/// Whether what was projected lies in the picture.
+fn is_in_picture([x, y, depth]: [f64; 3]) -> bool {
+    x >= 0.0 && y >= 0.0 && x < SIZE[0] as f64 && y < SIZE[1] as f64 && depth > 0.0
 }
 
 /// A whole number in the picture.
