@@ -15,6 +15,7 @@ mod info_json;
 mod input;
 mod moves;
 mod output;
+mod picture;
 mod plot;
 mod progress;
 mod properties;
@@ -88,6 +89,8 @@ enum Command {
     Retime(retime::Arguments),
     /// Makes a flight that shows an object
     Tour(tour::Arguments),
+    /// Keeps an object whole in the picture, as large as a margin allows
+    Picture(picture::Arguments),
     /// Makes a path by a ready-made move
     Move(moves::Arguments),
     #[command(flatten)]
@@ -150,6 +153,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Plot(arguments) => plot::run(&arguments),
         Command::Retime(arguments) => retime::run(&arguments),
         Command::Tour(arguments) => tour::run(&arguments),
+        Command::Picture(arguments) => picture::run(&arguments),
         Command::Move(arguments) => moves::run(&arguments),
         Command::Tool(tool) => tools::run(&tool),
     })

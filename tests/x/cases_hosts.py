@@ -5,7 +5,7 @@ import time
 import tomllib
 
 from harness import Program, check, run, wait
-from panel import SPEEDS
+from panel import rail_above
 from run import test
 
 POSES = 121  # of a new path at speed 100: its length is 1.2, and the first pose
@@ -181,7 +181,7 @@ def a_scene_in_opengl(place):
     first = wait(lambda: (lambda p: p.colours() > 5 and p)(server.picture(host)), "the car")
     width, height = server.geometry(window)[2:]
     server.drawn(window)
-    server.click(window, width // 2, height - SPEEDS - 28)
+    server.click(window, width // 2, height - rail_above(height, markers=True))
     wait(lambda: server.picture(host).differs(first), "the car to drive")
     # It fills the camera's picture in the editor, too: the editor paints nothing so red.
     wait(lambda: len(server.picture(window).find(CAR)) > 100, "the car in the camera's picture")

@@ -15,7 +15,7 @@ import sys
 import tempfile
 
 from harness import Failure, Program, Server, check, wait
-from panel import BUTTON, FIELD, PANEL, SPEEDS, boxes, circles, middle, panel_boxes
+from panel import BUTTON, FIELD, PANEL, boxes, circles, middle, panel_boxes, rail_above, timeline
 from space import first_look
 
 START = [(-0.6, 0.2, 0.8), (0.6, 0.2, 0.8)]
@@ -129,7 +129,8 @@ def shape(player, at, preset):
     if preset == 5:
         player.shot("shape-of-the-curve")
     picture = player.server.drawn(player.window)
-    last = boxes(picture, BUTTON, 0, 34, picture.width - PANEL, picture.height - 150)[-1]
+    last = boxes(picture, BUTTON, 0, 34, picture.width - PANEL,
+                 picture.height - timeline(picture.height))[-1]
     player.click(last[-1])
     player.away()
 
@@ -143,7 +144,8 @@ def slow_start(player):
 
     def shapes():
         picture = player.server.drawn(player.window)
-        found = boxes(picture, BUTTON, 0, 34, picture.width - PANEL, picture.height - 150)
+        found = boxes(picture, BUTTON, 0, 34, picture.width - PANEL,
+                      picture.height - timeline(picture.height))
         return [row for row in found if len(row) >= 5]
 
     player.click(wait(shapes, "the shapes")[0][1])
@@ -249,7 +251,7 @@ def beside(command, name, folder, picture, about, orbits):
             server.drawn(window)
             before = server.drawn(host, 1)
             # The playhead is put in the middle.
-            server.click(window, width - PANEL - 330, height - SPEEDS - 28)
+            server.click(window, width // 2, height - rail_above(height))
             wait(lambda: server.picture(host).differs(before), "the host to follow")
             server.xdotool("mousemove", "--window", window, *AWAY)
             server.drawn(host, 1)

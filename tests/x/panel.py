@@ -11,11 +11,8 @@ FIELD = (0x12, 0x15, 0x1A)
 PANEL = 262
 """Width of the panels, in pixels."""
 
-SPEEDS = 80
-"""Height of the speeds below the play bar."""
-
 DONE, REST = (0x58, 0xAE, 0xFF), (0x69, 0x73, 0x82)
-"""The play bar's rail before and behind the playhead, in the dark theme."""
+"""The ruler's rail before and behind the playhead, in the dark theme."""
 
 CHOSEN = (0x58, 0xAE, 0xFF)
 """The circle of the choice that is taken."""
@@ -62,7 +59,8 @@ def boxes(picture, colour, left, top, right, bottom, least=(14, 14), tolerance=3
 
 def panel_boxes(picture, colour):
     """Rectangles of one colour in the panels at the right edge of the window."""
-    return boxes(picture, colour, picture.width - PANEL, 34, picture.width, picture.height)
+    bottom = picture.height - timeline(picture.height)
+    return boxes(picture, colour, picture.width - PANEL, 34, picture.width, bottom)
 
 
 def _runs(row, wanted, left, right, tolerance):
@@ -109,12 +107,29 @@ def middle(box):
     return x + width / 2, y + height / 2
 
 
+def rail_above(height, markers=False):
+    """How far above the lower edge of a window of this height the rail of the ruler runs:
+    below it are the keys, the graph if there is room for it, and perhaps the names of markers."""
+    return 4 + graph(height) + 24 + 7 + (16 if markers else 0)
+
+
+def graph(height):
+    """How high the graph is in a window of this height."""
+    return 0 if height < 660 else round(min(max((height - 580) * 0.3, 56), 160))
+
+
+def timeline(height):
+    """How high the timeline is, from its buttons down to its graph."""
+    return 32 + 25 + 24 + graph(height) + 4
+
+
 def rail_of(picture):
-    """Where the rail of the play bar runs: left, right, middle."""
+    """Where the rail of the ruler runs: left, right, middle."""
     rows = {}
+    row = picture.height - rail_above(picture.height)
     for colour in (DONE, REST):
         for x, y in picture.find(colour, 6):
-            if 0 < picture.height - SPEEDS - y < 56:
+            if abs(y - row) < 6:
                 rows.setdefault(y, []).append(x)
     runs = {}
     for y, places in rows.items():

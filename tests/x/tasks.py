@@ -15,7 +15,7 @@ import sys
 import tempfile
 
 from harness import Failure, Program, Server, check, wait
-from panel import BUTTON, FIELD, PANEL, boxes, middle, panel_boxes
+from panel import BUTTON, FIELD, PANEL, boxes, middle, panel_boxes, timeline
 from space import first_look
 
 OBJECT = """v -0.4 0 -0.4
@@ -82,11 +82,11 @@ class Hand:
         return panel_boxes(self.server.drawn(self.window), colour)
 
     def bar(self):
-        """Fields of the play bar, as rows."""
+        """Fields above the timeline: frame, last frame, second, duration, rate."""
         self.away()
         picture = self.server.drawn(self.window)
-        found = boxes(picture, FIELD, 40, picture.height - 150, 340, picture.height)
-        return [row for row in found if len(row) >= 2 and row[0][3] < 40]
+        top = picture.height - timeline(picture.height)
+        return boxes(picture, FIELD, 0, top, picture.width, top + 32)[0]
 
     def saved(self):
         """Saves, and gives the poses; does not count."""
@@ -167,7 +167,8 @@ def slow_start(hand):
     hand.keys("ctrl+Page_Up", "ctrl+Page_Up", "F3")
     hand.away()
     picture = hand.server.drawn(hand.window)
-    found = boxes(picture, BUTTON, 0, 34, picture.width - PANEL, picture.height - 140)
+    found = boxes(picture, BUTTON, 0, 34, picture.width - PANEL,
+                  picture.height - timeline(picture.height))
     shapes = [row for row in found if len(row) >= 5][0]
     hand.click(shapes[1])
     hand.keys("Escape")
@@ -269,8 +270,8 @@ def copy(hand):
 
 def seconds(hand):
     """Exactly 12 seconds at 30 frames a second."""
-    hand.number(hand.bar()[0][2], 30)
-    hand.number(hand.bar()[1][1], 12)
+    hand.number(hand.bar()[4], 30)
+    hand.number(hand.bar()[3], 12)
     poses = hand.saved()
     check(len(poses) == 12 * 30, f"{len(poses)} poses")
 

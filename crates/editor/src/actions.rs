@@ -7,13 +7,13 @@ use glam::DVec3;
 
 use crate::document::tool::{Tool, ToolInput};
 use crate::document::{At, Edit, Selection, no_longer_ahead};
-use crate::error::Result;
+use crate::error::{Invalid, Result};
 use crate::files::{AfterSave, Purpose};
 use crate::limits::SPEEDS;
 use crate::number::Entry;
 use crate::panels::orientation::OwnedMotion;
 use crate::path::{CameraPath, Tangents, Target, UpVector, insertion};
-use crate::playing::Pace;
+use crate::playing::{Pace, Retiming};
 use crate::selected::SelectionChange;
 use crate::setup::{CameraPlace, ColourWindow, DisplayWindow, Setup, Theme, View};
 use crate::space::{Camera, Gesture, Joint};
@@ -25,6 +25,9 @@ use crate::tools::profile::Quantity;
 use crate::windows::{
     self, CheckWindow, CurveWindow, HelpWindow, PointsWindow, SpaceWindow, SpeedWindow, ToolWindow,
 };
+
+/// What stays free at each side of a picture that shows the whole object.
+const FREE_BESIDE_OBJECT: f64 = 0.1;
 
 /// What a menu entry, a key, a button or a field stands for.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,6 +75,8 @@ pub(super) enum Action {
     ClearOverride(OwnedMotion),
     /// Let the current orientation look along the way.
     LookAhead,
+    /// Let the current orientation show all of the object.
+    ShowObject,
     SetUp(UpVector),
     /// Change between `Abs.` and `Rel.`.
     SwitchAbsolute,
@@ -143,7 +148,7 @@ pub(super) enum Action {
     SwitchCameraView,
     /// Put the camera's picture there, or back into its corner.
     CameraPlace(CameraPlace),
-    /// Plot this, or else the speeds of the sections.
+    /// Show this in the graph, or else the pace, or no longer.
     Plot(Option<Quantity>),
     /// Open or close the speeds of the whole path.
     SwitchSpeedGraph,
@@ -177,6 +182,15 @@ pub(super) enum Action {
     SwitchLoops,
     /// Keep the length of the path whatever is changed, or no longer.
     SwitchKeepsLength,
+    /// What follows a key that is moved in time moves along, or no longer.
+    SwitchMovesAlong,
+    /// Move or copy a key in time, in place of what the open step has done.
+    Retime(Retiming),
+    /// The ruler counts frames, or seconds.
+    RulerInFrames(bool),
+    GraphHeight(f32),
+    /// Show the sliders around the space, or hide them.
+    SwitchSliders,
     Pace(Pace),
     Setup(Box<Setup>),
     /// A language of the window, or the environment's.
@@ -236,6 +250,11 @@ impl Action {
                 | Self::Playhead(_)
                 | Self::SwitchLoops
                 | Self::SwitchKeepsLength
+                | Self::SwitchMovesAlong
+                | Self::Retime(_)
+                | Self::SwitchSliders
+                | Self::RulerInFrames(_)
+                | Self::GraphHeight(_)
                 | Self::Pace(_)
                 | Self::Setup(_)
                 | Self::Language(_)
@@ -285,6 +304,10 @@ impl Action {
                 | Self::PlayOrPause
                 | Self::SwitchLoops
                 | Self::SwitchKeepsLength
+                | Self::SwitchMovesAlong
+                | Self::SwitchSliders
+                | Self::RulerInFrames(_)
+                | Self::GraphHeight(_)
                 | Self::Pace(_)
                 | Self::Plot(_)
                 | Self::Fly(_)
@@ -404,6 +427,7 @@ impl Editor {
                 let edit = self.own_action(|own| own.ahead = Some(0.0));
                 self.act_all(edit, context);
             }
+            Action::ShowObject => self.show_object(),
             Action::SetUp(up) => self.act_all(self.own_action(|own| own.up = up), context),
             Action::SwitchAbsolute => {
                 let target = self.orientation().map(|current| current.target);
@@ -498,6 +522,11 @@ impl Editor {
             Action::Playhead(entry) => self.enter_frame(entry),
             Action::SwitchLoops => self.switch_loops(context),
             Action::SwitchKeepsLength => self.switch_keeps_length(),
+            Action::SwitchMovesAlong => self.switch_moves_along(),
+            Action::Retime(retiming) => self.retime(retiming),
+            Action::SwitchSliders => self.switch_sliders(),
+            Action::RulerInFrames(frames) => self.choose_ruler(frames),
+            Action::GraphHeight(height) => self.set_graph_height(height),
             Action::Pace(pace) => self.set_pace(pace, context),
             Action::Setup(setup) => {
                 self.setup = *setup;
@@ -643,6 +672,20 @@ impl Editor {
     }
 
     /// Lets every orientation look where the current one does, as one step; no point may be there.
+    fn show_object(&mut self) {
+        let edit = self.obstacles().and_then(|object| {
+            let object = object.ok_or(Invalid::NoGeometry)?;
+            self.document
+                .object_shown(self.document.selection(), &object, FREE_BESIDE_OBJECT)
+        });
+        match edit {
+            Ok(edit) => {
+                self.edit(edit);
+            }
+            Err(error) => self.complain_of(&error),
+        }
+    }
+
     fn aim_all(&mut self) {
         let Some((position, current)) = self
             .point()

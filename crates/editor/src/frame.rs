@@ -58,17 +58,12 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     let whole = ui.max_rect();
     let (bar, below) = whole.split_top_bottom_at_y(whole.top() + BAR);
     let (mut middle, mut right) = below.split_left_right_at_x(below.right() - PANELS);
-    // In a narrow window the frames have the whole width.
-    let narrow = windows::is_cramped(&context);
-    let inside = UiBuilder::new().max_rect(if narrow { below } else { middle });
+    let inside = UiBuilder::new().max_rect(below);
     let top = ui.scope_builder(inside, |ui| {
         playing::show(editor, ui);
         ui.available_rect_before_wrap().bottom()
     });
-    middle.max.y = top.inner;
-    if narrow {
-        right.max.y = top.inner;
-    }
+    (middle.max.y, right.max.y) = (top.inner, top.inner);
     // First what moves under the pointer: panels and output field then show it in this pass.
     part(ui, "space", middle, editor.background(), |ui| {
         space::show(editor, ui)

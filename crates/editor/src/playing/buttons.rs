@@ -2,9 +2,11 @@
 
 use egui::{CornerRadius, Painter, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, vec2};
 
-use super::{BUTTON, Editor};
+use super::Editor;
 use crate::actions::Action;
 use crate::theme;
+
+pub(super) const BUTTON: f32 = 32.0;
 
 fn button(ui: &mut Ui, name: &str, tip: &str, on: bool) -> (egui::Response, Painter) {
     let size = vec2(BUTTON, theme::ROW + 4.0);

@@ -36,7 +36,7 @@ impl Curve {
             self.make(stretches, current, scale, palette);
         }
         let base = scale.y(BASE_SPEED as f32);
-        painter.hline(scale.rail, base, Stroke::new(1.0, palette.line));
+        painter.hline(scale.axis.rail, base, Stroke::new(1.0, palette.line));
         painter.add(Shape::Mesh(Arc::clone(&self.shade)));
         painter.add(Lines::shape(&self.lines, painter.clip_rect()));
     }
@@ -134,6 +134,7 @@ mod tests {
     use egui::Rangef;
 
     use super::*;
+    use crate::playing::axis::Axis;
     use crate::setup::Theme;
 
     /// However many sections share a column, none of their speeds is lost, and there are
@@ -156,10 +157,13 @@ mod tests {
             })
             .collect();
         let (rail, rows) = (Rangef::new(0.0, wide), Rangef::new(0.0, 100.0));
-        let scale = Scale {
+        let axis = Axis {
             rail,
-            rows,
             frames: 30_000.0,
+        };
+        let scale = Scale {
+            axis,
+            rows,
             highest: 100.0,
         };
         let mut curve = Curve::default();

@@ -1,8 +1,9 @@
-//! The numbers of the bar, frame, second and rate, and how it plays: in a loop, slower, faster.
+//! The timeline's first row: what plays and how, the numbers of frame, second and rate, what is
+//! kept while keys move, what else is shown.
 
-use egui::{Align, Button, Layout, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, UiBuilder};
-use egui::{WidgetInfo, pos2, vec2};
+use egui::{Align, Button, Layout, Pos2, Rect, Role, Shape, Stroke, Ui, WidgetInfo, vec2};
 
+use super::buttons::{BUTTON, camera_button, play_button, speed_button};
 use super::{Editor, as_frame};
 use crate::actions::Action;
 use crate::document::{Edit, Info};
@@ -10,13 +11,12 @@ use crate::limits::{MAX_FPS, MAX_FRAMES};
 use crate::number::Number;
 use crate::theme;
 
-/// Widths of frame and second, of the rate and of a button; the gap between them.
-const FIELD: f32 = 84.0;
-const RATE: f32 = 76.0;
-const BUTTON: f32 = (RATE - 2.0 * NARROW) / 3.0;
-const GAP: f32 = 6.0;
-/// Between buttons.
+/// Width of a small button; greatest and least width of a number.
+const SMALL: f32 = 28.0;
+const FIELDS: (f32, f32) = (88.0, 60.0);
+/// Between what belongs together, and between groups.
 const NARROW: f32 = 4.0;
+const WIDE: f32 = 12.0;
 
 /// Speed of playing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -57,26 +57,55 @@ impl Pace {
 pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let texts = &editor.texts().space;
     let count = as_frame(editor.playing.marks.frames);
-    if count == 0.0 {
-        ui.label(texts.too_many_frames);
-        return;
-    }
+    // A scene ends when everything in it has ended: its length is not that of one path.
+    let of_scene = editor.document.edited_scene().is_some();
+    let groups = if ui.available_width() < 700.0 {
+        NARROW
+    } else {
+        WIDE
+    };
+    let others = 3.0 * BUTTON + 4.0 * SMALL + 9.0 * NARROW + 3.0 * groups;
+    let field = (ui.available_width() - others) / 5.0;
+    let field = field.clamp(FIELDS.1, FIELDS.0).floor();
+    ui.horizontal_centered(|ui| {
+        ui.spacing_mut().item_spacing.x = NARROW;
+        play_button(editor, ui, actions);
+        ui.scope(|ui| {
+            ui.spacing_mut().button_padding.x = 0.0;
+            how(editor, ui, actions);
+        });
+        ui.add_space(groups - NARROW);
+        if count == 0.0 {
+            ui.label(texts.too_many_frames);
+        } else {
+            numbers(editor, ui, field, (count, of_scene), groups, actions);
+        }
+        ui.add_space(groups - NARROW);
+        lock(editor, ui, of_scene, actions);
+        along(editor, ui, actions);
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            camera_button(editor, ui, actions);
+            speed_button(editor, ui, actions);
+        });
+    });
+}
+
+/// Frame, second and rate.
+fn numbers(
+    editor: &Editor,
+    ui: &mut Ui,
+    field: f32,
+    (count, of_scene): (f64, bool),
+    groups: f32,
+    actions: &mut Vec<Action>,
+) {
+    let texts = &editor.texts().space;
     let info = editor.document.info();
     let (fps, first) = (info.fps, f64::from(info.first_frame));
     let at = editor.position_on_bar().round();
     let language = editor.language();
     let last = first + count - 1.0;
     let seconds = |frames: f64| (frames - 1.0) / fps;
-    let size = vec2(2.0 * FIELD + RATE + 2.0 * GAP, 2.0 * theme::ROW + 2.0);
-    let (block, _) = ui.allocate_exact_size(size, Sense::hover());
-    let row = |number: u8| {
-        let top = block.top() + f32::from(number) * (theme::ROW + 2.0);
-        let rect = Rect::from_min_size(pos2(block.left(), top), vec2(size.x, theme::ROW));
-        let layout = Layout::left_to_right(Align::Center);
-        UiBuilder::new().max_rect(rect).layout(layout)
-    };
-    // A scene ends when everything in it has ended: its length is not that of one path.
-    let of_scene = editor.document.edited_scene().is_some();
     // The frames of the whole path; each section gets its share of them.
     let points = editor.document.path().points.len();
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
@@ -85,66 +114,101 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         last: points.saturating_sub(1),
         frames: frames as usize,
     };
-    ui.scope_builder(row(0), |ui| {
-        ui.spacing_mut().item_spacing.x = GAP;
-        let entry = Number::new(texts.frame_number, first + at - 1.0)
-            .label(texts.timeline)
-            .hint(texts.frame_tip)
-            .whole()
-            .range(first..=last)
-            .steps(1.0, 1.0)
-            .show(ui, language, "playing.frame", FIELD);
-        actions.push(Action::Playhead(entry.map(|value| value - first + 1.0)));
-        let entry = Number::new(texts.last_frame, last)
-            .label(texts.of)
-            .hint(texts.last_frame_tip)
-            .whole()
-            .typed()
-            .fixed_if(of_scene)
-            .range(first + 1.0..=first + as_frame(MAX_FRAMES) - 1.0)
-            .steps(1.0, 0.0)
-            .show(ui, language, "playing.last", FIELD);
-        actions.push(Action::Enter(entry.map(|last| fit(last - first + 1.0))));
-        let entry = Number::new(texts.rate, fps)
-            .hint(texts.rate_tip)
-            .unit(texts.rate_unit)
-            .decimals(if fps.fract() == 0.0 { 0 } else { 3 })
-            .range(0.001..=MAX_FPS)
-            .steps(1.0, 0.5)
-            .show(ui, language, "playing.fps", RATE);
-        let info = editor.document.info().clone();
-        let entry = entry.map(|fps| Edit::SetInfo(Box::new(Info { fps, ..info })));
-        actions.push(Action::Enter(entry));
+    let entry = Number::new(texts.frame_number, first + at - 1.0)
+        .label(texts.timeline)
+        .hint(texts.frame_tip)
+        .whole()
+        .range(first..=last)
+        .steps(1.0, 1.0)
+        .show(ui, language, "playing.frame", field);
+    actions.push(Action::Playhead(entry.map(|value| value - first + 1.0)));
+    let entry = Number::new(texts.last_frame, last)
+        .label(texts.of)
+        .hint(texts.last_frame_tip)
+        .whole()
+        .typed()
+        .fixed_if(of_scene)
+        .range(first + 1.0..=first + as_frame(MAX_FRAMES) - 1.0)
+        .steps(1.0, 0.0)
+        .show(ui, language, "playing.last", field);
+    actions.push(Action::Enter(entry.map(|last| fit(last - first + 1.0))));
+    ui.add_space(groups - NARROW);
+    let entry = Number::new(texts.second, seconds(at))
+        .hint(texts.second_tip)
+        .unit(" s")
+        .decimals(2)
+        .range(0.0..=seconds(count))
+        .steps(1.0 / fps, 1.0 / fps)
+        .show(ui, language, "playing.second", field);
+    let entry = entry.map(|value| (value * fps).round() + 1.0);
+    actions.push(Action::Playhead(entry));
+    // The last frame is shown as long as every other one.
+    let entry = Number::new(texts.duration, count / fps)
+        .label(texts.of)
+        .hint(texts.duration_tip)
+        .unit(" s")
+        .decimals(2)
+        .typed()
+        .fixed_if(of_scene)
+        .range(2.0 / fps..=as_frame(MAX_FRAMES) / fps)
+        .steps(1.0, 0.0)
+        .show(ui, language, "playing.duration", field);
+    let entry = entry.map(|seconds| fit((seconds * fps).round()));
+    actions.push(Action::Enter(entry));
+    let entry = Number::new(texts.rate, fps)
+        .hint(texts.rate_tip)
+        .unit(texts.rate_unit)
+        .decimals(if fps.fract() == 0.0 { 0 } else { 3 })
+        .range(0.001..=MAX_FPS)
+        .steps(1.0, 0.5)
+        .show(ui, language, "playing.fps", field);
+    let info = editor.document.info().clone();
+    let entry = entry.map(|fps| Edit::SetInfo(Box::new(Info { fps, ..info })));
+    actions.push(Action::Enter(entry));
+}
+
+/// The button by which what follows a key moves along with it.
+fn along(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
+    let texts = &editor.texts().timeline;
+    let (on, enabled) = (editor.playing.moves_along, !editor.keeps_length());
+    ui.add_enabled_ui(enabled, |ui| {
+        let response = ui.add_sized([SMALL, theme::ROW], Button::new("").selected(on));
+        let name = texts.along;
+        response.widget_info(|| WidgetInfo::selected(Role::Button, enabled, on, name));
+        let color = ui
+            .style()
+            .interact_selectable(&response, on)
+            .fg_stroke
+            .color;
+        let color = if enabled {
+            color
+        } else {
+            color.gamma_multiply(0.5)
+        };
+        ui.painter()
+            .extend(keys_along(response.rect.center(), color));
+        let hint = texts.along_tip;
+        let response = response.on_disabled_hover_text(hint).on_hover_text(hint);
+        if response.clicked() {
+            actions.push(Action::SwitchMovesAlong);
+        }
     });
-    ui.scope_builder(row(1), |ui| {
-        ui.spacing_mut().item_spacing.x = GAP;
-        let entry = Number::new(texts.second, seconds(at))
-            .hint(texts.second_tip)
-            .unit(" s")
-            .decimals(2)
-            .range(0.0..=seconds(count))
-            .steps(1.0 / fps, 1.0 / fps)
-            .show(ui, language, "playing.second", FIELD);
-        let entry = entry.map(|value| (value * fps).round() + 1.0);
-        actions.push(Action::Playhead(entry));
-        // The last frame is shown as long as every other one.
-        let entry = Number::new(texts.duration, count / fps)
-            .label(texts.of)
-            .hint(texts.duration_tip)
-            .unit(" s")
-            .decimals(2)
-            .typed()
-            .fixed_if(of_scene)
-            .range(2.0 / fps..=as_frame(MAX_FRAMES) / fps)
-            .steps(1.0, 0.0)
-            .show(ui, language, "playing.duration", FIELD);
-        let entry = entry.map(|seconds| fit((seconds * fps).round()));
-        actions.push(Action::Enter(entry));
-        ui.spacing_mut().item_spacing.x = NARROW;
-        ui.spacing_mut().button_padding.x = 0.0;
-        lock(editor, ui, of_scene, actions);
-        how(editor, ui, actions);
-    });
+}
+
+/// A key, and an arrow that takes the next one along.
+fn keys_along(centre: Pos2, color: egui::Color32) -> Vec<Shape> {
+    let stroke = Stroke::new(1.5, color);
+    let at = |x: f32, y: f32| centre + vec2(x, y);
+    let key = |x: f32| {
+        let corners = [at(x, -4.0), at(x + 4.0, 0.0), at(x, 4.0), at(x - 4.0, 0.0)];
+        corners.to_vec()
+    };
+    let head = vec![at(5.0, -4.0), at(10.0, 0.0), at(5.0, 4.0)];
+    vec![
+        Shape::convex_polygon(key(-6.0), color, Stroke::NONE),
+        Shape::line_segment([at(-1.0, 0.0), at(6.0, 0.0)], stroke),
+        Shape::convex_polygon(head, color, Stroke::NONE),
+    ]
 }
 
 /// The padlock that keeps the duration; that of a scene is not one path's to keep.
@@ -152,7 +216,7 @@ fn lock(editor: &Editor, ui: &mut Ui, of_scene: bool, actions: &mut Vec<Action>)
     let texts = &editor.texts().space;
     let keeps = editor.keeps_length();
     ui.add_enabled_ui(!of_scene, |ui| {
-        let response = ui.add_sized([BUTTON, theme::ROW], Button::new("").selected(keeps));
+        let response = ui.add_sized([SMALL, theme::ROW], Button::new("").selected(keeps));
         let name = texts.keep_length;
         response.widget_info(|| WidgetInfo::selected(Role::Button, !of_scene, keeps, name));
         let visuals = ui.style().interact_selectable(&response, keeps);
@@ -185,7 +249,7 @@ fn padlock(centre: Pos2, shut: bool, color: egui::Color32) -> [Shape; 2] {
 /// The buttons for looping and for the pace.
 fn how(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let texts = &editor.texts().space;
-    let size = [BUTTON, theme::ROW];
+    let size = [SMALL, theme::ROW];
     let loops = editor.playing.loops;
     let response = ui.add_sized(size, Button::new("").selected(loops));
     response.widget_info(|| WidgetInfo::selected(Role::Button, true, loops, texts.again));

@@ -1,13 +1,17 @@
-//! The speed along the whole path, below the bar of its frames: jumps between sections show there.
-//! Borders of sections are dragged sideways, the ten speeds of the current section up and down.
+//! The graph below the keys: the pace along the whole path, where jumps between sections show, and
+//! other quantities. Borders of sections are dragged sideways as the keys are, the ten speeds of the
+//! current section up and down.
 
 use egui::{
-    Align2, CornerRadius, CursorIcon, Id, Painter, Pos2, Rangef, Rect, Response, Sense, Stroke,
-    StrokeKind, Ui, WidgetInfo, pos2, vec2,
+    Align2, CornerRadius, CursorIcon, Id, Pos2, Rangef, Rect, Response, Sense, Stroke, StrokeKind,
+    Ui, WidgetInfo, pos2, vec2,
 };
 
+use super::axis::Axis;
 use super::curve::Curve;
-use super::{Marks, as_frame, plot, scrub_by_mouse};
+use super::key_row::{KeyDrag, take};
+use super::ruler::{colour_of_playhead, scrub_by_mouse};
+use super::{Marks, as_frame, plot};
 use crate::actions::Action;
 use crate::document::{Document, Selection};
 use crate::error::Result;
@@ -16,10 +20,11 @@ use crate::number::Entry;
 use crate::path::Change;
 use crate::state::Editor;
 use crate::texts::fill;
-use crate::theme::{self, Palette};
+use crate::theme;
 use crate::windows::goes_by_ten;
 
-pub(super) const HEIGHT: f32 = 76.0;
+/// Its least height, in points.
+pub(super) const LEAST: f32 = 44.0;
 
 /// On a path of more sections each has only one value.
 const FINE_SECTIONS: usize = 1000;
@@ -29,9 +34,6 @@ pub(super) const PIECES: usize = 24;
 
 /// Borders and squares with less room than this cannot be dragged, in points.
 const GRIP: f32 = 7.0;
-
-/// Least distance between the labels of seconds, in points.
-const ROOM_OF_SECONDS: f32 = 52.0;
 
 /// The speeds of the whole path.
 #[derive(Debug, Default)]
@@ -59,6 +61,11 @@ impl Graph {
     pub(super) fn clear(&mut self) {
         self.stretches.clear();
         self.highest = MAX_SPEED as f32;
+    }
+
+    /// The sections in which something changes, in their order.
+    pub(super) fn stretches(&self) -> &[Stretch] {
+        &self.stretches
     }
 
     /// Computes the speeds anew, on the frames of `keys`.
@@ -99,17 +106,11 @@ impl Graph {
 
 /// What is being dragged.
 #[derive(Debug, Default)]
-enum Dragged {
+pub(super) enum Held {
     #[default]
     Nothing,
-    /// A border: the sections at its sides with their frames, and where it was pressed.
-    Border {
-        before: (Selection, usize),
-        after: Option<(Selection, usize)>,
-        from: f32,
-        /// Frames per point.
-        frames: f32,
-    },
+    /// A key or a border.
+    Key(KeyDrag),
     /// One of the ten speeds, and the pointer's offset from its middle.
     Speed(usize, f32),
 }
@@ -117,26 +118,22 @@ enum Dragged {
 /// From frames and speeds to the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Scale {
-    pub(super) rail: Rangef,
+    pub(super) axis: Axis,
     pub(super) rows: Rangef,
-    pub(super) frames: f32,
     pub(super) highest: f32,
 }
 
 impl Scale {
-    #[allow(clippy::cast_precision_loss)]
-    fn new(rail: Rangef, rect: Rect, marks: &Marks) -> Self {
+    fn new(axis: Axis, rect: Rect, marks: &Marks) -> Self {
         Self {
-            rail,
-            rows: Rangef::new(rect.top() + 14.0, rect.bottom() - 5.0),
-            frames: (marks.frames as f32 - 1.0).max(1.0),
+            axis,
+            rows: Rangef::new(rect.top() + plot::WORDS, rect.bottom() - 5.0),
             highest: marks.graph.highest,
         }
     }
 
     pub(super) fn x(&self, frame: f32) -> f32 {
-        let share = ((frame - 1.0) / self.frames).min(1.0);
-        self.rail.min + self.rail.span() * share
+        self.axis.x(frame)
     }
 
     pub(super) fn y(&self, speed: f32) -> f32 {
@@ -157,32 +154,37 @@ impl Scale {
     }
 }
 
-/// What the graph remembers from pass to pass.
+/// What the timeline remembers from pass to pass.
 #[derive(Debug, Default)]
 pub(super) struct Memory {
-    held: Dragged,
+    pub(super) held: Held,
+    /// A key is held since an earlier pass: nothing else can be taken.
+    pub(super) carries: bool,
     curve: Curve,
 }
 
-/// Shows the graph in `rect`; `rail` is that of the playhead.
+/// Shows the graph in `rect`, with what is chosen at the left of it in `room`.
 pub(super) fn show(
     editor: &Editor,
-    Memory { held, curve }: &mut Memory,
+    Memory {
+        held,
+        carries,
+        curve,
+    }: &mut Memory,
     ui: &mut Ui,
-    rect: Rect,
-    rail: Rect,
+    (rect, room): (Rect, Rect),
+    axis: &Axis,
     actions: &mut Vec<Action>,
 ) {
     let texts = &editor.texts().space;
     let marks = &editor.playing.marks;
     let palette = theme::palette(ui);
-    let ground = Rect::from_x_y_ranges(rail.x_range().expand(8.0), rect.y_range());
+    let ground = Rect::from_x_y_ranges(axis.rail.expand(8.0), rect.y_range());
     let id = ui.scope_id().with("speed graph");
     let response = ui.interact(ground, id, Sense::click_and_drag());
     response.widget_info(|| WidgetInfo::labeled(egui::Role::Canvas, true, texts.speed_graph));
-    let painter = ui.painter_at(rect);
+    let painter = ui.painter_at(ground);
     painter.rect_filled(ground, CornerRadius::same(3), palette.field);
-    let room = rect.with_max_x(ground.left() - 12.0);
     let edits_path = editor.document.edits_path();
     ui.add_enabled_ui(edits_path, |ui| {
         plot::choices(editor, ui, room, actions);
@@ -190,72 +192,40 @@ pub(super) fn show(
     if marks.frames == 0 || !edits_path {
         return;
     }
-    let scale = Scale::new(rail.x_range(), ground, marks);
-    if matches!(held, Dragged::Nothing) {
-        scrub_by_mouse(editor, ui, &response, rail, actions);
+    let scale = Scale::new(*axis, ground, marks);
+    if matches!(held, Held::Nothing) {
+        scrub_by_mouse(editor, ui, &response, axis, actions);
     }
-    seconds(editor, &painter, &scale, ground, palette);
     plot::findings(editor, &painter, &scale, ground);
-    let of_sections = editor.playing.quantity.is_none();
-    if of_sections {
+    let shown = &editor.playing.shown;
+    if shown.pace {
         let stretches = (marks.revision, &*marks.graph.stretches);
         let current = editor.document.selection();
         curve.paint(&painter, stretches, current, &scale, palette);
-    } else {
-        plot::paint(editor, &painter, &scale, ground, palette);
     }
-    let at = scale.x(editor.position_on_bar() as f32);
-    let line = Stroke::new(1.0, palette.accent);
+    plot::paint(editor, ui, &painter, axis, (ground, room));
+    let at = axis.x_of(editor.position_on_bar());
+    let line = Stroke::new(1.0, colour_of_playhead(editor, ui));
     painter.vline(at, ground.y_range(), line);
-    if of_sections {
-        borders(editor, held, ui, &scale, ground, actions);
+    if shown.pace {
+        borders(editor, (held, *carries), ui, (&scale, ground), actions);
         squares(editor, held, ui, &scale, actions);
     }
-    response.on_hover_text(plot::meaning(editor.texts(), editor.playing.quantity));
-}
-
-/// Labels of seconds at the upper edge, as many as have room.
-fn seconds(editor: &Editor, painter: &Painter, scale: &Scale, ground: Rect, palette: &Palette) {
-    let fps = editor.document.info().fps as f32;
-    let whole = (scale.frames / fps).max(1e-6);
-    let least = whole * ROOM_OF_SECONDS / scale.rail.span().max(1.0);
-    // 1, 2, 5, 10, 20 …
-    let power = 10f32.powf(least.log10().floor());
-    let step = [1.0, 2.0, 5.0, 10.0].map(|part| part * power);
-    let step = step
-        .into_iter()
-        .find(|&step| step >= least)
-        .unwrap_or(least);
-    let decimals = (-step.log10().floor()).clamp(0.0, 6.0) as usize;
-    let mut at = step;
-    while at < whole {
-        let x = scale.x(1.0 + at * fps);
-        let text = editor.language().number(f64::from(at), decimals);
-        let top = pos2(x, ground.top() + 1.0);
-        let font = egui::FontId::proportional(9.5);
-        painter.text(
-            top,
-            Align2::CENTER_TOP,
-            format!("{text} s"),
-            font,
-            palette.weak,
-        );
-        at += step;
-    }
+    response.on_hover_text(plot::meaning(editor));
 }
 
 /// The borders between sections, each as far as it has room.
 fn borders(
     editor: &Editor,
-    held: &mut Dragged,
+    (held, carries): (&mut Held, bool),
     ui: &Ui,
-    scale: &Scale,
-    ground: Rect,
+    (scale, ground): (&Scale, Rect),
     actions: &mut Vec<Action>,
 ) {
     let texts = &editor.texts().space;
     let stretches = &editor.playing.marks.graph.stretches;
     let palette = theme::palette(ui);
+    let painter = ui.painter_at(ground);
     let mut free = f32::NEG_INFINITY;
     for (index, stretch) in stretches.iter().enumerate() {
         let x = scale.x(stretch.end as f32);
@@ -264,6 +234,13 @@ fn borders(
             continue;
         }
         free = x;
+        let line = |width, color| {
+            painter.vline(x, ground.y_range(), Stroke::new(width, color));
+        };
+        if carries {
+            line(1.0, palette.line);
+            continue;
+        }
         let id = Id::unique(("section border", index));
         let place = Rect::from_x_y_ranges(Rangef::point(x).expand(GRIP / 2.0), ground.y_range());
         let response = ui.interact(place, id, Sense::drag());
@@ -272,73 +249,27 @@ fn borders(
             &[&editor.name_of(stretch.from.point, stretch.from.orientation)],
         );
         response.widget_info(|| WidgetInfo::slider(true, stretch.end as f64, name.as_str()));
-        if response.drag_started()
-            && let Some(pointer) = ui.input(|input| input.pointer.press_origin())
-        {
-            let next = stretches.get(index + 1);
-            let of = |stretch: &Stretch| (stretch.from, stretch.end - stretch.start);
-            *held = Dragged::Border {
-                before: of(stretch),
-                after: next.map(of),
-                from: pointer.x,
-                frames: scale.frames / scale.rail.span().max(1.0),
-            };
-            actions.push(Action::Enter(Entry::Begin));
+        let next = editor.playing.marks.at(stretch.end);
+        let key = next.unwrap_or(stretch.from);
+        take(
+            editor,
+            held,
+            ui,
+            (&response, key, stretch.end),
+            &scale.axis,
+            actions,
+        );
+        if response.hovered() {
+            line(2.0, palette.focus);
+        } else {
+            line(1.0, palette.line);
         }
-        if response.dragged()
-            && let Some(pointer) = response.interact_pointer_pos()
-        {
-            let ripple = ui.input(|input| input.modifiers.shift);
-            actions.extend(moved_border(editor, held, pointer.x, ripple));
-        }
-        ended(ui, &response, held, actions);
-        let lively = response.hovered() || response.dragged();
-        if lively {
-            ui.set_cursor_icon(CursorIcon::ResizeHorizontal);
-        }
-        let color = if lively { palette.focus } else { palette.line };
-        let width = if lively { 2.0 } else { 1.0 };
-        ui.painter()
-            .vline(x, ground.y_range(), Stroke::new(width, color));
         response.on_hover_text(texts.section_border_tip);
     }
 }
 
-/// The edits for a dragged border; with `ripple` the section after it keeps its frames and shifts.
-fn moved_border(editor: &Editor, held: &Dragged, at: f32, ripple: bool) -> Vec<Action> {
-    let &Dragged::Border {
-        before: (first, frames),
-        after,
-        from,
-        frames: each,
-    } = held
-    else {
-        return Vec::new();
-    };
-    #[allow(clippy::cast_possible_truncation)]
-    let wanted = f64::from((at - from) * each).round() as i64;
-    let length = |frames: usize| i64::try_from(frames).unwrap_or(i64::MAX);
-    let after = after.filter(|_| !ripple);
-    let most = after.map_or(i64::MAX, |(_, frames)| length(frames) - 1);
-    let moved = wanted.min(most).max(1 - length(frames));
-    let set = |(at, frames): (Selection, i64)| {
-        let point = editor.document.path().points.get(at.point)?;
-        let orientation = point.orientations.get(at.orientation)?;
-        let frames = u32::try_from(frames).ok()?;
-        let edit = editor.with_own(at, orientation, |own| own.frames = frames);
-        Some(edit.map_or_else(Action::Complain, Action::Edit))
-    };
-    let before = (first, length(frames) + moved);
-    let after = after.map(|(at, frames)| (at, length(frames) - moved));
-    [Some(before), after]
-        .into_iter()
-        .flatten()
-        .filter_map(set)
-        .collect()
-}
-
 /// The ten speeds of the current section, if there is room for them.
-fn squares(editor: &Editor, held: &mut Dragged, ui: &Ui, scale: &Scale, actions: &mut Vec<Action>) {
+fn squares(editor: &Editor, held: &mut Held, ui: &Ui, scale: &Scale, actions: &mut Vec<Action>) {
     let selection = editor.document.selection();
     let stretches = &editor.playing.marks.graph.stretches;
     let Some(orientation) = editor.orientation() else {
@@ -365,10 +296,10 @@ fn squares(editor: &Editor, held: &mut Dragged, ui: &Ui, scale: &Scale, actions:
         if response.drag_started()
             && let Some(pointer) = ui.input(|input| input.pointer.press_origin())
         {
-            *held = Dragged::Speed(at, pointer.y - middle.y);
+            *held = Held::Speed(at, pointer.y - middle.y);
             actions.push(Action::Enter(Entry::Begin));
         }
-        if let Dragged::Speed(held, grip) = *held
+        if let Held::Speed(held, grip) = *held
             && held == at
             && response.dragged()
             && let Some(pointer) = response.interact_pointer_pos()
@@ -407,11 +338,11 @@ fn squares(editor: &Editor, held: &mut Dragged, ui: &Ui, scale: &Scale, actions:
 }
 
 /// Ends a drag; Escape undoes it.
-fn ended(ui: &Ui, response: &Response, held: &mut Dragged, actions: &mut Vec<Action>) {
-    if !response.drag_stopped() || matches!(held, Dragged::Nothing) {
+pub(super) fn ended(ui: &Ui, response: &Response, held: &mut Held, actions: &mut Vec<Action>) {
+    if !response.drag_stopped() || matches!(held, Held::Nothing) {
         return;
     }
-    *held = Dragged::Nothing;
+    *held = Held::Nothing;
     actions.push(Action::Enter(Entry::of_end(ui.ctx())));
 }
 

@@ -1,44 +1,52 @@
-//! Playing: the bar under the movement window, with all frames and the marks of the orientations.
+//! The timeline under the whole window: playing, a ruler, the keys, a graph.
 //!
 //! While it plays the window asks for the next frame when that is due; at rest it asks for nothing.
 
+mod axis;
 mod buttons;
 mod curve;
 mod fields;
 mod graph;
+mod key_row;
+mod marks;
 pub(crate) mod playhead;
 mod plot;
+mod retime;
+mod ruler;
 
 use std::time::Duration;
 
-use egui::{
-    Context, CursorIcon, EventFilter, FontId, Key, Modifiers, Painter, Pos2, Rect, Sense, Shape,
-    Stroke, Ui, UiBuilder, WidgetInfo, pos2, vec2,
-};
+use egui::{Context, CursorIcon, Id, Rangef, Rect, Sense, Ui, UiBuilder};
 
-use self::buttons::{camera_button, play_button, speed_button};
+use self::axis::Axis;
 pub(super) use self::fields::Pace;
+pub(super) use self::marks::Mark;
+use self::marks::Marks;
+pub(super) use self::retime::Retiming;
 use crate::actions::Action;
-use crate::document::{Document, Selection};
-use crate::error::Result;
+use crate::document::Selection;
 use crate::number::Entry;
-use crate::path::{Change, Timeline};
-use crate::selected::SelectionChange;
-use crate::setup::Element;
 use crate::space::Camera;
 use crate::state::Editor;
 use crate::theme;
 use crate::tools::profile::Quantity;
+use crate::windows;
 
-const HEIGHT: f32 = 56.0;
-
-/// A lower window has little room for the graph of the speeds.
+/// A lower window has little room for the graph.
 const MIN_HEIGHT_FOR_GRAPH: f32 = 660.0;
 
-const BUTTON: f32 = 32.0;
+/// Height of the row with what plays.
+const TRANSPORT: f32 = 32.0;
 
-/// A press this near to a mark, in points, means the mark.
-const SNAP: f64 = 6.0;
+/// Width of what stands at the left of the rows, in a window with room and in a narrow one.
+const CAPTIONS: (f32, f32) = (132.0, 92.0);
+
+/// At the left and right edge; around the rail, for the first and the last key.
+const MARGIN: f32 = 12.0;
+const END: f32 = 8.0;
+
+/// Height of the edge by which the timeline is made higher.
+const EDGE: f32 = 6.0;
 
 /// Seconds between updates of the marks in a drag: a change of the first section moves them all.
 const MARKS_STEP: f64 = 0.25;
@@ -68,115 +76,13 @@ pub(super) struct Playing {
     /// The window is low, and the graph is to be shown there, too.
     low: bool,
     low_graph: bool,
-    /// What is plotted instead of the speeds.
-    quantity: Option<Quantity>,
+    /// Its height, if it was dragged.
+    graph_height: Option<f32>,
+    /// What the graph shows.
+    shown: plot::Shown,
     plot: plot::Plot,
-}
-
-/// The keys of the path on the scale of its frames.
-#[derive(Debug, Default)]
-struct Marks {
-    revision: Option<u64>,
-    keys: Vec<Mark>,
-    /// The scene's markers: frames of the path, and their names.
-    markers: Vec<(f64, String)>,
-    /// All frames; 0 if there are too many.
-    frames: usize,
-    graph: graph::Graph,
-}
-
-/// An orientation and its frame.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Mark {
-    pub(super) point: usize,
-    pub(super) orientation: usize,
-    frame: usize,
-    /// For how many frames more the camera rests there.
-    hold: usize,
-}
-
-impl Mark {
-    /// The frame in which the key is reached.
-    pub(super) fn first(self) -> f64 {
-        as_frame(self.frame)
-    }
-
-    /// The last frame that shows it.
-    pub(super) fn last(self) -> f64 {
-        as_frame(self.frame + self.hold)
-    }
-}
-
-impl Marks {
-    fn update(&mut self, document: &Document) -> Result<()> {
-        let revision = document.revision();
-        if self.revision == Some(revision) {
-            return Ok(());
-        }
-        self.revision = Some(revision);
-        self.keys.clear();
-        self.markers.clear();
-        self.graph.clear();
-        self.frames = 0;
-        if let Some(edited) = document.edited_scene() {
-            let markers = edited.scene().markers().iter();
-            let of_path = |frame: f64| document.frame_of_path(frame);
-            self.markers
-                .extend(markers.map(|marker| (of_path(marker.frame), marker.name.clone())));
-        }
-        if !document.edits_path() {
-            // No path is edited, so there are no keys to show.
-            self.frames = document.timeline(Timeline::frame_count)??;
-            return Ok(());
-        }
-        let path = document.path();
-        let keys = &mut self.keys;
-        self.frames = document.timeline(|timeline| {
-            let mut frame = 1;
-            for index in 0..timeline.section_count() {
-                let section = timeline.section(index);
-                let (point, orientation) = (section.point, section.orientation);
-                keys.try_reserve(2)?;
-                let hold = if section.change == Change::Nothing {
-                    0
-                } else {
-                    path.points[point].orientations[orientation].hold as usize
-                };
-                keys.push(Mark {
-                    point,
-                    orientation,
-                    frame,
-                    hold,
-                });
-                if section.change != Change::Nothing {
-                    frame += hold + section.frames;
-                }
-            }
-            if let Some(point) = path.points.len().checked_sub(1).filter(|_| !path.closed) {
-                let orientation = path.points[point].orientations.len().saturating_sub(1);
-                let hold = usize::MAX - frame;
-                keys.push(Mark {
-                    point,
-                    orientation,
-                    frame,
-                    hold,
-                });
-            }
-            timeline.frame_count()
-        })??;
-        self.graph.update(document, &self.keys)
-    }
-
-    /// The markers between the first frame and the last one.
-    fn markers_between(&self, last: f64) -> impl Iterator<Item = &(f64, String)> {
-        let within = move |marker: &&(f64, String)| (1.0..=last).contains(&marker.0);
-        self.markers.iter().filter(within)
-    }
-
-    fn of(&self, selection: Selection) -> Option<Mark> {
-        let mut keys = self.keys.iter().copied();
-        keys.find(|mark| Selection::at(mark.point, mark.orientation) == selection)
-    }
+    /// What follows a key moves along with it.
+    moves_along: bool,
 }
 
 impl Playing {
@@ -267,9 +173,18 @@ impl Editor {
         self.playing.pace = pace;
     }
 
-    /// Plots a quantity, or the speeds of the sections.
+    /// Shows a quantity in the graph, or the pace, or no longer.
     pub(super) fn plot(&mut self, quantity: Option<Quantity>) {
-        self.playing.quantity = quantity;
+        self.playing.shown.switch(quantity);
+    }
+
+    pub(super) fn switch_moves_along(&mut self) {
+        self.playing.moves_along = !self.playing.moves_along;
+    }
+
+    /// Whether what follows a key moves along with it; not where the duration is kept.
+    fn moves_along(&self) -> bool {
+        self.playing.moves_along && !self.keeps_length()
     }
 
     /// A low window shows the graph if it is asked for there.
@@ -289,6 +204,11 @@ impl Editor {
         } else {
             self.setup.speed_graph = shows;
         }
+    }
+
+    /// The graph's height; what is too much is cut off where it is shown.
+    pub(super) fn set_graph_height(&mut self, height: f32) {
+        self.playing.graph_height = Some(height).filter(|height| height.is_finite());
     }
 
     pub(super) fn switch_loops(&mut self, context: &Context) {
@@ -343,11 +263,14 @@ impl Editor {
             context.request_repaint_after(Duration::from_secs_f64(rest.min(MARKS_STEP)));
         } else {
             self.playing.marked = now;
-            let quantity = self.playing.quantity.filter(|_| self.shows_speed_graph());
+            let shown = match self.shows_speed_graph() {
+                true => self.playing.shown,
+                false => plot::Shown::default(),
+            };
             // Too many frames to plot are reported elsewhere.
             let mut plot = std::mem::take(&mut self.playing.plot);
             let held = context.input(|input| input.pointer.any_down());
-            let _ = plot.update(&self.document, quantity, held, || self.obstacles());
+            let _ = plot.update(&self.document, shown, held, || self.obstacles());
             self.playing.plot = plot;
             if let Err(error) = self.playing.marks.update(&self.document)
                 && self.playing.frame.is_some()
@@ -417,242 +340,97 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     editor.playing.speeds = speeds;
 }
 
-fn bar(editor: &Editor, graph: &mut graph::Memory, ui: &mut Ui, actions: &mut Vec<Action>) {
+fn bar(editor: &Editor, memory: &mut graph::Memory, ui: &mut Ui, actions: &mut Vec<Action>) {
     let palette = theme::palette(ui);
+    let whole = ui.ctx().content_rect();
     let frame = egui::Frame::new()
         .fill(palette.panel)
-        .inner_margin(egui::Margin {
-            left: 12,
-            right: 12,
-            top: 0,
-            bottom: 0,
-        });
-    let speeds = if editor.shows_speed_graph() {
-        graph::HEIGHT + theme::GAP
-    } else {
-        0.0
+        .inner_margin(egui::Margin::symmetric(MARGIN as i8, 0));
+    let graph = match editor.shows_speed_graph() {
+        true => graph_height(editor, whole.height()),
+        false => 0.0,
     };
-    egui::Panel::bottom("playing")
+    let markers = match editor.playing.marks.markers.is_empty() {
+        true => 0.0,
+        false => ruler::MARKERS,
+    };
+    let height = TRANSPORT + ruler::HEIGHT + markers + key_row::HEIGHT + graph + theme::GAP;
+    let panel = egui::Panel::bottom("playing")
         .resizable(false)
-        .exact_size(HEIGHT + speeds)
-        .frame(frame)
-        .show(ui, |ui| {
-            let whole = ui.max_rect();
-            let (top, below) = whole.split_top_bottom_at_y(whole.top() + HEIGHT);
-            let row = UiBuilder::new().max_rect(top);
-            let rail = ui.scope_builder(row, |ui| {
-                ui.horizontal_centered(|ui| {
-                    ui.spacing_mut().item_spacing.x = 12.0;
-                    play_button(editor, ui, actions);
-                    fields::show(editor, ui, actions);
-                    let buttons = 2.0 * (BUTTON + theme::GAP) + 8.0;
-                    let width = ui.available_width() - buttons;
-                    let rail = timeline(editor, ui, width.max(60.0), actions);
-                    ui.spacing_mut().item_spacing.x = theme::GAP;
-                    speed_button(editor, ui, actions);
-                    camera_button(editor, ui, actions);
-                    rail
-                })
-            });
-            if speeds > 0.0 {
-                let rail = rail.inner.inner;
-                let rect = below.with_max_y(below.bottom() - theme::GAP);
-                graph::show(editor, graph, ui, rect, rail, actions);
-            }
-        });
-}
-
-/// The scale of frames with its handle; returns its rail.
-fn timeline(editor: &Editor, ui: &mut Ui, width: f32, actions: &mut Vec<Action>) -> Rect {
-    let (rect, response) = ui.allocate_exact_size(vec2(width, HEIGHT), Sense::click_and_drag());
-    let texts = &editor.texts().space;
-    let name = texts.timeline;
-    let at = editor.position_on_bar();
-    response.widget_info(|| WidgetInfo::slider(true, at, name));
-    let rail = Rect::from_min_max(
-        pos2(rect.left() + 8.0, rect.center().y - 2.0),
-        pos2(rect.right() - 8.0, rect.center().y + 2.0),
-    );
-    if editor.playing.marks.frames > 0 {
-        scrub_by_mouse(editor, ui, &response, rail, actions);
-        scrub_by_keys(editor, ui, &response, actions);
-    }
-    if response.hovered() || response.dragged() {
-        ui.set_cursor_icon(CursorIcon::PointingHand);
-    }
-    paint_timeline(editor, ui, rect, rail, response.has_focus());
-    response.on_hover_text(texts.timeline_tip);
-    rail
-}
-
-fn to_frame(frame: f64) -> Action {
-    Action::Playhead(Entry::Set(frame))
-}
-
-fn scrub_by_mouse(
-    editor: &Editor,
-    ui: &Ui,
-    response: &egui::Response,
-    rail: Rect,
-    actions: &mut Vec<Action>,
-) {
-    // A click may come with its press and its release in one pass.
-    if !(response.is_pointer_button_down_on() || response.clicked()) {
-        return;
-    }
-    response.request_focus();
-    if let Some(pointer) = response.interact_pointer_pos() {
-        let share = f64::from((pointer.x - rail.left()) / rail.width().max(1.0));
-        let last = as_frame(editor.playing.marks.frames);
-        let frame = (1.0 + share * (last - 1.0)).round();
-        let pressed = ui.input(|input| input.pointer.any_pressed()) || response.clicked();
-        let reach = if pressed { SNAP } else { 1.0 };
-        let span = f64::from(rail.width()) / (last - 1.0).max(1.0);
-        let away = |mark: &Mark| (mark.first() - frame).abs() * span;
-        let marks = editor.playing.marks.keys.iter();
-        let nearest = marks.min_by(|a, b| away(a).total_cmp(&away(b)));
-        let snapped = nearest.filter(|mark| away(mark) <= reach);
-        let mut markers = editor.playing.marks.markers_between(last);
-        let marker = markers.find(|(at, _)| (at - frame).abs() * span <= reach);
-        // As in the space and in the list: one more, or all up to here.
-        let held = ui.input(|input| input.modifiers);
-        if held.ctrl || held.shift {
-            let choice = snapped
-                .filter(|_| response.clicked())
-                .map(|mark| match held.ctrl {
-                    true => SelectionChange::Switch(mark.point),
-                    false => SelectionChange::UpTo(mark.point),
-                });
-            actions.extend(choice.map(Action::Choose));
-            return;
+        .exact_size(height)
+        .frame(frame);
+    panel.show(ui, |ui| {
+        let mut rest = ui.max_rect();
+        let edge = rest.expand2(egui::vec2(MARGIN, 0.0));
+        let mut row = |height: f32| {
+            let (row, below) = rest.split_top_bottom_at_y(rest.top() + height);
+            rest = below;
+            row
+        };
+        let top = UiBuilder::new().max_rect(row(TRANSPORT));
+        ui.scope_builder(top, |ui| fields::show(editor, ui, actions));
+        let captions = match windows::is_cramped(ui.ctx()) {
+            true => CAPTIONS.1,
+            false => CAPTIONS.0,
+        };
+        let parts = |row: Rect| {
+            let (left, right) = row.split_left_right_at_x(row.left() + captions);
+            (left.with_max_x(left.right() - theme::GAP), right)
+        };
+        let (left, right) = parts(row(ruler::HEIGHT));
+        let frames = match &memory.held {
+            graph::Held::Key(drag) => drag.frames,
+            _ => editor.playing.marks.frames,
+        };
+        let rail = Rangef::new(right.left() + END, right.right() - END);
+        let axis = Axis::new(rail, frames);
+        ruler::unit(editor, ui, left.shrink2(egui::vec2(0.0, 1.0)), actions);
+        ruler::show(editor, ui, right, &axis, actions);
+        let above = right.top();
+        if markers > 0.0 {
+            let (_, right) = parts(row(markers));
+            ruler::markers(ui, &editor.playing.marks, right, &axis);
         }
-        let marker = marker.map_or(frame, |(at, _)| *at);
-        actions.push(to_frame(snapped.map_or(marker, |mark| mark.first())));
-        ui.ctx().request_repaint();
-    }
-}
-
-fn scrub_by_keys(editor: &Editor, ui: &Ui, response: &egui::Response, actions: &mut Vec<Action>) {
-    if !response.has_focus() {
-        return;
-    }
-    let filter = EventFilter {
-        horizontal_arrows: true,
-        ..EventFilter::default()
-    };
-    ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
-    let (step, end, plays) = ui.input_mut(|input| {
-        let mut count = |modifiers, key| input.count_and_consume_key(modifiers, key) as f64;
-        // With Shift first: without modifiers egui would take both.
-        let ten =
-            count(Modifiers::SHIFT, Key::ArrowRight) - count(Modifiers::SHIFT, Key::ArrowLeft);
-        let one = count(Modifiers::NONE, Key::ArrowRight) - count(Modifiers::NONE, Key::ArrowLeft);
-        let first = input.consume_key(Modifiers::NONE, Key::Home);
-        let last = input.consume_key(Modifiers::NONE, Key::End);
-        let plays = input.consume_key(Modifiers::NONE, Key::Space);
-        (one + 10.0 * ten, (first, last), plays)
+        let (left, right) = parts(row(key_row::HEIGHT));
+        ruler::caption(ui, left, editor.texts().timeline.keys);
+        key_row::show(editor, memory, ui, (right, above), &axis, actions);
+        if graph > 0.0 {
+            let (left, right) = parts(row(graph));
+            let places = (right.with_min_y(right.top() + theme::GAP), left);
+            graph::show(editor, memory, ui, places, &axis, actions);
+            dragged_edge(editor, ui, edge, graph, actions);
+        }
     });
-    if step != 0.0 {
-        let at = editor.position_on_bar().round();
-        actions.push(to_frame(at + step));
-    }
-    match end {
-        (true, _) => actions.push(to_frame(1.0)),
-        (_, true) => actions.push(to_frame(as_frame(editor.playing.marks.frames))),
-        _ => {}
-    }
-    if plays {
-        actions.push(Action::PlayOrPause);
-    }
 }
 
-fn paint_timeline(editor: &Editor, ui: &Ui, rect: Rect, rail: Rect, focus: bool) {
-    let palette = theme::palette(ui);
-    let painter = ui.painter_at(rect);
-    let marks = &editor.playing.marks;
-    let span = (as_frame(marks.frames) - 1.0).max(1.0);
-    #[allow(clippy::cast_possible_truncation)]
-    let x_of = |frame: f64| rail.left() + rail.width() * ((frame - 1.0) / span) as f32;
-    painter.rect_filled(rail, 2.0, palette.edge);
-    let at = x_of(editor.position_on_bar());
-    let done = Rect::from_min_max(rail.min, pos2(at, rail.bottom()));
-    painter.rect_filled(done, 2.0, palette.accent);
-    let selection = editor.document.selection();
-    let scale = ui.ctx().pixels_per_point();
-    let mut free = f32::NEG_INFINITY;
-    let mut last_tick = f32::NEG_INFINITY;
-    for mark in &marks.keys {
-        let x = x_of(as_frame(mark.frame));
-        let current = (mark.point, mark.orientation) == (selection.point, selection.orientation);
-        if x - last_tick < 3.0 && !current {
-            continue;
-        }
-        last_tick = x;
-        let color = if current {
-            palette.accent
-        } else {
-            palette.weak
-        };
-        // One pixel wide, on whole pixels.
-        let left = (x * scale).floor() / scale;
-        let tick = Rect::from_min_max(
-            pos2(left, rail.top() - 7.0),
-            pos2(left + 1.0 / scale, rail.top() - 1.0),
-        );
-        painter.add(theme::block(tick, color));
-        if x < free {
-            continue;
-        }
-        let text = if mark.orientation == 0 {
-            (mark.point + 1).to_string()
-        } else {
-            format!("{}.{}", mark.point + 1, mark.orientation + 1)
-        };
-        let galley = painter.layout_no_wrap(text, FontId::proportional(11.0), color);
-        let width = galley.size().x;
-        let left = (x - width / 2.0).clamp(rect.left(), (rect.right() - width).max(rect.left()));
-        if left > free {
-            free = left + width + 4.0;
-            painter.galley(
-                pos2(left, rail.top() - 9.0 - galley.size().y),
-                galley,
-                color,
-            );
-        }
-    }
-    paint_markers(ui, &painter, marks, rail, &x_of);
-    let plays = editor.playing.frame.is_some();
-    let handle: Pos2 = pos2(at, rail.center().y);
-    let color = if plays {
-        editor.setup.colours().of(Element::Player)
-    } else {
-        palette.accent
-    };
-    painter.circle(handle, 7.0, color, Stroke::new(2.0, palette.panel));
-    if focus {
-        painter.circle_stroke(handle, 9.5, Stroke::new(1.5, palette.focus));
-    }
+/// A higher window has more room for the graph; dragged it is as high as it was made.
+fn graph_height(editor: &Editor, whole: f32) -> f32 {
+    let usual = ((whole - 580.0) * 0.3).clamp(56.0, 160.0);
+    let most = (0.45 * whole).max(graph::LEAST);
+    let height = editor.playing.graph_height.unwrap_or(usual);
+    height.clamp(graph::LEAST, most).round()
 }
 
-/// The scene's markers below the rail, with their names as far as there is room.
-fn paint_markers(ui: &Ui, painter: &Painter, marks: &Marks, rail: Rect, x_of: &dyn Fn(f64) -> f32) {
-    let palette = theme::palette(ui);
-    let mut free = f32::NEG_INFINITY;
-    for (frame, name) in marks.markers_between(as_frame(marks.frames)) {
-        let tip = pos2(x_of(*frame), rail.bottom() + 2.0);
-        let corners = [tip, tip + vec2(3.5, 6.0), tip + vec2(-3.5, 6.0)];
-        let sign = Shape::convex_polygon(corners.to_vec(), palette.weak, Stroke::NONE);
-        painter.add(sign);
-        let galley = painter.layout_no_wrap(name.clone(), FontId::proportional(11.0), palette.weak);
-        let room = painter.clip_rect();
-        let width = galley.size().x;
-        let left =
-            (tip.x - width / 2.0).clamp(room.left(), (room.right() - width).max(room.left()));
-        if left > free {
-            free = left + width + 6.0;
-            painter.galley(pos2(left, tip.y + 7.0), galley, palette.weak);
-        }
+/// The upper edge, by which the graph is made higher.
+fn dragged_edge(editor: &Editor, ui: &Ui, rect: Rect, height: f32, actions: &mut Vec<Action>) {
+    let place = rect.with_max_y(rect.top() + EDGE);
+    let response = ui.interact(place, Id::unique("height of the graph"), Sense::DRAG);
+    let texts = &editor.texts().timeline;
+    response.widget_info(|| egui::WidgetInfo::slider(true, f64::from(height), texts.height));
+    let lively = response.hovered() || response.dragged();
+    if lively {
+        ui.set_cursor_icon(CursorIcon::ResizeVertical);
     }
+    if let (true, Some(pointer)) = (response.dragged(), response.interact_pointer_pos()) {
+        let by = rect.top() + EDGE / 2.0 - pointer.y;
+        actions.push(Action::GraphHeight(height + by));
+    }
+    let palette = theme::palette(ui);
+    let colour = if lively { palette.focus } else { palette.line };
+    let line = egui::Stroke::new(1.0, colour);
+    ui.ctx()
+        .layer_painter(ui.layer_id())
+        .hline(rect.x_range(), rect.top() + 0.5, line);
 }
 
 #[cfg(test)]

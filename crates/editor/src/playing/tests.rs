@@ -2,7 +2,7 @@
 
 use std::time::Duration;
 
-use egui::{Modifiers, PointerButton, vec2};
+use egui::{Key, Modifiers, PointerButton, Pos2, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 

@@ -27,7 +27,13 @@ const MAX_BYTES: u64 = 64 << 10;
 /// The key of the sensor's height.
 const SENSOR: &str = "sensor_height_mm";
 
-const KEYS: [&str; 13] = [
+/// The key of what the ruler counts.
+const RULER: &str = "ruler_frames";
+
+/// The key of the sliders.
+const SLIDERS: &str = "sliders";
+
+const KEYS: [&str; 15] = [
     "version",
     "theme",
     "language",
@@ -37,6 +43,8 @@ const KEYS: [&str; 13] = [
     SENSOR,
     "safe_frame",
     "speed_graph",
+    RULER,
+    SLIDERS,
     "view",
     "shown",
     "dark",
@@ -120,6 +128,10 @@ fn write_setup(out: &mut String, setup: &Setup) -> std::fmt::Result {
     writeln!(out, "{SENSOR} = {:?}", setup.sensor_height)?;
     writeln!(out, "safe_frame = {}", setup.safe_frame)?;
     writeln!(out, "speed_graph = {}", setup.speed_graph)?;
+    writeln!(out, "{RULER} = {}", setup.ruler_frames)?;
+    if let Some(sliders) = setup.sliders {
+        writeln!(out, "{SLIDERS} = {sliders}")?;
+    }
     let view = &setup.view;
     writeln!(out, "\n[view]")?;
     writeln!(out, "rotation_degrees = {:?}", view.rotation)?;
@@ -188,6 +200,8 @@ fn from_toml(text: &str) -> Result<Setup> {
             }
             "safe_frame" => setup.safe_frame = field.boolean()?,
             "speed_graph" => setup.speed_graph = field.boolean()?,
+            SLIDERS => setup.sliders = Some(field.boolean()?),
+            RULER => setup.ruler_frames = field.boolean()?,
             "view" => setup.view = view(field)?,
             "shown" => read_shown(field, &mut setup.shown)?,
             "dark" => read_colours(field, &mut setup.dark)?,
@@ -291,6 +305,19 @@ impl Editor {
         self.keep(SENSOR, &format!("{height:?}"));
     }
 
+    /// Shows the sliders around the space, or hides them, also for the next start.
+    pub(crate) fn switch_sliders(&mut self) {
+        let sliders = !self.shows_sliders();
+        self.setup.sliders = Some(sliders);
+        self.keep(SLIDERS, &sliders.to_string());
+    }
+
+    /// Lets the ruler count frames or seconds, also for the next start.
+    pub(crate) fn choose_ruler(&mut self, frames: bool) {
+        self.setup.ruler_frames = frames;
+        self.keep(RULER, &frames.to_string());
+    }
+
     /// Puts one value into the setup file that is read at start. Anything else that is set up in
     /// this window is kept only when the user saves the setup.
     fn keep(&mut self, key: &str, value: &str) {
@@ -360,6 +387,8 @@ mod tests {
             sensor_height: 18.66,
             safe_frame: true,
             speed_graph: false,
+            ruler_frames: true,
+            sliders: Some(true),
             view: View {
                 rotation: -12.345_678_901_234_5,
                 tilt: 1.0 / 3.0,

@@ -24,6 +24,8 @@ use crate::theme;
 
 /// Initial width of the picture, in points.
 const WIDTH: f32 = 228.0;
+const LEAST: f32 = 96.0;
+const LOW: f32 = 400.0;
 
 /// Height of the caption above it, in points.
 const CAPTION: f32 = 19.0;
@@ -100,7 +102,7 @@ pub(super) fn show(
         .pivot(Align2::RIGHT_TOP)
         .default_pos(corner(viewport))
         .default_width(width)
-        .min_width(WIDTH / 2.0);
+        .min_width(LEAST);
     // Until the user moves it, it follows the window's size.
     let known: Option<Placed> = context.data(|data| data.get_temp(id));
     if known.is_some_and(|known| !known.by_hand && known.viewport != viewport) {
@@ -153,7 +155,9 @@ fn corner(viewport: Rect) -> Pos2 {
 }
 
 fn first_width(viewport: Rect) -> f32 {
-    WIDTH.min(viewport.width() * 0.27).max(WIDTH / 2.0)
+    // In a low space it would hide the path.
+    let part = if viewport.height() < LOW { 0.23 } else { 0.27 };
+    WIDTH.min(viewport.width() * part).max(LEAST)
 }
 
 fn contents(

@@ -6,11 +6,11 @@ use egui::{Event, Key};
 const MOST: usize = 24;
 
 #[derive(Clone, Debug, Default)]
-pub(super) struct Typed(String);
+pub(crate) struct Typed(String);
 
 impl Typed {
     /// Handles a digit, a sign or Backspace; returns whether that changed anything.
-    pub(super) fn take(&mut self, event: &Event) -> bool {
+    pub(crate) fn take(&mut self, event: &Event) -> bool {
         match event {
             Event::Key {
                 key: Key::Backspace,
@@ -21,7 +21,7 @@ impl Typed {
                 let before = self.0.len();
                 let signs = text
                     .chars()
-                    .filter(|c| matches!(c, '0'..='9' | '.' | ',' | '-'));
+                    .filter(|c| matches!(c, '0'..='9' | '.' | ',' | '-' | '+'));
                 self.0.extend(signs);
                 self.0.truncate(MOST);
                 self.0.len() != before
@@ -30,8 +30,18 @@ impl Typed {
         }
     }
 
+    /// As it was typed.
+    pub(crate) fn text(&self) -> &str {
+        &self.0
+    }
+
+    /// Whether it begins with a sign.
+    pub(crate) fn has_sign(&self) -> bool {
+        self.0.starts_with(['-', '+'])
+    }
+
     /// The number, if it is one by now.
-    pub(super) fn number(&self) -> Option<f64> {
+    pub(crate) fn number(&self) -> Option<f64> {
         let number = self.0.replace(',', ".").parse().ok();
         number.filter(|number: &f64| number.is_finite())
     }

@@ -45,6 +45,7 @@ mod space_window;
 mod speed;
 mod speed_window;
 mod steps;
+mod timeline;
 mod tools;
 mod zoom;
 
@@ -175,6 +176,7 @@ parts! {
     speed: Speed;
     speed_window: SpeedWindow;
     steps: Steps;
+    timeline: Timeline;
     tools: Tools;
     zoom: Zoom;
 }

@@ -113,9 +113,9 @@ texts! {
         loop_meaning: "Loop: begin anew at the end when playing", "Endlos: beim Abspielen am Ende von vorn beginnen";
         too_many_frames: "Too many frames", "Zu viele Bilder";
         speed_graph: "Pace", "Tempo";
-        plot: "Plot", "Verlauf";
-        plot_tip: "Shown along the path, with its value at the playhead; what an open check has found is marked",
-            "Über der Bahn gezeigt, mit dem Wert am Abspielkopf; was eine offene Prüfung fand, ist markiert";
+        plot: "Graph", "Verlauf";
+        plot_tip: "What is shown along the path, several over one another, with the values at the playhead; limits of the check are dashed red lines, what an open check has found is marked",
+            "Was über der Bahn gezeigt wird, auch mehreres übereinander, mit den Werten am Abspielkopf; Grenzen der Prüfung sind rot gestrichelt, was eine offene Prüfung fand, ist markiert";
         plot_distance: "Distance", "Strecke";
         plot_clearance: "Clearance", "Abstand";
         plot_speed: "Speed", "Geschwindigkeit";
@@ -138,13 +138,13 @@ texts! {
         plot_zoom_tip: "The camera's zoom, in millimetres", "Der Zoom der Kamera, in Millimetern";
         speed_graph_tip: "Speed all along the path; 50 is the base speed, a red step a jump",
             "Geschwindigkeit über die ganze Bahn; 50 ist die Grundgeschwindigkeit, eine rote Stufe ein Sprung";
-        speed_graph_switch: "Shows the speed all along the path (G)",
-            "Zeigt die Geschwindigkeit über die ganze Bahn (G)";
+        speed_graph_switch: "Shows the pace and more all along the path (G)",
+            "Zeigt das Tempo und anderes über die ganze Bahn (G)";
         speed_graph_keys: "G", "G";
         speed_graph_meaning: "Pace: show or hide the speed all along the path", "Tempo: die Geschwindigkeit über die ganze Bahn zeigen oder verbergen";
         section_border: "End of section {0}", "Ende des Abschnitts {0}";
-        section_border_tip: "Drag: frames go from one section to the other; Shift: all behind moves along",
-            "Ziehen: Bilder wechseln vom einen Abschnitt zum anderen; Umschalt: alles dahinter rückt mit";
+        section_border_tip: "Drag: frames go from one section to the other; Shift: ten times finer; Ctrl: a copy of the key",
+            "Ziehen: Bilder wechseln vom einen Abschnitt zum anderen; Umschalt: zehnmal feiner; Strg: eine Kopie des Schlüssels";
         camera_whole: "Camera only", "Nur Kamera";
         camera_whole_tip: "The camera's picture in place of the space, and back (Shift+C)",
             "Das Kamerabild an Stelle des Raumes, und zurück (Umschalt+C)";
@@ -221,6 +221,22 @@ texts! {
         take_over_here: "Take over the view here", "Ansicht hierher übernehmen";
         take_over_here_tip: "The program's camera in place of this point and orientation",
             "Die Kamera des Programms an Stelle von diesem Punkt und dieser Orientierung";
+        begin_with: "Begin with: {0}", "Beginnen mit: {0}";
+        begin_view: "From the view", "Aus der Ansicht";
+        begin_open: "Open …", "Öffnen …";
+        begin_open_tip: "Open a path or a scene from a file", "Eine Bahn oder eine Szene aus einer Datei öffnen";
+        one_outside: "1 point is outside: Around the path", "1 Punkt liegt außerhalb: Um die Bahn";
+        some_outside: "{0} points are outside: Around the path", "{0} Punkte liegen außerhalb: Um die Bahn";
+        outside_tip: "A space that has all of the path in it; the path stays where it is",
+            "Ein Raum, in dem die ganze Bahn liegt; die Bahn bleibt, wo sie ist";
+        view_menu: "Numbers of the view", "Zahlen der Ansicht";
+        view_menu_tip: "Size, rotation and tilt of the space, from the front, from above, and the sliders",
+            "Größe, Drehung und Kippung des Raumes, von vorn, von oben, und die Schieber";
+        view_oblique: "Oblique", "Schräg";
+        view_oblique_tip: "From in front, a little from the right and from above", "Von vorn, etwas von rechts und von oben";
+        sliders: "Sliders", "Schieber";
+        sliders_tip: "Sliders for size, rotation and tilt around the space",
+            "Schieber für Größe, Drehung und Kippung um den Raum";
         view_reset: "Reset the view", "Ansicht zurücksetzen";
         view_front: "From the front", "Von vorn";
         view_right: "From the right", "Von rechts";

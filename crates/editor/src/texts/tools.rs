@@ -57,6 +57,7 @@ const TOOLS: &[(&str, &str, &str, &str)] = &[
     ("frames", "Number of frames", "Zahl der Bilder", "bringt Punkte auf eine Zahl von Bildern"),
     ("retime", "Pace within limits", "Tempo in Grenzen", "berechnet das Tempo von Punkten neu, in den Grenzen der Prüfung"),
     ("tour", "Tour", "Rundflug", "macht einen Flug, der das Objekt zeigt"),
+    ("picture", "Keep in the picture", "Im Bild halten", "hält das Objekt ganz im Bild, so groß, wie ein Rand es erlaubt"),
     ("fit", "Fit recorded poses", "Aufgezeichnete Posen annähern", "macht aus aufgezeichneten Posen eine Bahn aus wenigen Punkten"),
 ];
 
@@ -100,6 +101,8 @@ const LABELS: &[Word] = &[
     ("weight", "Weight", "Gewicht"),
     ("coverage", "Coverage", "Anteil"),
     ("inside", "Inside", "Innen"),
+    ("margin", "Margin", "Rand"),
+    ("what", "By", "Durch"),
 ];
 
 /// What the parameters do, in German.
@@ -155,6 +158,8 @@ const HINTS: &[(&str, &str)] = &[
     ("how far the camera is from what it shows; 0: found",
         "wie weit die Kamera von dem weg ist, was sie zeigt; 0: wird gefunden"),
     ("in the object's free space, not around it", "im freien Raum des Objekts, nicht um es herum"),
+    ("the share that stays free at each side", "der Anteil, der auf jeder Seite frei bleibt"),
+    ("by what it is kept there", "wodurch es dort gehalten wird"),
     ("how much of the other path", "wie viel von der anderen Bahn"),
     ("how far view, up and field of view may be from theirs",
         "wie weit Blick, oben und Bildwinkel von ihren abweichen dürfen"),
@@ -175,6 +180,9 @@ const CHOICES: &[Word] = &[
     ("move", "moved here", "hierher verschoben"),
     ("turn", "turned too", "auch gedreht"),
     ("scale", "scaled too", "auch skaliert"),
+    ("zoom", "the zoom", "den Zoom"),
+    ("distance", "the distance", "den Abstand"),
+    ("view", "turning", "Drehen"),
 ];
 
 fn word(words: &'static [Word], language: Language, name: &'static str) -> &'static str {

@@ -1,0 +1,447 @@
+//! The keys on the timeline, and the sections between them: dragged, copied, selected.
+
+use egui::{
+    CornerRadius, CursorIcon, FontId, Id, Key, Order, Painter, Pos2, Rangef, Rect, Response, Sense,
+    Shape, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
+};
+
+use super::axis::Axis;
+use super::graph::{Held, Memory, ended};
+use super::retime::{Beside, Retiming};
+use super::ruler::chosen_too;
+use super::{Mark, as_frame};
+use crate::actions::Action;
+use crate::document::Selection;
+use crate::number::Entry;
+use crate::space::Typed;
+use crate::state::Editor;
+use crate::texts::fill;
+use crate::theme;
+
+pub(super) const HEIGHT: f32 = 24.0;
+
+/// Least room for a key that is dragged, in points; the room that it takes where there is enough.
+const LEAST: f32 = 6.0;
+const ROOM: f32 = 24.0;
+
+/// Half of a key's sign.
+const SIGN: f32 = 5.0;
+
+/// Factor of a drag with Shift.
+const FINE: f64 = 0.1;
+
+/// A key that is dragged along the time.
+#[derive(Debug)]
+pub(super) struct KeyDrag {
+    /// What was taken; what shows it may vanish meanwhile.
+    id: Id,
+    of: Selection,
+    /// The frame at which it stood.
+    from: usize,
+    beside: Beside,
+    /// The pointer of the last pass.
+    pointer: f32,
+    /// Frames that it went, and how many a point of the screen are.
+    gone: f64,
+    each: f64,
+    /// All frames when it began: the scale stays meanwhile.
+    pub(super) frames: usize,
+    typed: Typed,
+    done: Retiming,
+}
+
+impl KeyDrag {
+    /// The key of this frame is taken.
+    fn new(
+        editor: &Editor,
+        (id, of, frame): (Id, Selection, usize),
+        axis: &Axis,
+        pointer: Pos2,
+    ) -> Self {
+        let marks = &editor.playing.marks;
+        Self {
+            id,
+            of,
+            from: frame,
+            beside: marks.beside(frame),
+            pointer: pointer.x,
+            gone: 0.0,
+            each: axis.frames_per_point(),
+            frames: marks.frames,
+            typed: Typed::default(),
+            done: Retiming::Nothing,
+        }
+    }
+
+    /// Goes on with the pointer or what is typed; what is to be done, if that is another.
+    fn go_on(&mut self, editor: &Editor, ui: &Ui, response: &Response) -> Option<Action> {
+        let held = ui.input(|input| input.modifiers);
+        if let Some(pointer) = response.interact_pointer_pos() {
+            let fine = if held.shift { FINE } else { 1.0 };
+            self.gone += f64::from(pointer.x - self.pointer) * self.each * fine;
+            self.pointer = pointer.x;
+        }
+        ui.input_mut(|input| input.events.retain(|event| !self.typed.take(event)));
+        let copies = held.ctrl || held.command;
+        let marks = &editor.playing.marks;
+        let along = editor.moves_along();
+        let (least, most) = match copies {
+            false => marks.reach(self.beside, along, editor.keeps_length()),
+            true => (
+                1 - as_count(self.from),
+                as_count(self.frames) - as_count(self.from),
+            ),
+        };
+        #[allow(clippy::cast_possible_truncation)]
+        let by = self.wanted(editor).round() as i64;
+        let by = by.min(most).max(least);
+        let wanted = match (by, self.beside) {
+            (0, _) => Retiming::Nothing,
+            (by, _) if copies => {
+                let to = usize::try_from(as_count(self.from) + by).unwrap_or(1);
+                Retiming::Copy { of: self.of, to }
+            }
+            (by, [Some(before), after]) => {
+                let after = after.filter(|_| !along);
+                Retiming::Move { before, after, by }
+            }
+            _ => Retiming::Nothing,
+        };
+        (wanted != self.done).then(|| {
+            self.done = wanted;
+            Action::Retime(wanted)
+        })
+    }
+
+    /// By how many frames it shall go.
+    fn wanted(&self, editor: &Editor) -> f64 {
+        let Some(number) = self.typed.number() else {
+            return self.gone;
+        };
+        let info = editor.document.info();
+        let frames = editor.setup.ruler_frames;
+        // A sign: from where it stood.
+        match (self.typed.has_sign(), frames) {
+            (true, true) => number,
+            (true, false) => number * info.fps,
+            (false, true) => number - f64::from(info.first_frame) + 1.0 - as_frame(self.from),
+            (false, false) => number * info.fps + 1.0 - as_frame(self.from),
+        }
+    }
+
+    /// The frame at which it is now.
+    fn at(&self) -> usize {
+        match self.done {
+            Retiming::Nothing => self.from,
+            Retiming::Move { by, .. } => {
+                usize::try_from(as_count(self.from) + by).unwrap_or(self.from)
+            }
+            Retiming::Copy { to, .. } => to,
+        }
+    }
+
+    /// Where it is, in numbers, above the ruler.
+    fn tell(&self, editor: &Editor, ui: &Ui, axis: &Axis, top: f32) {
+        let texts = &editor.texts().timeline;
+        let (language, info) = (editor.language(), editor.document.info());
+        let at = self.at();
+        let second = language.number((as_frame(at) - 1.0) / info.fps, 2);
+        let by = (as_frame(at) - as_frame(self.from)) / info.fps;
+        let sign = if by > 0.0 { "+" } else { "" };
+        let by = format!("{sign}{}", language.number(by, 2));
+        let frame = as_frame(at) - 1.0 + f64::from(info.first_frame);
+        let name = editor.name_of(self.of.point, self.of.orientation);
+        let name = match self.done {
+            Retiming::Copy { .. } => fill(texts.copy_of, &[&name]),
+            _ => name,
+        };
+        let mut lines = fill(texts.moved, &[&name, &second, &by, &frame]);
+        if let Retiming::Move { before, after, by } = self.done {
+            let frames = |(_, frames): (Selection, usize), by: i64| as_count(frames) + by;
+            let (before, after) = (frames(before, by), after.map(|after| frames(after, -by)));
+            lines.push('\n');
+            lines += &match after {
+                Some(after) => fill(texts.sections, &[&before, &after]),
+                None => fill(texts.section, &[&before]),
+            };
+        } else if self.beside[0].is_none() {
+            lines += &format!("\n{}", texts.first_stays);
+        } else if self.beside[1].is_none() && editor.keeps_length() {
+            lines += &format!("\n{}", texts.end_is_kept);
+        }
+        if !self.typed.text().is_empty() {
+            let unit = if editor.setup.ruler_frames { "" } else { " s" };
+            lines += &format!("\n› {}{unit}", self.typed.text());
+        }
+        bubble(ui, pos2(axis.x_of(as_frame(at)), top), lines);
+    }
+}
+
+fn as_count(frames: usize) -> i64 {
+    i64::try_from(frames).unwrap_or(i64::MAX / 4)
+}
+
+/// Words in a box above a place.
+fn bubble(ui: &Ui, place: Pos2, words: String) {
+    let palette = theme::palette(ui);
+    let layer = egui::LayerId::new(Order::Tooltip, Id::unique("key in time"));
+    let painter = ui.ctx().layer_painter(layer);
+    let galley = painter.layout_no_wrap(words, theme::text(), palette.text);
+    let room = ui.ctx().content_rect().shrink(4.0);
+    let size = galley.size() + vec2(16.0, 8.0);
+    let most = (room.right() - size.x).max(room.left());
+    let left = (place.x - size.x / 2.0).clamp(room.left(), most);
+    let rect = Rect::from_min_size(pos2(left, place.y - size.y - 4.0), size);
+    let stroke = Stroke::new(1.0, palette.rim);
+    let corners = CornerRadius::same(4);
+    painter.rect(rect, corners, palette.panel, stroke, StrokeKind::Inside);
+    painter.galley(rect.min + vec2(8.0, 4.0), galley, palette.text);
+}
+
+/// Shows the keys in `rect`, whose words above begin at `top`.
+pub(super) fn show(
+    editor: &Editor,
+    memory: &mut Memory,
+    ui: &Ui,
+    (rect, top): (Rect, f32),
+    axis: &Axis,
+    actions: &mut Vec<Action>,
+) {
+    let Memory { held, carries, .. } = memory;
+    *carries = matches!(held, Held::Key(_));
+    let palette = theme::palette(ui);
+    let ground = Rect::from_x_y_ranges(axis.rail.expand(8.0), rect.y_range());
+    let painter = ui.painter_at(ground);
+    painter.rect_filled(ground.shrink2(vec2(0.0, 1.0)), 3.0, palette.field);
+    if editor.document.edits_path() {
+        sections(editor, &painter, axis, rect);
+        let keys = with_room(
+            &editor.playing.marks.keys,
+            axis,
+            editor.document.selection(),
+        );
+        for (mark, room) in keys {
+            key(
+                editor,
+                (held, *carries),
+                ui,
+                (mark, room),
+                axis,
+                rect,
+                actions,
+            );
+        }
+    }
+    let at = axis.x_of(editor.position_on_bar());
+    let color = super::ruler::colour_of_playhead(editor, ui);
+    painter.vline(at, rect.y_range(), Stroke::new(1.0, color));
+    if let Held::Key(drag) = held {
+        drag.tell(editor, ui, axis, top);
+        if *carries {
+            let response = ui.interact(rect, drag.id, Sense::CLICK | Sense::DRAG);
+            carry_on(editor, held, ui, &response, actions);
+        }
+    }
+}
+
+/// The keys that can be seen one from another, and how far each reaches.
+fn with_room(keys: &[Mark], axis: &Axis, current: Selection) -> Vec<(Mark, Rangef)> {
+    let mut shown: Vec<(Mark, f32)> = Vec::new();
+    for &mark in keys {
+        let x = axis.x_of(mark.first());
+        let is_current = Selection::at(mark.point, mark.orientation) == current;
+        match shown.last_mut() {
+            Some(last) if x - last.1 < LEAST => {
+                if is_current {
+                    *last = (mark, x);
+                }
+            }
+            _ => shown.push((mark, x)),
+        }
+    }
+    let half = |from: Option<&(Mark, f32)>, x: f32| {
+        from.map_or(ROOM / 2.0, |(_, other)| {
+            ((other - x).abs() / 2.0).min(ROOM / 2.0)
+        })
+    };
+    let reach = |(at, &(mark, x)): (usize, &(Mark, f32))| {
+        let before = at.checked_sub(1).and_then(|at| shown.get(at));
+        let (left, right) = (half(before, x), half(shown.get(at + 1), x));
+        (mark, Rangef::new(x - left, x + right))
+    };
+    shown.iter().enumerate().map(reach).collect()
+}
+
+/// The sections as bars, with the number of the key with which each begins; rests in between.
+fn sections(editor: &Editor, painter: &Painter, axis: &Axis, rect: Rect) {
+    let palette = theme::palette_of(&painter.ctx().global_style().visuals);
+    let marks = &editor.playing.marks;
+    let rows = rect.y_range().shrink(4.0);
+    let current = editor.document.selection();
+    let points = &editor.document.path().points;
+    let mut last = f32::NEG_INFINITY;
+    for stretch in marks.graph.stretches() {
+        let [from, to] = [stretch.start, stretch.end].map(|frame| axis.x_of(as_frame(frame)));
+        let is_current = stretch.from == current;
+        if to - last < 1.5 && !is_current {
+            continue;
+        }
+        let rests = from - last;
+        if last > 0.0 && rests > 1.5 {
+            // The camera rests there.
+            let place = Rect::from_x_y_ranges(last..=from, rows.shrink(5.0));
+            painter.rect_filled(place, 1.0, palette.edge.gamma_multiply(0.5));
+        }
+        last = to;
+        let several = points.get(stretch.from.point);
+        let pans =
+            several.is_some_and(|point| stretch.from.orientation + 1 < point.orientations.len());
+        let part = match (is_current, pans) {
+            (true, _) => 0.5,
+            (false, false) => 0.28,
+            (false, true) => 0.14,
+        };
+        let place = Rect::from_x_y_ranges(from + 0.5..=(to - 0.5).max(from + 0.5), rows);
+        painter.rect_filled(place, 3.0, palette.accent.gamma_multiply(part));
+    }
+    let mut free = f32::NEG_INFINITY;
+    for (at, mark) in marks.keys.iter().enumerate() {
+        let x = axis.x_of(mark.first());
+        let text = if mark.orientation == 0 {
+            (mark.point + 1).to_string()
+        } else {
+            format!("{}.{}", mark.point + 1, mark.orientation + 1)
+        };
+        let rests = axis.x_of(as_frame(mark.frame.saturating_add(mark.hold)));
+        let wide = rests - x > 60.0 || mark.hold > editor.playing.marks.frames;
+        let left = if wide { x } else { x.max(rests - SIGN) } + SIGN + 3.0;
+        if left < free {
+            continue;
+        }
+        let next = marks
+            .keys
+            .get(at + 1)
+            .map(|next| axis.x_of(next.first()) - SIGN);
+        let galley = painter.layout_no_wrap(text, FontId::proportional(11.0), palette.text);
+        let size = galley.size();
+        let is_current = Selection::at(mark.point, mark.orientation) == current;
+        let fits = next.is_none_or(|next| left + size.x < next);
+        if (fits || is_current) && left + size.x < rect.right() {
+            free = left + size.x + 2.0;
+            let place = pos2(left, rect.center().y - size.y / 2.0);
+            painter.galley(place, galley, palette.text);
+        }
+    }
+}
+
+/// A key: clicked it is selected, dragged it moves, with Ctrl a copy of it.
+fn key(
+    editor: &Editor,
+    (held, carries): (&mut Held, bool),
+    ui: &Ui,
+    (mark, room): (Mark, Rangef),
+    axis: &Axis,
+    rect: Rect,
+    actions: &mut Vec<Action>,
+) {
+    let texts = &editor.texts().timeline;
+    let of = Selection::at(mark.point, mark.orientation);
+    let id = Id::unique(("key in time", mark.point, mark.orientation));
+    let place = Rect::from_x_y_ranges(room, rect.y_range());
+    let painter = ui.painter_at(rect);
+    let palette = theme::palette(ui);
+    let selected = editor.document.selection() == of;
+    let middle = pos2(axis.x_of(mark.first()), rect.center().y);
+    let paint = |fill, half| {
+        let line = Stroke::new(1.5, palette.field);
+        painter.add(Shape::convex_polygon(sign(middle, half), fill, line));
+    };
+    let colour = if selected {
+        palette.accent
+    } else {
+        palette.weak
+    };
+    if carries {
+        paint(colour, SIGN);
+        return;
+    }
+    // Not by Tab: Ctrl with the arrow keys moves it from the ruler.
+    let response = ui.interact(place, id, Sense::CLICK | Sense::DRAG);
+    let name = fill(texts.key, &[&editor.name_of(of.point, of.orientation)]);
+    response.widget_info(|| WidgetInfo::slider(true, mark.first(), name.as_str()));
+    if response.clicked() {
+        let held = ui.input(|input| input.modifiers);
+        actions.push(match held.ctrl || held.shift {
+            true => chosen_too(mark.point, held),
+            false => Action::Select(of),
+        });
+    }
+    take(editor, held, ui, (&response, of, mark.frame), axis, actions);
+    match response.hovered() {
+        true => paint(if selected { colour } else { palette.focus }, SIGN + 1.0),
+        false => paint(colour, SIGN),
+    }
+    response.on_hover_text(texts.key_tip);
+}
+
+/// A square on its corner.
+fn sign(middle: Pos2, half: f32) -> Vec<Pos2> {
+    let corners = [
+        vec2(0.0, -half),
+        vec2(half, 0.0),
+        vec2(0.0, half),
+        vec2(-half, 0.0),
+    ];
+    corners.map(|corner| middle + corner).to_vec()
+}
+
+/// Takes the key at a frame by what shows it: its sign or a border of the graph.
+pub(super) fn take(
+    editor: &Editor,
+    held: &mut Held,
+    ui: &Ui,
+    (response, of, frame): (&Response, Selection, usize),
+    axis: &Axis,
+    actions: &mut Vec<Action>,
+) {
+    if response.hovered() {
+        ui.set_cursor_icon(CursorIcon::ResizeHorizontal);
+    }
+    if response.drag_started()
+        && let Some(pointer) = ui.input(|input| input.pointer.press_origin())
+    {
+        let what = (response.id, of, frame);
+        *held = Held::Key(KeyDrag::new(editor, what, axis, pointer));
+        actions.push(Action::Enter(Entry::Begin));
+        carry_on(editor, held, ui, response, actions);
+    }
+}
+
+/// Goes on with what is held, until it is let go or Enter or Escape is pressed.
+fn carry_on(
+    editor: &Editor,
+    held: &mut Held,
+    ui: &Ui,
+    response: &Response,
+    actions: &mut Vec<Action>,
+) {
+    let Held::Key(drag) = held else {
+        return;
+    };
+    if !response.dragged() {
+        ended(ui, response, held, actions);
+        return;
+    }
+    actions.extend(drag.go_on(editor, ui, response));
+    let moves = drag.beside[0].is_some() || drag.done != Retiming::Nothing;
+    ui.set_cursor_icon(match drag.done {
+        Retiming::Copy { .. } => CursorIcon::Copy,
+        _ if moves => CursorIcon::ResizeHorizontal,
+        _ => CursorIcon::NotAllowed,
+    });
+    if ui.input_mut(|input| input.consume_key(egui::Modifiers::NONE, Key::Enter)) {
+        ui.ctx().stop_dragging();
+        *held = Held::Nothing;
+        actions.push(Action::Enter(Entry::End));
+    }
+}

@@ -1,0 +1,120 @@
+//! The keys of the path on the scale of its frames.
+
+use super::as_frame;
+use super::graph::Graph;
+use crate::document::{Document, Selection};
+use crate::error::Result;
+use crate::path::{Change, Timeline};
+
+/// The keys of the path on the scale of its frames.
+#[derive(Debug, Default)]
+pub(super) struct Marks {
+    pub(super) revision: Option<u64>,
+    pub(super) keys: Vec<Mark>,
+    /// The scene's markers: frames of the path, and their names.
+    pub(super) markers: Vec<(f64, String)>,
+    /// All frames; 0 if there are too many.
+    pub(super) frames: usize,
+    pub(super) graph: Graph,
+}
+
+/// An orientation and its frame.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Mark {
+    pub(crate) point: usize,
+    pub(crate) orientation: usize,
+    pub(super) frame: usize,
+    /// For how many frames more the camera rests there.
+    pub(super) hold: usize,
+}
+
+impl Mark {
+    /// The frame in which the key is reached.
+    pub(crate) fn first(self) -> f64 {
+        as_frame(self.frame)
+    }
+
+    /// The last frame that shows it.
+    pub(crate) fn last(self) -> f64 {
+        as_frame(self.frame + self.hold)
+    }
+}
+
+impl Marks {
+    pub(super) fn update(&mut self, document: &Document) -> Result<()> {
+        let revision = document.revision();
+        if self.revision == Some(revision) {
+            return Ok(());
+        }
+        self.revision = Some(revision);
+        self.keys.clear();
+        self.markers.clear();
+        self.graph.clear();
+        self.frames = 0;
+        if let Some(edited) = document.edited_scene() {
+            let markers = edited.scene().markers().iter();
+            let of_path = |frame: f64| document.frame_of_path(frame);
+            self.markers
+                .extend(markers.map(|marker| (of_path(marker.frame), marker.name.clone())));
+        }
+        if !document.edits_path() {
+            // No path is edited, so there are no keys to show.
+            self.frames = document.timeline(Timeline::frame_count)??;
+            return Ok(());
+        }
+        let path = document.path();
+        let keys = &mut self.keys;
+        self.frames = document.timeline(|timeline| {
+            let mut frame = 1;
+            for index in 0..timeline.section_count() {
+                let section = timeline.section(index);
+                let (point, orientation) = (section.point, section.orientation);
+                keys.try_reserve(2)?;
+                let hold = if section.change == Change::Nothing {
+                    0
+                } else {
+                    path.points[point].orientations[orientation].hold as usize
+                };
+                keys.push(Mark {
+                    point,
+                    orientation,
+                    frame,
+                    hold,
+                });
+                if section.change != Change::Nothing {
+                    frame += hold + section.frames;
+                }
+            }
+            if let Some(point) = path.points.len().checked_sub(1).filter(|_| !path.closed) {
+                let orientation = path.points[point].orientations.len().saturating_sub(1);
+                let hold = usize::MAX - frame;
+                keys.push(Mark {
+                    point,
+                    orientation,
+                    frame,
+                    hold,
+                });
+            }
+            timeline.frame_count()
+        })??;
+        self.graph.update(document, &self.keys)
+    }
+
+    /// The first key that is reached at a frame.
+    pub(super) fn at(&self, frame: usize) -> Option<Selection> {
+        let next = self.keys.partition_point(|mark| mark.frame < frame);
+        let mark = self.keys.get(next).filter(|mark| mark.frame == frame)?;
+        Some(Selection::at(mark.point, mark.orientation))
+    }
+
+    /// The markers between the first frame and the last one.
+    pub(super) fn markers_between(&self, last: f64) -> impl Iterator<Item = &(f64, String)> {
+        let within = move |marker: &&(f64, String)| (1.0..=last).contains(&marker.0);
+        self.markers.iter().filter(within)
+    }
+
+    pub(super) fn of(&self, selection: Selection) -> Option<Mark> {
+        let mut keys = self.keys.iter().copied();
+        keys.find(|mark| Selection::at(mark.point, mark.orientation) == selection)
+    }
+}

@@ -1,0 +1,36 @@
+//! Texts of the timeline's ruler, keys and graph.
+
+use super::texts;
+
+texts! {
+    Timeline {
+        unit: "What the ruler counts", "Was das Lineal zählt";
+        unit_tip: "The ruler counts seconds or frames: click for the other",
+            "Das Lineal zählt Sekunden oder Bilder: Klick wechselt";
+        seconds: "Seconds", "Sekunden";
+        frames: "Frames", "Bilder";
+        keys: "Points and views", "Punkte und Blicke";
+        key: "Time of {0}", "Zeitpunkt von {0}";
+        key_tip: "Drag: the sections beside it get more frames and fewer · type a number: to that time; +, −: by so much · Shift: ten times finer · Ctrl: a copy · Esc: back",
+            "Ziehen: die Abschnitte daneben bekommen mehr Bilder und weniger · Zahl tippen: zu dieser Zeit; +, −: um so viel · Umschalt: zehnmal feiner · Strg: eine Kopie · Esc: zurück";
+        moved: "{0}: {1} s ({2} s) · frame {3}", "{0}: {1} s ({2} s) · Bild {3}";
+        copy_of: "Copy of {0}", "Kopie von {0}";
+        sections: "{0} frames before it · {1} behind it", "{0} Bilder davor · {1} dahinter";
+        section: "{0} frames before it", "{0} Bilder davor";
+        first_stays: "The first one stays at the beginning", "Der erste bleibt am Anfang";
+        end_is_kept: "The padlock keeps the end", "Das Schloss hält das Ende";
+        no_copy: "No copy here: there is a key, or nothing would move between two equal ones",
+            "Hier keine Kopie: es gibt schon einen Schlüssel, oder zwischen zwei gleichen bewegte sich nichts";
+        along: "What follows moves along", "Folgendes rückt mit";
+        along_tip: "A key that is dragged takes all behind it along, and the flight gets longer or shorter; not while the padlock keeps the duration",
+            "Ein gezogener Schlüssel nimmt alles dahinter mit, und der Flug wird länger oder kürzer; nicht, solange das Schloss die Dauer hält";
+        height: "Height of the graph", "Höhe des Verlaufs";
+        limit: "limit {0}", "Grenze {0}";
+        move_keys: "Ctrl + arrow keys on the ruler", "Strg + Pfeiltasten auf dem Lineal";
+        move_meaning: "Move the current key in time by one frame; Shift: by ten",
+            "Aktuellen Schlüssel um ein Bild in der Zeit bewegen; Umschalt: um zehn";
+        drag_mouse: "Drag a key on the timeline", "Einen Schlüssel auf der Zeitleiste ziehen";
+        drag_meaning: "Another time for it; a number while dragging: to that time; Ctrl: a copy",
+            "Ein anderer Zeitpunkt für ihn; Zahl beim Ziehen: zu dieser Zeit; Strg: eine Kopie";
+    }
+}
