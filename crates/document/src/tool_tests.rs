@@ -1,7 +1,6 @@
 use vides_engine::scene::Mesh;
 
 use super::*;
-use vides_engine::scene::Mesh;
 
 use crate::{At, Edit, Object, StepName};
 
