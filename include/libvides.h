@@ -2917,6 +2917,23 @@ int v_path_retime(V_PATH *path,
                   int last_point,
                   double seconds);
 
+/**
+ * A recorded flight without the shaking of a hand: places, views and zoom go through a low pass
+ * without a lag, at whole frames, and become a path of few support points again, as
+ * v_path_fit_poses() makes one, of as many frames. The first and the last pose stay. Names of
+ * points, targets and modes go; a closed path comes back open. v_last_warning() says how far
+ * it went from what it was.
+ *
+ * seconds  half of a movement that takes so long there and back stays, hardly anything of
+ *     quicker ones; greater than 0 and at most 2,000 frames
+ * within   no place goes farther than so; 0: no bound
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a path that
+ * does not move, no path within the bound), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_path_steady(V_PATH *path,
+                  double seconds,
+                  double within);
+
 
 /* ---- Opening and closing windows --------------------------------------------- */
 
