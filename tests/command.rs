@@ -605,6 +605,7 @@ fn the_manual_page_knows_every_option_and_no_other() {
         "reverse",
         "repeat",
         "frames",
+        "steady",
         "blend",
     ];
     let mut text = said(&run(&["--help"]));
