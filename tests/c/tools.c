@@ -398,6 +398,200 @@ static void steady(void)
     v_path_free(again);
 }
 
+/* Round a box; within a closed one there is no way. */
+static void avoid(void)
+{
+    V_PATH *path = NULL;
+    V_FINDING found[16];
+    V_MESH box = {sizeof box, NULL, 0, NULL, NULL, 0, NULL, 0};
+    double corners[24], value = 9, place[3];
+    const double ends[2][3] = {{-0.8, 0.01, 0.02}, {0.8, 0.01, 0.02}};
+    size_t i, count = 0;
+    int points;
+
+    for (i = 0; i < 24; i++)
+        corners[i] = (i / 3) >> (i % 3) & 1 ? 0.25 : -0.25;
+    box.xyz = corners;
+    box.points = 8;
+    box.triangles = box_corners;
+    box.corners = 36;
+    OK(v_path_new(&path));
+    OK(v_path_set_position(path, 0, ends[0]));
+    OK(v_path_set_position(path, 1, ends[1]));
+    STATUS(V_ERR_ARGUMENT, v_path_avoid(path, NULL, 0.1, 0));
+    STATUS(V_ERR_ARGUMENT, v_path_avoid(path, &box, 0, 0));
+    STATUS(V_ERR_ARGUMENT, v_path_avoid(path, &box, 0.1, NAN));
+    OK(v_path_set_limit(path, "clearance", 0.12));
+    OK(v_path_check(path, &box, found, 16, &count));
+    CHECK(has(found, count, "through", &value));
+    OK(v_path_avoid(path, &box, 0.1, 0.02));
+    CHECK(strstr(v_last_warning(), "put in") != NULL);
+    OK(v_path_check(path, &box, found, 16, &count));
+    CHECK(!has(found, count, "through", &value) && !has(found, count, "clearance", &value));
+    OK(v_path_point_count(path, &points));
+    CHECK(points == 3);
+    OK(v_path_get_position(path, 2, place));
+    CHECK(memcmp(place, ends[1], sizeof place) == 0);
+    OK(v_path_avoid(path, &box, 0.1, 0.02));
+    CHECK(strcmp(v_last_warning(), "") == 0);
+    OK(v_path_point_count(path, &points));
+    CHECK(points == 3);
+    place[0] = place[1] = place[2] = 0;
+    OK(v_path_set_position(path, 2, place));
+    STATUS(V_ERR_ARGUMENT, v_path_avoid(path, &box, 0.1, 0));
+    CHECK(strstr(v_last_error(), "no way round") != NULL && strstr(v_last_error(), "frame") != NULL);
+    v_path_free(path);
+}
+
+/* The greatest share of the picture that a corner takes at ten places a frame; 9: one is behind. */
+static double taken(const V_PATH *path, const double *xyz, size_t points)
+{
+    size_t frames, k, at;
+    double most = 0;
+
+    OK(v_path_frame_count(path, &frames));
+    for (k = 0; k <= 10 * (frames - 1); k++) {
+        V_POSE pose;
+        double right[3];
+
+        OK(v_path_pose(path, 1 + (double)k / 10, &pose));
+        right[0] = pose.vpn[1] * pose.vup[2] - pose.vpn[2] * pose.vup[1];
+        right[1] = pose.vpn[2] * pose.vup[0] - pose.vpn[0] * pose.vup[2];
+        right[2] = pose.vpn[0] * pose.vup[1] - pose.vpn[1] * pose.vup[0];
+        for (at = 0; at < points; at++) {
+            double x = 0, y = 0, depth = 0;
+            int i;
+
+            for (i = 0; i < 3; i++) {
+                double way = xyz[3 * at + (size_t)i] - pose.vrp[i];
+                x += way * right[i];
+                y += way * pose.vup[i];
+                depth += way * pose.vpn[i];
+            }
+            if (depth <= 0)
+                return 9;
+            most = fmax(most, fabs(x) * pose.zoom / (18 * depth));
+            most = fmax(most, fabs(y) * pose.zoom / (12 * depth));
+        }
+    }
+    return most;
+}
+
+/* All corners of a house stay in the picture, less a margin of a tenth. */
+static void picture(void)
+{
+    static const double xyz[] = {-0.3, 0, -0.2, 0.3, 0, -0.2, 0.3, 0.3, 0.2, -0.3, 0.5, 0.2};
+    static const unsigned triangles[] = {0, 1, 2, 0, 2, 3};
+    V_PATH *path;
+    V_MESH mesh;
+    int what;
+
+    memset(&mesh, 0, sizeof mesh);
+    mesh.size = sizeof mesh;
+    mesh.xyz = xyz;
+    mesh.points = 4;
+    mesh.triangles = triangles;
+    mesh.corners = 6;
+    for (what = V_PICTURE_ZOOM; what <= V_PICTURE_VIEW; what++) {
+        double share;
+
+        path = orbit(1.5, 4);
+        /* Turning alone needs room: there is some with a wide angle. */
+        if (what == V_PICTURE_VIEW) {
+            static const double aside[3] = {0.7, 0.4, 0};
+            int k, count;
+
+            OK(v_path_point_count(path, &count));
+            for (k = 0; k < count; k++) {
+                V_ORIENTATION view;
+
+                v_orientation_init(&view);
+                OK(v_path_get_orientation(path, k, 0, &view));
+                memcpy(view.target, aside, sizeof aside);
+                view.zoom = 14;
+                OK(v_path_set_orientation(path, k, 0, &view));
+            }
+            CHECK(taken(path, xyz, 4) > 0.8);
+        }
+        OK(v_path_keep_in_picture(path, &mesh, 0.1, what));
+        share = taken(path, xyz, 4);
+        CHECK(share <= 0.8 && share >= 0.99 * 0.8);
+        /* As tight as that it stays to the bit. */
+        OK(v_path_keep_in_picture(path, &mesh, 0.1, what));
+        CHECK(taken(path, xyz, 4) == share);
+        STATUS(V_ERR_ARGUMENT, v_path_keep_in_picture(path, &mesh, 0.5, what));
+        CHECK(strstr(v_last_error(), "margin") != NULL);
+        STATUS(V_ERR_ARGUMENT, v_path_keep_in_picture(path, &mesh, nan(""), what));
+        STATUS(V_ERR_ARGUMENT, v_path_keep_in_picture(path, NULL, 0.1, what));
+        CHECK(taken(path, xyz, 4) == share);
+        v_path_free(path);
+    }
+    OK(v_path_new(&path));
+    STATUS(V_ERR_ARGUMENT, v_path_keep_in_picture(path, &mesh, 0.1, 3));
+    CHECK(strstr(v_last_error(), "V_PICTURE_VIEW") != NULL);
+    v_path_free(path);
+}
+
+/* An octahedron is seen from all sides; nothing is found by a check. */
+static void tour(void)
+{
+    const double xyz[] = {1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1};
+    const unsigned corners[] = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
+    V_MESH object;
+    V_TOUR tour;
+    V_PATH *path, *other;
+    V_FINDING found[8];
+    double coverage = 0;
+    size_t frames, count;
+
+    memset(&object, 0, sizeof object);
+    object.size = sizeof object;
+    v_tour_init(NULL);
+    CHECK(strstr(v_last_error(), "tour is NULL") != NULL);
+    v_tour_init(&tour);
+    CHECK(tour.size == sizeof tour && tour.seconds == 60 && tour.coverage == 0.95 && tour.up == V_UP_Y);
+    object.points = 6;
+    object.xyz = xyz;
+    object.triangles = corners;
+    object.corners = 24;
+    tour.seconds = 40;
+    tour.coverage = 1;
+    OK(v_path_tour(&object, &tour, &path, &coverage));
+    CHECK(coverage > 0.999 && strstr(v_last_warning(), "100.0 %") != NULL);
+    OK(v_path_frame_count(path, &frames));
+    /* A closed round comes back to its first pose, which is not shown twice. */
+    CHECK(frames >= 1000 && frames <= 1001);
+    OK(v_path_check(path, &object, found, 8, &count));
+    CHECK(count == 0);
+    v_path_free(path);
+    /* All goes through NULL, and from a start; what will not do is refused. */
+    OK(v_path_tour(&object, NULL, &path, NULL));
+    v_path_free(path);
+    tour.has_start = 1;
+    tour.start[2] = 4;
+    OK(v_path_tour(&object, &tour, &path, NULL));
+    v_path_free(path);
+    other = NULL;
+    tour.start[2] = 0.5;
+    STATUS(V_ERR_ARGUMENT, v_path_tour(&object, &tour, &other, NULL));
+    CHECK(strstr(v_last_error(), "start") != NULL);
+    tour.has_start = 0;
+    tour.seconds = 0.1;
+    STATUS(V_ERR_ARGUMENT, v_path_tour(&object, &tour, &other, NULL));
+    CHECK(strstr(v_last_error(), "too short") != NULL);
+    tour.seconds = 40;
+    tour.coverage = 1.5;
+    STATUS(V_ERR_RANGE, v_path_tour(&object, &tour, &other, NULL));
+    tour.coverage = 1;
+    tour.inside = 1;
+    OK(v_path_tour(&object, &tour, &path, &coverage));
+    CHECK(coverage > 0.999);
+    v_path_free(path);
+    object.corners = 0;
+    STATUS(V_ERR_ARGUMENT, v_path_tour(&object, NULL, &other, NULL));
+    CHECK(other == NULL && strstr(v_last_error(), "surface") != NULL);
+}
+
 int main(void)
 {
     the_faces_of_the_own_object_are_looked_at();
@@ -409,5 +603,8 @@ int main(void)
     what_looks_wrong_is_found();
     retime();
     steady();
+    avoid();
+    picture();
+    tour();
     return failures != 0;
 }

@@ -2,15 +2,19 @@
 
 use glam::DVec3;
 use vides_engine::path::{Ease, EaseKind, Section, Timing, timing};
+use vides_engine::planner::{AvoidRequest, What, avoid_object};
 use vides_engine::tools::check::{Finding, FindingKind};
 use vides_engine::tools::clearance::Clearance;
 use vides_engine::tools::redundant::without;
 
 use super::edit::{At, Edit};
 use super::editing::Document;
-use crate::error::Result;
+use super::tool::least_clearance;
+use crate::error::{EngineError, Error, ErrorKind, Result};
 use crate::limits::{MAX_FRAMES, MAX_SPEED, MIN_POINTS, MIN_SPEED, SPEEDS};
-use crate::path::{CameraPath, Change, Orientation, OrientationOverrides, Pace, Tangents, curve};
+use crate::path::{
+    CameraPath, Change, Orientation, OrientationOverrides, Pace, Tangents, Target, curve,
+};
 
 /// A section's frames grow by at most this factor.
 const MOST: f64 = 8.0;
@@ -25,6 +29,9 @@ const AHEAD: f64 = 0.1;
 /// Share of a section's time in which it comes to rest.
 const REST: f64 = 0.3;
 
+/// What stays free at each side of a picture into which an object is brought.
+const MARGIN_OF_PICTURE: f64 = 0.1;
+
 /// A cure at one place is tried so often.
 const TIMES: usize = 8;
 
@@ -33,11 +40,15 @@ impl Document {
     /// or zoom gets more frames (not over eight times as many: then the view should change), a
     /// corner or cusp smooth tangents, a speed that jumps goes over into the next one, or to rest
     /// where the camera rests, a view that jumps gets a place ahead to look at; a redundant key is
-    /// removed.
+    /// removed. Where nothing of `object`, or the document's own, is in the picture the views are
+    /// turned so that all of it is; where it is too large for that, to its middle. Where the way is
+    /// too near `object` or goes through it, the whole way is led clear of it
+    /// ([`vides_engine::planner::avoid()`]), with the limit of the clearance.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Limit`], [`vides_engine::Error::Memory`].
-    pub fn remedy(&self, finding: &Finding) -> Result<Vec<Edit>> {
+    /// [`vides_engine::Error::Argument`] where there is no way round; [`vides_engine::Error::Limit`],
+    /// [`vides_engine::Error::Memory`].
+    pub fn remedy(&self, finding: &Finding, object: Option<&Clearance>) -> Result<Vec<Edit>> {
         let path = self.path();
         let (point, at) = (finding.point, finding.orientation);
         let known = path.points.get(point);
@@ -58,6 +69,10 @@ impl Document {
                     .collect()
             }
             FindingKind::SpeedJump => self.joined(finding),
+            FindingKind::NothingToSee => self.seen(finding, object),
+            FindingKind::Clearance | FindingKind::Through => {
+                object.map_or(Ok(Vec::new()), |object| self.led_clear(object))
+            }
             FindingKind::Corner => {
                 let old = curve::tangents(path, point);
                 let middle = 0.5 * (old.before + old.after);
@@ -101,6 +116,85 @@ impl Document {
             }
             _ => Ok(Vec::new()),
         }
+    }
+
+    /// The way led clear of an object.
+    fn led_clear(&self, object: &Clearance) -> Result<Vec<Edit>> {
+        let request = AvoidRequest {
+            clearance: least_clearance(self),
+            radius: 0.0,
+        };
+        let made = avoid_object(self.path(), object, &request, &mut |_, _| true)?;
+        let edit = Edit::ReplacePath(Box::new(made.path));
+        Ok((!made.parts.is_empty())
+            .then_some(edit)
+            .into_iter()
+            .collect())
+    }
+
+    /// Views turned towards an object of which nothing is in the picture.
+    fn seen(&self, finding: &Finding, object: Option<&Clearance>) -> Result<Vec<Edit>> {
+        let own = match object {
+            Some(_) => None,
+            None => self.clearance(None)?,
+        };
+        let Some(object) = object.or(own.as_ref()) else {
+            return Ok(Vec::new());
+        };
+        match self.framed(
+            Some(object),
+            (MARGIN_OF_PICTURE, What::View),
+            self.info().limits,
+        ) {
+            Ok(made) => return Ok(vec![Edit::ReplacePath(Box::new(made.path))]),
+            Err(Error::Engine(EngineError::Argument(_))) => {}
+            Err(error) => return Err(error),
+        }
+        let [min, max] = object.bounds();
+        let target = Target::Absolute(min.midpoint(max));
+        let sampler = self.sampler()?;
+        // All views between which it is, and the one behind.
+        let keys = self.timeline(|timeline| {
+            let path = self.path();
+            let mut keys = Vec::new();
+            for k in 0..timeline.section_count() {
+                let section = timeline.section(k);
+                let first = sampler.first_frame(k) as f64 - 1.0;
+                let last = first + section.frames as f64;
+                if first > finding.last_frame || last < finding.first_frame {
+                    continue;
+                }
+                let (point, at) = (section.point, section.orientation);
+                let next = if at + 1 < path.points[point].orientations.len() {
+                    (point, at + 1)
+                } else {
+                    ((point + 1) % path.points.len(), 0)
+                };
+                keys.extend([(point, at), next]);
+            }
+            keys.sort_unstable();
+            keys.dedup();
+            keys
+        })?;
+        let turned = keys.into_iter().map(|(point, at)| {
+            let one = &self.path().points[point].orientations[at];
+            let own = one.own.with(|own| {
+                own.ahead = None;
+                own.velocities = None;
+                own.turning = None;
+            })?;
+            let orientation = Orientation {
+                target,
+                own,
+                ..one.clone()
+            };
+            Ok(Edit::SetOrientation {
+                point,
+                at,
+                orientation,
+            })
+        });
+        turned.collect()
     }
 
     /// More frames for the sections of a finding, in proportion.
@@ -193,7 +287,11 @@ impl Document {
                 if tried.iter().filter(|known| **known == place).count() >= TIMES {
                     continue;
                 }
-                let edits = self.remedy(finding)?;
+                let edits = match self.remedy(finding, object) {
+                    // No way round.
+                    Err(error) if error.kind() == ErrorKind::Argument => Vec::new(),
+                    edits => edits?,
+                };
                 if edits.is_empty() {
                     continue;
                 }
@@ -219,6 +317,15 @@ impl Document {
             return Ok(found);
         }
     }
+}
+
+/// Whether a finding is cured by the planner, which may take long.
+#[must_use]
+pub const fn is_planned(kind: FindingKind) -> bool {
+    matches!(
+        kind,
+        FindingKind::Clearance | FindingKind::Through | FindingKind::NothingToSee
+    )
 }
 
 /// Whether less is found; or of one kind less or smaller excesses, and of the others not more.

@@ -57,6 +57,9 @@ const TOOLS: &[(&str, &str, &str, &str)] = &[
     ("frames", "Number of frames", "Zahl der Bilder", "bringt Punkte auf eine Zahl von Bildern"),
     ("retime", "Pace within limits", "Tempo in Grenzen", "berechnet das Tempo von Punkten neu, in den Grenzen der Prüfung"),
     ("steady", "Steady", "Beruhigen", "nimmt einem aufgezeichneten Flug das Zittern der Hand"),
+    ("avoid", "Clear of the object", "Frei vom Objekt", "führt den Weg frei am Objekt vorbei"),
+    ("picture", "Keep in the picture", "Im Bild halten", "hält das Objekt ganz im Bild, so groß, wie ein Rand es erlaubt"),
+    ("tour", "Tour", "Rundflug", "macht einen Flug, der das Objekt zeigt"),
     ("fit", "Fit recorded poses", "Aufgezeichnete Posen annähern", "macht aus aufgezeichneten Posen eine Bahn aus wenigen Punkten"),
 ];
 
@@ -98,8 +101,14 @@ const LABELS: &[Word] = &[
     ("times", "How often", "Wie oft"),
     ("frames", "Frames", "Bilder"),
     ("tolerance", "Tolerance", "Toleranz"),
+    ("clearance", "Clearance", "Abstand"),
+    ("sphere", "Sphere", "Kugel"),
     ("lattice", "Square", "Quadrat"),
     ("weight", "Weight", "Gewicht"),
+    ("margin", "Margin", "Rand"),
+    ("what", "By", "Durch"),
+    ("coverage", "Coverage", "Anteil"),
+    ("inside", "Inside", "Innen"),
 ];
 
 /// What the parameters do, in German.
@@ -148,7 +157,17 @@ const HINTS: &[(&str, &str)] = &[
     ("how often", "wie oft"),
     ("how many, the first and the last with them", "wie viele, das erste und das letzte mitgezählt"),
     ("how far a position may be from what was given", "wie weit eine Position vom Gegebenen entfernt sein darf"),
+    ("how near the object may come", "wie nahe das Objekt kommen darf"),
+    ("the radius of a sphere around the camera that keeps it", "der Radius einer Kugel um die Kamera, die ihn hält"),
     ("one of 4 × 4 × 4 squares, and where it is in the box", "eines von 4 × 4 × 4 Quadraten, und wo es im Quader ist"),
+    ("the share that stays free at each side", "der Anteil, der auf jeder Seite frei bleibt"),
+    ("by what it is kept there", "wodurch es dort gehalten wird"),
+    ("how long the flight takes", "wie lange der Flug dauert"),
+    ("the share of what can be seen of the surface that is shown",
+        "welcher Anteil dessen, was von der Oberfläche zu sehen ist, gezeigt wird"),
+    ("how far the camera is from what it shows; 0: found",
+        "wie weit die Kamera von dem weg ist, was sie zeigt; 0: wird gefunden"),
+    ("in the object's free space, not around it", "im freien Raum des Objekts, nicht um es herum"),
     ("how much of the other path", "wie viel von der anderen Bahn"),
     ("how far view, up and field of view may be from theirs",
         "wie weit Blick, oben und Bildwinkel von ihren abweichen dürfen"),
@@ -169,6 +188,9 @@ const CHOICES: &[Word] = &[
     ("move", "moved here", "hierher verschoben"),
     ("turn", "turned too", "auch gedreht"),
     ("scale", "scaled too", "auch skaliert"),
+    ("zoom", "the zoom", "den Zoom"),
+    ("distance", "the distance", "den Abstand"),
+    ("view", "turning", "Drehen"),
 ];
 
 fn word(words: &'static [Word], language: Language, name: &'static str) -> &'static str {

@@ -32,7 +32,7 @@ const NUMBER: f32 = 84.0;
 const FIELDS: f32 = 3.0 * NUMBER + 2.0 * theme::GAP;
 const BUTTON: f32 = 96.0;
 
-/// More poses than this are fitted again only where a drag ends.
+/// More poses than this are fitted again only where a drag ends, as a tour is made.
 const POSES: usize = 2_000;
 
 #[derive(Debug)]
@@ -194,7 +194,12 @@ impl ToolWindow {
             }
             _ => 0,
         };
-        poses > POSES
+        matches!(self.tool.name, "avoid" | "tour") || poses > POSES
+    }
+
+    /// Whether a tour has been made, which begins to play.
+    pub(crate) fn shows_tour(&self) -> bool {
+        self.tool.name == "tour" && self.applied
     }
 
     /// The size of the result, in words.
@@ -502,6 +507,11 @@ impl Editor {
         };
         if std::mem::take(&mut window.applied) {
             self.document.cancel_step();
+        }
+        if window.tool.asks_object() {
+            // Where it cannot be had the tool says why.
+            let object = self.obstacles().ok().flatten();
+            window.material = object.map_or(ToolInput::None, ToolInput::Object);
         }
         let document = &mut self.document;
         window.cage = window.tool.cage(document, &window.numbers);

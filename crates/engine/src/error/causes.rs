@@ -261,6 +261,18 @@ pub enum Invalid {
     PaceSeconds { seconds: f64, least: f64 },
     #[error("the seconds of a pace must be 0 or a positive number")]
     PaceTime,
+    #[error("a tour needs an object with a surface: triangles that are not all without area")]
+    NoSurface,
+    #[error("no view of a tour shows anything from such a distance")]
+    TourNothing,
+    #[error("the start of a tour must be a place that is not within or beside the object")]
+    TourStart,
+    #[error("there is no free place inside the object from where a tour could show it")]
+    NoRoomInside,
+    #[error("no way of a tour keeps clear of the object: ask for another distance")]
+    TourWay,
+    #[error("the tour was cancelled")]
+    TourCancelled,
     #[error(
         "the clearance must be greater than 0, the radius 0 or greater, both together at most {0}"
     )]
@@ -288,6 +300,10 @@ pub enum Invalid {
          1 mm"
     )]
     PictureZoom { frame: f64, zoom: f64 },
+    #[error(
+        "from here the object would be whole with a zoom of {zoom:.3} mm only, below the least, 1 mm"
+    )]
+    PictureHere { zoom: f64 },
     #[error(
         "at frame {frame:.2} the object is too large for the picture, wherever the camera turns"
     )]

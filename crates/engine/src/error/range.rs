@@ -321,4 +321,16 @@ pub enum OutOfRange {
         Called("the bound of steadying", "within")
     )]
     SteadyWithin,
+    #[error(
+        "{} must be greater than 0 and at most 1",
+        Called("the share of a tour's surface", "coverage")
+    )]
+    Coverage,
+    #[error(
+        "{} must be 0 or between {} and {} times half the object's diagonal",
+        Called("the distance of a tour", "distance"),
+        Bound(limits::TOUR_DISTANCES[0]),
+        Bound(limits::TOUR_DISTANCES[1])
+    )]
+    TourDistance,
 }

@@ -16,7 +16,7 @@ fn random_path(random: &mut Random, number: usize) -> CameraPath {
     let (mut at, mut heading) = (DVec3::ZERO, signed(3.0));
     let points = (0..count).map(|_| {
         let mut view = DVec3::new(signed(1.0), signed(0.5), signed(1.0));
-        if number % 2 == 0 {
+        if number.is_multiple_of(2) {
             heading += signed(0.8);
             at += DVec3::new(heading.sin(), signed(0.3), heading.cos()) * (0.6 + signed(0.2));
             view = DVec3::new(heading.sin(), 0.0, heading.cos()) + 0.5 * view;
@@ -32,8 +32,10 @@ fn random_path(random: &mut Random, number: usize) -> CameraPath {
         };
         point
     });
-    let mut path = CameraPath::default();
-    path.points = points.collect();
+    let mut path = CameraPath {
+        points: points.collect(),
+        ..CameraPath::default()
+    };
     path.base_frames.movement *= 1.0 + signed(0.6);
     path
 }
