@@ -591,7 +591,7 @@ fn options(text: &str) -> BTreeSet<String> {
 
 #[test]
 fn the_manual_page_knows_every_option_and_no_other() {
-    const COMMANDS: [&str; 14] = [
+    const COMMANDS: [&str; 15] = [
         "sample",
         "convert",
         "info",
