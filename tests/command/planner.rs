@@ -149,7 +149,8 @@ fn a_recorded_flight_becomes_steady() {
         far.split(' ').next().unwrap().parse::<f64>().unwrap()
     };
     let far = made(&[]);
-    assert!(far > 0.0035 && far < 0.006, "{far}");
+    // Beside an end, which stays shaken, by twice the shaking at most.
+    assert!(far > 0.0035 && far < 0.008, "{far}");
     let again = poses_of(&file);
     assert_eq!(again.len(), 200);
     assert!(made(&["--within", "0.003"]) <= 0.003);
