@@ -405,7 +405,8 @@ const fn is_of_pace(kind: FindingKind) -> bool {
     )
 }
 
-/// Whether less is found; or of one kind less or smaller excesses, and of the others not more.
+/// Whether less is found; or of one kind less or smaller excesses, and of the others not more. That
+/// a key has become redundant is no fault.
 fn is_better(kind: FindingKind, before: &[Finding], after: &[Finding]) -> bool {
     let of_kind = |found: &[Finding]| {
         let found = found.iter().filter(|finding| finding.kind == kind);
@@ -413,9 +414,13 @@ fn is_better(kind: FindingKind, before: &[Finding], after: &[Finding]) -> bool {
             (count + 1, sum + (finding.value - finding.limit).abs())
         })
     };
+    let all = |found: &[Finding]| {
+        let counts = |of: FindingKind| of == kind || of != FindingKind::Redundant;
+        found.iter().filter(|finding| counts(finding.kind)).count()
+    };
     let ((many, much), (left, rest)) = (of_kind(before), of_kind(after));
-    let others = after.len() - left <= before.len() - many;
-    after.len() < before.len() || others && (left < many || rest < much)
+    let [before, after] = [before, after].map(all);
+    after < before || after - left <= before - many && (left < many || rest < much)
 }
 
 /// An orientation with something of its own changed.

@@ -61,7 +61,7 @@ fn presses_leave_nothing_at_the_limit() {
         let few = Edit::FitFrames {
             first: 0,
             last: 2,
-            frames,
+            frames: frames as usize,
         };
         document.apply(few).unwrap();
         let mut presses = 0;
@@ -280,17 +280,17 @@ fn a_pace_beyond_its_limits_is_computed_anew() {
     for (kind, limit, frames) in [
         (FindingKind::Speed, 0.4, 60),
         (FindingKind::Acceleration, 1.0, 60),
-        (FindingKind::TurningAcceleration, 200.0, 120),
+        (FindingKind::TurningAcceleration, 100.0, 60),
     ] {
         let turned = DVec3::new(0.6, 0.0, -1.0);
         let mut document = straight([DVec3::NEG_Z, turned, DVec3::NEG_Z]);
         let few = Edit::FitFrames {
             first: 0,
             last: 2,
-            frames,
+            frames: frames as usize,
         };
         document.apply(few).unwrap();
-        speeds(&mut document, 0, 90.0, (frames as u32 / 3, 0));
+        speeds(&mut document, 0, 90.0, (frames / 3, 0));
         let mut info = document.info().clone();
         info.limits.set(kind, limit).unwrap();
         document.apply(Edit::SetInfo(Box::new(info))).unwrap();
