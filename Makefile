@@ -213,13 +213,15 @@ check-calls: libs
 	$(ONCE)inject $(CARGO_TARGET_DIR)/inject include tests/calls -- \
 	    tests/calls/run.sh $(CARGO_TARGET_DIR)/inject inject hand_over
 
-# The pace of random paths beside another library's; not in `make test`.
+# The pace of random paths, and shaking flights made steady, beside other libraries; not in `make test`.
 check-planning: all
 	@mk/need.sh python3=python3
 	[ -x $(CARGO_TARGET_DIR)/planning/bin/python ] || { \
 	    python3 -m venv $(CARGO_TARGET_DIR)/planning && \
 	    $(CARGO_TARGET_DIR)/planning/bin/pip -q install -r tests/planning/requirements; }
 	$(CARGO_TARGET_DIR)/planning/bin/python tests/planning/retime.py $(RELEASE)/vides $(CARGO_TARGET_DIR)/planning/paths
+	$(CARGO_TARGET_DIR)/planning/bin/python tests/planning/steady.py $(RELEASE)/vides $(CARGO_TARGET_DIR)/planning/paths
+	$(CARGO_TARGET_DIR)/planning/bin/python tests/planning/avoid.py $(RELEASE)/vides $(CARGO_TARGET_DIR)/planning/avoid
 	cd $(CARGO_TARGET_DIR)/planning && { [ -d data/meshes ] || { apt-get -q download libcgal-demo && \
 	    dpkg -x libcgal-demo_*.deb cgal && tar xzf cgal/usr/share/doc/libcgal-dev/data.tar.gz; }; }
 	$(CARGO_TARGET_DIR)/planning/bin/python tests/planning/tour.py $(RELEASE)/vides $(CARGO_TARGET_DIR)/planning/tours \
@@ -300,7 +302,7 @@ soak: toolchain libs fuzz
 	@mk/need.sh python3=python3 Xvfb=xvfb xdotool=xdotool xclip=xclip setxkbmap=x11-xkb-utils \
 	    /usr/share/X11/locale/compose.dir=libx11-data c++=g++ valgrind=valgrind
 	@mk/locale.sh
-	VIDES_KILLS=200 VIDES_DRAGS=10000 PROPTEST_CASES=$(SOAK_CASES) $(CARGO) test --locked --workspace --all-features
+	VIDES_KILLS=200 VIDES_DRAGS=10000 VIDES_PATHS=200 PROPTEST_CASES=$(SOAK_CASES) $(CARGO) test --locked --workspace --all-features
 	VIDES_SAVE_KILLS=1000 tests/c/run.sh $(LIB) saving
 	$(MAKE) soak-calls soak-x soak-hosts
 

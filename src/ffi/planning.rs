@@ -13,7 +13,9 @@ use super::types::{V_LIMITS, V_PATH, V_TOUR, V_UP_Y};
 use crate::document::Edit;
 use crate::error::can_allocate;
 use crate::path::CameraPath;
-use crate::planner::{self, Request, TourRequest, What, retime};
+use crate::planner::{
+    self, AvoidRequest, Request, SteadyRequest, TourRequest, What, avoid_object, retime, steady,
+};
 use crate::tools::check::{FindingKind, Limits, OFF};
 
 // SAFETY: a number of bytes first, then doubles.
@@ -125,6 +127,123 @@ pub unsafe extern "C" fn v_path_retime(
     })
 }
 
+/// A recorded flight without the shaking of a hand: places, views and zoom go through a low pass
+/// without a lag, at whole frames, and become a path of few support points again, as
+/// v_path_fit_poses() makes one, of as many frames. The first and the last pose stay. Names of
+/// points, targets and modes go; a closed path comes back open. v_last_warning() says how far
+/// it went from what it was.
+///
+/// seconds  half of a movement that takes so long there and back stays, hardly anything of
+///     quicker ones; greater than 0 and at most 2,000 frames
+/// within   no place goes farther than so; 0: no bound
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a path that
+/// does not move, no path within the bound), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_steady(path: *mut V_PATH, seconds: f64, within: f64) -> c_int {
+    clear_last_warning();
+    border(V_ERR_INTERNAL, || {
+        edit_by(path, |document| {
+            let request = SteadyRequest {
+                seconds,
+                within,
+                fps: document.info().fps,
+            };
+            let made = steady(document.path(), &request, &mut |_, _| true)?;
+            add_last_warning(format_args!(
+                "places went {:.6} at most, views turned {:.3} degrees",
+                made.furthest, made.turned
+            ));
+            can_allocate(size_of::<CameraPath>())?;
+            Ok(Edit::ReplacePath(Box::new(made.path)))
+        })
+    })
+}
+
+/// Leads the way clear of an object: where the camera, or a sphere around it, comes nearer
+/// than the clearance, or goes through it, points are moved as little as possible and as
+/// few put in as it takes; points that were clear stay, but for those within a closed
+/// part of the object between others outside. Frames and targets stay. v_last_warning()
+/// has a line for each part that changed, "" if the way was clear.
+///
+/// object  in the coordinates of the path; NULL: the path's own
+/// clearance, radius  in the path's units; the clearance greater than 0, the radius of the
+///     sphere 0 or greater
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT
+/// (no way round: v_last_error() names the frame and the place; an object without
+/// geometry), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_avoid(
+    path: *mut V_PATH,
+    object: *const V_MESH,
+    clearance: f64,
+    radius: f64,
+) -> c_int {
+    clear_last_warning();
+    border(V_ERR_INTERNAL, || {
+        // SAFETY: a mesh, as the header says.
+        let object = optional(object, |object| unsafe { mesh(object, "object") })?;
+        edit_by(path, |document| {
+            let object = document.solid(object.as_ref())?;
+            let request = AvoidRequest { clearance, radius };
+            let made = avoid_object(document.path(), &object, &request, &mut |_, _| true)?;
+            for part in &made.parts {
+                add_last_warning(format_args!("{part}"));
+            }
+            can_allocate(size_of::<CameraPath>())?;
+            Ok(Edit::ReplacePath(Box::new(made.path)))
+        })
+    })
+}
+
+/// By what v_path_keep_in_picture() keeps an object in the picture: the zoom, moving the
+/// camera along its view, turning the camera.
+pub const V_PICTURE_ZOOM: c_int = 0;
+pub const V_PICTURE_DISTANCE: c_int = 1;
+pub const V_PICTURE_VIEW: c_int = 2;
+
+/// Keeps an object whole in the picture less margin, at every frame and between: by the
+/// zoom or the distance as large as that allows and the path's limits of zoom, or of
+/// speed and acceleration (see v_path_set_limit()), let it change; by turning no more
+/// than it takes. Frames and pace stay. Where keys do not hold it points are added.
+/// The path stays as it is where that cannot be.
+///
+/// object  in the coordinates of the path; NULL: the path's own, with the objects of
+///     its scene
+/// margin  the share of the picture's width and height (36 x 24 mm) that stays free at
+///     each side, from 0 to below 0.5
+/// what  V_PICTURE_ZOOM, V_PICTURE_DISTANCE or V_PICTURE_VIEW
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no object,
+/// or where it cannot be whole, with the frame), V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT,
+/// V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_keep_in_picture(
+    path: *mut V_PATH,
+    object: *const V_MESH,
+    margin: f64,
+    what: c_int,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        // SAFETY: a mesh, as the header says.
+        let object = optional(object, |object| unsafe { mesh(object, "object") })?;
+        let what = match what {
+            V_PICTURE_ZOOM => What::Zoom,
+            V_PICTURE_DISTANCE => What::Distance,
+            V_PICTURE_VIEW => What::View,
+            _ => {
+                let known = "V_PICTURE_ZOOM (0), V_PICTURE_DISTANCE (1), V_PICTURE_VIEW (2)";
+                return Err(Failure::unknown("what", what, known));
+            }
+        };
+        edit_by(path, |document| {
+            let object = document.clearance(object.as_ref())?;
+            let limits = document.info().limits;
+            let made = document.framed(object.as_ref(), (margin, what), limits)?;
+            can_allocate(size_of::<CameraPath>())?;
+            Ok(Edit::ReplacePath(Box::new(made.path)))
+        })
+    })
+}
+
 // SAFETY: a number of bytes first, then numbers only.
 unsafe impl Growing for V_TOUR {
     const NAME: &'static str = "V_TOUR";
@@ -220,54 +339,5 @@ pub unsafe extern "C" fn v_path_tour(
             coverage.write(share);
             path.answer(made)
         }
-    })
-}
-
-/// By what v_path_keep_in_picture() keeps an object in the picture: the zoom, moving the
-/// camera along its view, turning the camera.
-pub const V_PICTURE_ZOOM: c_int = 0;
-pub const V_PICTURE_DISTANCE: c_int = 1;
-pub const V_PICTURE_VIEW: c_int = 2;
-
-/// Keeps an object whole in the picture less margin, at every frame and between: by the
-/// zoom or the distance as large as that allows and the path's limits of zoom, or of
-/// speed and acceleration (see v_path_set_limit()), let it change; by turning no more
-/// than it takes. Frames and pace stay. Where keys do not hold it points are added.
-/// The path stays as it is where that cannot be.
-///
-/// object  in the coordinates of the path; NULL: the path's own, with the objects of
-///     its scene
-/// margin  the share of the picture's width and height (36 x 24 mm) that stays free at
-///     each side, from 0 to below 0.5
-/// what  V_PICTURE_ZOOM, V_PICTURE_DISTANCE or V_PICTURE_VIEW
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no object,
-/// or where it cannot be whole, with the frame), V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT,
-/// V_ERR_MEMORY.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn v_path_keep_in_picture(
-    path: *mut V_PATH,
-    object: *const V_MESH,
-    margin: f64,
-    what: c_int,
-) -> c_int {
-    border(V_ERR_INTERNAL, || {
-        // SAFETY: a mesh, as the header says.
-        let object = optional(object, |object| unsafe { mesh(object, "object") })?;
-        let what = match what {
-            V_PICTURE_ZOOM => What::Zoom,
-            V_PICTURE_DISTANCE => What::Distance,
-            V_PICTURE_VIEW => What::View,
-            _ => {
-                let known = "V_PICTURE_ZOOM (0), V_PICTURE_DISTANCE (1), V_PICTURE_VIEW (2)";
-                return Err(Failure::unknown("what", what, known));
-            }
-        };
-        edit_by(path, |document| {
-            let object = document.clearance(object.as_ref())?;
-            let limits = document.info().limits;
-            let made = document.framed(object.as_ref(), (margin, what), limits)?;
-            can_allocate(size_of::<CameraPath>())?;
-            Ok(Edit::ReplacePath(Box::new(made.path)))
-        })
     })
 }

@@ -829,6 +829,27 @@ CALL(v_path_retime)
     return v_path_retime(path, limits, point, point, 0);
 }
 
+CALL(v_path_steady)
+{
+    V_PATH *path = a_path();
+    double seconds = number(0, 4), within = number(0, 1);
+    return v_path_steady(path, seconds, within);
+}
+
+CALL(v_path_avoid)
+{
+    const V_MESH *mesh = chance(50) ? NULL : a_mesh();
+    return v_path_avoid(a_path(), mesh, number(0.01, 0.2), number(0, 0.1));
+}
+
+CALL(v_path_keep_in_picture)
+{
+    V_PATH *path = a_path();
+    const V_MESH *object = a_mesh();
+    return v_path_keep_in_picture(path, object, number(0, 0.45),
+                                  whole(V_PICTURE_ZOOM, V_PICTURE_VIEW));
+}
+
 CALL(v_tour_init)
 {
     (v_tour_init)(result(sizeof(V_TOUR), 0));
@@ -861,14 +882,6 @@ CALL(v_path_tour)
     return v_path_tour(given("V_MESH", &object, sizeof object),
                        chance(20) ? NULL : given("V_TOUR", &tour, sizeof tour),
                        result(sizeof(V_PATH *), 0), result(sizeof(double), 1));
-}
-
-CALL(v_path_keep_in_picture)
-{
-    V_PATH *path = a_path();
-    const V_MESH *object = a_mesh();
-    return v_path_keep_in_picture(path, object, number(0, 0.45),
-                                  whole(V_PICTURE_ZOOM, V_PICTURE_VIEW));
 }
 
 CALL(v_path_set_ahead)

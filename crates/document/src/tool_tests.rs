@@ -77,6 +77,18 @@ fn each_tool_changes_a_path_in_one_step_that_leaves_nothing_behind() {
         assert!(!names.contains(&tool.name), "{}", tool.name);
         names.push(tool.name);
         let mut document = document();
+        if tool.name == "avoid" {
+            // A line across the way.
+            let middle = document.sampler().unwrap().pose(20.0).unwrap().position();
+            let mesh = crate::Object::of_mesh(vides_engine::scene::Mesh {
+                points: vec![middle - DVec3::Z, middle + DVec3::Z],
+                lines: vec![[0, 1]],
+                ..Default::default()
+            });
+            let mut info = document.info().clone();
+            info.object = mesh.unwrap();
+            document = Document::from_parts(document.path().clone(), info).unwrap();
+        }
         if tool.name == "tour" {
             let mut info = document.info().clone();
             info.object = tetrahedron();

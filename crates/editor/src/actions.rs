@@ -111,6 +111,8 @@ pub(super) enum Action {
     GoTo(Finding),
     /// Apply the remedy of a finding.
     Mend(Vec<Edit>),
+    /// Lead the way clear of the object that a finding is of.
+    Cure(Finding),
     /// Show the path with the tool applied.
     PreviewTool,
     /// Move a control point of the tool's cage.
@@ -470,6 +472,7 @@ impl Editor {
             Action::Check => windows::open::<CheckWindow>(self, context),
             Action::GoTo(finding) => self.go_to(&finding),
             Action::Mend(edits) => self.mend(edits),
+            Action::Cure(finding) => self.cure(&finding),
             Action::PreviewTool => {
                 self.preview_tool();
                 context.request_repaint();

@@ -242,6 +242,7 @@ german! {
         PathWeights => "jeder Pfad braucht ein Gewicht";
         ClosedAndOpen => "geschlossene Pfade lassen sich nicht mit offenen mischen";
         NoWay => "die Kamera bewegt sich nicht";
+        SteadyBound(within) => "im Abstand von {} vom Flug wurde kein ruhiger Pfad aus ganzen Bildern gefunden", within;
         Cancelled => "die Anpassung wurde abgebrochen";
         TooFewPoses => "eine Anpassung braucht mindestens drei Posen";
         PoseTimes => "die Zeiten der Posen müssen wachsen, eine für jede";
@@ -372,6 +373,8 @@ german! {
         NoNextPoint => "es gibt keinen nächsten Punkt, an dem der Baustein enden könnte";
         WeightSum(sum) => "die Gewichte müssen zusammen 1 ergeben, nicht {}", number(*sum);
         Tolerance => "die Toleranz muss endlich und größer als 0 sein";
+        SteadySeconds(most) => "die Zeit der Beruhigung muss größer als 0 sein, und höchstens {} s (2.000 Bilder)", most;
+        SteadyWithin => "die Schranke der Beruhigung muss endlich sein und darf nicht kleiner als 0 sein";
         ToleranceAngle => "die Toleranz der Winkel muss größer als 0 sein, und höchstens 180 Grad";
         Coverage => "der Anteil der Oberfläche eines Rundflugs muss größer als 0 und höchstens 1 sein";
         TourDistance =>

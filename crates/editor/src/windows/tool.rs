@@ -129,8 +129,9 @@ impl ToolWindow {
             super::layer(Self::ID),
             editor.texts().menu.close_window,
         );
-        let waits = self.is_slow() && self.before.is_some();
-        let ended = dragged && self.before.is_none() && self.is_slow();
+        let slow = self.is_slow(editor);
+        let waits = slow && self.before.is_some();
+        let ended = dragged && self.before.is_none() && slow;
         if (old != self.numbers && !waits) || ended {
             // Before a button's action, which goes by these numbers.
             actions.insert(0, Action::PreviewTool);
@@ -184,14 +185,21 @@ impl ToolWindow {
         }
     }
 
+    fn is_slow(&self, editor: &Editor) -> bool {
+        let poses = match &self.material {
+            ToolInput::Poses(poses, _) => poses.len(),
+            _ if self.tool.fits_anew() => {
+                let sampler = editor.document.sampler();
+                sampler.map_or(0, |sampler| sampler.frame_count())
+            }
+            _ => 0,
+        };
+        matches!(self.tool.name, "avoid" | "tour") || poses > POSES
+    }
+
     /// Whether a tour has been made, which begins to play.
     pub(crate) fn shows_tour(&self) -> bool {
         self.tool.name == "tour" && self.applied
-    }
-
-    fn is_slow(&self) -> bool {
-        self.tool.name == "tour"
-            || matches!(&self.material, ToolInput::Poses(poses, _) if poses.len() > POSES)
     }
 
     /// The size of the result, in words.

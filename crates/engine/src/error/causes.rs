@@ -347,6 +347,9 @@ pub enum Invalid {
     ClosedAndOpen,
     #[error("the camera does not move")]
     NoWay,
+    /// The bound.
+    #[error("no steady path of whole frames was found within {0} of the flight")]
+    SteadyBound(f64),
     #[error("the fit was cancelled")]
     Cancelled,
     #[error("a fit needs at least three poses")]

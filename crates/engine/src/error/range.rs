@@ -312,6 +312,16 @@ pub enum OutOfRange {
     )]
     ToleranceAngle,
     #[error(
+        "{} must be greater than 0 and at most {most} s (2,000 frames)",
+        Called("the time to steady over", "seconds"), most = .0
+    )]
+    SteadySeconds(f64),
+    #[error(
+        "{} must be finite and not less than 0",
+        Called("the bound of steadying", "within")
+    )]
+    SteadyWithin,
+    #[error(
         "{} must be greater than 0 and at most 1",
         Called("the share of a tour's surface", "coverage")
     )]

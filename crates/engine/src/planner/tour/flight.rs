@@ -5,7 +5,7 @@ use std::f64::consts::{PI, TAU};
 
 use glam::DVec3;
 
-use crate::error::{Error, Invalid, Result, vec_with_room};
+use crate::error::{Invalid, Result, vec_with_room};
 use crate::limits::MAX_ORIENTATIONS;
 use crate::math::tridiagonal::{Row, solve, solve_periodic};
 use crate::path::{CameraPath, CurveKind, Orientation, Space, SupportPoint, Tangents, Target, Up};
@@ -328,6 +328,6 @@ fn made(
         curve,
         ..CameraPath::try_new()?
     };
-    path.check().map_err(Error::from)?;
+    path.check()?;
     Ok(path)
 }
