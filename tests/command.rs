@@ -591,7 +591,7 @@ fn options(text: &str) -> BTreeSet<String> {
 
 #[test]
 fn the_manual_page_knows_every_option_and_no_other() {
-    const COMMANDS: [&str; 17] = [
+    const COMMANDS: [&str; 19] = [
         "sample",
         "convert",
         "info",
@@ -606,6 +606,8 @@ fn the_manual_page_knows_every_option_and_no_other() {
         "repeat",
         "frames",
         "retime",
+        "avoid",
+        "steady",
         "picture",
         "tour",
         "blend",
