@@ -300,7 +300,8 @@ fn an_object_gets_a_tour() {
     for (more, status) in [
         (&["--seconds", "0.1"][..], 1),
         (&["--coverage", "0"], 1),
-        (&["--distance", "-1"], 1),
+        (&["--distance", "1e300"], 1),
+        (&["--distance=-1"], 1),
         (&["--start", "0.5,0.5,0.5"], 1),
         (&["--start", "1,2"], 2),
         (&["--up", "x"], 2),
