@@ -35,6 +35,8 @@ pub(super) struct Surface<'a> {
     pub total: f64,
     /// Only the side that `across` points to counts.
     pub one_sided: bool,
+    /// It has no edge where one could see the other side from outside.
+    closed: bool,
     pub distance: f64,
 }
 
@@ -106,13 +108,15 @@ impl<'a> Surface<'a> {
         if !(total > 0.0 && total.is_finite()) {
             return Err(Invalid::NoSurface.into());
         }
+        let (agrees, closed) = if inside { (false, false) } else { sides(mesh)? };
         let mut made = Self {
             mesh,
             middles,
             across,
             areas,
             total,
-            one_sided: !inside && consistent(mesh)?,
+            one_sided: agrees,
+            closed,
             distance: 1.0,
         };
         made.turn_out();
@@ -182,9 +186,9 @@ pub(super) fn members(set: &Set) -> impl Iterator<Item = usize> + '_ {
 }
 
 /// Whether triangles with a common edge go along it in opposite directions, nearly all of them.
-/// Corners at one place are one.
+/// Corners at one place are one. And whether each has two such triangles.
 #[allow(clippy::cast_possible_truncation)] // a mesh has fewer than 2³² points
-fn consistent(mesh: &Mesh) -> Result<bool> {
+fn sides(mesh: &Mesh) -> Result<(bool, bool)> {
     let count = mesh.points.len();
     let key = |k: u32| (mesh.points[k as usize] + DVec3::ZERO).to_array();
     let compared = |a: u32, b: u32| {
@@ -211,12 +215,14 @@ fn consistent(mesh: &Mesh) -> Result<bool> {
         }
     }
     edges.sort_unstable();
-    let (mut shared, mut good) = (0_usize, 0_usize);
+    let (mut all, mut shared, mut good) = (0_usize, 0_usize, 0_usize);
     for group in edges.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1)) {
+        all += 1;
         shared += usize::from(group.len() > 1);
         good += usize::from(group.len() == 2 && group[0].2 != group[1].2);
     }
-    Ok(shared > 0 && good as f64 >= 0.99 * shared as f64)
+    let agrees = shared > 0 && good as f64 >= 0.99 * shared as f64;
+    Ok((agrees, agrees && good == all))
 }
 
 /// Buffers for pictures, used again and again.
@@ -250,11 +256,11 @@ impl Picture {
                 continue;
             }
             // The plane of the triangle in the middle of the pixel.
-            let (column, row) = (x.floor(), y.floor());
+            let (column, row) = (pixel(x), pixel(y));
             let normal = surface.across[at];
-            let way = camera.way(column + 0.5, row + 0.5);
+            let way = camera.way(column as f64 + 0.5, row as f64 + 0.5);
             let own = normal.dot(way) / normal.dot(*middle - camera.eye);
-            let nearest = self.depths[pixel(row) * SIZE[0] + pixel(column)];
+            let nearest = self.depths[row * SIZE[0] + column];
             if own * (1.0 + BEFORE) >= nearest {
                 seen[at / 64] |= 1 << (at % 64);
             }
@@ -268,7 +274,11 @@ impl Picture {
             *corner = camera.project(*point);
         }
         let behind = |corner: &[f64; 3]| !(corner[2] > 0.0 && corner[2] * near < 1.0);
-        for triangle in &surface.mesh.triangles {
+        for (at, triangle) in surface.mesh.triangles.iter().enumerate() {
+            // From outside a closed surface the back is behind the front.
+            if surface.closed && surface.across[at].dot(camera.eye - surface.middles[at]) < 0.0 {
+                continue;
+            }
             let corners = triangle.map(|at| self.corners[at as usize]);
             match corners.iter().filter(|corner| behind(corner)).count() {
                 0 => fill(&mut self.depths, corners),
@@ -287,7 +297,7 @@ fn is_in_picture([x, y, depth]: [f64; 3]) -> bool {
     x >= 0.0 && y >= 0.0 && x < SIZE[0] as f64 && y < SIZE[1] as f64 && depth > 0.0
 }
 
-/// A whole number in the picture.
+/// The whole number below, 0 for less.
 #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
 fn pixel(at: f64) -> usize {
     at as usize
@@ -317,15 +327,15 @@ fn clip(depths: &mut [f64], camera: &Camera, places: [DVec3; 3], near: f64) {
 /// Draws a triangle before the eye.
 fn fill(depths: &mut [f64], corners: [[f64; 3]; 3]) {
     let [a, b, c] = corners;
-    // The first and the last pixel whose middle may be within.
+    // The pixels whose middles may be within: from the first to before the last.
     let span = |axis: usize| {
         let low = a[axis].min(b[axis]).min(c[axis]);
         let high = a[axis].max(b[axis]).max(c[axis]);
-        let first = (low - 0.5).ceil().max(0.0);
-        (first, (high - 0.5).floor().min(SIZE[axis] as f64 - 1.0))
+        (pixel(low + 0.5), pixel(high + 0.5).min(SIZE[axis]))
     };
-    let ((left, right), (bottom, top)) = (span(0), span(1));
-    if !(left <= right && bottom <= top) {
+    let (left, right) = span(0);
+    let (bottom, top) = span(1);
+    if left >= right || bottom >= top {
         return;
     }
     let (u, v) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
@@ -340,9 +350,8 @@ fn fill(depths: &mut [f64], corners: [[f64; 3]; 3]) {
     }
     // Rounding beyond the corners would put an edge-on triangle anywhere.
     let nearest = a[2].max(b[2]).max(c[2]);
-    let mut row = bottom;
-    while row <= top {
-        let y = row + 0.5;
+    for row in bottom..top {
+        let y = row as f64 + 0.5;
         let (mut from, mut to) = (f64::INFINITY, f64::NEG_INFINITY);
         for (p, q) in [(a, b), (b, c), (c, a)] {
             if (p[1] > y) != (q[1] > y) {
@@ -351,16 +360,14 @@ fn fill(depths: &mut [f64], corners: [[f64; 3]; 3]) {
                 to = to.max(x);
             }
         }
-        let first = (from - 0.5).ceil().max(left);
-        let end = (to - 0.5).ceil().min(right + 1.0);
+        let first = pixel(from + 0.5).max(left);
+        let end = pixel(to + 0.5).min(right);
         if first < end {
-            let start = pixel(row) * SIZE[0];
-            let mut depth = a[2] + slope[0] * (first + 0.5 - a[0]) + slope[1] * (y - a[1]);
-            for cell in &mut depths[start + pixel(first)..start + pixel(end)] {
+            let mut depth = a[2] + slope[0] * (first as f64 + 0.5 - a[0]) + slope[1] * (y - a[1]);
+            for cell in &mut depths[row * SIZE[0] + first..row * SIZE[0] + end] {
                 *cell = cell.max(depth.min(nearest));
                 depth += slope[0];
             }
         }
-        row += 1.0;
     }
 }
