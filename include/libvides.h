@@ -193,6 +193,14 @@
 #define V_KEEP_PLACE 0
 #define V_KEEP_NUMBERS 1
 
+/**
+ * By what v_path_keep_in_picture() keeps an object in the picture: the zoom, moving the
+ * camera along its view, turning the camera.
+ */
+#define V_PICTURE_ZOOM 0
+#define V_PICTURE_DISTANCE 1
+#define V_PICTURE_VIEW 2
+
 
 /* ---- Axes of a camera, see v_pose_matrix() ----------------------------------- */
 
@@ -2916,6 +2924,27 @@ int v_path_retime(V_PATH *path,
                   int first_point,
                   int last_point,
                   double seconds);
+
+/**
+ * Keeps an object whole in the picture less margin, at every frame and between: by the
+ * zoom or the distance as large as that allows and the path's limits of zoom, or of
+ * speed and acceleration (see v_path_set_limit()), let it change; by turning no more
+ * than it takes. Frames and pace stay. Where keys do not hold it points are added.
+ * The path stays as it is where that cannot be.
+ *
+ * object  in the coordinates of the path; NULL: the path's own, with the objects of
+ *     its scene
+ * margin  the share of the picture's width and height (36 x 24 mm) that stays free at
+ *     each side, from 0 to below 0.5
+ * what  V_PICTURE_ZOOM, V_PICTURE_DISTANCE or V_PICTURE_VIEW
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no object,
+ * or where it cannot be whole, with the frame), V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT,
+ * V_ERR_MEMORY.
+ */
+int v_path_keep_in_picture(V_PATH *path,
+                           const V_MESH *object,
+                           double margin,
+                           int what);
 
 
 /* ---- Opening and closing windows --------------------------------------------- */

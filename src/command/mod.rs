@@ -15,6 +15,7 @@ mod info_json;
 mod input;
 mod moves;
 mod output;
+mod picture;
 mod plot;
 mod progress;
 mod properties;
@@ -85,6 +86,8 @@ enum Command {
     Plot(plot::Arguments),
     /// Computes the pace of a path anew, within limits
     Retime(retime::Arguments),
+    /// Keeps an object whole in the picture, as large as a margin allows
+    Picture(picture::Arguments),
     /// Makes a path by a ready-made move
     Move(moves::Arguments),
     #[command(flatten)]
@@ -146,6 +149,7 @@ pub(crate) fn run() -> ExitCode {
         Command::Check(arguments) => check::run(&arguments),
         Command::Plot(arguments) => plot::run(&arguments),
         Command::Retime(arguments) => retime::run(&arguments),
+        Command::Picture(arguments) => picture::run(&arguments),
         Command::Move(arguments) => moves::run(&arguments),
         Command::Tool(tool) => tools::run(&tool),
     })

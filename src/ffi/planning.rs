@@ -5,12 +5,14 @@ use std::ffi::c_int;
 use super::border::border;
 use super::path::edit_by;
 use super::pointers::{Growing, index, init, optional, read_growing};
-use super::status::{Answer, V_ERR_INTERNAL, add_last_warning, clear_last_warning};
+use super::scene_tracks::mesh;
+use super::scene_types::V_MESH;
+use super::status::{Answer, Failure, V_ERR_INTERNAL, add_last_warning, clear_last_warning};
 use super::types::{V_LIMITS, V_PATH};
 use crate::document::Edit;
 use crate::error::can_allocate;
 use crate::path::CameraPath;
-use crate::planner::{Request, retime};
+use crate::planner::{Request, What, retime};
 use crate::tools::check::{FindingKind, Limits, OFF};
 
 // SAFETY: a number of bytes first, then doubles.
@@ -116,6 +118,55 @@ pub unsafe extern "C" fn v_path_retime(
             for rest in &made.rests {
                 add_last_warning(format_args!("{rest}"));
             }
+            can_allocate(size_of::<CameraPath>())?;
+            Ok(Edit::ReplacePath(Box::new(made.path)))
+        })
+    })
+}
+
+/// By what v_path_keep_in_picture() keeps an object in the picture: the zoom, moving the
+/// camera along its view, turning the camera.
+pub const V_PICTURE_ZOOM: c_int = 0;
+pub const V_PICTURE_DISTANCE: c_int = 1;
+pub const V_PICTURE_VIEW: c_int = 2;
+
+/// Keeps an object whole in the picture less margin, at every frame and between: by the
+/// zoom or the distance as large as that allows and the path's limits of zoom, or of
+/// speed and acceleration (see v_path_set_limit()), let it change; by turning no more
+/// than it takes. Frames and pace stay. Where keys do not hold it points are added.
+/// The path stays as it is where that cannot be.
+///
+/// object  in the coordinates of the path; NULL: the path's own, with the objects of
+///     its scene
+/// margin  the share of the picture's width and height (36 x 24 mm) that stays free at
+///     each side, from 0 to below 0.5
+/// what  V_PICTURE_ZOOM, V_PICTURE_DISTANCE or V_PICTURE_VIEW
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no object,
+/// or where it cannot be whole, with the frame), V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT,
+/// V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_keep_in_picture(
+    path: *mut V_PATH,
+    object: *const V_MESH,
+    margin: f64,
+    what: c_int,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        // SAFETY: a mesh, as the header says.
+        let object = optional(object, |object| unsafe { mesh(object, "object") })?;
+        let what = match what {
+            V_PICTURE_ZOOM => What::Zoom,
+            V_PICTURE_DISTANCE => What::Distance,
+            V_PICTURE_VIEW => What::View,
+            _ => {
+                let known = "V_PICTURE_ZOOM (0), V_PICTURE_DISTANCE (1), V_PICTURE_VIEW (2)";
+                return Err(Failure::unknown("what", what, known));
+            }
+        };
+        edit_by(path, |document| {
+            let object = document.clearance(object.as_ref())?;
+            let limits = document.info().limits;
+            let made = document.framed(object.as_ref(), (margin, what), limits)?;
             can_allocate(size_of::<CameraPath>())?;
             Ok(Edit::ReplacePath(Box::new(made.path)))
         })

@@ -349,6 +349,95 @@ static void retime(void)
     v_path_free(path);
 }
 
+/* The greatest share of the picture that a corner takes at ten places a frame; 9: one is behind. */
+static double taken(const V_PATH *path, const double *xyz, size_t points)
+{
+    size_t frames, k, at;
+    double most = 0;
+
+    OK(v_path_frame_count(path, &frames));
+    for (k = 0; k <= 10 * (frames - 1); k++) {
+        V_POSE pose;
+        double right[3];
+
+        OK(v_path_pose(path, 1 + (double)k / 10, &pose));
+        right[0] = pose.vpn[1] * pose.vup[2] - pose.vpn[2] * pose.vup[1];
+        right[1] = pose.vpn[2] * pose.vup[0] - pose.vpn[0] * pose.vup[2];
+        right[2] = pose.vpn[0] * pose.vup[1] - pose.vpn[1] * pose.vup[0];
+        for (at = 0; at < points; at++) {
+            double x = 0, y = 0, depth = 0;
+            int i;
+
+            for (i = 0; i < 3; i++) {
+                double way = xyz[3 * at + (size_t)i] - pose.vrp[i];
+                x += way * right[i];
+                y += way * pose.vup[i];
+                depth += way * pose.vpn[i];
+            }
+            if (depth <= 0)
+                return 9;
+            most = fmax(most, fabs(x) * pose.zoom / (18 * depth));
+            most = fmax(most, fabs(y) * pose.zoom / (12 * depth));
+        }
+    }
+    return most;
+}
+
+/* All corners of a house stay in the picture, less a margin of a tenth. */
+static void picture(void)
+{
+    static const double xyz[] = {-0.3, 0, -0.2, 0.3, 0, -0.2, 0.3, 0.3, 0.2, -0.3, 0.5, 0.2};
+    static const unsigned triangles[] = {0, 1, 2, 0, 2, 3};
+    V_PATH *path;
+    V_MESH mesh;
+    int what;
+
+    memset(&mesh, 0, sizeof mesh);
+    mesh.size = sizeof mesh;
+    mesh.xyz = xyz;
+    mesh.points = 4;
+    mesh.triangles = triangles;
+    mesh.corners = 6;
+    for (what = V_PICTURE_ZOOM; what <= V_PICTURE_VIEW; what++) {
+        double share;
+
+        path = orbit(1.5, 4);
+        /* Turning alone needs room: there is some with a wide angle. */
+        if (what == V_PICTURE_VIEW) {
+            static const double aside[3] = {0.7, 0.4, 0};
+            int k, count;
+
+            OK(v_path_point_count(path, &count));
+            for (k = 0; k < count; k++) {
+                V_ORIENTATION view;
+
+                v_orientation_init(&view);
+                OK(v_path_get_orientation(path, k, 0, &view));
+                memcpy(view.target, aside, sizeof aside);
+                view.zoom = 14;
+                OK(v_path_set_orientation(path, k, 0, &view));
+            }
+            CHECK(taken(path, xyz, 4) > 0.8);
+        }
+        OK(v_path_keep_in_picture(path, &mesh, 0.1, what));
+        share = taken(path, xyz, 4);
+        CHECK(share <= 0.8 && share >= 0.99 * 0.8);
+        /* As tight as that it stays to the bit. */
+        OK(v_path_keep_in_picture(path, &mesh, 0.1, what));
+        CHECK(taken(path, xyz, 4) == share);
+        STATUS(V_ERR_ARGUMENT, v_path_keep_in_picture(path, &mesh, 0.5, what));
+        CHECK(strstr(v_last_error(), "margin") != NULL);
+        STATUS(V_ERR_ARGUMENT, v_path_keep_in_picture(path, &mesh, nan(""), what));
+        STATUS(V_ERR_ARGUMENT, v_path_keep_in_picture(path, NULL, 0.1, what));
+        CHECK(taken(path, xyz, 4) == share);
+        v_path_free(path);
+    }
+    OK(v_path_new(&path));
+    STATUS(V_ERR_ARGUMENT, v_path_keep_in_picture(path, &mesh, 0.1, 3));
+    CHECK(strstr(v_last_error(), "V_PICTURE_VIEW") != NULL);
+    v_path_free(path);
+}
+
 int main(void)
 {
     the_faces_of_the_own_object_are_looked_at();
@@ -359,5 +448,6 @@ int main(void)
     moves_and_fits_have_a_space();
     what_looks_wrong_is_found();
     retime();
+    picture();
     return failures != 0;
 }

@@ -829,6 +829,14 @@ CALL(v_path_retime)
     return v_path_retime(path, limits, point, point, 0);
 }
 
+CALL(v_path_keep_in_picture)
+{
+    V_PATH *path = a_path();
+    const V_MESH *object = a_mesh();
+    return v_path_keep_in_picture(path, object, number(0, 0.45),
+                                  whole(V_PICTURE_ZOOM, V_PICTURE_VIEW));
+}
+
 CALL(v_path_set_ahead)
 {
     V_PATH *path = a_path();

@@ -7,7 +7,7 @@ use vides_engine::tools::clearance::Clearance;
 
 use super::editing::Document;
 use super::info::Object;
-use crate::error::{Result, vec_with_room};
+use crate::error::{Invalid, Result, vec_with_room};
 
 impl Object {
     /// Its mesh, or the wireframe as lines between its points.
@@ -39,7 +39,19 @@ impl Document {
     /// # Errors
     /// [`vides_engine::Error::Memory`]; [`vides_engine::Error::Range`] for a scene too far away.
     pub fn obstacles(&self) -> Result<Option<Mesh>> {
-        let mut all = self.info().object.to_mesh()?;
+        self.obstacles_of(None)
+    }
+
+    /// As [`Document::obstacles`], of one object of the scene alone.
+    ///
+    /// # Errors
+    /// As [`Document::obstacles`]; [`vides_engine::Error::Argument`] if there is no such node.
+    pub fn obstacles_of(&self, name: Option<&str>) -> Result<Option<Mesh>> {
+        let mut all = match name {
+            None => self.info().object.to_mesh()?,
+            Some(_) => Mesh::default(),
+        };
+        let mut found = name.is_none();
         if let Some(edited) = self.edited_scene() {
             let scene = edited.with(self.path())?;
             let frame = self.frame_of_scene(1.0);
@@ -53,6 +65,10 @@ impl Document {
             let into = Some(into).filter(|into| into.is_finite());
             let into = into.unwrap_or(DAffine3::IDENTITY);
             for (at, node) in scene.nodes().iter().enumerate() {
+                if name.is_some_and(|name| node.name != name) {
+                    continue;
+                }
+                found = true;
                 if let Kind::Object(object) = &node.kind
                     && states[at].visible != 0
                 {
@@ -66,6 +82,9 @@ impl Document {
                     add(&mut all, object.mesh(), &points)?;
                 }
             }
+        }
+        if let (false, Some(name)) = (found, name) {
+            return Err(Invalid::NoNodeNamed(name.into()).into());
         }
         Ok((!all.points.is_empty()).then_some(all))
     }

@@ -23,6 +23,7 @@ mod loading;
 mod mesh_file;
 mod not_a_file;
 mod notes;
+mod picture;
 mod place;
 mod prepare;
 mod property;

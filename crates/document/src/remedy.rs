@@ -2,15 +2,18 @@
 
 use glam::DVec3;
 use vides_engine::path::{Ease, EaseKind, Section, Timing, timing};
+use vides_engine::planner::What;
 use vides_engine::tools::check::{Finding, FindingKind};
 use vides_engine::tools::clearance::Clearance;
 use vides_engine::tools::redundant::without;
 
 use super::edit::{At, Edit};
 use super::editing::Document;
-use crate::error::Result;
+use crate::error::{EngineError, Error, Result};
 use crate::limits::{MAX_FRAMES, MAX_SPEED, MIN_POINTS, MIN_SPEED, SPEEDS};
-use crate::path::{CameraPath, Change, Orientation, OrientationOverrides, Pace, Tangents, curve};
+use crate::path::{
+    CameraPath, Change, Orientation, OrientationOverrides, Pace, Tangents, Target, curve,
+};
 
 /// A section's frames grow by at most this factor.
 const MOST: f64 = 8.0;
@@ -25,6 +28,9 @@ const AHEAD: f64 = 0.1;
 /// Share of a section's time in which it comes to rest.
 const REST: f64 = 0.3;
 
+/// What stays free at each side of a picture into which an object is brought.
+const MARGIN_OF_PICTURE: f64 = 0.1;
+
 /// A cure at one place is tried so often.
 const TIMES: usize = 8;
 
@@ -33,11 +39,12 @@ impl Document {
     /// or zoom gets more frames (not over eight times as many: then the view should change), a
     /// corner or cusp smooth tangents, a speed that jumps goes over into the next one, or to rest
     /// where the camera rests, a view that jumps gets a place ahead to look at; a redundant key is
-    /// removed.
+    /// removed. Where nothing of `object`, or the document's own, is in the picture the views are
+    /// turned so that all of it is; where it is too large for that, to its middle.
     ///
     /// # Errors
     /// [`vides_engine::Error::Limit`], [`vides_engine::Error::Memory`].
-    pub fn remedy(&self, finding: &Finding) -> Result<Vec<Edit>> {
+    pub fn remedy(&self, finding: &Finding, object: Option<&Clearance>) -> Result<Vec<Edit>> {
         let path = self.path();
         let (point, at) = (finding.point, finding.orientation);
         let known = path.points.get(point);
@@ -58,6 +65,7 @@ impl Document {
                     .collect()
             }
             FindingKind::SpeedJump => self.joined(finding),
+            FindingKind::NothingToSee => self.seen(finding, object),
             FindingKind::Corner => {
                 let old = curve::tangents(path, point);
                 let middle = 0.5 * (old.before + old.after);
@@ -101,6 +109,71 @@ impl Document {
             }
             _ => Ok(Vec::new()),
         }
+    }
+
+    /// Views turned towards an object of which nothing is in the picture.
+    fn seen(&self, finding: &Finding, object: Option<&Clearance>) -> Result<Vec<Edit>> {
+        let own = match object {
+            Some(_) => None,
+            None => self.clearance(None)?,
+        };
+        let Some(object) = object.or(own.as_ref()) else {
+            return Ok(Vec::new());
+        };
+        match self.framed(
+            Some(object),
+            (MARGIN_OF_PICTURE, What::View),
+            self.info().limits,
+        ) {
+            Ok(made) => return Ok(vec![Edit::ReplacePath(Box::new(made.path))]),
+            Err(Error::Engine(EngineError::Argument(_))) => {}
+            Err(error) => return Err(error),
+        }
+        let [min, max] = object.bounds();
+        let target = Target::Absolute(min.midpoint(max));
+        let sampler = self.sampler()?;
+        // All views between which it is, and the one behind.
+        let keys = self.timeline(|timeline| {
+            let path = self.path();
+            let mut keys = Vec::new();
+            for k in 0..timeline.section_count() {
+                let section = timeline.section(k);
+                let first = sampler.first_frame(k) as f64 - 1.0;
+                let last = first + section.frames as f64;
+                if first > finding.last_frame || last < finding.first_frame {
+                    continue;
+                }
+                let (point, at) = (section.point, section.orientation);
+                let next = if at + 1 < path.points[point].orientations.len() {
+                    (point, at + 1)
+                } else {
+                    ((point + 1) % path.points.len(), 0)
+                };
+                keys.extend([(point, at), next]);
+            }
+            keys.sort_unstable();
+            keys.dedup();
+            keys
+        })?;
+        let turned = keys.into_iter().map(|(point, at)| {
+            let one = &self.path().points[point].orientations[at];
+            let own = one.own.with(|own| {
+                own.ahead = None;
+                own.velocities = None;
+                own.turning = None;
+            })?;
+            let orientation = Orientation {
+                target,
+                own,
+                ..one.clone()
+            };
+            Ok(Edit::SetOrientation {
+                point,
+                at,
+                orientation,
+            })
+        });
+        turned.collect()
     }
 
     /// More frames for the sections of a finding, in proportion.
@@ -193,7 +266,7 @@ impl Document {
                 if tried.iter().filter(|known| **known == place).count() >= TIMES {
                     continue;
                 }
-                let edits = self.remedy(finding)?;
+                let edits = self.remedy(finding, object)?;
                 if edits.is_empty() {
                     continue;
                 }

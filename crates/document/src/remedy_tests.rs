@@ -1,3 +1,5 @@
+use vides_engine::scene::Mesh;
+
 use super::*;
 use crate::path::{CurveKind, SupportPoint, Target};
 use crate::{At, Info};
@@ -14,7 +16,7 @@ fn mended(document: &mut Document, kind: &str) -> bool {
         let Some(finding) = found(document, kind) else {
             return true;
         };
-        let edits = document.remedy(&finding).unwrap();
+        let edits = document.remedy(&finding, None).unwrap();
         assert!(!edits.is_empty(), "{finding:?}");
         edits
             .into_iter()
@@ -64,7 +66,7 @@ fn presses_leave_nothing_at_the_limit() {
         document.apply(few).unwrap();
         let mut presses = 0;
         while let Some(finding) = found(&document, "turning") {
-            for edit in document.remedy(&finding).unwrap() {
+            for edit in document.remedy(&finding, None).unwrap() {
                 document.apply(edit).unwrap();
             }
             presses += 1;
@@ -106,7 +108,7 @@ fn a_turn_at_once_is_left_to_the_user() {
     document.apply(few).unwrap();
     let finding = found(&document, "turning").unwrap();
     assert!(finding.value > 8.0 * finding.limit, "{finding:?}");
-    assert!(document.remedy(&finding).unwrap().is_empty());
+    assert!(document.remedy(&finding, None).unwrap().is_empty());
 }
 
 #[test]
@@ -175,7 +177,7 @@ fn what_is_for_the_user_to_choose_has_no_edit() {
         .apply(Edit::set(At::Point(2), "position", position))
         .unwrap();
     let finding = found(&document, "space").unwrap();
-    assert!(document.remedy(&finding).unwrap().is_empty());
+    assert!(document.remedy(&finding, None).unwrap().is_empty());
 }
 
 fn speeds(document: &mut Document, point: usize, speed: f64, (frames, hold): (u32, u32)) {
@@ -269,4 +271,37 @@ fn all_that_can_be_is_fixed_and_the_rest_is_left() {
     let path = document.path().clone();
     assert_eq!(document.fix(None, &mut |_| ()).unwrap(), left);
     assert_eq!(*document.path(), path);
+}
+
+/// Views away from an object are turned to it: all of it, or if it is too large, its middle.
+#[test]
+fn where_nothing_is_to_be_seen_views_turn_to_the_object() {
+    for half in [0.1, 5.0] {
+        let mut document = straight([DVec3::Z, DVec3::new(0.2, 0.0, 1.0), DVec3::Z]);
+        let z = -1.0 - half;
+        let corner = |x: f64, y: f64| DVec3::new(half * x, half * y, z);
+        let mesh = Mesh {
+            points: vec![corner(-1.0, -1.0), corner(1.0, -1.0), corner(0.0, 1.0)],
+            triangles: vec![[0, 1, 2]],
+            ..Mesh::default()
+        };
+        let object = Clearance::new(&mesh).unwrap();
+        let kinds =
+            |found: &[Finding]| found.iter().map(|finding| finding.kind).collect::<Vec<_>>();
+        let found = document.check_against(Some(&object)).unwrap();
+        assert!(kinds(&found).contains(&FindingKind::NothingToSee));
+        let left = document.fix(Some(&object), &mut |_| ()).unwrap();
+        assert!(
+            !kinds(&left).contains(&FindingKind::NothingToSee),
+            "{left:?}"
+        );
+        let pose = document.sampler().unwrap().pose(1.0).unwrap();
+        let seen = |corner: &DVec3| {
+            let way = *corner - pose.position();
+            let depth = way.dot(pose.view());
+            let aside = way.dot(pose.view().cross(pose.up())).abs() / 18.0;
+            depth > 0.0 && aside.max(way.dot(pose.up()).abs() / 12.0) * pose.zoom <= 0.8 * depth
+        };
+        assert_eq!(mesh.points.iter().all(seen), half < 1.0);
+    }
 }

@@ -3,11 +3,14 @@
 
 mod table;
 
+use std::rc::Rc;
+
 use glam::{DQuat, DVec3};
 use vides_engine::deform::{Bounds, Deformation, identity_lattice};
-use vides_engine::planner::{Request, retime};
+use vides_engine::planner::{Request, What, retime};
 use vides_engine::tools::blend::blend;
 use vides_engine::tools::block::{self, Fit};
+use vides_engine::tools::clearance::Clearance;
 use vides_engine::tools::fit::{Options, Tolerance, fit};
 use vides_engine::tools::moves::{MOVES, Move};
 use vides_engine::tools::{Parameter, transform};
@@ -52,6 +55,8 @@ pub enum ToolInput {
     Poses(Vec<Pose>, Option<Vec<f64>>),
     /// The positions of a line drawn by hand.
     Stroke(Vec<DVec3>),
+    /// The object of the document, prepared.
+    Object(Rc<Clearance>),
 }
 
 /// What a tool needs before it can begin, or does at its end.
@@ -86,6 +91,7 @@ enum Kind {
     Fit,
     Draw,
     Retime,
+    Picture,
 }
 
 const FITS: [Fit; 4] = [Fit::None, Fit::Move, Fit::Turn, Fit::Scale];
@@ -124,6 +130,13 @@ impl Tool {
     #[must_use]
     pub const fn is_move(&self) -> bool {
         matches!(self.kind, Kind::Move(_))
+    }
+
+    /// Whether it asks how the path lies to the object: a prepared one as [`ToolInput::Object`] spares
+    /// time.
+    #[must_use]
+    pub const fn asks_object(&self) -> bool {
+        matches!(self.kind, Kind::Picture)
     }
 
     /// Whether it has parameters.
@@ -256,6 +269,19 @@ impl Tool {
                     seconds: given.number("seconds"),
                 };
                 Edit::ReplacePath(Box::new(retime(path, &request)?.path))
+            }
+            (Kind::Picture, material) => {
+                let object = match material {
+                    ToolInput::Object(object) => Some(&**object),
+                    _ => None,
+                };
+                let what = What::ALL[chosen(given.number("what")).min(What::ALL.len() - 1)];
+                let made = document.framed(
+                    object,
+                    (given.number("margin"), what),
+                    document.info().limits,
+                )?;
+                Edit::ReplacePath(Box::new(made.path))
             }
             (Kind::Fit, ToolInput::Poses(poses, seconds)) => {
                 let tolerance = Tolerance {

@@ -1,3 +1,5 @@
+use vides_engine::scene::Mesh;
+
 use super::*;
 use crate::{At, Edit, StepName};
 
@@ -44,6 +46,14 @@ fn edit(document: &Document, name: &str, set: &[(&str, f64)]) -> Result<Option<E
         Needs::Stroke => {
             let places = (0..50).map(|step| 0.02 * f64::from(step));
             ToolInput::Stroke(places.map(|x| DVec3::new(x, x * x, 0.1)).collect())
+        }
+        Needs::Nothing if tool.asks_object() => {
+            let corners = [[-0.3, 0.0, -3.0], [0.3, 0.1, -3.0], [0.0, 0.4, -3.2]];
+            let mesh = Mesh {
+                points: corners.map(DVec3::from_array).to_vec(),
+                ..Mesh::default()
+            };
+            ToolInput::Object(Rc::new(Clearance::new(&mesh).unwrap()))
         }
         Needs::Nothing | Needs::Output => ToolInput::None,
     };

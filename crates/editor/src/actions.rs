@@ -7,7 +7,7 @@ use glam::DVec3;
 
 use crate::document::tool::{Tool, ToolInput};
 use crate::document::{At, Edit, Selection, no_longer_ahead};
-use crate::error::Result;
+use crate::error::{Invalid, Result};
 use crate::files::{AfterSave, Purpose};
 use crate::limits::SPEEDS;
 use crate::number::Entry;
@@ -25,6 +25,9 @@ use crate::tools::profile::Quantity;
 use crate::windows::{
     self, CheckWindow, CurveWindow, HelpWindow, PointsWindow, SpaceWindow, SpeedWindow, ToolWindow,
 };
+
+/// What stays free at each side of a picture that shows the whole object.
+const FREE_BESIDE_OBJECT: f64 = 0.1;
 
 /// What a menu entry, a key, a button or a field stands for.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,6 +75,8 @@ pub(super) enum Action {
     ClearOverride(OwnedMotion),
     /// Let the current orientation look along the way.
     LookAhead,
+    /// Let the current orientation show all of the object.
+    ShowObject,
     SetUp(UpVector),
     /// Change between `Abs.` and `Rel.`.
     SwitchAbsolute,
@@ -184,6 +189,8 @@ pub(super) enum Action {
     /// The ruler counts frames, or seconds.
     RulerInFrames(bool),
     GraphHeight(f32),
+    /// Show the sliders around the space, or hide them.
+    SwitchSliders,
     Pace(Pace),
     Setup(Box<Setup>),
     /// A language of the window, or the environment's.
@@ -245,6 +252,7 @@ impl Action {
                 | Self::SwitchKeepsLength
                 | Self::SwitchMovesAlong
                 | Self::Retime(_)
+                | Self::SwitchSliders
                 | Self::RulerInFrames(_)
                 | Self::GraphHeight(_)
                 | Self::Pace(_)
@@ -297,6 +305,7 @@ impl Action {
                 | Self::SwitchLoops
                 | Self::SwitchKeepsLength
                 | Self::SwitchMovesAlong
+                | Self::SwitchSliders
                 | Self::RulerInFrames(_)
                 | Self::GraphHeight(_)
                 | Self::Pace(_)
@@ -418,6 +427,7 @@ impl Editor {
                 let edit = self.own_action(|own| own.ahead = Some(0.0));
                 self.act_all(edit, context);
             }
+            Action::ShowObject => self.show_object(),
             Action::SetUp(up) => self.act_all(self.own_action(|own| own.up = up), context),
             Action::SwitchAbsolute => {
                 let target = self.orientation().map(|current| current.target);
@@ -506,6 +516,7 @@ impl Editor {
             Action::SwitchKeepsLength => self.switch_keeps_length(),
             Action::SwitchMovesAlong => self.switch_moves_along(),
             Action::Retime(retiming) => self.retime(retiming),
+            Action::SwitchSliders => self.switch_sliders(),
             Action::RulerInFrames(frames) => self.choose_ruler(frames),
             Action::GraphHeight(height) => self.set_graph_height(height),
             Action::Pace(pace) => self.set_pace(pace, context),
@@ -653,6 +664,20 @@ impl Editor {
     }
 
     /// Lets every orientation look where the current one does, as one step; no point may be there.
+    fn show_object(&mut self) {
+        let edit = self.obstacles().and_then(|object| {
+            let object = object.ok_or(Invalid::NoGeometry)?;
+            self.document
+                .object_shown(self.document.selection(), &object, FREE_BESIDE_OBJECT)
+        });
+        match edit {
+            Ok(edit) => {
+                self.edit(edit);
+            }
+            Err(error) => self.complain_of(&error),
+        }
+    }
+
     fn aim_all(&mut self) {
         let Some((position, current)) = self
             .point()

@@ -22,6 +22,11 @@ struct Prepared {
 }
 
 impl Editor {
+    /// Whether there may be an object.
+    pub(crate) fn has_object(&self) -> bool {
+        !self.document.info().object.is_empty() || self.document.edited_scene().is_some()
+    }
+
     /// The tree over the objects; `None` if there are none.
     pub(crate) fn obstacles(&self) -> Result<Option<Rc<Clearance>>> {
         let object = &self.document.info().object;

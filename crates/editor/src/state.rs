@@ -405,6 +405,12 @@ impl Editor {
         self.setup.language.unwrap_or(self.given_language)
     }
 
+    /// Whether the sliders are around the space: as it was chosen, else where the host fixes the
+    /// speeds, as those of 1994 do.
+    pub(super) fn shows_sliders(&self) -> bool {
+        self.setup.sliders.unwrap_or(self.fixed_speeds)
+    }
+
     pub(super) fn texts(&self) -> &'static Texts {
         self.language().texts()
     }

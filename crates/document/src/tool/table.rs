@@ -1,6 +1,7 @@
 //! The tools but the moves, which the engine lists, with their parameters.
 
 use vides_engine::deform::LATTICE;
+use vides_engine::planner::What;
 use vides_engine::tools::{Parameter, Unit};
 
 use super::{Kind, Tool};
@@ -246,6 +247,22 @@ pub(super) const TOOLS: &[Tool] = &[
                 ..one("seconds", "how long; 0: as short as the limits allow", 0.0)
             }],
             RANGE,
+        ],
+    },
+    Tool {
+        name: "picture",
+        does: "keeps the object whole in the picture, as large as a margin allows",
+        kind: Kind::Picture,
+        tables: [
+            &[
+                Parameter {
+                    least: 0.0,
+                    most: 0.49,
+                    ..one("margin", "the share that stays free at each side", 0.1)
+                },
+                Parameter::choice("what", "by what it is kept there", What::NAMES, 0),
+            ],
+            &[],
         ],
     },
     Tool {

@@ -300,6 +300,12 @@ fn settings(editor: &Editor) -> Vec<Entry> {
     vec![
         Entry::new(texts.colours, hints.colours, Action::Colours).letter(Key::F),
         Entry::new(texts.display, hints.display, Action::Display).letter(Key::Z),
+        Entry::new(
+            editor.texts().space.sliders,
+            editor.texts().space.sliders_tip,
+            Action::SwitchSliders,
+        )
+        .on(editor.shows_sliders()),
         look(texts.as_system, hints.as_system, None).apart(),
         look(texts.dark, hints.dark, Some(Theme::Dark)),
         look(texts.light, hints.light, Some(Theme::Light)),

@@ -78,6 +78,10 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         actions,
     );
     target(editor, ui, &shown, actions);
+    if editor.has_object() {
+        let button = PanelButton::new(texts.whole, texts.whole_hint, Action::ShowObject);
+        button_row(editor, ui, &[button], actions);
+    }
     up(editor, ui, &shown, actions);
     let language = editor.language();
     let width = share(ui, 2);

@@ -432,6 +432,42 @@ fn the_camera_looks_along_the_way_until_it_is_aimed() {
     }
 }
 
+/// The button is there with an object only; then its middle is the target, and all of it is seen.
+#[test]
+fn one_orientation_shows_the_whole_object() {
+    for language in [Language::English, Language::German] {
+        let texts = &language.texts().orientation;
+        let mut window = window(language);
+        assert!(window.query_by_label(texts.whole).is_none());
+        let mut info = window.state().document.info().clone();
+        let corners = [[-0.2, -0.1, -0.9], [0.3, 0.0, -1.0], [0.1, 0.4, -0.8]];
+        let mesh = vides_engine::scene::Mesh {
+            points: corners.map(DVec3::from_array).to_vec(),
+            ..Default::default()
+        };
+        info.object = crate::document::Object::of_mesh(mesh).unwrap();
+        window
+            .state_mut()
+            .edit(crate::document::Edit::SetInfo(Box::new(info)));
+        window.run();
+        click(&mut window, texts.whole);
+        let target = window.state().orientation().unwrap().target;
+        let middle = DVec3::new(0.05, 0.15, -0.9);
+        assert!(
+            matches!(target, crate::path::Target::Absolute(at) if at.abs_diff_eq(middle, 1e-12))
+        );
+        let pose = poses(window.state())[0];
+        let mut most = 0.0_f64;
+        for corner in corners {
+            let way = DVec3::from(corner) - pose.position();
+            let aside = way.dot(pose.view().cross(pose.up())).abs() / 18.0;
+            let share = aside.max(way.dot(pose.up()).abs() / 12.0) * pose.zoom;
+            most = most.max(share / way.dot(pose.view()));
+        }
+        assert!(most <= 0.8 && most > 0.799, "{most}");
+    }
+}
+
 #[test]
 fn which_way_is_up_is_chosen_in_a_menu() {
     for language in [Language::English, Language::German] {

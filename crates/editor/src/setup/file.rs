@@ -30,7 +30,10 @@ const SENSOR: &str = "sensor_height_mm";
 /// The key of what the ruler counts.
 const RULER: &str = "ruler_frames";
 
-const KEYS: [&str; 14] = [
+/// The key of the sliders.
+const SLIDERS: &str = "sliders";
+
+const KEYS: [&str; 15] = [
     "version",
     "theme",
     "language",
@@ -41,6 +44,7 @@ const KEYS: [&str; 14] = [
     "safe_frame",
     "speed_graph",
     RULER,
+    SLIDERS,
     "view",
     "shown",
     "dark",
@@ -125,6 +129,9 @@ fn write_setup(out: &mut String, setup: &Setup) -> std::fmt::Result {
     writeln!(out, "safe_frame = {}", setup.safe_frame)?;
     writeln!(out, "speed_graph = {}", setup.speed_graph)?;
     writeln!(out, "{RULER} = {}", setup.ruler_frames)?;
+    if let Some(sliders) = setup.sliders {
+        writeln!(out, "{SLIDERS} = {sliders}")?;
+    }
     let view = &setup.view;
     writeln!(out, "\n[view]")?;
     writeln!(out, "rotation_degrees = {:?}", view.rotation)?;
@@ -193,6 +200,7 @@ fn from_toml(text: &str) -> Result<Setup> {
             }
             "safe_frame" => setup.safe_frame = field.boolean()?,
             "speed_graph" => setup.speed_graph = field.boolean()?,
+            SLIDERS => setup.sliders = Some(field.boolean()?),
             RULER => setup.ruler_frames = field.boolean()?,
             "view" => setup.view = view(field)?,
             "shown" => read_shown(field, &mut setup.shown)?,
@@ -297,6 +305,13 @@ impl Editor {
         self.keep(SENSOR, &format!("{height:?}"));
     }
 
+    /// Shows the sliders around the space, or hides them, also for the next start.
+    pub(crate) fn switch_sliders(&mut self) {
+        let sliders = !self.shows_sliders();
+        self.setup.sliders = Some(sliders);
+        self.keep(SLIDERS, &sliders.to_string());
+    }
+
     /// Lets the ruler count frames or seconds, also for the next start.
     pub(crate) fn choose_ruler(&mut self, frames: bool) {
         self.setup.ruler_frames = frames;
@@ -373,6 +388,7 @@ mod tests {
             safe_frame: true,
             speed_graph: false,
             ruler_frames: true,
+            sliders: Some(true),
             view: View {
                 rotation: -12.345_678_901_234_5,
                 tilt: 1.0 / 3.0,

@@ -256,6 +256,8 @@ pub(super) struct Setup {
     pub(super) safe_frame: bool,
     /// The speeds of the whole path under the frames.
     pub(super) speed_graph: bool,
+    /// The sliders around the space, as it was chosen; `None`: as the host has them.
+    pub(super) sliders: Option<bool>,
     /// The ruler counts frames, not seconds.
     pub(super) ruler_frames: bool,
     /// As it was chosen; `None`: that of the host or the environment.
@@ -277,6 +279,7 @@ impl Default for Setup {
             sensor_height: 2.0 * HALF_FILM_HEIGHT,
             safe_frame: false,
             speed_graph: true,
+            sliders: None,
             ruler_frames: false,
             language: None,
         }

@@ -184,7 +184,7 @@ fn entries(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     }
 }
 
-fn views(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
+pub(super) fn views(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let (texts, hints) = (&editor.texts().space, &editor.texts().menu_hints);
     let [right, upright, front] = match editor.document.path().space.up {
         Up::Y => ["x", "y", "z"],

@@ -11,6 +11,7 @@ mod drag;
 mod drawing;
 mod flying;
 mod gesture;
+mod gizmo;
 mod hold;
 mod keyboard;
 mod menu;
@@ -22,6 +23,7 @@ mod projection;
 mod ribbon;
 mod scene;
 mod sliders;
+mod start;
 mod strokes;
 mod tangents;
 mod transform;
@@ -92,9 +94,16 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     let mut space = std::mem::take(&mut editor.space);
     let context = ui.ctx().clone();
     let before = &mut space.view_before;
-    let viewport = editor.part(&context, |editor, actions| {
-        sliders::show(editor, before, ui, actions)
-    });
+    let viewport = match editor.shows_sliders() {
+        true => editor.part(&context, |editor, actions| {
+            sliders::show(editor, before, ui, actions)
+        }),
+        false => {
+            let all = ui.available_rect_before_wrap();
+            ui.advance_cursor_after_rect(all);
+            all
+        }
+    };
     let (viewport, docked) = camera_view::divided(&editor.setup, viewport);
     space.show(editor, ui, viewport, docked);
     editor.host_pane = editor.part(&context, |editor, actions| match docked {
@@ -214,8 +223,11 @@ impl MovementWindow {
         response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Canvas, true, name));
         let context = ui.ctx().clone();
         let layer = ui.layer_id();
+        let mut above = gizmo::rooms(editor, viewport);
+        above.extend(start::rooms(editor, viewport));
         let mine = |at| {
             viewport.contains(at)
+                && !above.iter().any(|room| room.contains(at))
                 && covered.is_none_or(|covered| !covered.contains(at))
                 && context.layer_id_at(at).is_none_or(|found| found == layer)
                 && context.memory(|memory| memory.top_modal_layer().is_none())
@@ -269,6 +281,11 @@ impl MovementWindow {
                 actions.push(Action::Complain(reason_of(editor.language(), &error)));
             }
         });
+        let before = &mut self.view_before;
+        editor.part(&context, |editor, actions| {
+            gizmo::show(editor, before, ui, viewport, actions);
+            start::show(editor, ui, viewport, actions);
+        });
     }
 
     fn draw(&mut self, editor: &Editor, painter: &Painter, viewport: Rect) -> Result<()> {
@@ -307,7 +324,6 @@ impl MovementWindow {
             nodes::names(editor, painter, &look);
         }
         if !document.edits_path() {
-            overlay::directions(painter, &look);
             return trouble;
         }
         // Below the curve, which matters more, and below what a drag changes: not repainted then.
@@ -395,7 +411,6 @@ impl MovementWindow {
         };
         let several = editor.several().unwrap_or_default();
         overlay::numbers(painter, document, &look, pointed, several);
-        overlay::directions(painter, &look);
         if let Some(drawn) = pointer.drawn_box() {
             overlay::drawn_box(painter, &look, drawn);
         }

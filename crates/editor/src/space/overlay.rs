@@ -4,13 +4,13 @@
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
-use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, pos2, vec2};
+use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, vec2};
 use glam::{DVec2, DVec3};
 
 use super::cameras::Camera;
 use super::drag::{DragConstraint, Handle, VUP_LENGTH};
 use super::picking::Tips;
-use super::projection::{Axis, from_pos, to_pos};
+use super::projection::{Axis, to_pos};
 use super::scene::{Look, THIN};
 use super::strokes::Strokes;
 use super::tangents;
@@ -542,45 +542,9 @@ fn halo(painter: &Painter, look: &Look<'_>, text: Rect) {
     painter.add(theme::block(text.expand2(vec2(2.0, -1.0)), ground));
 }
 
-/// The three axes, small, in a corner of the viewport.
-pub(super) fn directions(painter: &Painter, look: &Look<'_>) {
-    let Some(color) = look.of(Element::Numbers) else {
-        return;
-    };
-    let centre = from_pos(look.viewport.left_bottom()) + DVec2::new(40.0, -40.0);
-    let length = 24.0 / look.projection.scale() * look.projection.space().half_size;
-    // The one that points at the viewer is painted last.
-    let mut axes = Axis::ALL;
-    axes.sort_by(|a, b| {
-        let toward = look.projection.toward();
-        toward[a.index()].total_cmp(&toward[b.index()])
-    });
-    for axis in axes {
-        let mut way = DVec3::ZERO;
-        way[axis.index()] = length;
-        let image = look.projection.image_of_way(way);
-        let color = color.gamma_multiply(0.85);
-        let tip = to_pos(centre + image);
-        painter.line_segment([to_pos(centre), tip], Stroke::new(1.2, color));
-        let letter = axis.letter();
-        let beside = if image.length() > 2.0 {
-            image.normalize() * 8.0
-        } else {
-            DVec2::new(-7.0, 7.0)
-        };
-        let pos = to_pos(centre + image + beside);
-        painter.text(
-            pos2(pos.x, pos.y),
-            Align2::CENTER_CENTER,
-            letter,
-            FontId::proportional(11.0),
-            color,
-        );
-    }
-}
-
 #[cfg(test)]
 mod tests {
+    use super::super::projection::from_pos;
     use super::super::scene::tests::Eye;
     use super::*;
     use crate::document::Info;

@@ -76,6 +76,37 @@ pub(super) fn show(
     between
 }
 
+/// The numbers alone, each with its name: two columns of a grid.
+pub(super) fn numbers(
+    editor: &Editor,
+    before: &mut Option<View>,
+    viewport: Rect,
+    ui: &mut Ui,
+    actions: &mut Vec<Action>,
+) {
+    let mut view = editor.setup.view;
+    let texts = &editor.texts().space;
+    let mut sliders = Sliders {
+        editor,
+        view: &mut view,
+        before,
+        viewport,
+        actions,
+    };
+    for (part, name) in [
+        (Part::Size, texts.size),
+        (Part::Rotation, texts.rotate),
+        (Part::Tilt, texts.tilt),
+    ] {
+        ui.label(name);
+        sliders.number(ui, part);
+        ui.end_row();
+    }
+    if view != editor.setup.view {
+        actions.push(Action::View(view));
+    }
+}
+
 /// What the three share.
 struct Sliders<'a> {
     editor: &'a Editor,

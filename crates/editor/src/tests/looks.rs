@@ -530,7 +530,11 @@ fn a_shortened_number_is_told_whole_by_its_tooltip() {
 #[test]
 fn the_border_of_what_has_the_keyboard_covers_no_neighbour() {
     for size in [SMALL, LARGE] {
-        let mut window = window_of(options(Language::English), size, 1.0, Theme::Dark);
+        let options = Options {
+            fixed_speeds: true,
+            ..options(Language::English)
+        };
+        let mut window = window_of(options, size, 1.0, Theme::Dark);
         let texts = &Language::English.texts().space;
         let around = |window: &mut Window| {
             let fields = [texts.tilt, texts.rotate, texts.size];

@@ -5,12 +5,21 @@ use egui::{Rect, Role};
 use super::*;
 use crate::setup::View;
 
+/// The window of a host of 1994, with the sliders that others choose.
+fn window_of_1994(language: Language) -> Window {
+    let options = Options {
+        fixed_speeds: true,
+        ..options(language)
+    };
+    window_of(options, LARGE, 1.0, Theme::Dark)
+}
+
 /// The main window as Abb. A.1 shows it.
 #[test]
 fn the_parts_lie_around_the_movement_window() {
     for language in BOTH {
         let texts = language.texts();
-        let window = window(language);
+        let window = window_of_1994(language);
         let of = |label: &str| window.get_by_label(label).rect();
         let slider = |label: &str| window.get_by_role_and_label(Role::Slider, label).rect();
         let space = of(texts.space.name);
@@ -54,7 +63,7 @@ fn the_parts_lie_around_the_movement_window() {
 fn the_three_sliders_change_size_rotation_and_tilt() {
     for language in BOTH {
         let texts = &language.texts().space;
-        let mut window = window(language);
+        let mut window = window_of_1994(language);
         let slide = |window: &mut Window, name: &str, to: [f32; 2]| {
             let rect = window.get_by_role_and_label(Role::Slider, name).rect();
             let from = rect.center();

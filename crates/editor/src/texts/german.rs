@@ -207,6 +207,9 @@ german! {
         PictureZoom { frame, zoom } =>
             "bei Bild {} wäre das Objekt mit einem Zoom von {} mm ganz zu sehen, weniger als 1 mm",
             number(*frame), number(*zoom);
+        PictureHere { zoom } =>
+            "von hier wäre das Objekt erst mit einem Zoom von {} mm ganz zu sehen, weniger als 1 mm",
+            number(*zoom);
         PictureLarge { frame } =>
             "bei Bild {} ist das Objekt zu groß für das Bild, wohin auch die Kamera blickt",
             number(*frame);

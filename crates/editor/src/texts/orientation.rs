@@ -22,6 +22,9 @@ texts! {
         ahead: "Along path", "Voraus";
         ahead_hint: "The camera looks along its way, upright",
             "Die Kamera blickt aufrecht ihren Weg entlang";
+        whole: "Whole object", "Ganzes Objekt";
+        whole_hint: "Look at the middle of the object and zoom so that all of it is in the picture, with a tenth free at each side",
+            "Auf die Mitte des Objekts blicken und so zoomen, dass es ganz im Bild ist und auf jeder Seite ein Zehntel frei bleibt";
         distance: "Ahead", "Voraus";
         distance_hint: "It looks at the place so far ahead on its way; 0: along the tangent",
             "Sie blickt auf den Ort so weit voraus auf ihrem Weg; 0: die Tangente entlang";

@@ -221,6 +221,22 @@ texts! {
         take_over_here: "Take over the view here", "Ansicht hierher übernehmen";
         take_over_here_tip: "The program's camera in place of this point and orientation",
             "Die Kamera des Programms an Stelle von diesem Punkt und dieser Orientierung";
+        begin_with: "Begin with: {0}", "Beginnen mit: {0}";
+        begin_view: "From the view", "Aus der Ansicht";
+        begin_open: "Open …", "Öffnen …";
+        begin_open_tip: "Open a path or a scene from a file", "Eine Bahn oder eine Szene aus einer Datei öffnen";
+        one_outside: "1 point is outside: Around the path", "1 Punkt liegt außerhalb: Um die Bahn";
+        some_outside: "{0} points are outside: Around the path", "{0} Punkte liegen außerhalb: Um die Bahn";
+        outside_tip: "A space that has all of the path in it; the path stays where it is",
+            "Ein Raum, in dem die ganze Bahn liegt; die Bahn bleibt, wo sie ist";
+        view_menu: "Numbers of the view", "Zahlen der Ansicht";
+        view_menu_tip: "Size, rotation and tilt of the space, from the front, from above, and the sliders",
+            "Größe, Drehung und Kippung des Raumes, von vorn, von oben, und die Schieber";
+        view_oblique: "Oblique", "Schräg";
+        view_oblique_tip: "From in front, a little from the right and from above", "Von vorn, etwas von rechts und von oben";
+        sliders: "Sliders", "Schieber";
+        sliders_tip: "Sliders for size, rotation and tilt around the space",
+            "Schieber für Größe, Drehung und Kippung um den Raum";
         view_reset: "Reset the view", "Ansicht zurücksetzen";
         view_front: "From the front", "Von vorn";
         view_right: "From the right", "Von rechts";

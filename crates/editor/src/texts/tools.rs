@@ -56,6 +56,7 @@ const TOOLS: &[(&str, &str, &str, &str)] = &[
     ("repeat", "Go several times", "Mehrmals gehen", "geht den Weg mehrmals"),
     ("frames", "Number of frames", "Zahl der Bilder", "bringt Punkte auf eine Zahl von Bildern"),
     ("retime", "Pace within limits", "Tempo in Grenzen", "berechnet das Tempo von Punkten neu, in den Grenzen der Prüfung"),
+    ("picture", "Keep in the picture", "Im Bild halten", "hält das Objekt ganz im Bild, so groß, wie ein Rand es erlaubt"),
     ("fit", "Fit recorded poses", "Aufgezeichnete Posen annähern", "macht aus aufgezeichneten Posen eine Bahn aus wenigen Punkten"),
 ];
 
@@ -97,6 +98,8 @@ const LABELS: &[Word] = &[
     ("tolerance", "Tolerance", "Toleranz"),
     ("lattice", "Square", "Quadrat"),
     ("weight", "Weight", "Gewicht"),
+    ("margin", "Margin", "Rand"),
+    ("what", "By", "Durch"),
 ];
 
 /// What the parameters do, in German.
@@ -146,6 +149,8 @@ const HINTS: &[(&str, &str)] = &[
     ("how many, the first and the last with them", "wie viele, das erste und das letzte mitgezählt"),
     ("how far a position may be from what was given", "wie weit eine Position vom Gegebenen entfernt sein darf"),
     ("one of 4 × 4 × 4 squares, and where it is in the box", "eines von 4 × 4 × 4 Quadraten, und wo es im Quader ist"),
+    ("the share that stays free at each side", "der Anteil, der auf jeder Seite frei bleibt"),
+    ("by what it is kept there", "wodurch es dort gehalten wird"),
     ("how much of the other path", "wie viel von der anderen Bahn"),
     ("how far view, up and field of view may be from theirs",
         "wie weit Blick, oben und Bildwinkel von ihren abweichen dürfen"),
@@ -166,6 +171,9 @@ const CHOICES: &[Word] = &[
     ("move", "moved here", "hierher verschoben"),
     ("turn", "turned too", "auch gedreht"),
     ("scale", "scaled too", "auch skaliert"),
+    ("zoom", "the zoom", "den Zoom"),
+    ("distance", "the distance", "den Abstand"),
+    ("view", "turning", "Drehen"),
 ];
 
 fn word(words: &'static [Word], language: Language, name: &'static str) -> &'static str {

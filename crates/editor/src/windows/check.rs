@@ -230,7 +230,7 @@ impl CheckWindow {
             self.found = document.check_against(tree.as_deref())?;
             let listed = self.found.iter().take(MOST);
             self.mends = listed
-                .map(|finding| document.remedy(finding))
+                .map(|finding| document.remedy(finding, tree.as_deref()))
                 .collect::<Result<_>>()?;
             Ok(())
         });

@@ -60,7 +60,7 @@ pub(super) struct Windows {
 /// Where a sub-window opens: from the window's upper left corner or, where that would hide the
 /// movement window and so its own effect, from the upper right one, over the panels.
 const OVER_SPACE: egui::Vec2 = egui::vec2(28.0, 64.0);
-const OVER_PANELS: egui::Vec2 = egui::vec2(-8.0, 48.0);
+const OVER_PANELS: egui::Vec2 = egui::vec2(0.0, 72.0);
 
 /// A narrower window has little room beside the panels.
 const MIN_WIDTH_FOR_ROOM: f32 = 1000.0;

@@ -494,6 +494,11 @@ impl Editor {
         if std::mem::take(&mut window.applied) {
             self.document.cancel_step();
         }
+        if window.tool.asks_object() {
+            // Where it cannot be had the tool says why.
+            let object = self.obstacles().ok().flatten();
+            window.material = object.map_or(ToolInput::None, ToolInput::Object);
+        }
         let document = &mut self.document;
         window.cage = window.tool.cage(document, &window.numbers);
         let edit = window

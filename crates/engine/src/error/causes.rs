@@ -289,6 +289,10 @@ pub enum Invalid {
     )]
     PictureZoom { frame: f64, zoom: f64 },
     #[error(
+        "from here the object would be whole with a zoom of {zoom:.3} mm only, below the least, 1 mm"
+    )]
+    PictureHere { zoom: f64 },
+    #[error(
         "at frame {frame:.2} the object is too large for the picture, wherever the camera turns"
     )]
     PictureLarge { frame: f64 },

@@ -3,16 +3,18 @@
 
 mod below;
 mod film;
+mod keyed;
 mod outline;
 mod zoom;
 
 use crate::error::{Invalid, OutOfRange, Result};
-use crate::path::CameraPath;
+use crate::limits::{MAX_ZOOM, MIN_ZOOM};
+use crate::path::{CameraPath, Orientation, Target, UpVector};
 use crate::property::choices;
 use crate::scene::Mesh;
 use crate::tools::check::Limits;
 use crate::tools::clearance::Clearance;
-use film::Film;
+use film::{Film, Spot};
 use outline::{Camera, FILM, Outline};
 
 choices! {
@@ -21,6 +23,10 @@ choices! {
         /// By the zoom.
         #[default]
         Zoom = "zoom",
+        /// By moving the camera along its view.
+        Distance = "distance",
+        /// By turning the camera.
+        View = "view",
     }
 }
 
@@ -84,14 +90,11 @@ pub fn keep_all_in_picture(
 ) -> Result<Framed> {
     request.check()?;
     path.check()?;
-    let mut work = Work {
-        request,
-        room: FILM.map(|film| film * (1.0 - 2.0 * request.margin)),
-        outline: Outline::new(object),
-    };
+    let mut work = Work::new(object, request);
     let film = Film::new(path, request.fps)?;
     let (tightest, loosest) = work.shares(&film);
-    if (TIGHT..=1.0).contains(&tightest) {
+    let fits = tightest <= 1.0;
+    if fits && (tightest >= TIGHT || request.what == What::View) {
         return Ok(Framed {
             path: path.try_clone()?,
             added: 0,
@@ -101,7 +104,67 @@ pub fn keep_all_in_picture(
     }
     match request.what {
         What::Zoom => work.by_zoom(path, &film),
+        What::Distance => {
+            let [min, max] = object.bounds();
+            if min == max {
+                return Err(Invalid::PicturePlace.into());
+            }
+            work.by_keys(path, &film)
+        }
+        What::View => work.by_keys(path, &film),
     }
+}
+
+/// One orientation that looks at the middle of an object and shows it whole, as large as the margin
+/// allows.
+///
+/// # Errors
+/// [`crate::Error::Argument`] where no zoom shows it, [`crate::Error::Range`] for no such
+/// orientation or a margin out of range; [`crate::Error::Memory`].
+pub fn orientation_towards(
+    path: &CameraPath,
+    (point, orientation): (usize, usize),
+    object: &Clearance,
+    margin: f64,
+) -> Result<Orientation> {
+    let request = PictureRequest {
+        margin,
+        what: What::Zoom,
+        limits: Limits::default(),
+        fps: 25.0,
+    };
+    request.check()?;
+    let support = path.points.get(point).ok_or_else(|| path.no_point(point))?;
+    let known = support.orientations.get(orientation);
+    let mut one = known.ok_or(OutOfRange::Orientations)?.clone();
+    let mut work = Work::new(object, &request);
+    let middle = work.outline.middle();
+    let far = middle - support.position;
+    let view = far.try_normalize().ok_or(Invalid::TargetOnCamera)?;
+    let level = one.own.up.level(path.space.up);
+    let axis = level.unwrap_or(path.space.up);
+    let camera = Camera {
+        eye: support.position,
+        view,
+        up: axis.up_from_roll(view, one.roll.to_radians()),
+    };
+    let behind = Invalid::PictureHere { zoom: 0.0 };
+    let most = work.zoom_for(&camera).ok_or(behind)?;
+    if most < MIN_ZOOM {
+        return Err(Invalid::PictureHere { zoom: most }.into());
+    }
+    one.target = Target::Absolute(middle);
+    one.zoom = ((1.0 - SPARE) * most).clamp(MIN_ZOOM, MAX_ZOOM);
+    one.own = one.own.with(|own| {
+        own.ahead = None;
+        own.velocities = None;
+        own.turning = None;
+        own.zoom_slope = None;
+        if level.is_none() {
+            own.up = UpVector::Axis;
+        }
+    })?;
+    Ok(one)
 }
 
 impl PictureRequest {
@@ -123,7 +186,15 @@ struct Work<'a> {
     outline: Outline<'a>,
 }
 
-impl Work<'_> {
+impl<'a> Work<'a> {
+    fn new(object: &'a Clearance, request: &'a PictureRequest) -> Self {
+        Self {
+            request,
+            room: FILM.map(|film| film * (1.0 - 2.0 * request.margin)),
+            outline: Outline::new(object),
+        }
+    }
+
     /// The greatest zoom with which all of the object is in the room; none where not all is before
     /// the camera. Infinite for a single place in the middle.
     fn zoom_for(&mut self, camera: &Camera) -> Option<f64> {
@@ -133,14 +204,30 @@ impl Work<'_> {
         Some(least.fold(f64::INFINITY, f64::min))
     }
 
+    /// The share of the room that the object takes at a sample.
+    fn share(&mut self, spot: &Spot) -> f64 {
+        let most = self.zoom_for(&spot.camera);
+        most.map_or(f64::INFINITY, |most| spot.zoom / most)
+    }
+
+    /// The greatest share, and its frame.
+    fn worst(&mut self, film: &Film) -> (f64, f64) {
+        let mut worst = (0.0, 1.0);
+        for spot in &film.spots {
+            let share = self.share(spot);
+            if share > worst.0 {
+                worst = (share, spot.frame);
+            }
+        }
+        worst
+    }
+
     /// The greatest and the least share of the room that the object takes; infinite where not all of
     /// it is before the camera.
     fn shares(&mut self, film: &Film) -> (f64, f64) {
         let mut shares = (0.0_f64, f64::INFINITY);
         for spot in &film.spots {
-            let share = self
-                .zoom_for(&spot.camera)
-                .map_or(f64::INFINITY, |most| spot.zoom / most);
+            let share = self.share(spot);
             shares = (shares.0.max(share), shares.1.min(share));
         }
         shares

@@ -2,6 +2,9 @@
 
 use crate::error::{Result, vec_with_room};
 
+/// Tops of parabolas beyond each open end.
+const BEYOND: usize = 256;
+
 /// Places on an axis, how long it takes from one to the next, and a bound at each.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Course<'a> {
@@ -49,8 +52,19 @@ impl Course<'_> {
             found[k - 1] = found[k - 1].min(most(found[k], time[k] - time[k - 1]));
         }
         if bend.is_finite() && bend > 0.0 {
-            let least = envelope(&at, &found, bend, 1.0)?;
-            found = envelope(&at, &least, bend, -1.0)?;
+            // Parabolas that touch near an open end may have their tops beyond it.
+            let steep = (1..all)
+                .filter(|k| at[*k] > at[k - 1])
+                .map(|k| ((found[k] - found[k - 1]) / (at[k] - at[k - 1])).abs())
+                .fold(0.0, f64::max);
+            let beyond = (steep / bend).min(4.0 * (at[all - 1] - at[0]));
+            let step = |k: usize| beyond * (k as f64 / BEYOND as f64);
+            let mut tops = vec_with_room(all + 2 * BEYOND)?;
+            tops.extend((1..=BEYOND).rev().map(|k| at[0] - step(k)));
+            tops.extend_from_slice(&at);
+            tops.extend((1..=BEYOND).map(|k| at[all - 1] + step(k)));
+            let least = envelope(&at, &found, &tops, bend, 1.0)?;
+            found = envelope(&tops, &least, &at, bend, -1.0)?;
         }
         let from = (rounds / 2) * count;
         found.copy_within(from..from + count, 0);
@@ -63,8 +77,8 @@ impl Course<'_> {
 }
 
 /// The lower envelope of parabolas that stand on the values (`sign` 1), or the upper one of those
-/// that hang from them (−1), at the same places.
-fn envelope(at: &[f64], values: &[f64], bend: f64, sign: f64) -> Result<Vec<f64>> {
+/// that hang from them (−1), at other places.
+fn envelope(at: &[f64], values: &[f64], places: &[f64], bend: f64, sign: f64) -> Result<Vec<f64>> {
     let mut stack: Vec<(usize, f64)> = vec_with_room(at.len())?;
     let value = |k: usize| sign * values[k];
     for k in 0..at.len() {
@@ -92,9 +106,9 @@ fn envelope(at: &[f64], values: &[f64], bend: f64, sign: f64) -> Result<Vec<f64>
             stack.push((k, start));
         }
     }
-    let mut made = vec_with_room(at.len())?;
+    let mut made = vec_with_room(places.len())?;
     let mut top = 0;
-    for x in at {
+    for x in places {
         while top + 1 < stack.len() && stack[top + 1].1 <= *x {
             top += 1;
         }

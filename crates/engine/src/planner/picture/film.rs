@@ -119,6 +119,12 @@ impl Film {
         Ok(())
     }
 
+    /// The samples of a section; the last key stands behind those of the last one.
+    pub(super) fn range(&self, piece: usize) -> std::ops::Range<usize> {
+        let end = self.pieces.get(piece + 1).map(|next| next.from);
+        self.pieces[piece].from..end.unwrap_or(self.spots.len())
+    }
+
     /// The section of a sample.
     pub(super) fn piece_of(&self, spot: usize) -> usize {
         let after = self.pieces.partition_point(|piece| piece.from <= spot);

@@ -56,6 +56,12 @@ impl<'a> Outline<'a> {
         }
     }
 
+    /// The middle of the box around it.
+    pub(super) fn middle(&self) -> DVec3 {
+        let [min, max] = self.tree.bounds();
+        min.midpoint(max)
+    }
+
     /// The greatest x/d of all corners to the right, to the left, up and down; none where not all of
     /// the object is before the camera.
     pub(super) fn reach(&mut self, camera: &Camera) -> Option<[f64; 4]> {
@@ -92,6 +98,33 @@ impl<'a> Outline<'a> {
             true
         });
         (before && most.iter().all(|share| share.is_finite())).then_some(most)
+    }
+
+    /// How far the object reaches from a place in four directions, which need not be unit vectors.
+    pub(super) fn furthest(&mut self, eye: DVec3, directions: [DVec3; 4]) -> [f64; 4] {
+        let mut most = [f64::NEG_INFINITY; 4];
+        let last = &mut self.last;
+        let see = |corner: DVec3, most: &mut [f64; 4], last: &mut [DVec3; 4]| {
+            for k in 0..4 {
+                let far = (corner - eye).dot(directions[k]);
+                if far > most[k] {
+                    (most[k], last[k]) = (far, corner);
+                }
+            }
+        };
+        for corner in *last {
+            see(corner, &mut most, last);
+        }
+        self.tree.walk(&mut |node, primitives| {
+            if !(0..4).any(|k| furthest(node, directions[k], eye) > most[k]) {
+                return false;
+            }
+            for corner in primitives.iter().flat_map(|primitive| primitive.0) {
+                see(corner, &mut most, last);
+            }
+            true
+        });
+        most
     }
 }
 

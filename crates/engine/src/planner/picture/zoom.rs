@@ -95,7 +95,7 @@ impl Work<'_> {
             shares = self.shares(&now);
         }
         if shares.0 > 1.0 {
-            let frame = self.tightest_frame(&now);
+            let (_, frame) = self.worst(&now);
             return Err(Invalid::PictureKeys { frame }.into());
         }
         made.check()?;
@@ -106,17 +106,6 @@ impl Work<'_> {
             loosest: shares.1,
         };
         Ok((framed, fastest(&now)))
-    }
-
-    fn tightest_frame(&mut self, film: &Film) -> f64 {
-        let mut worst = (0.0, 1.0);
-        for spot in &film.spots {
-            let most = self.zoom_for(&spot.camera).unwrap_or(0.0);
-            if spot.zoom / most > worst.0 {
-                worst = (spot.zoom / most, spot.frame);
-            }
-        }
-        worst.1
     }
 }
 
