@@ -35,7 +35,7 @@ complete -c vides -n "__fish_vides_needs_command" -f -a "fit" -d 'Makes a path o
 complete -c vides -n "__fish_vides_needs_command" -f -a "check" -d 'Tells what will look wrong in a film'
 complete -c vides -n "__fish_vides_needs_command" -f -a "plot" -d 'Draws a path, its views and what changes over its frames'
 complete -c vides -n "__fish_vides_needs_command" -f -a "retime" -d 'Computes the pace of a path anew, within limits'
-complete -c vides -n "__fish_vides_needs_command" -f -a "picture" -d 'Keeps an object whole in the picture, as large as a margin allows'
+complete -c vides -n "__fish_vides_needs_command" -f -a "steady" -d 'Takes the shaking of a hand out of a recorded flight'
 complete -c vides -n "__fish_vides_needs_command" -f -a "move" -d 'Makes a path by a ready-made move'
 complete -c vides -n "__fish_vides_needs_command" -f -a "transform" -d 'Moves, turns, scales or mirrors points of a path'
 complete -c vides -n "__fish_vides_needs_command" -f -a "deform" -d 'Tapers, twists, bends or freely deforms points of a path'
@@ -91,16 +91,10 @@ complete -c vides -n "__fish_vides_using_subcommand retime" -l to -d 'The point 
 complete -c vides -n "__fish_vides_using_subcommand retime" -l seconds -d 'Exactly so long, with the lowest peaks; else as short as the limits allow' -r
 complete -c vides -n "__fish_vides_using_subcommand retime" -s o -l output -d 'Where the path goes; - is standard output' -r -F
 complete -c vides -n "__fish_vides_using_subcommand retime" -s h -l help -d 'Print help'
-complete -c vides -n "__fish_vides_using_subcommand picture" -l object -d 'The object in place of the path\'s: a mesh (.obj, .ply, .stl, .gltf, .glb), or the object of a .vid file' -r -F
-complete -c vides -n "__fish_vides_using_subcommand picture" -l node -d 'One object of the scene alone' -r
-complete -c vides -n "__fish_vides_using_subcommand picture" -l box -d 'A box in place of an object: two opposite corners' -r
-complete -c vides -n "__fish_vides_using_subcommand picture" -l margin -d 'The share of the picture\'s width and height that stays free at each side' -r
-complete -c vides -n "__fish_vides_using_subcommand picture" -l what -d 'By what the object is kept in the picture' -r -f -a "zoom\t''
-distance\t''
-view\t''"
-complete -c vides -n "__fish_vides_using_subcommand picture" -l limit -d 'Another limit than the file\'s, as zoom=10; zoom=off: none. Those that count: zoom, for a distance speed and acceleration' -r
-complete -c vides -n "__fish_vides_using_subcommand picture" -s o -l output -d 'Where the path goes; - is standard output' -r -F
-complete -c vides -n "__fish_vides_using_subcommand picture" -s h -l help -d 'Print help'
+complete -c vides -n "__fish_vides_using_subcommand steady" -l seconds -d 'Half of a movement that takes so long there and back stays, and hardly anything of quicker ones' -r
+complete -c vides -n "__fish_vides_using_subcommand steady" -l within -d 'No place goes farther than so' -r
+complete -c vides -n "__fish_vides_using_subcommand steady" -s o -l output -d 'Where the path goes; - is standard output' -r -F
+complete -c vides -n "__fish_vides_using_subcommand steady" -s h -l help -d 'Print help'
 complete -c vides -n "__fish_vides_using_subcommand move; and not __fish_seen_subcommand_from orbit spiral arc flyby approach dolly-zoom crane pan figure-eight" -s h -l help -d 'Print help'
 complete -c vides -n "__fish_vides_using_subcommand move; and not __fish_seen_subcommand_from orbit spiral arc flyby approach dolly-zoom crane pan figure-eight" -f -a "orbit" -d 'On a circle round a target'
 complete -c vides -n "__fish_vides_using_subcommand move; and not __fish_seen_subcommand_from orbit spiral arc flyby approach dolly-zoom crane pan figure-eight" -f -a "spiral" -d 'Round a target with another radius and height at the end'

@@ -193,14 +193,6 @@
 #define V_KEEP_PLACE 0
 #define V_KEEP_NUMBERS 1
 
-/**
- * By what v_path_keep_in_picture() keeps an object in the picture: the zoom, moving the
- * camera along its view, turning the camera.
- */
-#define V_PICTURE_ZOOM 0
-#define V_PICTURE_DISTANCE 1
-#define V_PICTURE_VIEW 2
-
 
 /* ---- Axes of a camera, see v_pose_matrix() ----------------------------------- */
 
@@ -2926,25 +2918,21 @@ int v_path_retime(V_PATH *path,
                   double seconds);
 
 /**
- * Keeps an object whole in the picture less margin, at every frame and between: by the
- * zoom or the distance as large as that allows and the path's limits of zoom, or of
- * speed and acceleration (see v_path_set_limit()), let it change; by turning no more
- * than it takes. Frames and pace stay. Where keys do not hold it points are added.
- * The path stays as it is where that cannot be.
+ * A recorded flight without the shaking of a hand: places, views and zoom go through a low pass
+ * without a lag, at whole frames, and become a path of few support points again, as
+ * v_path_fit_poses() makes one, of as many frames. The first and the last pose stay. Names of
+ * points, targets and modes go; a closed path comes back open. v_last_warning() says how far
+ * it went from what it was.
  *
- * object  in the coordinates of the path; NULL: the path's own, with the objects of
- *     its scene
- * margin  the share of the picture's width and height (36 x 24 mm) that stays free at
- *     each side, from 0 to below 0.5
- * what  V_PICTURE_ZOOM, V_PICTURE_DISTANCE or V_PICTURE_VIEW
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no object,
- * or where it cannot be whole, with the frame), V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT,
- * V_ERR_MEMORY.
+ * seconds  half of a movement that takes so long there and back stays, hardly anything of
+ *     quicker ones; greater than 0 and at most 2,000 frames
+ * within   no place goes farther than so; 0: no bound
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a path that
+ * does not move, no path within the bound), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
-int v_path_keep_in_picture(V_PATH *path,
-                           const V_MESH *object,
-                           double margin,
-                           int what);
+int v_path_steady(V_PATH *path,
+                  double seconds,
+                  double within);
 
 
 /* ---- Opening and closing windows --------------------------------------------- */

@@ -2,14 +2,15 @@
 
 use glam::DVec3;
 use vides_engine::path::{Ease, EaseKind, Section, Timing, timing};
-use vides_engine::planner::What;
+use vides_engine::planner::{AvoidRequest, What, avoid_object};
 use vides_engine::tools::check::{Finding, FindingKind};
 use vides_engine::tools::clearance::Clearance;
 use vides_engine::tools::redundant::without;
 
 use super::edit::{At, Edit};
 use super::editing::Document;
-use crate::error::{EngineError, Error, Result};
+use super::tool::least_clearance;
+use crate::error::{EngineError, Error, ErrorKind, Result};
 use crate::limits::{MAX_FRAMES, MAX_SPEED, MIN_POINTS, MIN_SPEED, SPEEDS};
 use crate::path::{
     CameraPath, Change, Orientation, OrientationOverrides, Pace, Tangents, Target, curve,
@@ -40,10 +41,13 @@ impl Document {
     /// corner or cusp smooth tangents, a speed that jumps goes over into the next one, or to rest
     /// where the camera rests, a view that jumps gets a place ahead to look at; a redundant key is
     /// removed. Where nothing of `object`, or the document's own, is in the picture the views are
-    /// turned so that all of it is; where it is too large for that, to its middle.
+    /// turned so that all of it is; where it is too large for that, to its middle. Where the way is
+    /// too near `object` or goes through it, the whole way is led clear of it
+    /// ([`vides_engine::planner::avoid()`]), with the limit of the clearance.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Limit`], [`vides_engine::Error::Memory`].
+    /// [`vides_engine::Error::Argument`] where there is no way round; [`vides_engine::Error::Limit`],
+    /// [`vides_engine::Error::Memory`].
     pub fn remedy(&self, finding: &Finding, object: Option<&Clearance>) -> Result<Vec<Edit>> {
         let path = self.path();
         let (point, at) = (finding.point, finding.orientation);
@@ -66,6 +70,9 @@ impl Document {
             }
             FindingKind::SpeedJump => self.joined(finding),
             FindingKind::NothingToSee => self.seen(finding, object),
+            FindingKind::Clearance | FindingKind::Through => {
+                object.map_or(Ok(Vec::new()), |object| self.led_clear(object))
+            }
             FindingKind::Corner => {
                 let old = curve::tangents(path, point);
                 let middle = 0.5 * (old.before + old.after);
@@ -109,6 +116,20 @@ impl Document {
             }
             _ => Ok(Vec::new()),
         }
+    }
+
+    /// The way led clear of an object.
+    fn led_clear(&self, object: &Clearance) -> Result<Vec<Edit>> {
+        let request = AvoidRequest {
+            clearance: least_clearance(self),
+            radius: 0.0,
+        };
+        let made = avoid_object(self.path(), object, &request, &mut |_, _| true)?;
+        let edit = Edit::ReplacePath(Box::new(made.path));
+        Ok((!made.parts.is_empty())
+            .then_some(edit)
+            .into_iter()
+            .collect())
     }
 
     /// Views turned towards an object of which nothing is in the picture.
@@ -266,7 +287,11 @@ impl Document {
                 if tried.iter().filter(|known| **known == place).count() >= TIMES {
                     continue;
                 }
-                let edits = self.remedy(finding, object)?;
+                let edits = match self.remedy(finding, object) {
+                    // No way round.
+                    Err(error) if error.kind() == ErrorKind::Argument => Vec::new(),
+                    edits => edits?,
+                };
                 if edits.is_empty() {
                     continue;
                 }
@@ -292,6 +317,15 @@ impl Document {
             return Ok(found);
         }
     }
+}
+
+/// Whether a finding is cured by the planner, which may take long.
+#[must_use]
+pub const fn is_planned(kind: FindingKind) -> bool {
+    matches!(
+        kind,
+        FindingKind::Clearance | FindingKind::Through | FindingKind::NothingToSee
+    )
 }
 
 /// Whether less is found; or of one kind less or smaller excesses, and of the others not more.

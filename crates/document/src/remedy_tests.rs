@@ -273,6 +273,38 @@ fn all_that_can_be_is_fixed_and_the_rest_is_left() {
     assert_eq!(*document.path(), path);
 }
 
+fn is_led(kind: FindingKind) -> bool {
+    matches!(kind, FindingKind::Clearance | FindingKind::Through)
+}
+
+/// A line across the way: the cure leads round it, and fixing all finds nothing of it any more.
+#[test]
+fn what_is_in_the_way_is_gone_round() {
+    let mut document = straight([DVec3::NEG_Z; 3]);
+    let line = Mesh {
+        points: vec![DVec3::new(0.2, -1.0, 0.805), DVec3::new(0.2, 1.0, 0.805)],
+        lines: vec![[0, 1]],
+        ..Default::default()
+    };
+    let object = Clearance::new(&line).unwrap();
+    let near = |document: &Document| {
+        let found = document.check_against(Some(&object)).unwrap();
+        found.into_iter().find(|finding| is_led(finding.kind))
+    };
+    let finding = near(&document).unwrap();
+    assert!(document.remedy(&finding, None).unwrap().is_empty());
+    let edits = document.remedy(&finding, Some(&object)).unwrap();
+    let mut mended = document.try_clone().unwrap();
+    for edit in edits {
+        mended.apply(edit).unwrap();
+    }
+    assert!(near(&mended).is_none());
+    let mut told = Vec::new();
+    let left = document.fix(Some(&object), &mut |finding| told.push(finding.kind));
+    assert!(told.contains(&FindingKind::Clearance));
+    assert!(!left.unwrap().iter().any(|finding| is_led(finding.kind)));
+}
+
 /// Views away from an object are turned to it: all of it, or if it is too large, its middle.
 #[test]
 fn where_nothing_is_to_be_seen_views_turn_to_the_object() {

@@ -143,3 +143,6 @@ pub const MAX_PINS: usize = 100_000;
 
 /// Interpolations that one process registers: each track looks its own up by name.
 pub const MAX_INTERPOLATIONS: usize = 1_000;
+
+/// The least and the greatest distance of a tour, in half diagonals of the object.
+pub const TOUR_DISTANCES: [f64; 2] = [1e-3, 1e3];
