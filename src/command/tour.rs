@@ -19,14 +19,24 @@ pub(super) struct Arguments {
     #[arg(value_name = "OBJECT")]
     object: PathBuf,
     /// How long the flight takes
-    #[arg(long, value_name = "SECONDS", default_value_t = 60.0)]
+    #[arg(
+        long,
+        value_name = "SECONDS",
+        default_value_t = 60.0,
+        allow_negative_numbers = true
+    )]
     seconds: f64,
     /// The share of the surface that can be seen, by area, that is shown
-    #[arg(long, value_name = "SHARE", default_value_t = 0.95)]
+    #[arg(
+        long,
+        value_name = "SHARE",
+        default_value_t = 0.95,
+        allow_negative_numbers = true
+    )]
     coverage: f64,
     /// How far the camera is from what it shows [default: found, so that the whole object is in
     /// the picture]
-    #[arg(long, value_name = "LENGTH")]
+    #[arg(long, value_name = "LENGTH", allow_negative_numbers = true)]
     distance: Option<f64>,
     /// Flies in the object's free space, not around it
     #[arg(long)]

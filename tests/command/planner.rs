@@ -149,7 +149,8 @@ fn a_recorded_flight_becomes_steady() {
         far.split(' ').next().unwrap().parse::<f64>().unwrap()
     };
     let far = made(&[]);
-    assert!(far > 0.0035 && far < 0.006, "{far}");
+    // Beside an end, which stays shaken, by twice the shaking at most.
+    assert!(far > 0.0035 && far < 0.008, "{far}");
     let again = poses_of(&file);
     assert_eq!(again.len(), 200);
     assert!(made(&["--within", "0.003"]) <= 0.003);
@@ -162,6 +163,11 @@ fn a_recorded_flight_becomes_steady() {
     );
     complaint(&run(&["steady", &shaken]), 2);
 }
+
+/// The sides of a box in OBJ, its corners counted by x, then y, then z.
+const SIDES: [&str; 6] = [
+    "1 3 4 2", "5 6 8 7", "1 2 6 5", "3 7 8 4", "1 5 7 3", "2 4 8 6",
+];
 
 /// A mast in the way of the pyramid's flight: gone round, or told where there is no way.
 #[test]
@@ -206,12 +212,25 @@ fn a_way_is_led_clear_of_an_object() {
     );
     let bytes = [&file, &again].map(|file| std::fs::read(file).unwrap());
     assert_eq!(bytes[0], bytes[1]);
+    // A closed box around where it begins.
+    let [x, y, z] = poses_of(PYRAMID)[0].vrp;
+    let mut box_around = String::new();
+    for k in 0..8 {
+        let [a, b, c] = [k & 1, k >> 1 & 1, k >> 2].map(|far| 0.1 * f64::from(far) - 0.05);
+        box_around += &format!("v {} {} {}\n", x + a, y + b, z + c);
+    }
+    for side in SIDES {
+        box_around += &format!("f {side}\n");
+    }
+    let closed = folder.path().join("box.obj");
+    std::fs::write(&closed, box_around).unwrap();
+    let closed = closed.to_str().unwrap();
     let wrong = complaint(
-        &run(&["avoid", PYRAMID, "--object", &mesh, "--clearance", "90"]),
+        &run(&["avoid", PYRAMID, "--object", closed, "--clearance", "0.01"]),
         1,
     );
     assert!(
-        wrong.contains("at frame") || wrong.contains("at most"),
+        wrong.contains("at frame ") && wrong.contains("no way round"),
         "{wrong}"
     );
     complaint(&run(&["avoid", PYRAMID, "--object", &mesh]), 2);
@@ -233,9 +252,7 @@ fn an_object_gets_a_tour() {
     for k in 0..8 {
         text += &format!("v {} {} {}\n", k & 1, k >> 1 & 1, k >> 2);
     }
-    for side in [
-        "1 3 4 2", "5 6 8 7", "1 2 6 5", "3 7 8 4", "1 5 7 3", "2 4 8 6",
-    ] {
+    for side in SIDES {
         text += &format!("f {side}\n");
     }
     std::fs::write(&object, text).unwrap();
@@ -283,7 +300,8 @@ fn an_object_gets_a_tour() {
     for (more, status) in [
         (&["--seconds", "0.1"][..], 1),
         (&["--coverage", "0"], 1),
-        (&["--distance", "-1"], 1),
+        (&["--distance", "1e300"], 1),
+        (&["--distance=-1"], 1),
         (&["--start", "0.5,0.5,0.5"], 1),
         (&["--start", "1,2"], 2),
         (&["--up", "x"], 2),

@@ -99,4 +99,4 @@ for number in range(count):
           f"SciPy {apart:.3f} of what was taken out{' FAULT' if bad else ''}")
 print(f"{count} flights, {faults} faults; at most {worst[0]:+.2f} and {worst[1]:+.2f} deviations above the transfer, "
       f"drift {worst[2]:.2f}, lag {worst[3]:.4f} frames, {worst[4]:.3f} from SciPy, ends {worst[5]:.1e}")
-sys.exit(faults > 0)
+sys.exit(int(faults > 0))

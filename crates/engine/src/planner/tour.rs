@@ -584,7 +584,15 @@ impl<'a> Work<'a> {
         let mut stops: Vec<(usize, Vec<DVec3>)> = vec_with_room(chosen.len() + 1)?;
         if let Some(start) = self.request.start {
             let mut first = vec_with_room(1)?;
-            first.push(places::ahead(&self.bounds, start));
+            // In an object that may be where the camera is: then towards a place that is shown.
+            let ahead = places::ahead(&self.bounds, start);
+            let near = ahead.distance(start) < self.least;
+            first.push(
+                chosen
+                    .first()
+                    .filter(|_| near)
+                    .map_or(ahead, |(view, _)| view.target),
+            );
             stops.push((roads.places.len() - 1, first));
         }
         for (view, _) in chosen {

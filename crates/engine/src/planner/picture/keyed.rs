@@ -262,6 +262,8 @@ impl Work<'_> {
                 _ if !turned => {
                     camera.view = unit(self.outline.middle() - camera.eye);
                 }
+                // With all of the room it fits as it is.
+                Some(None) if self.share(&Spot { camera, ..*spot }) <= 1.0 - SPARE => break,
                 _ => return Err(large()),
             }
             turned = true;
