@@ -2,7 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
-use vides::document::Document;
+use vides::document::{Document, Edit};
+use vides::path::PaceSource;
+use vides::planner::{Request, retime};
 
 /// Every broken file with the whole sentence that refuses it.
 const BROKEN: &[(&str, &str)] = &[
@@ -499,4 +501,41 @@ fn the_example_is_read() {
     assert_eq!(start.orientations[0].roll, 15.0);
     assert_eq!(end.orientations[0].hold, 12);
     assert_eq!(end.orientations[0].speeds[1], 20.0);
+}
+
+/// A computed pace comes back from a file as it was, to the last bit.
+#[test]
+fn a_computed_pace_comes_back() {
+    let mut document = Document::from_toml("").unwrap();
+    let limits = document.info().limits;
+    let request = Request {
+        limits,
+        fps: 29.97,
+        points: None,
+        seconds: 7.0,
+    };
+    let made = retime(document.path(), &request).unwrap();
+    document
+        .apply(Edit::ReplacePath(Box::new(made.path)))
+        .unwrap();
+    let text = document.to_toml().unwrap();
+    let again = Document::from_toml(&text).unwrap();
+    let [before, after] = [&document, &again].map(bits);
+    assert!(before.len() > 6, "{text}");
+    assert_eq!(before, after);
+    assert_eq!(document.path(), again.path());
+}
+
+/// The numbers of all computed paces.
+fn bits(document: &Document) -> Vec<u64> {
+    let points = document.path().points.iter();
+    let orientations = points.flat_map(|point| &point.orientations);
+    let tracks = orientations.filter_map(|one| match &one.own.part.as_ref()?.of {
+        PaceSource::Track(keys) => Some(keys.clone()),
+        _ => None,
+    });
+    tracks
+        .flat_map(|keys| keys.as_flattened().to_vec())
+        .map(f64::to_bits)
+        .collect()
 }

@@ -439,6 +439,38 @@ impl Document {
         })
     }
 
+    #[pyo3(signature = (clearance, radius, object))]
+    fn avoid(
+        &self,
+        py: Python<'_>,
+        clearance: f64,
+        radius: f64,
+        object: Option<planning::Given<'_>>,
+    ) -> Result<planning::Detours> {
+        let object = object.map(planning::Given::source).transpose()?;
+        self.write(py, |document| {
+            planning::avoided(document, (clearance, radius), object)
+        })
+    }
+
+    #[pyo3(signature = (margin, by, object))]
+    fn keep_in_picture(
+        &self,
+        py: Python<'_>,
+        margin: f64,
+        by: &str,
+        object: Option<planning::Given<'_>>,
+    ) -> Result<(usize, f64, f64)> {
+        let object = object.map(planning::Given::source).transpose()?;
+        self.write(py, |document| {
+            planning::framed(document, (margin, by), object)
+        })
+    }
+
+    fn steady(&self, py: Python<'_>, seconds: f64, within: f64) -> Result<(f64, f64)> {
+        self.write(py, |document| planning::steadied(document, seconds, within))
+    }
+
     fn set_object(&self, py: Python<'_>, file: Option<PathBuf>) -> Result<()> {
         self.write(py, |document| {
             let object = match file {

@@ -29,6 +29,8 @@ mod _vides {
     #[pymodule_export]
     use super::listed::{formats, keys, options, tools};
     #[pymodule_export]
+    use super::planning::tour;
+    #[pymodule_export]
     use super::scene::Scene;
     #[pymodule_export]
     use super::window::Window;

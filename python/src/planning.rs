@@ -1,9 +1,19 @@
 //! What is planned for a path: each tool one step of its history.
 
-use vides::document::{Document, Edit};
-use vides::planner::{Request, retime};
+use std::path::PathBuf;
+
+use numpy::PyReadonlyArray2;
+use pyo3::prelude::*;
+use vides::document::mesh::Format;
+use vides::document::{self, Document, Edit, Info, Object};
+use vides::planner::{
+    AvoidRequest, Request, SteadyRequest, TourRequest, What, avoid_object, retime, steady,
+};
+use vides::scene::Mesh;
 use vides::tools::check::{FindingKind, Limits};
 
+use crate::arrays;
+use crate::document::upright;
 use crate::error::{Failure, Result};
 
 /// Those of the path's check, but for what is given by name.
@@ -40,4 +50,158 @@ pub(crate) fn retimed(
     let rests = made.rests.iter();
     let rests = rests.map(|rest| (rest.point, rest.orientation, rest.limit.name()));
     Ok((made.seconds, rests.collect()))
+}
+
+/// An object as Python gives it: a file's name, or points and triangles.
+#[derive(FromPyObject)]
+pub(crate) enum Given<'py> {
+    File(PathBuf),
+    Mesh(PyReadonlyArray2<'py, f64>, Vec<[u32; 3]>),
+}
+
+/// The same for another thread.
+pub(crate) enum Source {
+    File(PathBuf),
+    Mesh(Mesh),
+}
+
+impl Given<'_> {
+    pub(crate) fn source(self) -> Result<Source> {
+        Ok(match self {
+            Self::File(file) => Source::File(file),
+            Self::Mesh(points, triangles) => Source::Mesh(Mesh {
+                points: arrays::places(&points)?,
+                triangles,
+                ..Mesh::default()
+            }),
+        })
+    }
+}
+
+impl Source {
+    /// The object of a mesh file, of a `.vid` file, or of a mesh.
+    fn object(self) -> Result<Object> {
+        Ok(match self {
+            Self::File(file) if Format::of(&file).is_some() => document::load_object(&file)?,
+            Self::File(file) => Document::load_scene(&file)?.0.info().object.clone(),
+            Self::Mesh(mesh) => Object::features_of(mesh)?,
+        })
+    }
+
+    fn mesh(self) -> Result<Mesh> {
+        match self {
+            Self::Mesh(mesh) => {
+                mesh.check()?;
+                Ok(mesh)
+            }
+            file @ Self::File(_) => Ok(file.object()?.to_mesh()?),
+        }
+    }
+}
+
+/// First and last point, points moved, points put in, the farthest.
+pub(crate) type Detours = Vec<(usize, usize, usize, usize, f64)>;
+
+/// Leads the way clear of an object, the path's own unless given.
+pub(crate) fn avoided(
+    document: &mut Document,
+    (clearance, radius): (f64, f64),
+    object: Option<Source>,
+) -> Result<Detours> {
+    let object = object.map(Source::mesh).transpose()?;
+    let object = document.solid(object.as_ref())?;
+    let request = AvoidRequest { clearance, radius };
+    let made = avoid_object(document.path(), &object, &request, &mut |_, _| true)?;
+    document.apply(Edit::ReplacePath(Box::new(made.path)))?;
+    let parts = made.parts.iter();
+    Ok(parts
+        .map(|part| (part.from, part.to, part.moved, part.inserted, part.furthest))
+        .collect())
+}
+
+/// Keeps an object in the picture: points added, the greatest and the least share of the room.
+pub(crate) fn framed(
+    document: &mut Document,
+    (margin, by): (f64, &str),
+    object: Option<Source>,
+) -> Result<(usize, f64, f64)> {
+    let what = What::named(by).ok_or_else(|| {
+        Failure::argument(format!(
+            "by is \"zoom\", \"distance\" or \"view\", not {by:?}"
+        ))
+    })?;
+    let object = object.map(Source::mesh).transpose()?;
+    let object = document.clearance(object.as_ref())?;
+    let limits = document.info().limits;
+    let made = document.framed(object.as_ref(), (margin, what), limits)?;
+    document.apply(Edit::ReplacePath(Box::new(made.path)))?;
+    Ok((made.added, made.tightest, made.loosest))
+}
+
+/// Takes out the shaking of a hand: how far a place went, and degrees that a view turned.
+pub(crate) fn steadied(document: &mut Document, seconds: f64, within: f64) -> Result<(f64, f64)> {
+    let request = SteadyRequest {
+        seconds,
+        within,
+        fps: document.info().fps,
+    };
+    let made = steady(document.path(), &request, &mut |_, _| true)?;
+    document.apply(Edit::ReplacePath(Box::new(made.path)))?;
+    Ok((made.furthest, made.turned))
+}
+
+/// Coverage, share of the surface, places, distance, length, seconds, and shares of the surface
+/// that are left out, narrow and hidden.
+type Told = (f64, f64, usize, f64, f64, f64, f64, f64, f64);
+
+/// A flight that shows an object. Ctrl-C ends it.
+#[pyfunction]
+#[pyo3(signature = (object, seconds, coverage, distance, inside, start, up))]
+#[expect(clippy::too_many_arguments)]
+pub(crate) fn tour(
+    py: Python<'_>,
+    object: Given<'_>,
+    seconds: f64,
+    coverage: f64,
+    distance: f64,
+    inside: bool,
+    start: Option<[f64; 3]>,
+    up: &str,
+) -> PyResult<(crate::document::Document, Told)> {
+    let request = TourRequest {
+        seconds,
+        coverage,
+        distance,
+        inside,
+        start: start.map(Into::into),
+        up: upright(up)?,
+        ..TourRequest::default()
+    };
+    let source = object.source()?;
+    let mut raised = None;
+    let made = py.detach(|| {
+        let object = source.object()?;
+        let mesh = object.to_mesh()?;
+        let made = vides::planner::tour(&mesh, &request, &mut |_, _| {
+            raised = Python::attach(|py| py.check_signals()).err();
+            raised.is_none()
+        })?;
+        let told = (
+            made.coverage,
+            made.surface,
+            made.places,
+            made.distance,
+            made.length,
+            made.seconds,
+            made.left_out,
+            made.narrow,
+            made.hidden,
+        );
+        let info = Info {
+            object,
+            ..Info::default()
+        };
+        Ok::<_, Failure>((Document::from_parts(made.path, info)?.into(), told))
+    });
+    raised.map_or_else(|| Ok(made?), Err)
 }

@@ -195,9 +195,13 @@ def test_an_error_tells_place_and_line(tmp_path: File) -> None:
     assert refused.value.place == "hold"
 
 
-def test_tools_and_checks(path: vides.Path) -> None:
+def test_tools_and_checks(path: vides.Path, tmp_path: File) -> None:
+    mesh = tmp_path / "mesh.obj"
+    mesh.write_text("v 0 0 90\nv 1 0 90\nv 0 1 90\nv 0 0 91\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")
     for tool in vides.tools():
         twin = path.copy()
+        twin.look_at((0, 0, 90))
+        twin.set_object(mesh)
         twin.tool(tool.name, path if tool.wants_path else None)
         assert twin.frame_count >= 1
     path.tool("scale", factor=2)

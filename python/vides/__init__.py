@@ -18,19 +18,22 @@ it; :func:`convert` goes between the files of other programs, :func:`edit` opens
 from ._error import Error
 from ._files import Format, convert, formats, options
 from ._path import Path
+from ._planned import Tour, tour
 from ._points import Orientation, Orientations, Point, Points, Section
 from ._samples import Samples
 from ._scene import Keys, Motion, Node, Scene, State
-from ._told import SVG, Finding, Property, Rest, Retimed, Tool, properties, tools
+from ._told import SVG, Detour, Finding, Framed, Property, Rest, Retimed, Steadied, Tool, properties, tools
 from ._window import edit
 
 __version__ = "1.0.0"
 
 __all__ = [
     "SVG",
+    "Detour",
     "Error",
     "Finding",
     "Format",
+    "Framed",
     "Keys",
     "Motion",
     "Node",
@@ -46,11 +49,14 @@ __all__ = [
     "Scene",
     "Section",
     "State",
+    "Steadied",
     "Tool",
+    "Tour",
     "convert",
     "edit",
     "formats",
     "options",
     "properties",
     "tools",
+    "tour",
 ]

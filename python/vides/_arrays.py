@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import operator
 from collections.abc import Sequence
-from typing import SupportsFloat, SupportsIndex, Union
+from typing import Any, SupportsFloat, SupportsIndex, Union
 
 import numpy as np
 import numpy.typing as npt
@@ -77,3 +77,16 @@ def frozen(values: npt.ArrayLike) -> Array:
     array = np.array(values, dtype=np.float64)
     array.flags.writeable = False
     return array
+
+
+def corners(values: npt.ArrayLike, width: int, name: str) -> list[Any]:
+    """Indices of points, so many a row."""
+    array = np.asarray(values)
+    if array.size == 0:
+        return []
+    if array.ndim != 2 or array.shape[1] != width or array.dtype.kind not in "iu":
+        raise Error(f"{name} must be whole numbers of the shape (n, {width}), not {array.dtype} {array.shape}")
+    if array.min() < 0 or array.max() >= 2**32:
+        raise Error(f"{name} must be indices of points, from 0", "range")
+    rows: list[Any] = array.tolist()
+    return rows

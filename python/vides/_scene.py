@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _vides
-from ._arrays import Array, Vector, doubles, frozen, vector
+from ._arrays import Array, Vector, corners, doubles, frozen, vector
 from ._error import Error
 from ._files import choices, path_of
 from ._path import Axis, Path
@@ -239,8 +239,8 @@ class Node:
         self._owner._native.set_mesh(
             self._at,
             doubles(points, (None, 3), "points"),
-            _corners(triangles, 3, "triangles"),
-            _corners(lines, 2, "lines"),
+            corners(triangles, 3, "triangles"),
+            corners(lines, 2, "lines"),
         )
 
     def load_mesh(self, file: str | os.PathLike[str]) -> None:
@@ -269,18 +269,6 @@ class Node:
 
     def __repr__(self) -> str:
         return f"<vides.Node {self._name!r}, {self.kind}>"
-
-
-def _corners(values: npt.ArrayLike, width: int, name: str) -> list[Any]:
-    array = np.asarray(values)
-    if array.size == 0:
-        return []
-    if array.ndim != 2 or array.shape[1] != width or array.dtype.kind not in "iu":
-        raise Error(f"{name} must be whole numbers of the shape (n, {width}), not {array.dtype} {array.shape}")
-    if array.min() < 0 or array.max() >= 2**32:
-        raise Error(f"{name} must be indices of points, from 0", "range")
-    corners: list[Any] = array.tolist()
-    return corners
 
 
 class Scene(Mapping[str, Node]):

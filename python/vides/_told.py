@@ -110,6 +110,41 @@ class Retimed(NamedTuple):
     """Where the pace rests though nobody asked for it."""
 
 
+class Detour(NamedTuple):
+    """A part of a path that :meth:`Path.avoid` made another way."""
+
+    first: int
+    """The point of the new path from which the way is new."""
+    last: int
+    """The point where it is the old one again."""
+    moved: int
+    """Points that were moved."""
+    inserted: int
+    """Points that were put in."""
+    furthest: float
+    """The farthest that any of these is from where the way was."""
+
+
+class Framed(NamedTuple):
+    """What :meth:`Path.keep_in_picture` did."""
+
+    added: int
+    """Points that were added to the curve."""
+    tightest: float
+    """The greatest share of the room within the margin that the object takes: at most 1."""
+    loosest: float
+    """The least share."""
+
+
+class Steadied(NamedTuple):
+    """What :meth:`Path.steady` did."""
+
+    furthest: float
+    """How far a place went at most, in the world's lengths."""
+    turned: float
+    """Degrees that a view turned at most."""
+
+
 class SVG(str):
     """A picture as SVG text, which a notebook shows.
 

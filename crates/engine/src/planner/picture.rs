@@ -200,7 +200,8 @@ impl<'a> Work<'a> {
     fn zoom_for(&mut self, camera: &Camera) -> Option<f64> {
         let reach = self.outline.reach(camera)?;
         let sides = reach.iter().zip(self.room);
-        let least = sides.map(|(reach, room)| room / reach.max(0.0));
+        // A reach of -0.0 would make it -inf.
+        let least = sides.map(|(reach, room)| room / reach.max(0.0).abs());
         Some(least.fold(f64::INFINITY, f64::min))
     }
 
