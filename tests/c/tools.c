@@ -407,7 +407,7 @@ static void avoid(void)
     double corners[24], value = 9, place[3];
     const double ends[2][3] = {{-0.8, 0.01, 0.02}, {0.8, 0.01, 0.02}};
     size_t i, count = 0;
-    int points;
+    int points, again;
 
     for (i = 0; i < 24; i++)
         corners[i] = (i / 3) >> (i % 3) & 1 ? 0.25 : -0.25;
@@ -429,15 +429,15 @@ static void avoid(void)
     OK(v_path_check(path, &box, found, 16, &count));
     CHECK(!has(found, count, "through", &value) && !has(found, count, "clearance", &value));
     OK(v_path_point_count(path, &points));
-    CHECK(points == 3);
-    OK(v_path_get_position(path, 2, place));
+    CHECK(points > 2 && points < 6);
+    OK(v_path_get_position(path, points - 1, place));
     CHECK(memcmp(place, ends[1], sizeof place) == 0);
     OK(v_path_avoid(path, &box, 0.1, 0.02));
     CHECK(strcmp(v_last_warning(), "") == 0);
-    OK(v_path_point_count(path, &points));
-    CHECK(points == 3);
+    OK(v_path_point_count(path, &again));
+    CHECK(again == points);
     place[0] = place[1] = place[2] = 0;
-    OK(v_path_set_position(path, 2, place));
+    OK(v_path_set_position(path, points - 1, place));
     STATUS(V_ERR_ARGUMENT, v_path_avoid(path, &box, 0.1, 0));
     CHECK(strstr(v_last_error(), "no way round") != NULL && strstr(v_last_error(), "frame") != NULL);
     v_path_free(path);
@@ -527,7 +527,7 @@ static void picture(void)
         v_path_free(path);
     }
     OK(v_path_new(&path));
-    STATUS(V_ERR_ARGUMENT, v_path_keep_in_picture(path, &mesh, 0.1, 3));
+    STATUS(V_ERR_RANGE, v_path_keep_in_picture(path, &mesh, 0.1, 3));
     CHECK(strstr(v_last_error(), "V_PICTURE_VIEW") != NULL);
     v_path_free(path);
 }
