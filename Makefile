@@ -206,13 +206,14 @@ check-calls: libs
 	$(ONCE)inject $(CARGO_TARGET_DIR)/inject include tests/calls -- \
 	    tests/calls/run.sh $(CARGO_TARGET_DIR)/inject inject hand_over
 
-# The pace of random paths beside another library's; not in `make test`.
+# Planned paths beside other libraries; not in `make test`.
 check-planning: all
-	@mk/need.sh python3=python3
+	@mk/need.sh python3=python3 node=nodejs npm=npm
 	[ -x $(CARGO_TARGET_DIR)/planning/bin/python ] || { \
 	    python3 -m venv $(CARGO_TARGET_DIR)/planning && \
 	    $(CARGO_TARGET_DIR)/planning/bin/pip -q install -r tests/planning/requirements; }
 	$(CARGO_TARGET_DIR)/planning/bin/python tests/planning/retime.py $(RELEASE)/vides $(CARGO_TARGET_DIR)/planning/paths
+	$(CARGO_TARGET_DIR)/planning/bin/python tests/planning/picture.py $(LIB)/libvides.so.1 $(CARGO_TARGET_DIR)/planning/meshes
 
 # The window, from outside.
 check-x: all

@@ -433,7 +433,7 @@ static void picture(void)
         v_path_free(path);
     }
     OK(v_path_new(&path));
-    STATUS(V_ERR_ARGUMENT, v_path_keep_in_picture(path, &mesh, 0.1, 3));
+    STATUS(V_ERR_RANGE, v_path_keep_in_picture(path, &mesh, 0.1, 3));
     CHECK(strstr(v_last_error(), "V_PICTURE_VIEW") != NULL);
     v_path_free(path);
 }
