@@ -58,6 +58,8 @@ RELEASE = $(CARGO_TARGET_DIR)/release
 # The C libraries as they are installed.
 LIB = $(CARGO_TARGET_DIR)/c
 DEMO = $(CARGO_TARGET_DIR)/demo
+# A mesh that nobody has planned a flight for.
+SPIDER = /usr/share/assimp/models/OBJ/spider.obj
 TOOLS = $(CARGO_TARGET_DIR)/tools
 
 # Not run again where it has passed with the same files: $(ONCE)NAME ITS_FILES -- COMMAND.
@@ -116,7 +118,8 @@ completions: toolchain
 # The Motif host on the user's display; without one it is played by mouse and
 # keyboard on an X server without a screen.
 demo: all
-	@mk/need.sh /usr/include/Xm/Xm.h=libmotif-dev /usr/include/GL/freeglut.h=freeglut3-dev
+	@mk/need.sh /usr/include/Xm/Xm.h=libmotif-dev /usr/include/GL/freeglut.h=freeglut3-dev \
+	    $(SPIDER)=assimp-testmodels
 	@mkdir -p $(DEMO)
 	$(RELEASE)/vides info examples/pyramid.vid
 	$(RELEASE)/vides sample examples/pyramid.vid -o $(DEMO)/pyramid.txt
@@ -125,6 +128,9 @@ demo: all
 	LD_LIBRARY_PATH=$(abspath $(LIB)) $(DEMO)/headless examples/pyramid.vid >$(DEMO)/list.txt
 	$(RELEASE)/vides plot examples/pyramid.vid -o $(DEMO)/pyramid.svg
 	$(RELEASE)/vides convert examples/pyramid.vid $(DEMO)/pyramid.html
+	$(RELEASE)/vides tour $(SPIDER) -o $(DEMO)/spider.vid
+	$(RELEASE)/vides plot $(DEMO)/spider.vid -o $(DEMO)/spider.svg
+	$(RELEASE)/vides check $(DEMO)/spider.vid
 	$(CC) -Iinclude -o $(DEMO)/pyramid_motif c_examples/pyramid_motif.c \
 	    -L$(LIB) -lvides -lm -lXm -lXt -lX11
 	for program in glut_flight glut_scene; do \
@@ -135,6 +141,7 @@ demo: all
 	@echo 'A flight around a pyramid, in $(DEMO):'
 	@echo '  pyramid.svg   the path in space, its views, speed and turning: open it in a browser'
 	@echo '  pyramid.html  the flight itself: open it in a browser, Space plays it'
+	@echo '  spider.svg    a tour of a mesh that nobody planned; vides check has found nothing in it'
 	@echo '  pyramid.txt   every camera pose, one a line, as vides sample writes them'
 	@echo '  list.txt      the same as a C program meets them in its list, forwards and back'
 	@if [ -n "$$DISPLAY" ]; then \
@@ -206,7 +213,7 @@ check-calls: libs
 	$(ONCE)inject $(CARGO_TARGET_DIR)/inject include tests/calls -- \
 	    tests/calls/run.sh $(CARGO_TARGET_DIR)/inject inject hand_over
 
-# Planned paths beside other libraries; not in `make test`.
+# The pace of random paths, and shaking flights made steady, beside other libraries; not in `make test`.
 check-planning: all
 	@mk/need.sh python3=python3 node=nodejs npm=npm
 	[ -x $(CARGO_TARGET_DIR)/planning/bin/python ] || { \
@@ -214,6 +221,13 @@ check-planning: all
 	    $(CARGO_TARGET_DIR)/planning/bin/pip -q install -r tests/planning/requirements; }
 	$(CARGO_TARGET_DIR)/planning/bin/python tests/planning/retime.py $(RELEASE)/vides $(CARGO_TARGET_DIR)/planning/paths
 	$(CARGO_TARGET_DIR)/planning/bin/python tests/planning/picture.py $(LIB)/libvides.so.1 $(CARGO_TARGET_DIR)/planning/meshes
+	$(CARGO_TARGET_DIR)/planning/bin/python tests/planning/steady.py $(RELEASE)/vides $(CARGO_TARGET_DIR)/planning/paths
+	$(CARGO_TARGET_DIR)/planning/bin/python tests/planning/avoid.py $(RELEASE)/vides $(CARGO_TARGET_DIR)/planning/avoid
+	cd $(CARGO_TARGET_DIR)/planning && { [ -d data/meshes ] || { apt-get -q download libcgal-demo && \
+	    dpkg -x libcgal-demo_*.deb cgal && tar xzf cgal/usr/share/doc/libcgal-dev/data.tar.gz; }; }
+	$(CARGO_TARGET_DIR)/planning/bin/python tests/planning/tour.py $(RELEASE)/vides $(CARGO_TARGET_DIR)/planning/tours \
+	    $(patsubst %,$(CARGO_TARGET_DIR)/planning/data/meshes/%.off,refined_elephant bunny00 armadillo \
+	    camel bull lion-head cow) nut.ply airplane.ply ant.ply
 
 # The window, from outside.
 check-x: all
@@ -289,7 +303,7 @@ soak: toolchain libs fuzz
 	@mk/need.sh python3=python3 Xvfb=xvfb xdotool=xdotool xclip=xclip setxkbmap=x11-xkb-utils \
 	    /usr/share/X11/locale/compose.dir=libx11-data c++=g++ valgrind=valgrind
 	@mk/locale.sh
-	VIDES_KILLS=200 VIDES_DRAGS=10000 PROPTEST_CASES=$(SOAK_CASES) $(CARGO) test --locked --workspace --all-features
+	VIDES_KILLS=200 VIDES_DRAGS=10000 VIDES_PATHS=200 PROPTEST_CASES=$(SOAK_CASES) $(CARGO) test --locked --workspace --all-features
 	VIDES_SAVE_KILLS=1000 tests/c/run.sh $(LIB) saving
 	$(MAKE) soak-calls soak-x soak-hosts
 

@@ -35,7 +35,10 @@ complete -c vides -n "__fish_vides_needs_command" -f -a "fit" -d 'Makes a path o
 complete -c vides -n "__fish_vides_needs_command" -f -a "check" -d 'Tells what will look wrong in a film'
 complete -c vides -n "__fish_vides_needs_command" -f -a "plot" -d 'Draws a path, its views and what changes over its frames'
 complete -c vides -n "__fish_vides_needs_command" -f -a "retime" -d 'Computes the pace of a path anew, within limits'
+complete -c vides -n "__fish_vides_needs_command" -f -a "steady" -d 'Takes the shaking of a hand out of a recorded flight'
+complete -c vides -n "__fish_vides_needs_command" -f -a "avoid" -d 'Leads the way of a path clear of an object'
 complete -c vides -n "__fish_vides_needs_command" -f -a "picture" -d 'Keeps an object whole in the picture, as large as a margin allows'
+complete -c vides -n "__fish_vides_needs_command" -f -a "tour" -d 'Makes a flight that shows an object'
 complete -c vides -n "__fish_vides_needs_command" -f -a "move" -d 'Makes a path by a ready-made move'
 complete -c vides -n "__fish_vides_needs_command" -f -a "transform" -d 'Moves, turns, scales or mirrors points of a path'
 complete -c vides -n "__fish_vides_needs_command" -f -a "deform" -d 'Tapers, twists, bends or freely deforms points of a path'
@@ -91,6 +94,15 @@ complete -c vides -n "__fish_vides_using_subcommand retime" -l to -d 'The point 
 complete -c vides -n "__fish_vides_using_subcommand retime" -l seconds -d 'Exactly so long, with the lowest peaks; else as short as the limits allow' -r
 complete -c vides -n "__fish_vides_using_subcommand retime" -s o -l output -d 'Where the path goes; - is standard output' -r -F
 complete -c vides -n "__fish_vides_using_subcommand retime" -s h -l help -d 'Print help'
+complete -c vides -n "__fish_vides_using_subcommand steady" -l seconds -d 'Half of a movement that takes so long there and back stays, and hardly anything of quicker ones' -r
+complete -c vides -n "__fish_vides_using_subcommand steady" -l within -d 'No place goes farther than so' -r
+complete -c vides -n "__fish_vides_using_subcommand steady" -s o -l output -d 'Where the path goes; - is standard output' -r -F
+complete -c vides -n "__fish_vides_using_subcommand steady" -s h -l help -d 'Print help'
+complete -c vides -n "__fish_vides_using_subcommand avoid" -l clearance -d 'The least distance from the object, in the path\'s units' -r
+complete -c vides -n "__fish_vides_using_subcommand avoid" -l around -d 'The radius of a sphere around the camera that keeps it' -r
+complete -c vides -n "__fish_vides_using_subcommand avoid" -l object -d 'The object in place of the path\'s: a mesh (.obj, .ply, .stl, .gltf, .glb), or the object of a .vid file' -r -F
+complete -c vides -n "__fish_vides_using_subcommand avoid" -s o -l output -d 'Where the path goes; - is standard output' -r -F
+complete -c vides -n "__fish_vides_using_subcommand avoid" -s h -l help -d 'Print help'
 complete -c vides -n "__fish_vides_using_subcommand picture" -l object -d 'The object in place of the path\'s: a mesh (.obj, .ply, .stl, .gltf, .glb), or the object of a .vid file' -r -F
 complete -c vides -n "__fish_vides_using_subcommand picture" -l node -d 'One object of the scene alone' -r
 complete -c vides -n "__fish_vides_using_subcommand picture" -l box -d 'A box in place of an object: two opposite corners' -r
@@ -101,6 +113,16 @@ view\t''"
 complete -c vides -n "__fish_vides_using_subcommand picture" -l limit -d 'Another limit than the file\'s, as zoom=10; zoom=off: none. Those that count: zoom, for a distance speed and acceleration' -r
 complete -c vides -n "__fish_vides_using_subcommand picture" -s o -l output -d 'Where the path goes; - is standard output' -r -F
 complete -c vides -n "__fish_vides_using_subcommand picture" -s h -l help -d 'Print help'
+complete -c vides -n "__fish_vides_using_subcommand tour" -l seconds -d 'How long the flight takes' -r
+complete -c vides -n "__fish_vides_using_subcommand tour" -l coverage -d 'The share of the surface that can be seen, by area, that is shown' -r
+complete -c vides -n "__fish_vides_using_subcommand tour" -l distance -d 'How far the camera is from what it shows [default: found, so that the whole object is in the picture]' -r
+complete -c vides -n "__fish_vides_using_subcommand tour" -l start -d 'Where the flight begins; else it is a closed round' -r
+complete -c vides -n "__fish_vides_using_subcommand tour" -l up -d 'Which axis stands upright' -r -f -a "y\t''
+z\t''"
+complete -c vides -n "__fish_vides_using_subcommand tour" -s o -l output -d 'Where the path goes; - is standard output' -r -F
+complete -c vides -n "__fish_vides_using_subcommand tour" -l inside -d 'Flies in the object\'s free space, not around it'
+complete -c vides -n "__fish_vides_using_subcommand tour" -l stills -d 'Only the views that show it, one a frame, for pictures; no flight'
+complete -c vides -n "__fish_vides_using_subcommand tour" -s h -l help -d 'Print help'
 complete -c vides -n "__fish_vides_using_subcommand move; and not __fish_seen_subcommand_from orbit spiral arc flyby approach dolly-zoom crane pan figure-eight" -s h -l help -d 'Print help'
 complete -c vides -n "__fish_vides_using_subcommand move; and not __fish_seen_subcommand_from orbit spiral arc flyby approach dolly-zoom crane pan figure-eight" -f -a "orbit" -d 'On a circle round a target'
 complete -c vides -n "__fish_vides_using_subcommand move; and not __fish_seen_subcommand_from orbit spiral arc flyby approach dolly-zoom crane pan figure-eight" -f -a "spiral" -d 'Round a target with another radius and height at the end'

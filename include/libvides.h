@@ -573,6 +573,35 @@ struct v_limits {
 
 typedef struct v_limits V_LIMITS;
 
+/**
+ * What a tour shows an object with, see v_path_tour(). v_tour_init() fills in what is
+ * usual.
+ *
+ * Set size to sizeof (V_TOUR) before any call, see V_ORIENTATION.
+ */
+struct v_tour {
+    /** sizeof (V_TOUR) */
+    size_t size;
+    /** how long the flight takes, > 0 */
+    double seconds;
+    /**
+     * the share, by area, that is shown of the surface that can be seen: > 0, at most 1
+     */
+    double coverage;
+    /** how far the camera is from what it shows; 0: found */
+    double distance;
+    /** not 0: in the object's free space, not around it */
+    int inside;
+    /** not 0: it begins at start; else it is a closed round */
+    int has_start;
+    /** where it begins */
+    double start[3];
+    /** which axis is up, V_UP_Y or V_UP_Z */
+    int up;
+};
+
+typedef struct v_tour V_TOUR;
+
 
 /* ---- Editor windows ---------------------------------------------------------- */
 
@@ -2926,6 +2955,42 @@ int v_path_retime(V_PATH *path,
                   double seconds);
 
 /**
+ * A recorded flight without the shaking of a hand: places, views and zoom go through a low pass
+ * without a lag, at whole frames, and become a path of few support points again, as
+ * v_path_fit_poses() makes one, of as many frames. The first and the last pose stay. Names of
+ * points, targets and modes go; a closed path comes back open. v_last_warning() says how far
+ * it went from what it was.
+ *
+ * seconds  half of a movement that takes so long there and back stays, hardly anything of
+ *     quicker ones; greater than 0 and at most 2,000 frames
+ * within   no place goes farther than so; 0: no bound
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a path that
+ * does not move, no path within the bound), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_path_steady(V_PATH *path,
+                  double seconds,
+                  double within);
+
+/**
+ * Leads the way clear of an object: where the camera, or a sphere around it, comes nearer
+ * than the clearance, or goes through it, points are moved as little as possible and as
+ * few put in as it takes; points that were clear stay, but for those within a closed
+ * part of the object between others outside. Frames and targets stay. v_last_warning()
+ * has a line for each part that changed, "" if the way was clear.
+ *
+ * object  in the coordinates of the path; NULL: the path's own
+ * clearance, radius  in the path's units; the clearance greater than 0, the radius of the
+ *     sphere 0 or greater
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT
+ * (no way round: v_last_error() names the frame and the place; an object without
+ * geometry), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_path_avoid(V_PATH *path,
+                 const V_MESH *object,
+                 double clearance,
+                 double radius);
+
+/**
  * Keeps an object whole in the picture less margin, at every frame and between: by the
  * zoom or the distance as large as that allows and the path's limits of zoom, or of
  * speed and acceleration (see v_path_set_limit()), let it change; by turning no more
@@ -2945,6 +3010,47 @@ int v_path_keep_in_picture(V_PATH *path,
                            const V_MESH *object,
                            double margin,
                            int what);
+
+/**
+ * Fills in a tour of 60 seconds that shows 0.95, from outside at a distance that is
+ * found, as a closed round, with V_UP_Y. NULL does nothing but set v_last_error(). In C
+ * a macro of this name hands the struct's size on to v_tour_init_sized(); the function
+ * itself, for other languages, fills in the struct of version 1.0.
+ * Any thread; from callbacks too.
+ */
+void v_tour_init(V_TOUR *tour);
+
+/**
+ * As v_tour_init(), for a struct that is size bytes long. One shorter than in version
+ * 1.0 stays as it is, and v_last_error() says so. What is behind the fields that the
+ * library knows is not touched, and size is set to what was filled in.
+ * Any thread; from callbacks too.
+ */
+void v_tour_init_sized(V_TOUR *tour,
+                       size_t size);
+
+/**
+ * A flight that shows an object which nobody has planned for: the fewest places found
+ * from where so much of its surface is seen, a short round through them that keeps
+ * clear of it, at a pace within the limits of a check (v_path_check()), 25 frames a
+ * second.
+ *
+ * object  its triangles count. From outside only the side that normals point to counts
+ *     where neighbouring triangles agree about it, else either does
+ * tour  NULL: as v_tour_init() has it
+ * coverage  the share that is shown of what can be seen; may be NULL
+ * v_last_warning() then has two lines: places, coverage, length and seconds; what stays
+ * unseen, and why.
+ * *path is the caller's, to be freed with v_path_free(). It takes about 300 pictures'
+ * time, for a million triangles some seconds, and about 300 bytes a triangle.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT (no surface, no
+ * free place, too few seconds: v_last_error() names the least), V_ERR_RANGE,
+ * V_ERR_LIMIT, V_ERR_MEMORY.
+ */
+int v_path_tour(const V_MESH *object,
+                const V_TOUR *tour,
+                V_PATH **path,
+                double *coverage);
 
 
 /* ---- Opening and closing windows --------------------------------------------- */
@@ -3371,5 +3477,6 @@ int v_pose_projection(const V_POSE *pose,
     v_editor_options_init_sized(options, sizeof(V_EDITOR_OPTIONS))
 #define v_space_init(space) v_space_init_sized(space, sizeof(V_SPACE))
 #define v_limits_init(limits) v_limits_init_sized(limits, sizeof(V_LIMITS))
+#define v_tour_init(tour) v_tour_init_sized(tour, sizeof(V_TOUR))
 
 #endif  /* LIBVIDES_H */

@@ -591,7 +591,7 @@ fn options(text: &str) -> BTreeSet<String> {
 
 #[test]
 fn the_manual_page_knows_every_option_and_no_other() {
-    const COMMANDS: [&str; 14] = [
+    const COMMANDS: [&str; 19] = [
         "sample",
         "convert",
         "info",
@@ -605,6 +605,11 @@ fn the_manual_page_knows_every_option_and_no_other() {
         "reverse",
         "repeat",
         "frames",
+        "retime",
+        "avoid",
+        "picture",
+        "tour",
+        "steady",
         "blend",
     ];
     let mut text = said(&run(&["--help"]));

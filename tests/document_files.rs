@@ -427,14 +427,14 @@ fn what_is_no_file_is_refused_and_never_waits() {
     assert_eq!(
         load(&large),
         format!(
-            "{}: the file is larger than the 812 MiB that are read",
+            "{}: the file is larger than the 972 MiB that are read",
             large.display()
         )
     );
     let endless = Document::load_from(&mut std::io::repeat(b'#'), "-").unwrap_err();
     assert_eq!(
         endless.to_string(),
-        "-: the file is larger than the 812 MiB that are read"
+        "-: the file is larger than the 972 MiB that are read"
     );
 }
 

@@ -201,7 +201,7 @@ fn a_wrong_value_is_told_with_its_line() {
         ),
         (
             "pace_part = { from = 0.5 }",
-            "line 6: pace_part: a part needs its whole: speed_curve, ease or distance",
+            "line 6: pace_part: a part needs its whole: speed_curve, ease, distance or track",
         ),
         (
             "velocity_degrees = { reach = [0, 0, 0] }",

@@ -14,7 +14,7 @@ use vides::tools::check::Finding;
 use crate::arrays::{self, WIDTH, fill, rows_mut, table};
 use crate::error::{Failure, Result};
 use crate::scene::Scene;
-use crate::{edits, values};
+use crate::{edits, planning, values};
 
 /// A path with its info and its history.
 #[pyclass(frozen, module = "vides._vides")]
@@ -424,6 +424,19 @@ impl Document {
             None => None,
         };
         Ok(self.write(py, |document| edits::tool(document, name, &numbers, block))?)
+    }
+
+    fn retime(
+        &self,
+        py: Python<'_>,
+        seconds: f64,
+        first: usize,
+        last: usize,
+        given: Vec<(String, f64)>,
+    ) -> Result<(f64, planning::Rests)> {
+        self.write(py, |document| {
+            planning::retimed(document, seconds, [first, last], &given)
+        })
     }
 
     fn set_object(&self, py: Python<'_>, file: Option<PathBuf>) -> Result<()> {

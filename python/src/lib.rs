@@ -10,6 +10,7 @@ mod edits;
 mod error;
 mod files;
 mod listed;
+mod planning;
 mod scene;
 mod values;
 mod window;

@@ -21,7 +21,7 @@ from ._path import Path
 from ._points import Orientation, Orientations, Point, Points, Section
 from ._samples import Samples
 from ._scene import Keys, Motion, Node, Scene, State
-from ._told import SVG, Finding, Property, Tool, properties, tools
+from ._told import SVG, Finding, Property, Rest, Retimed, Tool, properties, tools
 from ._window import edit
 
 __version__ = "1.0.0"
@@ -40,6 +40,8 @@ __all__ = [
     "Point",
     "Points",
     "Property",
+    "Rest",
+    "Retimed",
     "Samples",
     "Scene",
     "Section",

@@ -17,7 +17,7 @@ from ._error import Error
 from ._files import choices, path_of
 from ._points import Keyed, Points, Section, bare_keys, index_of
 from ._samples import Samples
-from ._told import SVG, Finding
+from ._told import SVG, Finding, Rest, Retimed
 
 Curve = Literal["tcb", "cubic", "linear"]
 Axis = Literal["y", "z"]
@@ -420,6 +420,63 @@ class Path(Keyed):
         """
         given = {key.rstrip("_"): number for key, number in numbers.items()}
         self._native.tool(name, given, None if path is None else path._native)
+
+    # ---- What is planned ----------------------------------------------------------------
+
+    def retime(
+        self,
+        seconds: float | None = None,
+        *,
+        first: int = 0,
+        last: int = -1,
+        speed: float | None = None,
+        acceleration: float | None = None,
+        jerk: float | None = None,
+        turning: float | None = None,
+        turning_acceleration: float | None = None,
+        zoom: float | None = None,
+        crossing: float | None = None,
+    ) -> Retimed:
+        """Computes the pace anew, from point ``first`` to point ``last``; curve and views stay.
+
+        As short as the limits allow, or in exactly so many ``seconds`` with the lowest peaks. It
+        begins and ends at rest, unless the path is closed. Limits that are not given are those
+        of :meth:`check`; ``math.inf``: none. They count for a second: ``speed``, ``acceleration``
+        and ``jerk`` of the camera's place in half sizes of the space, ``turning`` and
+        ``turning_acceleration`` in degrees, ``zoom`` in mm; ``crossing`` is the least time in
+        which a thing may cross the picture's width.
+
+        >>> path = Path([[-1, 0, 0], [1, 0, 0]])
+        >>> path.set_space((0, 0, 0), 1)
+        >>> path.retime(speed=0.5, acceleration=1)
+        Retimed(seconds=4.52, rests=())
+        >>> path.retime(6).seconds
+        6.0
+        >>> try:
+        ...     path.retime(1, speed=0.5)
+        ... except Error as error:
+        ...     print(error)
+        1 s are too short: the limits allow it in 4.080 s
+        """
+        points = len(self.points)
+        limits = {
+            "speed": speed,
+            "acceleration": acceleration,
+            "jerk": jerk,
+            "turning": turning,
+            "turning_acceleration": turning_acceleration,
+            "zoom": zoom,
+            "crossing": crossing,
+        }
+        if seconds is not None and not number(seconds, "seconds") > 0:
+            raise Error(f"seconds must be greater than 0, not {seconds}")
+        took, rests = self._native.retime(
+            0.0 if seconds is None else number(seconds, "seconds"),
+            index_of(first, points, "point"),
+            index_of(last, points, "point"),
+            [(name, number(limit, name)) for name, limit in limits.items() if limit is not None],
+        )
+        return Retimed(took, tuple(Rest(*rest) for rest in rests))
 
     def reverse(self) -> None:
         """Flies it backwards."""

@@ -90,6 +90,26 @@ def properties() -> list[Property]:
     return [Property(*row) for row in _vides.keys()]
 
 
+class Rest(NamedTuple):
+    """Where a pace that :meth:`Path.retime` computed rests, since curve or view has a kink there."""
+
+    point: int
+    """The point."""
+    orientation: int
+    """Its orientation."""
+    limit: str
+    """What does not allow to pass it: ``"acceleration"`` or ``"turning-acceleration"``."""
+
+
+class Retimed(NamedTuple):
+    """What :meth:`Path.retime` did."""
+
+    seconds: float
+    """How long the points take now, holds included."""
+    rests: tuple[Rest, ...]
+    """Where the pace rests though nobody asked for it."""
+
+
 class SVG(str):
     """A picture as SVG text, which a notebook shows.
 

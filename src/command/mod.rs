@@ -4,6 +4,7 @@
 //! Exit statuses: 0 done, or the reader of our output closed it; 1 bad input, or a file cannot be
 //! read or written; 2 bad usage; 3 a check found something.
 
+mod avoid;
 mod check;
 #[cfg(test)]
 mod completions_tests;
@@ -22,8 +23,10 @@ mod properties;
 mod retime;
 mod sample;
 mod scene;
+mod steady;
 mod table;
 mod tools;
+mod tour;
 
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -86,8 +89,14 @@ enum Command {
     Plot(plot::Arguments),
     /// Computes the pace of a path anew, within limits
     Retime(retime::Arguments),
+    /// Takes the shaking of a hand out of a recorded flight
+    Steady(steady::Arguments),
+    /// Leads the way of a path clear of an object
+    Avoid(avoid::Arguments),
     /// Keeps an object whole in the picture, as large as a margin allows
     Picture(picture::Arguments),
+    /// Makes a flight that shows an object
+    Tour(tour::Arguments),
     /// Makes a path by a ready-made move
     Move(moves::Arguments),
     #[command(flatten)]
@@ -149,7 +158,10 @@ pub(crate) fn run() -> ExitCode {
         Command::Check(arguments) => check::run(&arguments),
         Command::Plot(arguments) => plot::run(&arguments),
         Command::Retime(arguments) => retime::run(&arguments),
+        Command::Steady(arguments) => steady::run(&arguments),
+        Command::Avoid(arguments) => avoid::run(&arguments),
         Command::Picture(arguments) => picture::run(&arguments),
+        Command::Tour(arguments) => tour::run(&arguments),
         Command::Move(arguments) => moves::run(&arguments),
         Command::Tool(tool) => tools::run(&tool),
     })

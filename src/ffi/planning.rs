@@ -3,16 +3,19 @@
 use std::ffi::c_int;
 
 use super::border::border;
-use super::path::edit_by;
-use super::pointers::{Growing, index, init, optional, read_growing};
+use super::path::{edit_by, insert_new};
+use super::pointers::{Growing, Out, index, init, optional, read_growing};
 use super::scene_tracks::mesh;
 use super::scene_types::V_MESH;
-use super::status::{Answer, Failure, V_ERR_INTERNAL, add_last_warning, clear_last_warning};
-use super::types::{V_LIMITS, V_PATH};
+use super::space::up_from_c;
+use super::status::{Answer, Failure, Name, V_ERR_INTERNAL, add_last_warning, clear_last_warning};
+use super::types::{V_LIMITS, V_PATH, V_TOUR, V_UP_Y};
 use crate::document::Edit;
 use crate::error::can_allocate;
 use crate::path::CameraPath;
-use crate::planner::{Request, What, retime};
+use crate::planner::{
+    self, AvoidRequest, Request, SteadyRequest, TourRequest, What, avoid_object, retime, steady,
+};
 use crate::tools::check::{FindingKind, Limits, OFF};
 
 // SAFETY: a number of bytes first, then doubles.
@@ -124,6 +127,74 @@ pub unsafe extern "C" fn v_path_retime(
     })
 }
 
+/// A recorded flight without the shaking of a hand: places, views and zoom go through a low pass
+/// without a lag, at whole frames, and become a path of few support points again, as
+/// v_path_fit_poses() makes one, of as many frames. The first and the last pose stay. Names of
+/// points, targets and modes go; a closed path comes back open. v_last_warning() says how far
+/// it went from what it was.
+///
+/// seconds  half of a movement that takes so long there and back stays, hardly anything of
+///     quicker ones; greater than 0 and at most 2,000 frames
+/// within   no place goes farther than so; 0: no bound
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a path that
+/// does not move, no path within the bound), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_steady(path: *mut V_PATH, seconds: f64, within: f64) -> c_int {
+    clear_last_warning();
+    border(V_ERR_INTERNAL, || {
+        edit_by(path, |document| {
+            let request = SteadyRequest {
+                seconds,
+                within,
+                fps: document.info().fps,
+            };
+            let made = steady(document.path(), &request, &mut |_, _| true)?;
+            add_last_warning(format_args!(
+                "places went {:.6} at most, views turned {:.3} degrees",
+                made.furthest, made.turned
+            ));
+            can_allocate(size_of::<CameraPath>())?;
+            Ok(Edit::ReplacePath(Box::new(made.path)))
+        })
+    })
+}
+
+/// Leads the way clear of an object: where the camera, or a sphere around it, comes nearer
+/// than the clearance, or goes through it, points are moved as little as possible and as
+/// few put in as it takes; points that were clear stay, but for those within a closed
+/// part of the object between others outside. Frames and targets stay. v_last_warning()
+/// has a line for each part that changed, "" if the way was clear.
+///
+/// object  in the coordinates of the path; NULL: the path's own
+/// clearance, radius  in the path's units; the clearance greater than 0, the radius of the
+///     sphere 0 or greater
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT
+/// (no way round: v_last_error() names the frame and the place; an object without
+/// geometry), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_avoid(
+    path: *mut V_PATH,
+    object: *const V_MESH,
+    clearance: f64,
+    radius: f64,
+) -> c_int {
+    clear_last_warning();
+    border(V_ERR_INTERNAL, || {
+        // SAFETY: a mesh, as the header says.
+        let object = optional(object, |object| unsafe { mesh(object, "object") })?;
+        edit_by(path, |document| {
+            let object = document.solid(object.as_ref())?;
+            let request = AvoidRequest { clearance, radius };
+            let made = avoid_object(document.path(), &object, &request, &mut |_, _| true)?;
+            for part in &made.parts {
+                add_last_warning(format_args!("{part}"));
+            }
+            can_allocate(size_of::<CameraPath>())?;
+            Ok(Edit::ReplacePath(Box::new(made.path)))
+        })
+    })
+}
+
 /// By what v_path_keep_in_picture() keeps an object in the picture: the zoom, moving the
 /// camera along its view, turning the camera.
 pub const V_PICTURE_ZOOM: c_int = 0;
@@ -170,5 +241,103 @@ pub unsafe extern "C" fn v_path_keep_in_picture(
             can_allocate(size_of::<CameraPath>())?;
             Ok(Edit::ReplacePath(Box::new(made.path)))
         })
+    })
+}
+
+// SAFETY: a number of bytes first, then numbers only.
+unsafe impl Growing for V_TOUR {
+    const NAME: &'static str = "V_TOUR";
+    const FIRST: usize = size_of::<V_TOUR>();
+    const DEFAULTS: Self = Self {
+        size: size_of::<V_TOUR>(),
+        seconds: 60.0,
+        coverage: 0.95,
+        distance: 0.0,
+        inside: 0,
+        has_start: 0,
+        start: [0.0; 3],
+        up: V_UP_Y,
+    };
+}
+
+/// Fills in a tour of 60 seconds that shows 0.95, from outside at a distance that is
+/// found, as a closed round, with V_UP_Y. NULL does nothing but set v_last_error(). In C
+/// a macro of this name hands the struct's size on to v_tour_init_sized(); the function
+/// itself, for other languages, fills in the struct of version 1.0.
+/// Any thread; from callbacks too.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_tour_init(tour: *mut V_TOUR) {
+    border((), || {
+        // SAFETY: room for the struct of version 1.0, as the header says.
+        unsafe { init(tour, V_TOUR::DEFAULTS, V_TOUR::FIRST, "tour") }
+    });
+}
+
+/// As v_tour_init(), for a struct that is size bytes long. One shorter than in version
+/// 1.0 stays as it is, and v_last_error() says so. What is behind the fields that the
+/// library knows is not touched, and size is set to what was filled in.
+/// Any thread; from callbacks too.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_tour_init_sized(tour: *mut V_TOUR, size: usize) {
+    border((), || {
+        // SAFETY: room for so much of the struct, as the header says.
+        unsafe { init(tour, V_TOUR::DEFAULTS, size, "tour") }
+    });
+}
+
+/// A flight that shows an object which nobody has planned for: the fewest places found
+/// from where so much of its surface is seen, a short round through them that keeps
+/// clear of it, at a pace within the limits of a check (v_path_check()), 25 frames a
+/// second.
+///
+/// object  its triangles count. From outside only the side that normals point to counts
+///     where neighbouring triangles agree about it, else either does
+/// tour  NULL: as v_tour_init() has it
+/// coverage  the share that is shown of what can be seen; may be NULL
+/// v_last_warning() then has two lines: places, coverage, length and seconds; what stays
+/// unseen, and why.
+/// *path is the caller's, to be freed with v_path_free(). It takes about 300 pictures'
+/// time, for a million triangles some seconds, and about 300 bytes a triangle.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT (no surface, no
+/// free place, too few seconds: v_last_error() names the least), V_ERR_RANGE,
+/// V_ERR_LIMIT, V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_tour(
+    object: *const V_MESH,
+    tour: *const V_TOUR,
+    path: *mut *mut V_PATH,
+    coverage: *mut f64,
+) -> c_int {
+    clear_last_warning();
+    border(V_ERR_INTERNAL, || {
+        let (path, coverage) = (
+            Out::new(path, "path")?,
+            Out::optional(coverage, "coverage")?,
+        );
+        // SAFETY: a mesh, as the header says.
+        let object = unsafe { mesh(object, "object") }?;
+        // SAFETY: a struct as its size says, as the header says.
+        let given = optional(tour, |tour| unsafe { read_growing(tour, "tour") })?;
+        let given = given.unwrap_or(V_TOUR::DEFAULTS);
+        let request = TourRequest {
+            seconds: given.seconds,
+            coverage: given.coverage,
+            distance: given.distance,
+            inside: given.inside != 0,
+            start: (given.has_start != 0).then(|| given.start.into()),
+            up: up_from_c(given.up, Name::Field("tour", "up"))?,
+            ..TourRequest::default()
+        };
+        let made = planner::tour(&object, &request, &mut |_, _| true)?;
+        for line in made.to_string().lines() {
+            add_last_warning(format_args!("{line}"));
+        }
+        let share = made.coverage;
+        let made = insert_new(made.path, request.fps)?;
+        // SAFETY: room for a handle and, unless NULL, a double, as the header says.
+        unsafe {
+            coverage.write(share);
+            path.answer(made)
+        }
     })
 }

@@ -244,6 +244,33 @@ pub struct v_limits {
 
 pub type V_LIMITS = v_limits;
 
+/// What a tour shows an object with, see v_path_tour(). v_tour_init() fills in what is
+/// usual.
+///
+/// Set size to sizeof (V_TOUR) before any call, see V_ORIENTATION.
+#[repr(C)]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct v_tour {
+    /// sizeof (V_TOUR)
+    pub size: usize,
+    /// how long the flight takes, > 0
+    pub seconds: f64,
+    /// the share, by area, that is shown of the surface that can be seen: > 0, at most 1
+    pub coverage: f64,
+    /// how far the camera is from what it shows; 0: found
+    pub distance: f64,
+    /// not 0: in the object's free space, not around it
+    pub inside: c_int,
+    /// not 0: it begins at start; else it is a closed round
+    pub has_start: c_int,
+    /// where it begins
+    pub start: [f64; 3],
+    /// which axis is up, V_UP_Y or V_UP_Z
+    pub up: c_int,
+}
+
+pub type V_TOUR = v_tour;
+
 /// How an editor window is opened. v_editor_options_init() fills in defaults;
 /// what is pointed to need not live longer than the call of v_editor_open(),
 /// but for user.

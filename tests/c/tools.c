@@ -349,6 +349,100 @@ static void retime(void)
     v_path_free(path);
 }
 
+static void larger(double *most, double value)
+{
+    if (value > *most)
+        *most = value;
+}
+
+/* A flight with a shake at every other frame: it goes, and within a bound no place goes far. */
+static void steady(void)
+{
+    V_PATH *path, *again;
+    V_POSE poses[200], was, pose;
+    size_t frames, k;
+    double shake = 0, rest = 0, far = 0;
+
+    memset(poses, 0, sizeof poses);
+    for (k = 0; k < 200; k++) {
+        poses[k].vrp[0] = 0.01 * (double)k;
+        poses[k].vrp[1] = 0.5 * sin(0.02 * (double)k) + (k % 2 ? 0.004 : -0.004);
+        poses[k].vpn[2] = poses[k].vup[1] = 1;
+        poses[k].zoom = 30;
+    }
+    OK(v_path_fit_poses(poses, NULL, 200, 25, 1e-4, 0.1, &path));
+    OK(v_path_clone(path, &again));
+    OK(v_path_steady(path, 1, 0));
+    CHECK(strstr(v_last_warning(), "places went 0.00") != NULL);
+    OK(v_path_frame_count(path, &frames));
+    CHECK(frames == 200);
+    for (k = 20; k < 180; k++) {
+        double smooth = 0.5 * sin(0.02 * (double)k);
+        OK(v_path_pose(path, (double)(k + 1), &pose));
+        larger(&shake, fabs(poses[k].vrp[1] - smooth));
+        larger(&rest, fabs(pose.vrp[1] - smooth));
+    }
+    CHECK(shake > 0.0039 && rest < 0.001);
+    OK(v_path_steady(again, 1, 0.003));
+    for (k = 0; k < 200; k++) {
+        OK(v_path_pose(again, (double)(k + 1), &was));
+        larger(&far, fabs(was.vrp[1] - poses[k].vrp[1]));
+    }
+    CHECK(far < 0.0032);
+    STATUS(V_ERR_RANGE, v_path_steady(path, 0, 0));
+    STATUS(V_ERR_RANGE, v_path_steady(path, 80.1, 0));
+    CHECK(strstr(v_last_error(), "seconds") != NULL);
+    STATUS(V_ERR_RANGE, v_path_steady(path, 1, -1));
+    CHECK(strstr(v_last_error(), "within") != NULL);
+    v_path_free(path);
+    v_path_free(again);
+}
+
+/* Round a box; within a closed one there is no way. */
+static void avoid(void)
+{
+    V_PATH *path = NULL;
+    V_FINDING found[16];
+    V_MESH box = {sizeof box, NULL, 0, NULL, NULL, 0, NULL, 0};
+    double corners[24], value = 9, place[3];
+    const double ends[2][3] = {{-0.8, 0.01, 0.02}, {0.8, 0.01, 0.02}};
+    size_t i, count = 0;
+    int points;
+
+    for (i = 0; i < 24; i++)
+        corners[i] = (i / 3) >> (i % 3) & 1 ? 0.25 : -0.25;
+    box.xyz = corners;
+    box.points = 8;
+    box.triangles = box_corners;
+    box.corners = 36;
+    OK(v_path_new(&path));
+    OK(v_path_set_position(path, 0, ends[0]));
+    OK(v_path_set_position(path, 1, ends[1]));
+    STATUS(V_ERR_ARGUMENT, v_path_avoid(path, NULL, 0.1, 0));
+    STATUS(V_ERR_ARGUMENT, v_path_avoid(path, &box, 0, 0));
+    STATUS(V_ERR_ARGUMENT, v_path_avoid(path, &box, 0.1, NAN));
+    OK(v_path_set_limit(path, "clearance", 0.12));
+    OK(v_path_check(path, &box, found, 16, &count));
+    CHECK(has(found, count, "through", &value));
+    OK(v_path_avoid(path, &box, 0.1, 0.02));
+    CHECK(strstr(v_last_warning(), "put in") != NULL);
+    OK(v_path_check(path, &box, found, 16, &count));
+    CHECK(!has(found, count, "through", &value) && !has(found, count, "clearance", &value));
+    OK(v_path_point_count(path, &points));
+    CHECK(points == 3);
+    OK(v_path_get_position(path, 2, place));
+    CHECK(memcmp(place, ends[1], sizeof place) == 0);
+    OK(v_path_avoid(path, &box, 0.1, 0.02));
+    CHECK(strcmp(v_last_warning(), "") == 0);
+    OK(v_path_point_count(path, &points));
+    CHECK(points == 3);
+    place[0] = place[1] = place[2] = 0;
+    OK(v_path_set_position(path, 2, place));
+    STATUS(V_ERR_ARGUMENT, v_path_avoid(path, &box, 0.1, 0));
+    CHECK(strstr(v_last_error(), "no way round") != NULL && strstr(v_last_error(), "frame") != NULL);
+    v_path_free(path);
+}
+
 /* The greatest share of the picture that a corner takes at ten places a frame; 9: one is behind. */
 static double taken(const V_PATH *path, const double *xyz, size_t points)
 {
@@ -438,6 +532,66 @@ static void picture(void)
     v_path_free(path);
 }
 
+/* An octahedron is seen from all sides; nothing is found by a check. */
+static void tour(void)
+{
+    const double xyz[] = {1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1, 0, 0, -1};
+    const unsigned corners[] = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5, 1, 2, 5, 3, 1, 5, 0, 3, 5};
+    V_MESH object;
+    V_TOUR tour;
+    V_PATH *path, *other;
+    V_FINDING found[8];
+    double coverage = 0;
+    size_t frames, count;
+
+    memset(&object, 0, sizeof object);
+    object.size = sizeof object;
+    v_tour_init(NULL);
+    CHECK(strstr(v_last_error(), "tour is NULL") != NULL);
+    v_tour_init(&tour);
+    CHECK(tour.size == sizeof tour && tour.seconds == 60 && tour.coverage == 0.95 && tour.up == V_UP_Y);
+    object.points = 6;
+    object.xyz = xyz;
+    object.triangles = corners;
+    object.corners = 24;
+    tour.seconds = 40;
+    tour.coverage = 1;
+    OK(v_path_tour(&object, &tour, &path, &coverage));
+    CHECK(coverage > 0.999 && strstr(v_last_warning(), "100.0 %") != NULL);
+    OK(v_path_frame_count(path, &frames));
+    /* A closed round comes back to its first pose, which is not shown twice. */
+    CHECK(frames >= 1000 && frames <= 1001);
+    OK(v_path_check(path, &object, found, 8, &count));
+    CHECK(count == 0);
+    v_path_free(path);
+    /* All goes through NULL, and from a start; what will not do is refused. */
+    OK(v_path_tour(&object, NULL, &path, NULL));
+    v_path_free(path);
+    tour.has_start = 1;
+    tour.start[2] = 4;
+    OK(v_path_tour(&object, &tour, &path, NULL));
+    v_path_free(path);
+    other = NULL;
+    tour.start[2] = 0.5;
+    STATUS(V_ERR_ARGUMENT, v_path_tour(&object, &tour, &other, NULL));
+    CHECK(strstr(v_last_error(), "start") != NULL);
+    tour.has_start = 0;
+    tour.seconds = 0.1;
+    STATUS(V_ERR_ARGUMENT, v_path_tour(&object, &tour, &other, NULL));
+    CHECK(strstr(v_last_error(), "too short") != NULL);
+    tour.seconds = 40;
+    tour.coverage = 1.5;
+    STATUS(V_ERR_RANGE, v_path_tour(&object, &tour, &other, NULL));
+    tour.coverage = 1;
+    tour.inside = 1;
+    OK(v_path_tour(&object, &tour, &path, &coverage));
+    CHECK(coverage > 0.999);
+    v_path_free(path);
+    object.corners = 0;
+    STATUS(V_ERR_ARGUMENT, v_path_tour(&object, NULL, &other, NULL));
+    CHECK(other == NULL && strstr(v_last_error(), "surface") != NULL);
+}
+
 int main(void)
 {
     the_faces_of_the_own_object_are_looked_at();
@@ -448,6 +602,9 @@ int main(void)
     moves_and_fits_have_a_space();
     what_looks_wrong_is_found();
     retime();
+    steady();
+    avoid();
     picture();
+    tour();
     return failures != 0;
 }

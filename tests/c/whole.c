@@ -153,6 +153,11 @@ static void no_room_no_struct(void)
         CHECK(memcmp(room, before, sizeof rooms) == 0);
         CHECK(strstr(v_last_error(), "but sizeof (V_LIMITS) is ") != NULL);
     }
+    for (size = 0; size < sizeof(V_TOUR); size++) {
+        v_tour_init_sized((V_TOUR *)room, size);
+        CHECK(memcmp(room, before, sizeof rooms) == 0);
+        CHECK(strstr(v_last_error(), "but sizeof (V_TOUR) is ") != NULL);
+    }
     /* That of a later version: as far as this one knows it. */
     v_space_init_sized((V_SPACE *)room, sizeof rooms);
     CHECK(((V_SPACE *)room)->size == sizeof(V_SPACE) && strcmp(v_last_error(), "") == 0);

@@ -829,12 +829,59 @@ CALL(v_path_retime)
     return v_path_retime(path, limits, point, point, 0);
 }
 
+CALL(v_path_steady)
+{
+    V_PATH *path = a_path();
+    double seconds = number(0, 4), within = number(0, 1);
+    return v_path_steady(path, seconds, within);
+}
+
+CALL(v_path_avoid)
+{
+    const V_MESH *mesh = chance(50) ? NULL : a_mesh();
+    return v_path_avoid(a_path(), mesh, number(0.01, 0.2), number(0, 0.1));
+}
+
 CALL(v_path_keep_in_picture)
 {
     V_PATH *path = a_path();
     const V_MESH *object = a_mesh();
     return v_path_keep_in_picture(path, object, number(0, 0.45),
                                   whole(V_PICTURE_ZOOM, V_PICTURE_VIEW));
+}
+
+CALL(v_tour_init)
+{
+    (v_tour_init)(result(sizeof(V_TOUR), 0));
+    return 0;
+}
+
+CALL(v_tour_init_sized)
+{
+    v_tour_init(result(sizeof(V_TOUR), 0));
+    return 0;
+}
+
+CALL(v_path_tour)
+{
+    static const unsigned corners[] = {0, 1, 2, 1, 2, 3};
+    V_TOUR tour;
+    V_MESH object = *a_mesh();
+
+    object.triangles = corners;
+    object.corners = 6;
+
+    v_tour_init(&tour);
+    if (chance(wild)) {
+        frame->unfit = 1;
+        tour.size = below(100);
+    }
+    tour.seconds = number(20, 90);
+    tour.coverage = number(0.3, 1);
+    tour.inside = chance(10);
+    return v_path_tour(given("V_MESH", &object, sizeof object),
+                       chance(20) ? NULL : given("V_TOUR", &tour, sizeof tour),
+                       result(sizeof(V_PATH *), 0), result(sizeof(double), 1));
 }
 
 CALL(v_path_set_ahead)

@@ -91,7 +91,12 @@
     F(v_limits_init, NOTHING, V_OK, 0) \
     F(v_limits_init_sized, NOTHING, V_OK, 0) \
     F(v_path_retime, STATUS, -2, 0) \
+    F(v_path_steady, STATUS, -2, 0) \
+    F(v_path_avoid, STATUS, -2, 0) \
     F(v_path_keep_in_picture, STATUS, -2, 0) \
+    F(v_tour_init, NOTHING, V_OK, 0) \
+    F(v_tour_init_sized, NOTHING, V_OK, 0) \
+    F(v_path_tour, STATUS, -2, 0) \
     F(v_path_set_ahead, STATUS, V_OK, 0) \
     F(v_path_get_ahead, STATUS, V_OK, 0) \
     F(v_path_set_up, STATUS, V_OK, 0) \

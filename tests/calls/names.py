@@ -103,7 +103,8 @@ def a_scene():
 
 def with_size(kind):
     init = {"V_ORIENTATION": "v_orientation_init", "V_EDITOR_OPTIONS": "v_editor_options_init",
-            "V_SPACE": "v_space_init", "V_LIMITS": "v_limits_init"}
+            "V_SPACE": "v_space_init", "V_LIMITS": "v_limits_init",
+            "V_TOUR": "v_tour_init"}
     if kind == "V_MESH":
         return a_mesh()
     if kind == "V_NODE":
@@ -119,7 +120,7 @@ def with_size(kind):
 
 
 SIZED = ("V_ORIENTATION", "V_MESH", "V_NODE", "V_VIEW", "V_SPACE", "V_MOTION", "V_EDITOR_OPTIONS",
-         "V_LIMITS")
+         "V_LIMITS", "V_TOUR")
 window = []
 
 
@@ -162,6 +163,7 @@ SIZES = {"capacity": 50000, "count": 2, "keys": 2, "points": 4, "size": len(VID)
          "frames": 500, ("v_path_fit_poses", "count"): 12,
          ("v_path_fit_poses_in_space", "count"): 12, ("v_path_fit_poses_robust", "count"): 12,
          ("v_space_init_sized", "size"): 48, ("v_limits_init_sized", "size"): 64,
+         ("v_tour_init_sized", "size"): 72,
          ("v_editor_options_init_sized", "size"): 1000}
 DOUBLES = {"fps": 25.0, "frame": 2.5, "back": 10.0, "rise": 0.2, "fall": 0.2, "cruise": 50.0, "s": 0.1,
            "tolerance": 0.01, "half_size": 1.0, "far_plane": 10.0, "move_frames": 20.0}

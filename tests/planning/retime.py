@@ -1,18 +1,22 @@
-"""Retime against toppra on random paths: retime.py VIDES FOLDER [COUNT]
+"""Retime against toppra and ruckig: retime.py VIDES FOLDER [COUNT]
 
 VIDES is the command. For each random path (tcb, 3 to 8 points) its time with limits of speed and
 acceleration is held against that of toppra on the same curve, with a grid of 1,000 and the norm of
-the acceleration as 240 half-spaces; and the poses that it gives, at whole frames, against the
-limits. Ends with status 1 if a path takes more than 1.02 of toppra's time and a frame a section, or
-breaks a limit by more than 0.1 %.
+the acceleration as 240 half-spaces; and the poses that it gives, at 20 places a frame, against the
+limits. So is the time of random straight lines with a limit of the jerk, too, against ruckig, and
+without one against the trapezoid. Ends with status 1 if a path takes more than 1.02 of toppra's
+time and a frame a section, a line more than 1.05 of ruckig's and a frame, or more than a frame
+and 0.15 above the trapezoid; if a limit is broken by more than 0.1 %; or if it all takes longer than toppra.
 """
 
 import pathlib
+import re
 import subprocess
 import sys
 import time
 
 import numpy as np
+import ruckig
 import toppra
 import toppra.algorithm
 import toppra.constraint
@@ -90,32 +94,73 @@ def others(path):
     return steps.sum(), took
 
 
-random = np.random.default_rng(7)
-faults, shares, ours_took, theirs_took, worst = 0, [], 0.0, 0.0, [0.0, 0.0]
-for number in range(count):
-    points = random.uniform(-1, 1, (int(random.integers(3, 9)), 3))
+def retimed(points, limits):
+    """Seconds, the places at 20 places a frame, and how long it took; none where it is refused."""
     file, out = folder / "in.vid", folder / "out.vid"
     text = f"version = 1\nfps = {FPS}\n"
     for point in points:
         text += f"[[point]]\nposition = {[float(x) for x in point]}\n[[point.orientation]]\noffset = [0, 0, -1]\n"
     file.write_text(text)
-    limits = {"speed": SPEED, "acceleration": ACCELERATION, "turning": "off", "zoom": "off",
-              "turning-acceleration": "off"}
+    limits = {"turning": "off", "zoom": "off", "turning-acceleration": "off", **limits}
     options = [f"--limit={kind}={limit}" for kind, limit in limits.items()]
     begin = time.perf_counter()
     done = subprocess.run([vides, "retime", file, "-o", out, *options], capture_output=True, text=True)
-    ours_took += time.perf_counter() - begin
+    took = time.perf_counter() - begin
     if done.returncode:
-        print(f"path {number}: {done.stderr.strip()}")
-        faults += 1
-        continue
-    seconds = float(done.stderr.split()[-2])
-    known, took = others(Hermite(points))
-    theirs_took += took
+        print(done.stderr.strip())
+        return None
+    # The same poses, and 19 between each two of them.
+    finer = re.sub(r"(?m)^frames = (\d+)", lambda found: f"frames = {STEPS * int(found[1])}", out.read_text())
+    out.write_text(finer)
     poses = subprocess.run([vides, "sample", "--digits", "14", out], capture_output=True, text=True, check=True).stdout
     place = np.array([line.split()[:3] for line in poses.splitlines()], dtype=float)
-    speed = np.linalg.norm(np.diff(place, axis=0), axis=1).max() * FPS / SPEED
-    bend = np.linalg.norm(np.diff(place, 2, axis=0), axis=1).max() * FPS**2 / ACCELERATION
+    return float(done.stderr.split()[-2]), place, took
+
+
+def peaks(place):
+    """The greatest speed and acceleration between places, and the greatest third difference over
+    frames, at rest before and behind."""
+    def most(step, order):
+        ends = [np.repeat(place[:1], 3 * step, 0), place, np.repeat(place[-1:], 3 * step, 0)]
+        found = np.concatenate(ends) if order == 3 else place
+        for _ in range(order):
+            found = found[step:] - found[:-step]
+        return np.linalg.norm(found, axis=1).max() * (FPS * STEPS / step) ** order
+
+    return most(1, 1), most(1, 2), most(STEPS, 3)
+
+
+def trapezoid(length, speed, acceleration):
+    if length > speed**2 / acceleration:
+        return length / speed + speed / acceleration
+    return 2 * (length / acceleration) ** 0.5
+
+
+def shortest(length, speed, acceleration, jerk):
+    """ruckig's seconds."""
+    wanted = ruckig.InputParameter(1)
+    wanted.current_position, wanted.target_position = [0.0], [length]
+    wanted.max_velocity, wanted.max_acceleration, wanted.max_jerk = [speed], [acceleration], [jerk]
+    found = ruckig.Trajectory(1)
+    ruckig.Ruckig(1).calculate(wanted, found)
+    return found.duration
+
+
+STEPS = 20
+random = np.random.default_rng(7)
+faults, shares, ours_took, theirs_took, worst = 0, [], 0.0, 0.0, [0.0, 0.0]
+for number in range(count):
+    points = random.uniform(-1, 1, (int(random.integers(3, 9)), 3))
+    made = retimed(points, {"speed": SPEED, "acceleration": ACCELERATION})
+    if made is None:
+        faults += 1
+        continue
+    seconds, place, took = made
+    ours_took += took
+    known, took = others(Hermite(points))
+    theirs_took += took
+    speed, bend, _ = peaks(place)
+    speed, bend = speed / SPEED, bend / ACCELERATION
     worst = [max(worst[0], speed), max(worst[1], bend)]
     most = 1.02 * known + (len(points) - 1) / FPS
     shares.append(seconds / known)
@@ -126,4 +171,28 @@ for number in range(count):
 print(f"{count} paths, {faults} faults; {np.mean(shares):.4f} of toppra's time in the mean, {max(shares):.4f} at most; "
       f"speed up to {worst[0]:.5f}, acceleration up to {worst[1]:.5f} of the limits; "
       f"{ours_took:.2f} s with starting and files, toppra {theirs_took:.2f} s")
-sys.exit(faults > 0)
+faults += ours_took > theirs_took
+
+lines, beyond, worst = 0, [], 0.0
+for number in range(2 * count):
+    length = random.uniform(0.1, 2)
+    low, high = np.log([[0.05, 0.1, 0.3], [2, 4, 20]])
+    speed, acceleration, jerk = (float(x) for x in np.exp(random.uniform(low, high)))
+    way = random.normal(size=3)
+    way *= length / 2 / np.linalg.norm(way)
+    limits = {"speed": speed, "acceleration": acceleration}
+    made, plain = retimed([-way, way], {**limits, "jerk": jerk}), retimed([-way, way], limits)
+    if made is None or plain is None:
+        lines += 1
+        continue
+    known, straight = shortest(length, speed, acceleration, jerk), trapezoid(length, speed, acceleration)
+    found = [peak / limit for peak, limit in zip(peaks(made[1]), (speed, acceleration, jerk), strict=True)]
+    beyond.append(made[0] / known)
+    worst = max(worst, found[2])
+    if made[0] > 1.05 * known + 1 / FPS or max(found) > 1.001 or plain[0] > straight + 1.15 / FPS:
+        print(f"line {number}: {made[0]} s, ruckig {known:.3f} s; {plain[0]} s, trapezoid {straight:.3f} s; "
+              f"{np.round(found, 4)} of the limits")
+        lines += 1
+print(f"{2 * count} lines, {lines} faults; {np.mean(beyond):.4f} of ruckig's time in the mean, {max(beyond):.4f} at most; "
+      f"jerk up to {worst:.5f} of the limit")
+sys.exit(faults + lines > 0)

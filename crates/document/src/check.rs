@@ -112,6 +112,15 @@ impl Document {
         Ok(mesh.map(Clearance::new).transpose()?)
     }
 
+    /// As [`Document::clearance`], for what cannot do without an object.
+    ///
+    /// # Errors
+    /// As [`Document::check`]; [`vides_engine::Error::Argument`] if there is none.
+    pub fn solid(&self, object: Option<&Mesh>) -> Result<Clearance> {
+        self.clearance(object)?
+            .ok_or_else(|| Invalid::NoGeometry.into())
+    }
+
     /// As [`Document::check`], against a prepared object or none.
     ///
     /// # Errors

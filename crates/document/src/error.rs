@@ -284,7 +284,7 @@ pub enum Malformed {
     NoUpPath,
     #[error("a part is one of one whole")]
     PartTwice,
-    #[error("a part needs its whole: speed_curve, ease or distance")]
+    #[error("a part needs its whole: speed_curve, ease, distance or track")]
     PartWithoutWhole,
     #[error("only ten speeds have others that face them")]
     NoneFacing,

@@ -2,14 +2,15 @@
 
 use glam::DVec3;
 use vides_engine::path::{Ease, EaseKind, Section, Timing, timing};
-use vides_engine::planner::What;
+use vides_engine::planner::{AvoidRequest, Request, What, avoid_object, retime};
 use vides_engine::tools::check::{Finding, FindingKind};
 use vides_engine::tools::clearance::Clearance;
 use vides_engine::tools::redundant::without;
 
 use super::edit::{At, Edit};
 use super::editing::Document;
-use crate::error::{EngineError, Error, Result};
+use super::tool::least_clearance;
+use crate::error::{EngineError, Error, ErrorKind, Result};
 use crate::limits::{MAX_FRAMES, MAX_SPEED, MIN_POINTS, MIN_SPEED, SPEEDS};
 use crate::path::{
     CameraPath, Change, Orientation, OrientationOverrides, Pace, Tangents, Target, curve,
@@ -40,10 +41,15 @@ impl Document {
     /// corner or cusp smooth tangents, a speed that jumps goes over into the next one, or to rest
     /// where the camera rests, a view that jumps gets a place ahead to look at; a redundant key is
     /// removed. Where nothing of `object`, or the document's own, is in the picture the views are
-    /// turned so that all of it is; where it is too large for that, to its middle.
+    /// turned so that all of it is; where it is too large for that, to its middle. Where the way is
+    /// too near `object` or goes through it, the whole way is led clear of it
+    /// ([`vides_engine::planner::avoid()`]), with the limit of the clearance. Where the camera is too
+    /// fast, accelerates or jerks too much the pace is computed anew
+    /// ([`vides_engine::planner::retime()`]).
     ///
     /// # Errors
-    /// [`vides_engine::Error::Limit`], [`vides_engine::Error::Memory`].
+    /// [`vides_engine::Error::Argument`] where there is no way round or no such pace; [`vides_engine::Error::Limit`],
+    /// [`vides_engine::Error::Memory`].
     pub fn remedy(&self, finding: &Finding, object: Option<&Clearance>) -> Result<Vec<Edit>> {
         let path = self.path();
         let (point, at) = (finding.point, finding.orientation);
@@ -66,6 +72,10 @@ impl Document {
             }
             FindingKind::SpeedJump => self.joined(finding),
             FindingKind::NothingToSee => self.seen(finding, object),
+            FindingKind::Clearance | FindingKind::Through => {
+                object.map_or(Ok(Vec::new()), |object| self.led_clear(object))
+            }
+            kind if is_of_pace(kind) => self.paced(finding),
             FindingKind::Corner => {
                 let old = curve::tangents(path, point);
                 let middle = 0.5 * (old.before + old.after);
@@ -109,6 +119,82 @@ impl Document {
             }
             _ => Ok(Vec::new()),
         }
+    }
+
+    /// A pace within the limits between the points around a finding, or if it is still found then,
+    /// on the whole way: in the same time with the lowest peaks, or in the shortest where that is
+    /// not enough.
+    fn paced(&self, finding: &Finding) -> Result<Vec<Edit>> {
+        let (path, info) = (self.path(), self.info());
+        let last = path.points.len() - 1;
+        let sampler = self.sampler()?;
+        let (around, frames) = self.timeline(|timeline| {
+            let count = timeline.section_count();
+            let first = |k: usize| match k < count {
+                true => sampler.first_frame(k),
+                false => sampler.frame_count(),
+            };
+            let found = (0..count).filter(|&k| {
+                first(k) as f64 <= finding.last_frame && first(k + 1) as f64 > finding.first_frame
+            });
+            let behind = found.map(|k| timeline.section(k).point + 1).max();
+            let to = behind.unwrap_or(finding.point).min(last);
+            let of_key = |point: usize, at| timeline.section_from(point, at).unwrap_or(count);
+            let ends = [
+                of_key(finding.point, 0),
+                of_key(to, path.points[to].orientations.len() - 1),
+            ];
+            let frames = first(ends[1]).saturating_sub(first(ends[0]));
+            ([finding.point, to], frames)
+        })?;
+        let all = sampler.frame_count();
+        let (mut made, mut refused) = (None, None);
+        for (points, frames) in [(around, frames), ([0, last], all)] {
+            if points[0] >= points[1] {
+                continue;
+            }
+            let mut request = Request {
+                limits: info.limits,
+                fps: info.fps,
+                points: Some(points),
+                seconds: frames as f64 / info.fps,
+            };
+            let same = retime(path, &request);
+            request.seconds = 0.0;
+            let found = match same.or_else(|_| retime(path, &request)) {
+                Ok(found) => found.path,
+                Err(error) => {
+                    refused = Some(error);
+                    continue;
+                }
+            };
+            let mut other = self.try_clone()?.without_history();
+            other.apply(Edit::ReplacePath(Box::new(found.try_clone()?)))?;
+            let left = other.check_against(None)?;
+            made = Some(found);
+            if !left.iter().any(|left| left.kind == finding.kind) {
+                break;
+            }
+        }
+        match (made, refused) {
+            (Some(path), _) => Ok(vec![Edit::ReplacePath(Box::new(path))]),
+            (None, Some(error)) => Err(error.into()),
+            (None, None) => Ok(Vec::new()),
+        }
+    }
+
+    /// The way led clear of an object.
+    fn led_clear(&self, object: &Clearance) -> Result<Vec<Edit>> {
+        let request = AvoidRequest {
+            clearance: least_clearance(self),
+            radius: 0.0,
+        };
+        let made = avoid_object(self.path(), object, &request, &mut |_, _| true)?;
+        let edit = Edit::ReplacePath(Box::new(made.path));
+        Ok((!made.parts.is_empty())
+            .then_some(edit)
+            .into_iter()
+            .collect())
     }
 
     /// Views turned towards an object of which nothing is in the picture.
@@ -266,7 +352,11 @@ impl Document {
                 if tried.iter().filter(|known| **known == place).count() >= TIMES {
                     continue;
                 }
-                let edits = self.remedy(finding, object)?;
+                let edits = match self.remedy(finding, object) {
+                    // No way round.
+                    Err(error) if error.kind() == ErrorKind::Argument => Vec::new(),
+                    edits => edits?,
+                };
                 if edits.is_empty() {
                     continue;
                 }
@@ -294,7 +384,29 @@ impl Document {
     }
 }
 
-/// Whether less is found; or of one kind less or smaller excesses, and of the others not more.
+/// Whether a finding is cured by the planner, which may take long.
+#[must_use]
+pub const fn is_planned(kind: FindingKind) -> bool {
+    matches!(
+        kind,
+        FindingKind::Clearance | FindingKind::Through | FindingKind::NothingToSee
+    ) || is_of_pace(kind)
+}
+
+/// Whether a finding is of a pace that is too fast, and not of a section that is merely too short.
+const fn is_of_pace(kind: FindingKind) -> bool {
+    matches!(
+        kind,
+        FindingKind::Speed
+            | FindingKind::Acceleration
+            | FindingKind::Jerk
+            | FindingKind::TurningAcceleration
+            | FindingKind::Crossing
+    )
+}
+
+/// Whether less is found; or of one kind less or smaller excesses, and of the others not more. That
+/// a key has become redundant is no fault.
 fn is_better(kind: FindingKind, before: &[Finding], after: &[Finding]) -> bool {
     let of_kind = |found: &[Finding]| {
         let found = found.iter().filter(|finding| finding.kind == kind);
@@ -302,9 +414,13 @@ fn is_better(kind: FindingKind, before: &[Finding], after: &[Finding]) -> bool {
             (count + 1, sum + (finding.value - finding.limit).abs())
         })
     };
+    let all = |found: &[Finding]| {
+        let counts = |of: FindingKind| of == kind || of != FindingKind::Redundant;
+        found.iter().filter(|finding| counts(finding.kind)).count()
+    };
     let ((many, much), (left, rest)) = (of_kind(before), of_kind(after));
-    let others = after.len() - left <= before.len() - many;
-    after.len() < before.len() || others && (left < many || rest < much)
+    let [before, after] = [before, after].map(all);
+    after < before || after - left <= before - many && (left < many || rest < much)
 }
 
 /// An orientation with something of its own changed.

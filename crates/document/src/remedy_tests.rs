@@ -61,7 +61,7 @@ fn presses_leave_nothing_at_the_limit() {
         let few = Edit::FitFrames {
             first: 0,
             last: 2,
-            frames,
+            frames: frames as usize,
         };
         document.apply(few).unwrap();
         let mut presses = 0;
@@ -271,6 +271,64 @@ fn all_that_can_be_is_fixed_and_the_rest_is_left() {
     let path = document.path().clone();
     assert_eq!(document.fix(None, &mut |_| ()).unwrap(), left);
     assert_eq!(*document.path(), path);
+}
+
+/// Where the camera is too fast, or its speed or its turning change too much, the pace is computed
+/// anew, and where the limits allow it in the same time.
+#[test]
+fn a_pace_beyond_its_limits_is_computed_anew() {
+    for (kind, limit, frames) in [
+        (FindingKind::Speed, 0.4, 60),
+        (FindingKind::Acceleration, 1.0, 60),
+        (FindingKind::TurningAcceleration, 100.0, 60),
+    ] {
+        let turned = DVec3::new(0.6, 0.0, -1.0);
+        let mut document = straight([DVec3::NEG_Z, turned, DVec3::NEG_Z]);
+        let few = Edit::FitFrames {
+            first: 0,
+            last: 2,
+            frames: frames as usize,
+        };
+        document.apply(few).unwrap();
+        speeds(&mut document, 0, 90.0, (frames / 3, 0));
+        let mut info = document.info().clone();
+        info.limits.set(kind, limit).unwrap();
+        document.apply(Edit::SetInfo(Box::new(info))).unwrap();
+        assert!(found(&document, kind.name()).is_some(), "{kind:?}");
+        assert!(mended(&mut document, kind.name()), "{kind:?}");
+    }
+}
+
+fn is_led(kind: FindingKind) -> bool {
+    matches!(kind, FindingKind::Clearance | FindingKind::Through)
+}
+
+/// A line across the way: the cure leads round it, and fixing all finds nothing of it any more.
+#[test]
+fn what_is_in_the_way_is_gone_round() {
+    let mut document = straight([DVec3::NEG_Z; 3]);
+    let line = Mesh {
+        points: vec![DVec3::new(0.2, -1.0, 0.805), DVec3::new(0.2, 1.0, 0.805)],
+        lines: vec![[0, 1]],
+        ..Default::default()
+    };
+    let object = Clearance::new(&line).unwrap();
+    let near = |document: &Document| {
+        let found = document.check_against(Some(&object)).unwrap();
+        found.into_iter().find(|finding| is_led(finding.kind))
+    };
+    let finding = near(&document).unwrap();
+    assert!(document.remedy(&finding, None).unwrap().is_empty());
+    let edits = document.remedy(&finding, Some(&object)).unwrap();
+    let mut mended = document.try_clone().unwrap();
+    for edit in edits {
+        mended.apply(edit).unwrap();
+    }
+    assert!(near(&mended).is_none());
+    let mut told = Vec::new();
+    let left = document.fix(Some(&object), &mut |finding| told.push(finding.kind));
+    assert!(told.contains(&FindingKind::Clearance));
+    assert!(!left.unwrap().iter().any(|finding| is_led(finding.kind)));
 }
 
 /// Views away from an object are turned to it: all of it, or if it is too large, its middle.

@@ -7,9 +7,12 @@ use std::rc::Rc;
 
 use glam::{DQuat, DVec3};
 use vides_engine::deform::{Bounds, Deformation, identity_lattice};
-use vides_engine::planner::{Request, What, retime};
+use vides_engine::planner::{
+    AvoidRequest, Request, SteadyRequest, TourRequest, What, avoid_object, retime, steady, tour,
+};
 use vides_engine::tools::blend::blend;
 use vides_engine::tools::block::{self, Fit};
+use vides_engine::tools::check::{FindingKind, OFF};
 use vides_engine::tools::clearance::Clearance;
 use vides_engine::tools::fit::{Options, Tolerance, fit};
 use vides_engine::tools::moves::{MOVES, Move};
@@ -91,7 +94,10 @@ enum Kind {
     Fit,
     Draw,
     Retime,
+    Steady,
+    Avoid,
     Picture,
+    Tour,
 }
 
 const FITS: [Fit; 4] = [Fit::None, Fit::Move, Fit::Turn, Fit::Scale];
@@ -136,13 +142,19 @@ impl Tool {
     /// time.
     #[must_use]
     pub const fn asks_object(&self) -> bool {
-        matches!(self.kind, Kind::Picture)
+        matches!(self.kind, Kind::Picture | Kind::Avoid)
     }
 
     /// Whether it has parameters.
     #[must_use]
     pub const fn has_numbers(&self) -> bool {
         !self.tables[0].is_empty() || !self.tables[1].is_empty()
+    }
+
+    /// Whether it fits a path anew to the poses of this one.
+    #[must_use]
+    pub const fn fits_anew(&self) -> bool {
+        matches!(self.kind, Kind::Steady)
     }
 
     /// What it needs besides its numbers.
@@ -173,6 +185,7 @@ impl Tool {
         };
         match self.kind {
             Kind::Frames => numbers[0] = document.sampler()?.frame_count() as f64,
+            Kind::Avoid => numbers[0] = least_clearance(document),
             Kind::Deform("free-form") => numbers = identity_lattice().to_vec(),
             _ => {}
         }
@@ -270,6 +283,31 @@ impl Tool {
                 };
                 Edit::ReplacePath(Box::new(retime(path, &request)?.path))
             }
+            (Kind::Steady, _) => {
+                let request = SteadyRequest {
+                    seconds: given.number("period"),
+                    within: given.number("within"),
+                    fps: document.info().fps,
+                };
+                let made = steady(path, &request, &mut |_, _| true)?;
+                Edit::ReplacePath(Box::new(made.path))
+            }
+            (Kind::Avoid, material) => {
+                let request = AvoidRequest {
+                    clearance: given.number("clearance"),
+                    radius: given.number("sphere"),
+                };
+                let own;
+                let object = match material {
+                    ToolInput::Object(object) => &**object,
+                    _ => {
+                        own = document.solid(None)?;
+                        &own
+                    }
+                };
+                let made = avoid_object(path, object, &request, &mut |_, _| true)?;
+                Edit::ReplacePath(Box::new(made.path))
+            }
             (Kind::Picture, material) => {
                 let object = match material {
                     ToolInput::Object(object) => Some(&**object),
@@ -283,6 +321,7 @@ impl Tool {
                 )?;
                 Edit::ReplacePath(Box::new(made.path))
             }
+            (Kind::Tour, _) => Edit::ReplacePath(Box::new(given.tour()?)),
             (Kind::Fit, ToolInput::Poses(poses, seconds)) => {
                 let tolerance = Tolerance {
                     position: given.number("tolerance"),
@@ -318,6 +357,18 @@ impl Tool {
         let given = ToolArguments::new(self, document, numbers);
         Document::from_parts(given.extracted()?, document.info().try_clone()?)
     }
+}
+
+/// The distance from the object that the document's check asks for, else the usual one.
+pub(super) fn least_clearance(document: &Document) -> f64 {
+    let limit = document.info().limits.get(FindingKind::Clearance);
+    let known = limit > 0.0 && limit < OFF;
+    let limit = if known {
+        limit
+    } else {
+        FindingKind::Clearance.limit().default
+    };
+    limit * document.path().space.half_size
 }
 
 /// A path of few points through recorded poses, with the base speeds of another, and in its space
@@ -400,6 +451,24 @@ impl<'a> ToolArguments<'a> {
             return Err(OutOfRange::NumberBetween(LAST.name, 1.0, count as f64).into());
         }
         Ok((first - 1..last).collect())
+    }
+
+    fn tour(&self) -> Result<CameraPath> {
+        let (space, info) = (self.document.path().space, self.document.info());
+        let request = TourRequest {
+            seconds: self.number("seconds"),
+            coverage: self.number("coverage"),
+            distance: self.number("distance"),
+            inside: self.number("inside") != 0.0,
+            start: None,
+            up: space.up,
+            space: Some(space),
+            stills: false,
+            limits: info.limits,
+            fps: info.fps,
+        };
+        let object = self.document.obstacles()?.unwrap_or_default();
+        Ok(tour(&object, &request, &mut |_, _| true)?.path)
     }
 
     fn places(&self) -> Result<Vec<DVec3>> {

@@ -1,7 +1,8 @@
 use vides_engine::scene::Mesh;
 
 use super::*;
-use crate::{At, Edit, StepName};
+
+use crate::{At, Edit, Object, StepName};
 
 /// A path with four points about (0.2, 0, 0).
 fn document() -> Document {
@@ -20,6 +21,15 @@ fn document() -> Document {
     }
     document.select(1, 0).unwrap();
     document
+}
+
+fn tetrahedron() -> Object {
+    Object::of_mesh(Mesh {
+        points: vec![DVec3::ZERO, 0.2 * DVec3::X, 0.2 * DVec3::Y, 0.2 * DVec3::Z],
+        triangles: vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]],
+        ..Mesh::default()
+    })
+    .unwrap()
 }
 
 fn tool(name: &str) -> Tool {
@@ -67,6 +77,23 @@ fn each_tool_changes_a_path_in_one_step_that_leaves_nothing_behind() {
         assert!(!names.contains(&tool.name), "{}", tool.name);
         names.push(tool.name);
         let mut document = document();
+        if tool.name == "avoid" {
+            // A line across the way.
+            let middle = document.sampler().unwrap().pose(20.0).unwrap().position();
+            let mesh = crate::Object::of_mesh(vides_engine::scene::Mesh {
+                points: vec![middle - DVec3::Z, middle + DVec3::Z],
+                lines: vec![[0, 1]],
+                ..Default::default()
+            });
+            let mut info = document.info().clone();
+            info.object = mesh.unwrap();
+            document = Document::from_parts(document.path().clone(), info).unwrap();
+        }
+        if tool.name == "tour" {
+            let mut info = document.info().clone();
+            info.object = tetrahedron();
+            document.apply(Edit::SetInfo(Box::new(info))).unwrap();
+        }
         let before = document.path().clone();
         let set = [("by", 0.1), ("frames", 100.0), ("lattice", -0.7)];
         let Some(edit) = edit(&document, tool.name, &set).unwrap() else {

@@ -111,6 +111,8 @@ pub(super) enum Action {
     GoTo(Finding),
     /// Apply the remedy of a finding.
     Mend(Vec<Edit>),
+    /// Lead the way clear of the object that a finding is of.
+    Cure(Finding),
     /// Show the path with the tool applied.
     PreviewTool,
     /// Move a control point of the tool's cage.
@@ -458,10 +460,19 @@ impl Editor {
             Action::Tool(tool) => {
                 self.open_tool(tool);
                 ToolWindow::to_top(context);
+                let flies = self
+                    .windows
+                    .tool
+                    .as_ref()
+                    .is_some_and(ToolWindow::shows_tour);
+                if flies && !self.playing.is_playing() {
+                    self.play_or_pause(context);
+                }
             }
             Action::Check => windows::open::<CheckWindow>(self, context),
             Action::GoTo(finding) => self.go_to(&finding),
             Action::Mend(edits) => self.mend(edits),
+            Action::Cure(finding) => self.cure(&finding),
             Action::PreviewTool => {
                 self.preview_tool();
                 context.request_repaint();

@@ -63,7 +63,7 @@ pub const MAX_HOLD: u32 = 1_000_000;
 
 /// Bytes of a `.vid` file: any document within the limits here at 24 characters a number; more
 /// would only exhaust the memory of a small machine while it is parsed.
-pub const MAX_FILE_BYTES: u64 = 812 << 20;
+pub const MAX_FILE_BYTES: u64 = 972 << 20;
 
 /// Bytes of memory that parsing a piece of a file may take by an estimate, for most far too high:
 /// the largest object, written as it is saved, and a little more.
@@ -143,3 +143,6 @@ pub const MAX_PINS: usize = 100_000;
 
 /// Interpolations that one process registers: each track looks its own up by name.
 pub const MAX_INTERPOLATIONS: usize = 1_000;
+
+/// The least and the greatest distance of a tour, in half diagonals of the object.
+pub const TOUR_DISTANCES: [f64; 2] = [1e-3, 1e3];

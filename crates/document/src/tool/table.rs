@@ -250,6 +250,59 @@ pub(super) const TOOLS: &[Tool] = &[
         ],
     },
     Tool {
+        name: "steady",
+        does: "takes the shaking of a hand out of a recorded flight",
+        kind: Kind::Steady,
+        tables: [
+            &[
+                Parameter {
+                    unit: Unit::Seconds,
+                    least: 1e-3,
+                    most: 600.0,
+                    ..one(
+                        "period",
+                        "half of a movement that takes so long there and back stays, and hardly \
+                         anything of quicker ones",
+                        1.0,
+                    )
+                },
+                Parameter {
+                    unit: Unit::Length,
+                    least: 0.0,
+                    most: MAX_COORDINATE,
+                    ..one("within", "no place goes farther than so; 0: no bound", 0.0)
+                },
+            ],
+            &[],
+        ],
+    },
+    Tool {
+        name: "avoid",
+        does: "leads the way clear of the object",
+        kind: Kind::Avoid,
+        tables: [
+            &[
+                Parameter {
+                    unit: Unit::Length,
+                    least: 1e-9,
+                    most: MAX_COORDINATE,
+                    ..one("clearance", "how near the object may come", 0.02)
+                },
+                Parameter {
+                    unit: Unit::Length,
+                    least: 0.0,
+                    most: MAX_COORDINATE,
+                    ..one(
+                        "sphere",
+                        "the radius of a sphere around the camera that keeps it",
+                        0.0,
+                    )
+                },
+            ],
+            &[],
+        ],
+    },
+    Tool {
         name: "picture",
         does: "keeps the object whole in the picture, as large as a margin allows",
         kind: Kind::Picture,
@@ -261,6 +314,46 @@ pub(super) const TOOLS: &[Tool] = &[
                     ..one("margin", "the share that stays free at each side", 0.1)
                 },
                 Parameter::choice("what", "by what it is kept there", What::NAMES, 0),
+            ],
+            &[],
+        ],
+    },
+    Tool {
+        name: "tour",
+        does: "makes a flight that shows the object",
+        kind: Kind::Tour,
+        tables: [
+            &[
+                Parameter {
+                    unit: Unit::Seconds,
+                    least: 1e-3,
+                    most: 1e6,
+                    ..one("seconds", "how long the flight takes", 60.0)
+                },
+                Parameter {
+                    least: 1e-6,
+                    most: 1.0,
+                    ..one(
+                        "coverage",
+                        "the share of what can be seen of the surface that is shown",
+                        0.95,
+                    )
+                },
+                Parameter {
+                    unit: Unit::Length,
+                    least: 0.0,
+                    ..one(
+                        "distance",
+                        "how far the camera is from what it shows; 0: found",
+                        0.0,
+                    )
+                },
+                Parameter {
+                    unit: Unit::Switch,
+                    least: 0.0,
+                    most: 1.0,
+                    ..one("inside", "in the object's free space, not around it", 0.0)
+                },
             ],
             &[],
         ],

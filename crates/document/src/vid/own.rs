@@ -11,7 +11,7 @@ use super::write::plain;
 use crate::error::{Malformed, Result, TooMany, can_allocate, vec_with_room};
 use crate::limits;
 use crate::path::camera_path::check_curve_speed;
-use crate::path::own::check_distance;
+use crate::path::own::{check_distance, check_track};
 use crate::path::{
     Ease, EaseKind, Orientation, OrientationOverrides, PacePart, PaceSource, Space, TurningPart,
     UpPath, UpPathPoint, UpVector,
@@ -77,7 +77,7 @@ pub(super) fn value<T>(
 ) -> Result<Value> {
     Ok(match row.kind(field.key) {
         Kind::Ease => Value::Ease(ease(field)?),
-        Kind::Distance => Value::Distance(given_distance(field)?),
+        Kind::Distance => Value::Distance(distance_keys(field, check_distance)?),
         Kind::Part => Value::Part(pace_part(field)?),
         Kind::Turning => Value::Turning(turning_part(field)?),
         Kind::UpPath => Value::UpPath(up_path(field, so_far)?),
@@ -170,14 +170,18 @@ fn ease(table: Field<'_>) -> Result<Ease> {
     Ok(ease)
 }
 
-fn given_distance(array: Field<'_>) -> Result<Arc<[[f64; 2]]>> {
+/// Keys of so many numbers each.
+fn distance_keys<const N: usize>(
+    array: Field<'_>,
+    check: fn(&[[f64; N]]) -> std::result::Result<(), vides_engine::Error>,
+) -> Result<Arc<[[f64; N]]>> {
     let elements = array.elements()?;
-    let mut keys: Vec<[f64; 2]> = vec_with_room(elements.len().min(limits::MAX_DISTANCE_KEYS + 1))?;
+    let mut keys: Vec<[f64; N]> = vec_with_room(elements.len().min(limits::MAX_DISTANCE_KEYS + 1))?;
     // One too many is enough for the error.
     for element in elements.take(limits::MAX_DISTANCE_KEYS + 1) {
         keys.push(element.numbers()?);
     }
-    array.checked(check_distance(&keys))?;
+    array.checked(check(&keys))?;
     can_allocate(size_of_val(&keys[..]) + 2 * size_of::<usize>())?;
     Ok(keys.into())
 }
@@ -212,7 +216,13 @@ fn pace_part(table: Field<'_>) -> Result<PacePart> {
                 )?;
             }
             "ease" => whole(field, PaceSource::Ease(ease(field)?))?,
-            "distance" => whole(field, PaceSource::Distance(given_distance(field)?))?,
+            "distance" => {
+                whole(
+                    field,
+                    PaceSource::Distance(distance_keys(field, check_distance)?),
+                )?;
+            }
+            "track" => whole(field, PaceSource::Track(distance_keys(field, check_track)?))?,
             _ => {
                 return Err(field.unknown(&[
                     "from",

@@ -221,7 +221,7 @@ mod tests {
         let own = Overrides::default().with(|own| {
             *own = OrientationOverrides {
                 pace: Pace::Part(PacePart {
-                    of: PaceSource::Distance(vec![[number; 2]; limits::MAX_DISTANCE_KEYS].into()),
+                    of: PaceSource::Track(vec![[number; 3]; limits::MAX_DISTANCE_KEYS].into()),
                     from: number,
                     to: number,
                 }),

@@ -15,17 +15,18 @@ use crate::texts::fill;
 use crate::theme;
 use crate::windows::goes_by_ten;
 
-/// Height of all panels but this picture.
-const OTHERS: f32 = 518.0;
+/// Height of what lies below this panel's beginning, but for the picture.
+const BELOW: f32 = 118.0;
 /// The picture's least and greatest height.
 const HEIGHTS: (f32, f32) = (36.0, 112.0);
 
 pub(super) fn show(editor: &Editor, ui: &mut Ui, height: f32, actions: &mut Vec<Action>) {
     let texts = &editor.texts().speed;
     let (timing, section) = current(editor);
+    let above = ui.cursor().top() - ui.min_rect().top();
     let words = section.map_or_else(|| texts.end.to_owned(), |section| frames(editor, section));
     heading(ui, texts.heading, &words);
-    let height = (height - OTHERS).clamp(HEIGHTS.0, HEIGHTS.1);
+    let height = (height - above - BELOW).clamp(HEIGHTS.0, HEIGHTS.1);
     let current = editor.orientation();
     let speeds = current
         .filter(|current| goes_by_ten(&current.own.pace))

@@ -110,7 +110,7 @@ pub(super) enum Held {
     #[default]
     Nothing,
     /// A key or a border.
-    Key(KeyDrag),
+    Key(Box<KeyDrag>),
     /// One of the ten speeds, and the pointer's offset from its middle.
     Speed(usize, f32),
 }

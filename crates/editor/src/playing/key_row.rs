@@ -411,7 +411,7 @@ pub(super) fn take(
         && let Some(pointer) = ui.input(|input| input.pointer.press_origin())
     {
         let what = (response.id, of, frame);
-        *held = Held::Key(KeyDrag::new(editor, what, axis, pointer));
+        *held = Held::Key(Box::new(KeyDrag::new(editor, what, axis, pointer)));
         actions.push(Action::Enter(Entry::Begin));
         carry_on(editor, held, ui, response, actions);
     }

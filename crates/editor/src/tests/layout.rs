@@ -241,6 +241,26 @@ fn windows_and_menus_leave_the_bar_free() {
     }
 }
 
+/// In a window of the usual size nothing scrolls, with an object or without.
+#[test]
+fn all_panels_are_seen_at_once() {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/pyramid.vid");
+    for language in BOTH {
+        for document in [Document::new(), Document::load(file.as_ref()).unwrap()] {
+            let options = Options {
+                document,
+                ..options(language)
+            };
+            let window = window_of(options, LARGE, 1.0, Theme::Dark);
+            let texts = window.state().texts();
+            let zoom = window.get_by_role_and_label(Role::SpinButton, texts.zoom.value);
+            let timeline = window.get_by_label(texts.space.play).rect();
+            let below = timeline.top() - zoom.rect().bottom();
+            assert!((8.0..80.0).contains(&below), "{language:?}: {below}");
+        }
+    }
+}
+
 /// That of the small picture of the speeds leaves free the button below it.
 #[test]
 fn the_tooltip_of_the_small_speed_curve_covers_no_button() {

@@ -194,6 +194,13 @@ german! {
         PaceSeconds { seconds, least } =>
             "{} s sind zu kurz: die Grenzen erlauben es in {} s", number(*seconds), number(*least);
         PaceTime => "die Sekunden eines Tempos müssen 0 oder eine positive Zahl sein";
+        NoSurface =>
+            "ein Rundflug braucht ein Objekt mit Oberfläche: Dreiecke, die nicht alle ohne Fläche sind";
+        TourNothing => "aus diesem Abstand zeigt keine Ansicht eines Rundflugs etwas";
+        TourStart => "der Beginn eines Rundflugs muss ein Ort sein, der nicht im Objekt oder dicht daneben liegt";
+        NoRoomInside => "im Objekt ist kein freier Ort, von dem ein Rundflug es zeigen könnte";
+        TourWay => "kein Weg eines Rundflugs bleibt vom Objekt entfernt: einen anderen Abstand wählen";
+        TourCancelled => "der Rundflug wurde abgebrochen";
         AvoidClearance(most) =>
             "der Abstand muss größer als 0 sein, der Radius mindestens 0, beide zusammen höchstens {}",
             number(*most);
@@ -235,6 +242,7 @@ german! {
         PathWeights => "jeder Pfad braucht ein Gewicht";
         ClosedAndOpen => "geschlossene Pfade lassen sich nicht mit offenen mischen";
         NoWay => "die Kamera bewegt sich nicht";
+        SteadyBound(within) => "im Abstand von {} vom Flug wurde kein ruhiger Pfad aus ganzen Bildern gefunden", within;
         Cancelled => "die Anpassung wurde abgebrochen";
         TooFewPoses => "eine Anpassung braucht mindestens drei Posen";
         PoseTimes => "die Zeiten der Posen müssen wachsen, eine für jede";
@@ -365,7 +373,14 @@ german! {
         NoNextPoint => "es gibt keinen nächsten Punkt, an dem der Baustein enden könnte";
         WeightSum(sum) => "die Gewichte müssen zusammen 1 ergeben, nicht {}", number(*sum);
         Tolerance => "die Toleranz muss endlich und größer als 0 sein";
+        SteadySeconds(most) => "die Zeit der Beruhigung muss größer als 0 sein, und höchstens {} s (2.000 Bilder)", most;
+        SteadyWithin => "die Schranke der Beruhigung muss endlich sein und darf nicht kleiner als 0 sein";
         ToleranceAngle => "die Toleranz der Winkel muss größer als 0 sein, und höchstens 180 Grad";
+        Coverage => "der Anteil der Oberfläche eines Rundflugs muss größer als 0 und höchstens 1 sein";
+        TourDistance =>
+            "der Abstand eines Rundflugs muss 0 sein oder zwischen dem {}- und dem {}-Fachen der halben \
+             Diagonale des Objekts liegen",
+            number(limits::TOUR_DISTANCES[0]), number(limits::TOUR_DISTANCES[1]);
     }
     TooMany {
         NameBytes => "höchstens {} Byte sind erlaubt", limits::MAX_NAME_BYTES;

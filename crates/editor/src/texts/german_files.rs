@@ -119,7 +119,7 @@ german! {
         UpTwice => "eine Orientierung hat entweder up, up_point oder up_path";
         NoUpPath => "diese Bahn für oben steht nicht weiter oben in der Datei";
         PartTwice => "ein Teil gehört zu einem Ganzen";
-        PartWithoutWhole => "ein Teil braucht sein Ganzes: speed_curve, ease oder distance";
+        PartWithoutWhole => "ein Teil braucht sein Ganzes: speed_curve, ease, distance oder track";
         NoneFacing => "nur zehn Geschwindigkeiten haben Nachbarn";
         Scene(nodes) => "das ist eine Szene mit {nodes} Knoten, kein Pfad allein";
         KeyOfPath(key) => "in einer Szene gehört „{key}“ zum Pfad eines Knotens";

@@ -8,7 +8,7 @@ use egui::{Button, Context, Label, RichText, ScrollArea, Ui, vec2};
 
 use super::{SubWindow, Windows, sub_window};
 use crate::actions::Action;
-use crate::document::{Edit, Note, StepName};
+use crate::document::{Edit, Note, StepName, is_planned};
 use crate::error::Result;
 use crate::number::{Entry, Number};
 use crate::state::Editor;
@@ -182,16 +182,23 @@ fn row(
         if response.clicked() {
             actions.push(Action::GoTo(*finding));
         }
-        let room = if mend.is_empty() { 0.0 } else { 88.0 };
+        // What takes longer is computed when it is asked for.
+        let planned = is_planned(finding.kind);
+        let mends = planned || !mend.is_empty();
+        let room = if mends { 88.0 } else { 0.0 };
         let width = (ui.available_width() - room).max(80.0);
         ui.allocate_ui(vec2(width, theme::ROW), |ui| {
             ui.set_width(width);
             ui.add(Label::new(words).wrap()).on_hover_text(remedy);
         });
-        if !mend.is_empty() {
+        if mends {
             let button = ui.add_enabled(current, Button::new(texts.mend));
             if button.on_hover_text(remedy).clicked() {
-                actions.push(Action::Mend(mend.clone()));
+                actions.push(if planned {
+                    Action::Cure(*finding)
+                } else {
+                    Action::Mend(mend.clone())
+                });
             }
         }
     });
@@ -230,7 +237,10 @@ impl CheckWindow {
             self.found = document.check_against(tree.as_deref())?;
             let listed = self.found.iter().take(MOST);
             self.mends = listed
-                .map(|finding| document.remedy(finding, tree.as_deref()))
+                .map(|finding| match is_planned(finding.kind) {
+                    true => Ok(Vec::new()),
+                    false => document.remedy(finding, None),
+                })
                 .collect::<Result<_>>()?;
             Ok(())
         });
@@ -258,6 +268,17 @@ impl Editor {
 }
 
 impl Editor {
+    /// Mends a finding by the planner, or tells why it cannot be.
+    pub(crate) fn cure(&mut self, finding: &Finding) {
+        let found = self
+            .obstacles()
+            .and_then(|tree| self.document.remedy(finding, tree.as_deref()));
+        match found {
+            Ok(edits) => self.mend(edits),
+            Err(error) => self.complain_of(&error),
+        }
+    }
+
     /// Applies what mends a finding, as one step.
     pub(crate) fn mend(&mut self, edits: Vec<Edit>) {
         self.document.begin_step();

@@ -32,7 +32,7 @@ const NUMBER: f32 = 84.0;
 const FIELDS: f32 = 3.0 * NUMBER + 2.0 * theme::GAP;
 const BUTTON: f32 = 96.0;
 
-/// More poses than this are fitted again only where a drag ends.
+/// More poses than this are fitted again only where a drag ends, as a tour is made.
 const POSES: usize = 2_000;
 
 #[derive(Debug)]
@@ -129,8 +129,9 @@ impl ToolWindow {
             super::layer(Self::ID),
             editor.texts().menu.close_window,
         );
-        let waits = self.is_slow() && self.before.is_some();
-        let ended = dragged && self.before.is_none() && self.is_slow();
+        let slow = self.is_slow(editor);
+        let waits = slow && self.before.is_some();
+        let ended = dragged && self.before.is_none() && slow;
         if (old != self.numbers && !waits) || ended {
             // Before a button's action, which goes by these numbers.
             actions.insert(0, Action::PreviewTool);
@@ -184,8 +185,21 @@ impl ToolWindow {
         }
     }
 
-    fn is_slow(&self) -> bool {
-        matches!(&self.material, ToolInput::Poses(poses, _) if poses.len() > POSES)
+    fn is_slow(&self, editor: &Editor) -> bool {
+        let poses = match &self.material {
+            ToolInput::Poses(poses, _) => poses.len(),
+            _ if self.tool.fits_anew() => {
+                let sampler = editor.document.sampler();
+                sampler.map_or(0, |sampler| sampler.frame_count())
+            }
+            _ => 0,
+        };
+        matches!(self.tool.name, "avoid" | "tour") || poses > POSES
+    }
+
+    /// Whether a tour has been made, which begins to play.
+    pub(crate) fn shows_tour(&self) -> bool {
+        self.tool.name == "tour" && self.applied
     }
 
     /// The size of the result, in words.

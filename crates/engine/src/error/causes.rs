@@ -261,6 +261,18 @@ pub enum Invalid {
     PaceSeconds { seconds: f64, least: f64 },
     #[error("the seconds of a pace must be 0 or a positive number")]
     PaceTime,
+    #[error("a tour needs an object with a surface: triangles that are not all without area")]
+    NoSurface,
+    #[error("no view of a tour shows anything from such a distance")]
+    TourNothing,
+    #[error("the start of a tour must be a place that is not within or beside the object")]
+    TourStart,
+    #[error("there is no free place inside the object from where a tour could show it")]
+    NoRoomInside,
+    #[error("no way of a tour keeps clear of the object: ask for another distance")]
+    TourWay,
+    #[error("the tour was cancelled")]
+    TourCancelled,
     #[error(
         "the clearance must be greater than 0, the radius 0 or greater, both together at most {0}"
     )]
@@ -335,6 +347,9 @@ pub enum Invalid {
     ClosedAndOpen,
     #[error("the camera does not move")]
     NoWay,
+    /// The bound.
+    #[error("no steady path of whole frames was found within {0} of the flight")]
+    SteadyBound(f64),
     #[error("the fit was cancelled")]
     Cancelled,
     #[error("a fit needs at least three poses")]

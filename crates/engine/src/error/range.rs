@@ -311,4 +311,26 @@ pub enum OutOfRange {
         Called("the tolerance of angles", "angle")
     )]
     ToleranceAngle,
+    #[error(
+        "{} must be greater than 0 and at most {most} s (2,000 frames)",
+        Called("the time to steady over", "seconds"), most = .0
+    )]
+    SteadySeconds(f64),
+    #[error(
+        "{} must be finite and not less than 0",
+        Called("the bound of steadying", "within")
+    )]
+    SteadyWithin,
+    #[error(
+        "{} must be greater than 0 and at most 1",
+        Called("the share of a tour's surface", "coverage")
+    )]
+    Coverage,
+    #[error(
+        "{} must be 0 or between {} and {} times half the object's diagonal",
+        Called("the distance of a tour", "distance"),
+        Bound(limits::TOUR_DISTANCES[0]),
+        Bound(limits::TOUR_DISTANCES[1])
+    )]
+    TourDistance,
 }

@@ -12,7 +12,7 @@ fn end_slope(h: [f64; 2], delta: [f64; 2]) -> f64 {
 }
 
 /// Factor that brings two slopes into the circle of radius 3, in which the cubic is monotone.
-fn scale(delta: f64, left: f64, right: f64) -> f64 {
+pub(crate) fn scale(delta: f64, left: f64, right: f64) -> f64 {
     let size = left.hypot(right);
     let room = 3.0 * delta.abs();
     if size > room { room / size } else { 1.0 }

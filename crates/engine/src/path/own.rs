@@ -54,6 +54,9 @@ pub enum PaceSource {
     Ease(Ease),
     /// Share of way by share of time.
     Distance(Arc<[[f64; 2]]>),
+    /// Share of time, share of way and the slope there: what a computed pace needs, whose
+    /// acceleration jumps at keys.
+    Track(Arc<[[f64; 3]]>),
 }
 
 /// A part of a pace: what an insertion leaves on either side.
@@ -85,6 +88,7 @@ impl PacePart {
             }
             PaceSource::Ease(ease) => ease.check()?,
             PaceSource::Distance(keys) => check_distance(keys)?,
+            PaceSource::Track(keys) => check_track(keys)?,
         }
         check_part(self.from, self.to)
     }
@@ -161,6 +165,7 @@ impl SameBits for PaceSource {
             (Self::Speeds { .. }, Self::Speeds { .. }) => self == other,
             (Self::Ease(a), Self::Ease(b)) => a.same_bits(b),
             (Self::Distance(a), Self::Distance(b)) => a.same_bits(b),
+            (Self::Track(a), Self::Track(b)) => a.same_bits(b),
             _ => false,
         }
     }
@@ -171,6 +176,22 @@ impl SameBits for PaceSource {
 /// # Errors
 /// [`crate::Error::Range`] or [`crate::Error::Argument`].
 pub fn check_distance(keys: &[[f64; 2]]) -> Result<()> {
+    check_keys(keys)
+}
+
+/// Keys of a track: as [`check_distance`], no slope below 0.
+///
+/// # Errors
+/// [`crate::Error::Range`] or [`crate::Error::Argument`].
+pub fn check_track(keys: &[[f64; 3]]) -> Result<()> {
+    check_keys(keys)?;
+    if keys.iter().any(|key| key[2] < 0.0) {
+        return Err(OutOfRange::DistanceOrder.into());
+    }
+    Ok(())
+}
+
+fn check_keys<const N: usize>(keys: &[[f64; N]]) -> Result<()> {
     if keys.len() < 2 || keys.len() > limits::MAX_DISTANCE_KEYS {
         return Err(OutOfRange::DistanceKeys.into());
     }
@@ -180,7 +201,8 @@ pub fn check_distance(keys: &[[f64; 2]]) -> Result<()> {
     let rising = keys
         .windows(2)
         .all(|pair| pair[1][0] - pair[0][0] >= LEAST_STEP && pair[1][1] > pair[0][1]);
-    if !rising || keys[0] != [0.0, 0.0] || keys[keys.len() - 1] != [1.0, 1.0] {
+    let ends = [&keys[0], &keys[keys.len() - 1]].map(|key| [key[0], key[1]]);
+    if !rising || ends != [[0.0, 0.0], [1.0, 1.0]] {
         return Err(OutOfRange::DistanceOrder.into());
     }
     Ok(())
@@ -202,6 +224,18 @@ pub fn distance_backwards(keys: &[[f64; 2]]) -> Vec<[f64; 2]> {
         }
     }
     back
+}
+
+/// Keys of a track gone backwards, as [`distance_backwards`].
+#[must_use]
+pub fn track_backwards(keys: &[[f64; 3]]) -> Vec<[f64; 3]> {
+    let plain: Vec<[f64; 2]> = keys.iter().map(|key| [key[0], key[1]]).collect();
+    let back = distance_backwards(&plain).into_iter();
+    let slope = |time: f64| {
+        let key = keys.iter().find(|key| 1.0 - key[0] == time);
+        key.map_or(0.0, |key| key[2])
+    };
+    back.map(|[time, way]| [time, way, slope(time)]).collect()
 }
 
 /// The least time between two keys: far below a frame, and quotients of it stay finite.
@@ -484,4 +518,14 @@ pub fn distance(keys: &[[f64; 2]]) -> Result<Pace> {
     check_distance(keys)?;
     can_allocate(size_of_val(keys) + 2 * size_of::<usize>())?;
     Ok(Pace::Distance(keys.into()))
+}
+
+/// A track as a whole pace, checked.
+///
+/// # Errors
+/// As [`check_track`]; [`crate::Error::Memory`].
+pub fn track(keys: &[[f64; 3]]) -> Result<PaceSource> {
+    check_track(keys)?;
+    can_allocate(size_of_val(keys) + 2 * size_of::<usize>())?;
+    Ok(PaceSource::Track(keys.into()))
 }

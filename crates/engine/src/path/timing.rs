@@ -68,6 +68,22 @@ fn pieces(keys: &[[f64; 2]]) -> Result<Vec<DistancePiece>> {
     Ok(pieces)
 }
 
+/// Those of keys with slopes of their own, made smaller where the way would go back.
+fn track_pieces(keys: &[[f64; 3]]) -> Result<Vec<DistancePiece>> {
+    let mut pieces = vec_with_room(keys.len() - 1)?;
+    for pair in keys.windows(2) {
+        let ([start, way, left], [end, next, right]) = (pair[0], pair[1]);
+        let (length, rise) = (end - start, next - way);
+        let scale = monotone_cubic::scale(rise / length, left, right);
+        pieces.push(DistancePiece {
+            start,
+            length,
+            way: monotone_cubic::cubic(way, rise, length, scale * left, scale * right),
+        });
+    }
+    Ok(pieces)
+}
+
 /// The piece of a given distance that holds `u`, and the share of it there.
 fn piece_at(pieces: &[DistancePiece], u: f64) -> (&DistancePiece, f64) {
     let at = pieces.partition_point(|piece| piece.start <= u).max(1) - 1;
@@ -138,6 +154,7 @@ impl Timing {
                 } => Course::Curve(SpeedCurve::new(speeds, *before, *after)),
                 PaceSource::Ease(ease) => Course::Ease(*ease),
                 PaceSource::Distance(keys) => Course::Distance(pieces(keys)?),
+                PaceSource::Track(keys) => Course::Distance(track_pieces(keys)?),
             },
         };
         let (from, to) = match pace {
@@ -289,10 +306,12 @@ pub fn facing(orientation: &Orientation) -> [f64; 2] {
             }
             PaceSource::Ease(whole) => ease(whole, [*from, *to]),
             // Without memory for its pieces, the ten speeds come near.
-            PaceSource::Distance(_) => match Timing::new(orientation, None, None) {
-                Ok(timing) => [0.0, 1.0].map(|u| seen(timing.speed(u))),
-                Err(_) => [first, last],
-            },
+            PaceSource::Distance(_) | PaceSource::Track(_) => {
+                match Timing::new(orientation, None, None) {
+                    Ok(timing) => [0.0, 1.0].map(|u| seen(timing.speed(u))),
+                    Err(_) => [first, last],
+                }
+            }
         },
     }
 }

@@ -9,7 +9,7 @@ use self::apply::Bent;
 use self::bend::{Bend, Detour, Knot};
 use self::field::Field;
 use self::route::Router;
-use crate::error::{Error, Invalid, Result, vec_with_room};
+use crate::error::{Error, Invalid, OutOfRange, Result, vec_with_room};
 use crate::path::hermite::Cubic;
 use crate::path::{CameraPath, Change, CurveKind, Sampler, Timeline};
 use crate::scene::Mesh;
@@ -88,6 +88,11 @@ const ROUNDS: usize = 4;
 /// A stretch is widened so often by a point on either side, less one.
 const WIDER: usize = 3;
 
+/// A way round is at most so many times as long as the part of the curve that it stands for, where
+/// there is room beside it; and places of the curve that are added on either side.
+const LONGER: f64 = 1.5;
+const BESIDE: usize = 24;
+
 /// Faults after one that are tried as the end of a way round.
 const AHEAD: usize = 12;
 
@@ -99,7 +104,8 @@ const AHEAD: usize = 12;
 ///
 /// # Errors
 /// [`Error::Argument`] for a bad clearance or radius, an object without geometry, and where no way
-/// is found: with the frame and the place; [`Error::Limit`], [`Error::Memory`].
+/// is found: with the frame and the place; [`Error::Range`] where a section has fewer frames than
+/// it takes points; [`Error::Limit`], [`Error::Memory`].
 pub fn avoid(path: &CameraPath, object: &Mesh, request: &AvoidRequest) -> Result<Avoided> {
     let object = Clearance::new(object)?;
     avoid_object(path, &object, request, &mut |_, _| true)
@@ -328,7 +334,7 @@ impl<'a> Work<'a> {
         let detours = self.detours(&faults, progress)?;
         let mut bent: Vec<Bent<'_>> = vec_with_room(detours.len())?;
         for stretch in self.stretches(&detours)? {
-            let found = self.bent(stretch, &detours, &mut bent)?;
+            let found = self.bent(stretch, &detours, &mut bent, progress)?;
             bent.push(found);
             if !progress(bent.len(), detours.len()) {
                 return Err(Invalid::Cancelled.into());
@@ -422,7 +428,55 @@ impl<'a> Work<'a> {
             detours.push(detour);
             k = last + 1;
         }
+        for k in 0..detours.len() {
+            self.spread(&mut detours, k)?;
+        }
         Ok(detours)
+    }
+
+    /// Gives a way round that is much longer than the part of the curve that it stands for more of
+    /// the curve beside it, so that its parameters do not crowd.
+    fn spread(&self, detours: &mut [Detour], k: usize) -> Result<()> {
+        let Detour { from, to, .. } = detours[k];
+        let stays = |u: &f64| !self.moves(*u, detours);
+        let points = || self.points.iter().map(|(_, u)| *u);
+        let low = points().rfind(|u| *u <= from && stays(u));
+        let high = points().find(|u| *u >= to && stays(u));
+        let before = k.checked_sub(1).map_or(0.0, |k| detours[k].to);
+        let behind = detours.get(k + 1);
+        let behind = behind.map_or(self.legs.len() as f64, |next| next.from);
+        let low = low.unwrap_or(from).max(before).min(from);
+        let high = high.unwrap_or(to).min(behind).max(to);
+        let old = |a: f64, b: f64| -> f64 {
+            let place = |k: i32| self.place(a + (b - a) * f64::from(k) / 32.0);
+            (0..32).map(|k| place(k).distance(place(k + 1))).sum()
+        };
+        let (new, was) = (length(&detours[k].line), old(from, to));
+        let mut ends = [from, to];
+        for share in (1..=8).map(|step| f64::from(step) / 10.0) {
+            let beside = old(ends[0], from) + old(to, ends[1]);
+            if new + beside <= LONGER * (was + beside) {
+                break;
+            }
+            ends = [from - share * (from - low), to + share * (high - to)];
+        }
+        let steps = if self.path.curve == CurveKind::Linear {
+            1
+        } else {
+            BESIDE
+        };
+        let places = |a: f64, b: f64, skip: usize| {
+            let count = if a < b { steps } else { 0 };
+            let at = move |k: usize| a + (b - a) * k as f64 / steps as f64;
+            (skip..count + skip).map(move |k| self.place(at(k)))
+        };
+        let mut line = vec_with_room(detours[k].line.len() + 2 * steps)?;
+        line.extend(places(ends[0], from, 0));
+        line.extend_from_slice(&detours[k].line);
+        line.extend(places(to, ends[1], 1));
+        [detours[k].from, detours[k].to] = ends;
+        detours[k].line = line;
+        Ok(())
     }
 
     fn has_point(&self, from: f64, to: f64) -> bool {
@@ -467,23 +521,27 @@ impl<'a> Work<'a> {
         mut range: [usize; 2],
         detours: &'b [Detour],
         before: &mut Vec<Bent<'b>>,
+        progress: Progress<'_>,
     ) -> Result<Bent<'b>> {
-        let mut left = 0.0;
+        let (mut left, mut short) = (0.0, None);
         for _ in 0..WIDER {
             while let Some(last) = before.pop_if(|last| last.range[1] > range[0]) {
                 range = [range[0].min(last.range[0]), range[1].max(last.range[1])];
             }
             let mut bend = self.bend(range, detours)?;
-            let Some(at) = bend.bend()? else {
+            let Some(at) = bend.bend(progress)? else {
                 return Ok(Bent { bend, range });
             };
-            left = at;
+            (left, short) = (at, short.or(bend.short));
             range = [
                 range[0].saturating_sub(1),
                 (range[1] + 1).min(self.points.len() - 1),
             ];
         }
-        Err(no_way(self.frame(left), self.place(left), self.need))
+        Err(match short {
+            Some(leg) => OutOfRange::FewerFrames(self.segments[leg]).into(),
+            None => no_way(self.frame(left), self.place(left), self.need),
+        })
     }
 
     fn bend<'b>(&'b self, range: [usize; 2], detours: &'b [Detour]) -> Result<Bend<'b>> {
@@ -522,6 +580,7 @@ impl<'a> Work<'a> {
             need: need.max(self.need),
             linear: self.path.curve == CurveKind::Linear && (range[0]..=range[1]).all(plain),
             knots,
+            short: None,
         })
     }
 

@@ -223,6 +223,30 @@ fn lines_points_and_bad_requests() {
         assert_eq!(avoid(&path, &line, &request).is_err(), bad != 0.0, "{bad}");
     }
     assert!(avoid(&path, &Mesh::default(), &request(0.1)).is_err());
+    // Far away, flat, a single place, and in one frame.
+    let mut far = line.clone();
+    far.points[0] = DVec3::splat(1e300);
+    let _ = avoid(&path, &far, &request(0.1));
+    far.points[0] = DVec3::splat(1e9);
+    let _ = avoid(&path, &far, &request(0.1));
+    let flat = Mesh {
+        points: vec![DVec3::ZERO; 3],
+        triangles: vec![[0, 1, 2]],
+        ..Mesh::default()
+    };
+    assert_eq!(
+        findings(
+            &avoid(&path, &flat, &request(0.1)).unwrap().path,
+            &flat,
+            0.1
+        ),
+        0
+    );
+    let mut quick = path.clone();
+    let own = &mut quick.points[0].orientations[0].own;
+    *own = own.with(|own| own.frames = 1).unwrap();
+    let error = avoid(&quick, &line, &request(0.1)).unwrap_err();
+    assert!(error.to_string().contains("fewer frames"), "{error}");
     // Two equal points, on the object.
     let resting = through(&[DVec3::ZERO; 2]);
     let made = avoid(&resting, &line, &request(0.1)).unwrap();

@@ -81,7 +81,7 @@ impl Bounds {
     }
 
     /// Less of the limits of rates and of changes by these shares, for what keys do not follow.
-    pub(super) fn with_margins(&self, [rates, changes]: [f64; 2]) -> Self {
+    pub(super) fn with_margin(&self, [rates, changes]: [f64; 2]) -> Self {
         let (rates, changes) = (1.0 - rates, 1.0 - changes);
         Self {
             speed: self.speed * rates,
@@ -129,14 +129,26 @@ pub(super) struct Ask {
 }
 
 impl Ask {
-    fn between(&self, other: &Self, x: f64) -> Self {
+    /// On the parabola through three of them, x of the way from the first to the last.
+    fn between([from, middle, to]: [&Self; 3], x: f64) -> Self {
+        let weights = [
+            (2.0 * x - 1.0) * (x - 1.0),
+            4.0 * x * (1.0 - x),
+            x * (2.0 * x - 1.0),
+        ];
+        let number = |f: fn(&Self) -> f64| {
+            (weights[0] * f(from) + weights[1] * f(middle) + weights[2] * f(to)).max(0.0)
+        };
+        let vector = |f: fn(&Self) -> DVec3| {
+            weights[0] * f(from) + weights[1] * f(middle) + weights[2] * f(to)
+        };
         Self {
-            tangent: self.tangent.lerp(other.tangent, x),
-            bend: self.bend.lerp(other.bend, x),
-            turn: self.turn.lerp(other.turn, x),
-            twist: self.twist.lerp(other.twist, x),
-            zoom: self.zoom + (other.zoom - self.zoom) * x,
-            crossing: self.crossing + (other.crossing - self.crossing) * x,
+            tangent: vector(|ask| ask.tangent),
+            bend: vector(|ask| ask.bend),
+            turn: vector(|ask| ask.turn),
+            twist: vector(|ask| ask.twist),
+            zoom: number(|ask| ask.zoom),
+            crossing: number(|ask| ask.crossing),
         }
     }
 }
@@ -174,6 +186,7 @@ impl Course {
             cells *= 2;
             asks = measured(path, from.target, sampler, cells)?;
         }
+        sharpened(&mut asks, path.space.half_size, sampler)?;
         Ok(Self {
             section: number,
             point: section.point,
@@ -204,10 +217,11 @@ impl Course {
 
     /// At any share φ.
     pub(super) fn at(&self, phi: f64) -> Ask {
-        let last = self.asks.len() - 1;
-        let x = (phi * last as f64).clamp(0.0, last as f64);
-        let k = (x as usize).min(last - 1);
-        self.asks[k].between(&self.asks[k + 1], x - k as f64)
+        let cells = self.cells();
+        let x = (phi * cells as f64).clamp(0.0, cells as f64);
+        let k = (x as usize).min(cells - 1);
+        let [from, middle, to] = [0, 1, 2].map(|next| &self.asks[2 * k + next]);
+        Ask::between([from, middle, to], x - k as f64)
     }
 
     /// An error of this section.
@@ -233,10 +247,38 @@ fn is_coarse(asks: &[Ask]) -> bool {
     let misses = |f: fn(&Ask) -> DVec3, least: f64| {
         let (a, b) = (f(from), f(to));
         let off = (f(middle) - 0.5 * (a + b)).length();
-        off > 0.15 * (a.length() + b.length()) * 0.5 + least
+        off > 0.03 * (a.length() + b.length()) * 0.5 + least
     };
     let way = from.tangent.length();
     misses(|ask| ask.bend, 0.05 * way) || misses(|ask| ask.turn, 0.02)
+}
+
+/// Places at which what is still coarse is looked at.
+const WITHIN: usize = 16;
+
+/// Where a cell is as narrow as can be and still coarse, its bend is everywhere as great as
+/// anywhere in it.
+fn sharpened(asks: &mut [Ask], half: f64, sampler: &SectionSampler) -> Result<()> {
+    let cells = asks.len() / 2;
+    for cell in 0..cells {
+        let here = &mut asks[2 * cell..2 * cell + 3];
+        if !is_coarse(here) {
+            continue;
+        }
+        let share = |k: usize| (cell as f64 + k as f64 / WITHIN as f64) / cells as f64;
+        let shares: [f64; WITHIN] = std::array::from_fn(share);
+        let mut most = 0.0_f64;
+        sampler.along(&shares, &mut |along| {
+            most = most.max(along.bend.length() / half)
+        })?;
+        for ask in here {
+            let bend = ask.bend.length();
+            if bend > 0.0 && bend < most {
+                ask.bend *= most / bend;
+            }
+        }
+    }
+    Ok(())
 }
 
 /// Derivatives at the nodes of so many cells and between them.

@@ -4,7 +4,7 @@
 //! Between two of them a section may take any time from that of its fastest pace to that of its
 //! slowest ([`super::reach`]), so a shortest path through a few speeds for each joint finds them.
 
-use super::reach::{Reach, mixed, seconds};
+use super::reach::{Ramps, Reach, mixed, seconds};
 use crate::error::{Result, vec_with_room};
 
 /// How two sections meet.
@@ -21,6 +21,10 @@ pub(super) struct Joint {
 pub(super) struct Paced {
     pub frames: usize,
     pub xs: Vec<f64>,
+    /// Between which it was mixed.
+    pub fast: Vec<f64>,
+    pub slow: Vec<f64>,
+    pub ramps: Ramps,
     /// The most frames that it could have with the speeds at its ends.
     pub longest: f64,
 }
@@ -30,6 +34,9 @@ pub(super) struct Row<'a> {
     pub reaches: &'a [Reach],
     /// Before each section and behind the last. Of a ring the first and last are one.
     pub joints: &'a [Joint],
+    /// Seconds by which smoothing makes each section longer, of paces that are not slower.
+    pub lags: &'a [f64],
+    pub slower: f64,
     /// Whether the last section meets the first, and none rests.
     pub ring: bool,
     pub fps: f64,
@@ -81,6 +88,22 @@ impl Row<'_> {
             tops[0] = x;
         }
         Ok(tops)
+    }
+
+    fn lag(&self, section: usize) -> f64 {
+        self.lags[section] * self.slower
+    }
+
+    /// The fastest pace of each section, in whatever time.
+    pub(super) fn fastest(&self) -> Result<Vec<Vec<f64>>> {
+        let controllable = self.controllable()?;
+        let tops = self.tops(&controllable)?;
+        let mut paces = vec_with_room(self.reaches.len())?;
+        for (k, reach) in self.reaches.iter().enumerate() {
+            let gain = if k == 0 { 1.0 } else { self.joints[k].gain };
+            paces.push(reach.fastest(tops[k] * gain, &controllable[k])?);
+        }
+        Ok(paces)
     }
 
     /// The fewest frames for all, never fewer than `least` for a section.
@@ -139,10 +162,14 @@ impl Row<'_> {
             let Some((fewest, fast, slow)) = self.pair(k, &ahead, level(k + 1, b))? else {
                 continue;
             };
+            let ramps = self.reaches[k].ramps;
             paces.push(Paced {
                 frames: fewest.0 as usize,
-                xs: mixed(&fast, &slow, fewest.0 / self.fps)?,
-                longest: seconds(&slow) * self.fps,
+                xs: mixed(&fast, &slow, ramps, fewest.0 / self.fps - self.lag(k))?,
+                longest: (seconds(&slow, ramps) + self.lag(k)) * self.fps,
+                fast,
+                slow,
+                ramps,
             });
         }
         Ok(paces)
@@ -162,9 +189,10 @@ impl Row<'_> {
             return Ok(None);
         };
         let slow = reach.slowest(&fast)?;
-        let exact = seconds(&fast) * self.fps;
+        let exact = (seconds(&fast, reach.ramps) + self.lag(section)) * self.fps;
         let fewest = (exact - 1e-6).ceil().max(1.0);
-        let fits = exact.is_finite() && fewest <= seconds(&slow) * self.fps + 1e-6;
+        let fits = exact.is_finite()
+            && fewest <= (seconds(&slow, reach.ramps) + self.lag(section)) * self.fps + 1e-6;
         Ok(fits.then_some(((fewest, exact), fast, slow)))
     }
 
@@ -172,10 +200,20 @@ impl Row<'_> {
     pub(super) fn lengthened(&self, section: usize, paced: &Paced, more: usize) -> Result<Paced> {
         let frames = paced.frames + more;
         let slow = self.reaches[section].slowest(&paced.xs)?;
+        let mut fast = vec_with_room(paced.xs.len())?;
+        fast.extend_from_slice(&paced.xs);
         Ok(Paced {
             frames,
-            xs: mixed(&paced.xs, &slow, frames as f64 / self.fps)?,
+            xs: mixed(
+                &paced.xs,
+                &slow,
+                paced.ramps,
+                frames as f64 / self.fps - self.lag(section),
+            )?,
             longest: paced.longest,
+            fast,
+            slow,
+            ramps: paced.ramps,
         })
     }
 }

@@ -1,10 +1,14 @@
 //! Whether a path with a new pace holds the limits, frame by frame and where sections meet.
 
 use super::super::course::{Course, turned};
+use super::super::track::Miss;
 use super::Work;
 use crate::error::Result;
 use crate::path::{CameraPath, Pose, Sampler, Timeline};
 use crate::tools::check::{CheckContext, FindingKind, OFF, check};
+
+/// Frames beside a joint that give way.
+const BESIDE: f64 = 2.0;
 
 /// Places in each of the two frames around a joint at which it is looked at.
 const PHASES: i32 = 10;
@@ -48,18 +52,34 @@ impl Work<'_> {
                 finding.value / finding.limit
             };
             hold = false;
-            self.both_give_way(k, worst, finding.kind);
+            self.both_give_way(k, worst, finding.kind, None);
         }
         Ok(hold)
     }
 
-    /// What is missed near the beginning of a section is the one's before, too.
-    fn both_give_way(&mut self, section: usize, worst: f64, kind: FindingKind) {
+    /// What is missed near the beginning of a section is the one's before, too; there in so many
+    /// seconds, else everywhere.
+    fn both_give_way(
+        &mut self,
+        section: usize,
+        worst: f64,
+        kind: FindingKind,
+        beside: Option<f64>,
+    ) {
         let count = self.courses.len();
         self.missed = (section, kind);
-        self.give_way(section, worst, kind);
+        let miss = Miss {
+            from: 0.0,
+            to: 1.0,
+            worst,
+            kind,
+        };
+        let to = beside.map_or(1.0, |time| self.tracks[section].share(time));
+        self.give_way(section, Miss { to, ..miss });
         if section > 0 || self.ring {
-            self.give_way((section + count - 1) % count, worst, kind);
+            let before = (section + count - 1) % count;
+            let from = beside.map_or(0.0, |time| self.tracks[before].share(-time));
+            self.give_way(before, Miss { from, ..miss });
         }
     }
 
@@ -104,7 +124,7 @@ impl Work<'_> {
             }
             if worst.0 > 1.0 {
                 hold = false;
-                self.both_give_way(k, worst.0, worst.1);
+                self.both_give_way(k, worst.0, worst.1, Some(BESIDE / fps));
             }
         }
         Ok(hold)

@@ -3,8 +3,9 @@
 //! [`retime()`] computes the pace anew within limits. `course` measures what the curve and the views
 //! ask of the pace, `reach` finds how fast it may be anywhere, `frames` gives each section a whole
 //! number of frames, `track` few keys of a given distance. [`avoid()`] leads the way clear of an
-//! object. Limits are those of a check
-//! ([`crate::tools::check::Limits`]), in half sizes, degrees, millimetres and seconds.
+//! object, [`keep_in_picture()`] keeps one whole in the picture, [`tour()`] makes a flight that shows
+//! one, [`steady()`] takes the shaking of a hand out of a recorded flight. Limits are those of a
+//! check ([`crate::tools::check::Limits`]), in half sizes, degrees, millimetres and seconds.
 
 pub mod avoid;
 mod course;
@@ -12,8 +13,13 @@ mod frames;
 pub mod picture;
 mod reach;
 pub mod retime;
+mod smooth;
+pub mod steady;
+pub mod tour;
 mod track;
 
 pub use avoid::{AvoidRequest, Avoided, AvoidedPart, avoid, avoid_object};
 pub use picture::{Framed, PictureRequest, What, keep_in_picture};
 pub use retime::{Request, Rest, Retimed, retime};
+pub use steady::{Steadied, SteadyRequest, steady};
+pub use tour::{Tour, TourRequest, tour};

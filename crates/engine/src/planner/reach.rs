@@ -94,6 +94,7 @@ impl Cell {
 pub(super) struct Reach {
     cells: Vec<Cell>,
     pub most: Vec<f64>,
+    pub ramps: Ramps,
 }
 
 /// Where no change of the rate is limited it is at most this many times the mean, and takes so many
@@ -104,11 +105,21 @@ const RISE: f64 = 4.0;
 /// Below this share of the greatest a pace counts as resting.
 const RESTS: f64 = 1e-12;
 
+/// Shares of the limits of rates and of changes that are left free.
+pub(super) type Margin = [f64; 2];
+
 impl Reach {
+    /// Margins are those of the cells.
+    ///
     /// # Errors
     /// [`crate::Error::Argument`] where the pace would rest within the section;
     /// [`crate::Error::Memory`].
-    pub(super) fn new(course: &Course, bounds: &Bounds, fps: f64) -> Result<Self> {
+    pub(super) fn new(
+        course: &Course,
+        bounds: &Bounds,
+        margins: &[Margin],
+        fps: f64,
+    ) -> Result<Self> {
         let count = course.cells();
         let width = 2.0 / count as f64;
         let mut cells = vec_with_room(count)?;
@@ -125,6 +136,7 @@ impl Reach {
         };
         for cell in 0..count {
             let ask = course.middle(cell);
+            let bounds = bounds.with_margin(margins[cell]);
             let limit = |one: glam::DVec3, two: glam::DVec3, most: f64| {
                 let (one, two) = (one / (width * most), 0.5 * two / most);
                 let (p, q) = (two - one, two + one);
@@ -144,11 +156,13 @@ impl Reach {
         let mut most = vec_with_room(count + 1)?;
         let mut fastest = 0.0_f64;
         for node in 0..=count {
-            let mut rate = bounds.rate(course.node(node)).0;
+            let mut rate = f64::INFINITY;
             // Between nodes, too.
             for cell in [node.checked_sub(1), (node < count).then_some(node)] {
-                let middle = cell.map(|cell| bounds.rate(course.middle(cell)).0);
-                rate = rate.min(middle.unwrap_or(f64::INFINITY));
+                let Some(cell) = cell else { continue };
+                let bounds = bounds.with_margin(margins[cell]);
+                let both = [course.node(node), course.middle(cell)].map(|ask| bounds.rate(ask).0);
+                rate = rate.min(both[0]).min(both[1]);
             }
             let free = |cell: &Cell| cell.limits[0].is_some_and(|limit| limit.b == -limit.a);
             if free(&cells[node.min(count - 1)]) || free(&cells[node.max(1) - 1]) {
@@ -167,7 +181,12 @@ impl Reach {
         for most in &mut most {
             *most = most.min(1e12);
         }
-        Ok(Self { cells, most })
+        let ramp = |cell: &Cell, backwards: bool| {
+            let range = cell.range(0.0, backwards);
+            range.map_or(0.0, |range| 0.5 * count as f64 * range[1])
+        };
+        let ramps = [ramp(&cells[0], false), ramp(&cells[count - 1], true)];
+        Ok(Self { cells, most, ramps })
     }
 
     /// From an end with at most `end`: the greatest x from which it is reached.
@@ -261,22 +280,49 @@ impl Reach {
     }
 }
 
+/// The greatest d²φ/dt² in the first and the last cell of a section.
+pub(super) type Ramps = [f64; 2];
+
+/// Seconds in each cell of a pace. One that begins or ends at rest is gone through as fast as it may
+/// be with the rate at its other end: a ramp may be much shorter than a cell.
+pub(super) fn times(xs: &[f64], ramps: Ramps) -> impl Iterator<Item = f64> {
+    let last = xs.len() - 2;
+    let share = 1.0 / (last + 1) as f64;
+    xs.windows(2).enumerate().map(move |(k, pair)| {
+        let rates = pair[0].sqrt() + pair[1].sqrt();
+        match ramp(k, last, pair, ramps) {
+            Some(ramp) => share / rates + 0.5 * rates / ramp,
+            None => 2.0 * share / rates,
+        }
+    })
+}
+
+/// With which change the ramp in a cell goes, if there is one shorter than the cell.
+pub(super) fn ramp(cell: usize, last: usize, pair: &[f64], ramps: Ramps) -> Option<f64> {
+    let share = 1.0 / (last + 1) as f64;
+    let ramp = match (cell, pair) {
+        (0, [0.0, _]) => ramps[0],
+        (cell, [_, 0.0]) if cell == last => ramps[1],
+        _ => return None,
+    };
+    let x = pair[0] + pair[1];
+    (x > 0.0 && ramp.is_finite() && 2.0 * share * ramp > x * (1.0 + 1e-9)).then_some(ramp)
+}
+
 /// Seconds that a pace takes.
-pub(super) fn seconds(xs: &[f64]) -> f64 {
-    let width = 2.0 / (xs.len() - 1) as f64;
-    let cell = |pair: &[f64]| width / (pair[0].sqrt() + pair[1].sqrt());
-    xs.windows(2).map(cell).sum()
+pub(super) fn seconds(xs: &[f64], ramps: Ramps) -> f64 {
+    times(xs, ramps).sum()
 }
 
 /// A mix of a fast and a slow pace that takes so many seconds.
-pub(super) fn mixed(fast: &[f64], slow: &[f64], wanted: f64) -> Result<Vec<f64>> {
+pub(super) fn mixed(fast: &[f64], slow: &[f64], ramps: Ramps, wanted: f64) -> Result<Vec<f64>> {
     let mut mix = vec_with_room(fast.len())?;
     let mut ends = [0.0, 1.0];
     for _ in 0..60 {
         let share = 0.5 * (ends[0] + ends[1]);
         mix.clear();
         mix.extend(fast.iter().zip(slow).map(|(f, s)| f + (s - f) * share));
-        ends[usize::from(seconds(&mix) > wanted)] = share;
+        ends[usize::from(seconds(&mix, ramps) > wanted)] = share;
     }
     Ok(mix)
 }

@@ -3,13 +3,14 @@
 use std::fmt;
 
 use super::course::{Bounds, Course};
-use super::frames::{Joint, Paced, Row};
-use super::reach::Reach;
-use super::track::{Track, track};
+use super::frames::{Joint, Paced};
+use super::reach::{Margin, Reach};
+use super::track::{Knot, Miss, Track, track};
 use crate::error::{Error, Invalid, OutOfRange, Result, vec_with_room};
-use crate::limits::MAX_FRAMES;
-use crate::path::own::distance;
-use crate::path::{CameraPath, Orientation, Pace, PacePart, PaceSource, Sampler, Timeline};
+use crate::limits::{MAX_FRAMES, MAX_SPEED, MIN_SPEED, SPEEDS};
+use crate::path::{
+    CameraPath, Orientation, Pace, PacePart, PaceSource, Sampler, Timeline, Timing, own,
+};
 use crate::tools::check::{FindingKind, Limits};
 
 /// What is asked for.
@@ -66,7 +67,7 @@ pub struct Retimed {
 }
 
 /// Cells of the grid on a section, and of all together, about.
-const CELLS: [usize; 2] = [32, 128];
+const CELLS: [usize; 2] = [32, 512];
 const ALL_CELLS: usize = 2000;
 
 /// Share of a frame's change by which a rate may jump where sections meet.
@@ -75,14 +76,19 @@ const JUMP: f64 = 0.1;
 /// A joint at which a pace could have less than this share of its rate is a kink.
 const KINK: f64 = 0.3;
 
-/// The first share of the limits left to what keys do not follow, and the greatest.
-const MARGIN: [f64; 2] = [0.004, 0.98];
+/// The first shares of the limits of rates and of changes that are left free, for what cells and
+/// keys do not follow, and the greatest.
+const LEAST_MARGIN: Margin = [1e-6, 1e-6];
+const MOST_MARGIN: f64 = 0.98;
 
 /// The greatest share of one section's rate by another's where they meet; else the pace rests.
 const MOST_GAIN: f64 = 100.0;
 
 /// Rounds in which margins grow.
 const ROUNDS: usize = 40;
+
+/// Rounds in which a pace is smoothed, if it is to be.
+const SMOOTHED: usize = 25;
 
 /// The pace of a path, or of a range of it, computed anew: as fast as the limits allow, or in a
 /// given time with the lowest peaks. Rest at the ends of an open path and where keys are held;
@@ -107,8 +113,13 @@ pub fn retime(path: &CameraPath, request: &Request) -> Result<Retimed> {
             rests: Vec::new(),
         });
     }
-    for _ in 0..ROUNDS {
-        let paces = match work.paces() {
+    work.start_smooth()?;
+    for round in 0..ROUNDS {
+        // What does not come to whole frames is not smoothed.
+        if round == SMOOTHED && work.smoothing.take().is_some() {
+            work.start_plain();
+        }
+        let (paces, slower) = match work.paces() {
             // What was found is the least of a pace without whole frames and keys.
             Err(Error::Argument(Invalid::PaceSeconds { seconds, .. })) => {
                 let fastest = Request {
@@ -116,11 +127,17 @@ pub fn retime(path: &CameraPath, request: &Request) -> Result<Retimed> {
                     ..*request
                 };
                 let least = retime(path, &fastest)?.seconds;
+                if least <= seconds {
+                    return Err(work.not_held());
+                }
                 return Err(Invalid::PaceSeconds { seconds, least }.into());
             }
             paces => paces?,
         };
-        if !work.tracks(&paces)? {
+        let Some(flown) = work.flown(&paces, slower)? else {
+            continue;
+        };
+        if !work.tracks(flown)? {
             continue;
         }
         let made = work.apply(path, &timeline, &paces)?;
@@ -145,9 +162,13 @@ struct Work<'a> {
     /// Frames in which keys of the range rest.
     holds: usize,
     rests: Vec<Rest>,
-    /// Shares left of the limits of rates and of changes, for each section.
-    margins: Vec<[f64; 2]>,
+    /// Shares of the limits of rates and of changes that are left free, for each cell of each
+    /// section.
+    margins: Vec<Vec<Margin>>,
     tracks: Vec<Track>,
+    smoothing: Option<Smoothing>,
+    /// By how many seconds smoothing makes the fastest pace of a section longer.
+    lags: Vec<f64>,
     /// The section and the limit that were missed last.
     missed: (usize, FindingKind),
 }
@@ -243,11 +264,19 @@ impl<'a> Work<'a> {
             rests: Vec::new(),
             margins: vec_with_room(count)?,
             tracks: Vec::new(),
+            smoothing: None,
+            lags: vec_with_room(count)?,
             missed: (0, FindingKind::Speed),
         };
-        work.margins.resize(count, [0.5 * MARGIN[0], MARGIN[0]]);
         if count > 0 {
             work.join(&beside)?;
+        }
+        work.lags.resize(count, 0.0);
+        // Of a ring the first section is known now.
+        for course in &work.courses {
+            let mut margins = vec_with_room(course.cells())?;
+            margins.resize(course.cells(), LEAST_MARGIN);
+            work.margins.push(margins);
         }
         Ok(work)
     }
@@ -382,33 +411,13 @@ impl<'a> Work<'a> {
 
     /// Paces of all sections with these limits, made slower all alike.
     fn planned(&self, slower: f64) -> Result<(Vec<Reach>, Vec<Paced>)> {
-        let mut bounds = self.bounds.stretched(slower);
-        // Smoothed jumps of the acceleration leave about this; margins do the rest.
-        bounds.acceleration = bounds
-            .acceleration
-            .min(bounds.jerk / (0.5 * self.request.fps));
-        let mut reaches = vec_with_room(self.courses.len())?;
-        for (course, margin) in self.courses.iter().zip(&self.margins) {
-            reaches.push(Reach::new(
-                course,
-                &bounds.with_margins(*margin),
-                self.request.fps,
-            )?);
-        }
-        let paces = self.row(&reaches).plan()?;
+        let reaches = self.reaches(&self.slower_bounds(slower))?;
+        let paces = self.row(&reaches, slower).plan()?;
         Ok((reaches, paces))
     }
 
-    fn row<'b>(&'b self, reaches: &'b [Reach]) -> Row<'b> {
-        Row {
-            reaches,
-            joints: &self.joints,
-            ring: self.ring,
-            fps: self.request.fps,
-        }
-    }
-
-    fn paces(&self) -> Result<Vec<Paced>> {
+    /// Paces, and how much slower than the fastest their limits were.
+    fn paces(&self) -> Result<(Vec<Paced>, f64)> {
         let all = |paces: &[Paced]| paces.iter().map(|pace| pace.frames).sum::<usize>();
         let (_, fastest) = self.planned(1.0)?;
         if fastest.len() < self.courses.len() {
@@ -419,7 +428,7 @@ impl<'a> Work<'a> {
             return Err(crate::error::TooMany::Frames.into());
         }
         if self.request.seconds == 0.0 {
-            return Ok(fastest);
+            return Ok((fastest, 1.0));
         }
         let frames = self.request.seconds * self.request.fps;
         if frames > MAX_FRAMES as f64 {
@@ -437,21 +446,21 @@ impl<'a> Work<'a> {
             1.0,
             1.5 * (wanted + self.courses.len()) as f64 / least as f64,
         ];
-        let mut best = self.planned(1.0)?;
+        let (mut best, mut pace) = (self.planned(1.0)?, 1.0);
         for _ in 0..20 {
             let slower = 0.5 * (ends[0] + ends[1]);
             let found = self.planned(slower)?;
             let fits = found.1.len() == self.courses.len() && all(&found.1) <= wanted;
             ends[usize::from(!fits)] = slower;
             if fits {
-                best = found;
+                (best, pace) = (found, slower);
                 if all(&best.1) == wanted {
                     break;
                 }
             }
         }
         let (reaches, mut paces) = best;
-        let row = self.row(&reaches);
+        let row = self.row(&reaches, pace);
         let mut more = vec_with_room(paces.len())?;
         more.resize(paces.len(), 0_usize);
         for _ in 0..wanted - all(&paces) {
@@ -469,28 +478,28 @@ impl<'a> Work<'a> {
         for (k, more) in more.into_iter().enumerate().filter(|(_, more)| *more > 0) {
             paces[k] = row.lengthened(k, &paces[k], more)?;
         }
-        Ok(paces)
+        Ok((paces, pace))
     }
 
     /// Keys for all paces; where they do not hold the limits, its margin grows.
-    fn tracks(&mut self, paces: &[Paced]) -> Result<bool> {
+    fn tracks(&mut self, flown: Vec<Vec<Knot>>) -> Result<bool> {
         let mut hold = true;
         let mut before = std::mem::take(&mut self.tracks).into_iter();
-        for (k, pace) in paces.iter().enumerate() {
+        for (k, knots) in flown.into_iter().enumerate() {
             let fps = self.request.fps;
             // Most sections have the pace that they had.
-            let same = before
-                .next()
-                .filter(|track| track.xs == pace.xs && track.frames == pace.frames);
+            let same = before.next().filter(|track| track.knots == knots);
             let found = match same {
                 Some(found) => found,
-                None => track(pace, &self.courses[k], &self.bounds, fps)?,
+                None => track(knots, &self.courses[k], &self.bounds, fps)?,
             };
-            let (worst, kind) = found.worst;
+            let (worst, kind) = found.worst();
             if worst > 1.0 {
                 hold = false;
                 self.missed = (k, kind);
-                self.give_way(k, worst, kind);
+                for miss in &found.misses {
+                    self.give_way(k, *miss);
+                }
             }
             self.tracks.try_reserve(1)?;
             self.tracks.push(found);
@@ -498,14 +507,20 @@ impl<'a> Work<'a> {
         Ok(hold)
     }
 
-    fn give_way(&mut self, section: usize, worst: f64, kind: FindingKind) {
+    /// A part of a section leaves more of a limit free.
+    fn give_way(&mut self, section: usize, miss: Miss) {
         let changes = matches!(
-            kind,
+            miss.kind,
             FindingKind::Acceleration | FindingKind::TurningAcceleration | FindingKind::Jerk
         );
-        let margin = &mut self.margins[section][usize::from(changes)];
-        let left = (1.0 - *margin) / worst.clamp(1.0, 1.25).powf(0.7) - 0.003;
-        *margin = (1.0 - left).min(MARGIN[1]);
+        let cells = self.margins[section].len();
+        let cell = |share: f64| ((share * cells as f64).max(0.0) as usize).min(cells);
+        let range = cell(miss.from).saturating_sub(1)..(cell(miss.to) + 2).min(cells);
+        for margin in &mut self.margins[section][range] {
+            let margin = &mut margin[usize::from(changes)];
+            let left = (1.0 - *margin) / miss.worst.clamp(1.0, 1.25).powf(0.7) - 0.001;
+            *margin = (1.0 - left).min(MOST_MARGIN);
+        }
     }
 
     fn not_held(&self) -> crate::Error {
@@ -538,12 +553,17 @@ impl<'a> Work<'a> {
         }
         for ((course, pace), track) in self.courses.iter().zip(paces).zip(&self.tracks) {
             let orientation = &mut made.points[course.point].orientations[course.orientation];
-            let keys = distance(&track.keys)?;
+            pinned(orientation, own::track(&track.keys)?)?;
             orientation.own = orientation.own.with(|own| {
                 own.frames = pace.frames as u32;
-                own.pace = keys;
                 own.curve_time = Some(course.curve_time);
             })?;
+            let timing = Timing::new(orientation, None, None)?;
+            for (k, speed) in orientation.speeds.iter_mut().enumerate() {
+                *speed = timing
+                    .speed(k as f64 / (SPEEDS - 1) as f64)
+                    .clamp(MIN_SPEED, MAX_SPEED);
+            }
         }
         made.check()?;
         Ok(made)
@@ -563,6 +583,11 @@ fn pinned(orientation: &mut Orientation, of: PaceSource) -> Result<()> {
 
 #[path = "held.rs"]
 mod held;
+
+#[path = "jerky.rs"]
+mod jerky;
+
+use jerky::Smoothing;
 
 #[cfg(test)]
 #[path = "retime_tests.rs"]

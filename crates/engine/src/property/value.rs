@@ -172,6 +172,7 @@ fn pace_part(out: &mut fmt::Formatter<'_>, part: &PacePart) -> fmt::Result {
         }
         PaceSource::Ease(ease) => write!(out, "ease = {}", Value::Ease(*ease))?,
         PaceSource::Distance(keys) => write!(out, "distance = {keys:?}")?,
+        PaceSource::Track(keys) => write!(out, "track = {keys:?}")?,
     }
     out.write_str(" }")
 }

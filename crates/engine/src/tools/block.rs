@@ -15,7 +15,7 @@ use crate::error::{
     Error, Invalid, OutOfRange, Quantity, Result, TooMany, can_allocate, vec_with_room,
 };
 use crate::limits::{MAX_NAME_BYTES, MAX_POINTS};
-use crate::path::own::distance_backwards;
+use crate::path::own::{distance_backwards, track_backwards};
 use crate::path::up_vector::check_ups;
 use crate::path::{
     CameraPath, Change, CurveKind, CurveParameters, Ease, Orientation, Pace, PacePart, PaceSource,
@@ -545,6 +545,10 @@ fn backwards(old: &Orientation, section: &Orientation) -> Result<Orientation> {
             of: PaceSource::Distance(keys),
             ..
         }) => keys.len(),
+        Pace::Part(PacePart {
+            of: PaceSource::Track(keys),
+            ..
+        }) => 5 * keys.len(),
         _ => 0,
     };
     can_allocate(64 + 16 * keys)?;
@@ -583,6 +587,7 @@ fn backwards(old: &Orientation, section: &Orientation) -> Result<Orientation> {
                     }
                     PaceSource::Ease(whole) => PaceSource::Ease(ease(whole)),
                     PaceSource::Distance(keys) => PaceSource::Distance(distance(keys)),
+                    PaceSource::Track(keys) => PaceSource::Track(track_backwards(keys).into()),
                 },
                 from: 1.0 - part.to,
                 to: 1.0 - part.from,

@@ -6,10 +6,12 @@
 //! accelerations nearly; those of the turning then wholly (`fit/joins.rs`). If the path misses a
 //! pose after all, it is made again with the noise left in.
 
+mod corners;
 mod joins;
 mod motion;
 mod pace;
 mod piece;
+mod whole;
 
 use glam::{DMat3, DQuat, DVec3};
 
@@ -117,6 +119,8 @@ struct Piece {
     speeds: [[f64; 2]; 2],
     /// Nothing moves: the frames are those of a hold.
     holds: bool,
+    /// It begins at a corner, where no acceleration goes on.
+    corner: bool,
 }
 
 /// What a piece takes over from the one before.
@@ -169,19 +173,25 @@ impl Data {
             }
             Err(Error::from(Invalid::Cancelled))
         };
-        let (stretches, peaks) = self.stretches(exact, &mut || go_on(0))?;
+        let motion = self.motion(exact, &mut || go_on(0))?;
         let mut pieces: Vec<Piece> = Vec::new();
         let mut joint = Joint {
-            sample: stretches[0].at(0.0).sample,
+            sample: motion.stretches[0].at(0.0).sample,
             zoom_slope: None,
             bend: DVec3::ZERO,
         };
-        for stretch in &stretches {
+        let mut number = 0;
+        while number < motion.parts.len() {
+            let (over, mut whole) = self.over_corners(&motion, number, joint, exact)?;
+            let stretch = &motion.stretches[number];
             let [begin, end] = [stretch.first, stretch.last].map(|k| self.times[k].round());
-            let mut at = begin;
-            let mut guess = 8.0;
+            let (mut at, mut guess) = (begin, 8.0);
             while at < end {
-                let piece = self.longest(stretch, peaks, [begin, at, end], joint, guess)?;
+                let mut piece = match whole.take() {
+                    Some(piece) => piece,
+                    None => self.longest(stretch, motion.peaks, [begin, at, end], joint, guess)?,
+                };
+                piece.corner = at == begin && number > 0 && motion.corner(number - 1);
                 guess = f64::from(piece.frames);
                 at += guess;
                 joint.sample = piece.end;
@@ -193,6 +203,7 @@ impl Data {
                 pieces.push(piece);
                 go_on(self.times.partition_point(|time| *time < at).min(last))?;
             }
+            number += over;
         }
         self.even_out(&mut pieces)?;
         self.path(&pieces, joint.sample)

@@ -6,6 +6,9 @@ use crate::path::test_support::Random;
 use crate::path::{Sampler, Timeline};
 use crate::tools::check::{CheckContext, Limits, check};
 
+#[path = "fit/closer_tests.rs"]
+mod closer;
+
 fn vector(random: &mut Random) -> DVec3 {
     DVec3::from_array(std::array::from_fn(|_| 2.0 * random.unit() - 1.0))
 }

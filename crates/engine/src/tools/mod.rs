@@ -16,7 +16,7 @@ pub mod moves;
 pub mod parameter;
 pub mod profile;
 pub mod redundant;
-mod smooth;
+pub(crate) mod smooth;
 pub mod transform;
 
 pub use parameter::{Parameter, Unit};

@@ -15,7 +15,7 @@ const ROUNDS: usize = 30;
 
 /// Standard deviation of the noise, of the channel with most, from the median of third differences,
 /// which a smooth motion hardly has (Gasser, Sroka, Jennen-Steinmetz 1986 for second ones).
-pub(super) fn noise<const N: usize>(rows: &[[f64; N]]) -> Result<f64> {
+pub(crate) fn noise<const N: usize>(rows: &[[f64; N]]) -> Result<f64> {
     let mut most = 0.0_f64;
     let mut differences = vec_with_room(rows.len())?;
     for channel in 0..N {
@@ -35,7 +35,7 @@ pub(super) fn noise<const N: usize>(rows: &[[f64; N]]) -> Result<f64> {
 
 /// A cubic spline.
 #[derive(Debug)]
-pub(super) struct Spline<const N: usize> {
+pub(crate) struct Spline<const N: usize> {
     times: Vec<f64>,
     values: Vec<[f64; N]>,
     /// Second derivatives.
@@ -57,25 +57,47 @@ impl<const N: usize> Spline<N> {
     /// Near all rows: `allowed` is how far each may be missed: 0 not at all, an
     /// infinite one does not count. `round` is called
     /// before each solution.
-    pub(super) fn near(
+    pub(crate) fn near(
         times: &[f64],
         rows: &[[f64; N]],
         allowed: &[f64],
         round: &mut dyn FnMut() -> Result<()>,
     ) -> Result<Self> {
-        let mut spline = Self::straight(times, rows)?;
+        let spline = Self::straight(times, rows)?;
+        let light = LIGHT * spline.step().powi(3);
+        spline.weighed(rows, allowed, light, round)
+    }
+
+    /// A low pass: rows one a time, of whose waves ω a time it leaves 1/(1 + `light`·ω⁴), but
+    /// misses none by more than is allowed.
+    pub(crate) fn low_pass(
+        times: &[f64],
+        rows: &[[f64; N]],
+        allowed: &[f64],
+        light: f64,
+        round: &mut dyn FnMut() -> Result<()>,
+    ) -> Result<Self> {
+        Self::straight(times, rows)?.weighed(rows, allowed, light, round)
+    }
+
+    /// All rows weigh as little, 1/`all`, until they are missed.
+    fn weighed(
+        self,
+        rows: &[[f64; N]],
+        allowed: &[f64],
+        all: f64,
+        round: &mut dyn FnMut() -> Result<()>,
+    ) -> Result<Self> {
+        let mut spline = self;
         if rows.iter().all(|row| *row == rows[0]) {
             return Ok(spline);
         }
-        let step = spline.step();
         let mut light = vec_with_room(rows.len())?;
-        light.extend(allowed.iter().map(|allowed| {
-            if *allowed > 0.0 {
-                LIGHT * step * step * step
-            } else {
-                0.0
-            }
-        }));
+        light.extend(
+            allowed
+                .iter()
+                .map(|allowed| if *allowed > 0.0 { all } else { 0.0 }),
+        );
         let mut factors: Vec<f64> = vec_with_room(rows.len())?;
         for _ in 0..ROUNDS {
             round()?;
@@ -119,7 +141,7 @@ impl<const N: usize> Spline<N> {
     /// Near the rows but for a few that are far off (P. J. Huber, *Robust estimation of a location
     /// parameter*, 1964): beyond `bound` a row pulls no more than at it, and those left out not at
     /// all.
-    pub(super) fn robust(
+    pub(crate) fn robust(
         times: &[f64],
         rows: &[[f64; N]],
         bound: f64,
@@ -252,17 +274,17 @@ impl<const N: usize> Spline<N> {
     }
 
     /// The value at a row's time.
-    pub(super) fn value(&self, row: usize) -> &[f64; N] {
+    pub(crate) fn value(&self, row: usize) -> &[f64; N] {
         &self.values[row]
     }
 
     /// The second derivative at a row's time.
-    pub(super) fn bend(&self, row: usize) -> &[f64; N] {
+    pub(crate) fn bend(&self, row: usize) -> &[f64; N] {
         &self.bends[row]
     }
 
     /// Value and two derivatives at any time.
-    pub(super) fn at(&self, time: f64) -> [[f64; N]; 3] {
+    pub(crate) fn at(&self, time: f64) -> [[f64; N]; 3] {
         let last = self.times.len() - 1;
         if last == 0 {
             return [self.values[0], [0.0; N], [0.0; N]];

@@ -9,8 +9,9 @@
 use glam::DVec3;
 
 use super::field::{Fault, Field};
-use crate::error::{Result, vec_with_room};
+use crate::error::{Invalid, Result, vec_with_room};
 use crate::path::hermite::Cubic;
+use crate::tools::fit::Progress;
 
 /// Rounds of moving before a knot is put in.
 const ROUNDS: usize = 16;
@@ -90,6 +91,8 @@ pub(super) struct Bend<'a> {
     /// Straight from knot to knot.
     pub linear: bool,
     pub knots: Vec<Knot>,
+    /// A leg that has not enough frames for the knots that it takes.
+    pub short: Option<usize>,
 }
 
 impl Bend<'_> {
@@ -229,7 +232,11 @@ impl Bend<'_> {
         let known = self.knots.iter().filter(inside).count();
         let new = self.knots.iter().filter(|knot| knot.new).count();
         let least = if self.linear { 1e-4 } else { 2.0 * APART };
-        if b - a < least || known + 2 > self.frames[leg] || new >= KNOTS {
+        if known + 2 > self.frames[leg] {
+            self.short = Some(leg);
+            return Ok(false);
+        }
+        if b - a < least || new >= KNOTS {
             return Ok(false);
         }
         let edge = (0.1 * (b - a)).max(0.5 * least);
@@ -254,7 +261,7 @@ impl Bend<'_> {
     }
 
     /// Bends until it is clear; else where it is not.
-    pub(super) fn bend(&mut self) -> Result<Option<f64>> {
+    pub(super) fn bend(&mut self, progress: Progress<'_>) -> Result<Option<f64>> {
         while !self.moved()? {
             // From the way round anew: what was moved for fewer knots may lie far off.
             for knot in 0..self.knots.len() {
@@ -268,6 +275,9 @@ impl Bend<'_> {
             let Some(&worst) = faults.iter().min_by(least) else {
                 break;
             };
+            if !progress(self.knots.len(), KNOTS) {
+                return Err(Invalid::Cancelled.into());
+            }
             if !self.put_in(worst)? {
                 return Ok(Some(self.at(worst.0, worst.1.worst)));
             }

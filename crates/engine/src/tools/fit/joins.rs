@@ -113,7 +113,7 @@ impl Data {
                     let k = if sweep % 2 == 0 { k } else { pieces.len() - k };
                     let (before, after) = pieces.split_at_mut(k);
                     let (before, after) = (&mut before[k - 1], &mut after[0]);
-                    if !(stays[k] || before.holds || after.holds) {
+                    if !(stays[k] || before.holds || after.holds || after.corner) {
                         even(before, after);
                     }
                 }

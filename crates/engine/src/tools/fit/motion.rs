@@ -44,12 +44,30 @@ pub(super) enum Kind {
     Rests,
 }
 
-/// Poses of one kind, both ends among them.
-struct Part {
-    kind: Kind,
+/// Poses of one kind, both ends among them. Two that move meet at a corner.
+#[derive(Clone)]
+pub(super) struct Part {
+    pub kind: Kind,
     range: RangeInclusive<usize>,
     /// The pose where it stands, if it does.
     spot: usize,
+}
+
+/// What poses do, one after the other.
+pub(super) struct Motion {
+    pub parts: Vec<Part>,
+    /// One for each.
+    pub stretches: Vec<Stretch>,
+    /// The greatest accelerations in them.
+    pub peaks: [f64; 2],
+}
+
+impl Motion {
+    /// Whether a part ends at a corner.
+    pub(super) fn corner(&self, number: usize) -> bool {
+        let moves = |part: &Part| part.kind == Kind::Moves;
+        moves(&self.parts[number]) && self.parts.get(number + 1).is_some_and(moves)
+    }
 }
 
 /// The poses of a stretch, both ends among them, and what is between.
@@ -77,7 +95,7 @@ pub(super) struct State {
 }
 
 /// By how much a zoom may change for an angle of the field of view.
-fn zoom_within(zoom: f64, angle: f64) -> f64 {
+pub(super) fn zoom_within(zoom: f64, angle: f64) -> f64 {
     angle * (zoom * zoom + 144.0) / 24.0
 }
 
@@ -119,42 +137,52 @@ impl Stretch {
 }
 
 impl Data {
-    /// The stretches, and the greatest accelerations in them. `exact`: with the noise left in.
-    pub(super) fn stretches(
+    /// `exact`: with the noise left in.
+    pub(super) fn motion(
         &self,
         exact: bool,
         round: &mut dyn FnMut() -> Result<()>,
-    ) -> Result<(Vec<Stretch>, [f64; 2])> {
+    ) -> Result<Motion> {
         let all = 0..=self.raw.len() - 1;
         let mut parts = Vec::new();
         let place = |a: &Sample, b: &Sample| a.position.distance(b.position) / self.tolerance;
         let view = |a: &Sample, b: &Sample| a.off(b.turn, b.zoom) / self.angle;
+        let corners = self.corners()?;
         for (on_the_spot, range) in self.runs(all, &place)? {
             let spot = *range.start();
-            let views = if on_the_spot {
-                self.runs(range, &view)?
-            } else {
-                vec![(false, range)]
-            };
-            for (rests, range) in views {
-                let kind = match (on_the_spot, rests) {
-                    (false, _) => Kind::Moves,
-                    (true, false) => Kind::Turns,
-                    (true, true) => Kind::Rests,
-                };
+            if on_the_spot {
+                for (rests, range) in self.runs(range, &view)? {
+                    let kind = if rests { Kind::Rests } else { Kind::Turns };
+                    parts.try_reserve(1)?;
+                    parts.push(Part { kind, range, spot });
+                }
+                continue;
+            }
+            let (mut first, last) = range.into_inner();
+            let within = corners.iter().filter(|at| (first + 1..last).contains(at));
+            for end in within.copied().chain([last]).collect::<Vec<_>>() {
                 parts.try_reserve(1)?;
-                parts.push(Part { kind, range, spot });
+                parts.push(Part {
+                    kind: Kind::Moves,
+                    range: first..=end,
+                    spot: first,
+                });
+                first = end;
             }
         }
-        let mut found = vec_with_room(parts.len())?;
+        let mut stretches = vec_with_room(parts.len())?;
         let mut peaks = [0.0_f64; 2];
         for k in 0..parts.len() {
-            let stretch = self.stretch(&parts, k, exact, round)?;
+            let stretch = self.stretch(&parts, [k, k], exact, round)?;
             let now = stretch.peaks();
             peaks = [peaks[0].max(now[0]), peaks[1].max(now[1])];
-            found.push(stretch);
+            stretches.push(stretch);
         }
-        Ok((found, peaks))
+        Ok(Motion {
+            parts,
+            stretches,
+            peaks,
+        })
     }
 
     /// Runs of poses that stay within `STILL`, and what lies between; neighbours share their ends.
@@ -190,32 +218,40 @@ impl Data {
         Ok(runs)
     }
 
-    /// Its splines know some poses of its neighbours, too: so they leave a rest as gently as the
-    /// camera does.
-    fn stretch(
+    /// Of a part, or of several with corners between them. Its splines know some poses of its
+    /// neighbours, too: so they leave a rest as gently as the camera does; but not beyond a corner.
+    pub(super) fn stretch(
         &self,
         parts: &[Part],
-        number: usize,
+        numbers: [usize; 2],
         exact: bool,
         round: &mut dyn FnMut() -> Result<()>,
     ) -> Result<Stretch> {
-        let Part { kind, range, spot } = &parts[number];
-        let (first, last) = (*range.start(), *range.end());
-        let beside = [number.checked_sub(1), Some(number + 1)];
+        let Part { kind, range, spot } = &parts[numbers[0]];
+        let (first, last) = (*range.start(), *parts[numbers[1]].range.end());
+        let beside = [numbers[0].checked_sub(1), Some(numbers[1] + 1)];
         let beside = beside.map(|number| parts.get(number?));
-        let begin = beside[0].map_or(first, |_| first.saturating_sub(LEAD));
-        let end = beside[1].map_or(last, |_| (last + LEAD).min(self.raw.len() - 1));
+        let corner = beside.map(|beside| {
+            *kind == Kind::Moves && beside.is_some_and(|part| part.kind == Kind::Moves)
+        });
+        let leads = [0, 1].map(|side| beside[side].is_some() && !corner[side]);
+        let begin = first.saturating_sub(if leads[0] { LEAD } else { 0 });
+        let end = (last + if leads[1] { LEAD } else { 0 }).min(self.raw.len() - 1);
         let all = begin..=end;
         let times = &self.times[all.clone()];
-        // Of two neighbours one stands on the spot.
+        // Of two neighbours one stands on the spot, or they are held where they meet.
         let stands = beside.map(|beside| beside.is_some());
-        let rests = beside.map(|beside| beside.is_some_and(|part| part.kind == Kind::Rests));
+        let rests = [0, 1]
+            .map(|side| corner[side] || beside[side].is_some_and(|part| part.kind == Kind::Rests));
         let at = |k: usize, held: [bool; 2], before: usize| match k {
             k if held[0] && k <= first => before,
             k if held[1] && k >= last => last,
             k => k,
         };
-        let [left, rested] = beside[0].map_or([0; 2], |part| [part.spot, *part.range.start()]);
+        let [left, rested] = match beside[0] {
+            Some(part) if leads[0] => [part.spot, *part.range.start()],
+            _ => [first; 2],
+        };
         let share = |noise: f64, allowed: f64, k: usize, held: [bool; 2]| {
             if self.left_out[k] {
                 return f64::INFINITY;

@@ -38,6 +38,9 @@ const NOTHING: f64 = 1e-2;
 /// Moments from an end of a stretch at which its splines do not know the acceleration yet.
 const OPEN: usize = 8;
 
+/// By so much a turning may seem to be faster at its ends than a key may own.
+const LIMITED: f64 = 1.05;
+
 /// Rounds of a cubic by least squares; most settle sooner.
 const ROUNDS: usize = 24;
 
@@ -54,10 +57,30 @@ pub(super) struct Course {
     open: [bool; 2],
     peaks: [f64; 2],
     /// Nothing better was found: it need not be smooth.
-    must: bool,
+    pub must: bool,
 }
 
 impl Course {
+    pub(super) fn new(
+        stretch: &Stretch,
+        [from, to]: [f64; 2],
+        joint: Joint,
+        open: [bool; 2],
+        peaks: [f64; 2],
+    ) -> Result<Self> {
+        let mut states = vec_with_room(MOMENTS + 1)?;
+        states.extend((0..=MOMENTS).map(|k| stretch.at(from + (to - from) * Self::share(k))));
+        Ok(Self {
+            from,
+            frames: to - from,
+            states,
+            joint,
+            open,
+            peaks,
+            must: false,
+        })
+    }
+
     pub(super) fn share(moment: usize) -> f64 {
         moment as f64 / MOMENTS as f64
     }
@@ -88,19 +111,9 @@ impl Data {
         if stretch.kind == Kind::Rests {
             return Ok(rest(end - from, joint));
         }
-        let course = |to: f64| -> Result<Course> {
-            let moment = |k| from + (to - from) * Course::share(k);
-            let mut states = vec_with_room(MOMENTS + 1)?;
-            states.extend((0..=MOMENTS).map(|k| stretch.at(moment(k))));
-            Ok(Course {
-                from,
-                frames: to - from,
-                states,
-                joint,
-                open: [from == begin, to == end],
-                peaks,
-                must: false,
-            })
+        let course = |to: f64| {
+            let open = [from == begin, to == end];
+            Course::new(stretch, [from, to], joint, open, peaks)
         };
         let search = |on_the_spot: bool| -> Result<Option<Piece>> {
             let (mut good, mut reached, mut bad) = (None, from, end + 1.0);
@@ -160,10 +173,11 @@ impl Data {
             length: a.distance(b),
             speeds: [[1.0 / course.frames, 0.0]; 2],
             holds: false,
+            corner: false,
         })
     }
 
-    fn moving(&self, course: &Course) -> Result<Option<Piece>> {
+    pub(super) fn moving(&self, course: &Course) -> Result<Option<Piece>> {
         let Some((curve, places)) = self.cubic(course)? else {
             return Ok(None);
         };
@@ -221,7 +235,7 @@ impl Data {
     }
 
     /// Turning and zoom of a piece; none if it does not meet its poses, or not smoothly.
-    fn finished(
+    pub(super) fn finished(
         &self,
         course: &Course,
         way: Way,
@@ -275,6 +289,7 @@ impl Data {
             length: way.length,
             pace: way.pace,
             holds: false,
+            corner: false,
         };
         let smooth = course.must
             || self.goes_on(course, &piece, timing)
@@ -340,7 +355,7 @@ impl Data {
 
     /// The cubic nearest to the positions that leaves and ends in the directions of the splines,
     /// and the parameters at which it comes nearest.
-    fn cubic(&self, course: &Course) -> Result<Option<(Cubic, Vec<f64>)>> {
+    pub(super) fn cubic(&self, course: &Course) -> Result<Option<(Cubic, Vec<f64>)>> {
         let mut points = vec_with_room(MOMENTS + 1)?;
         points.extend(course.states.iter().map(|state| state.sample.position));
         points[0] = course.joint.sample.position;
@@ -419,6 +434,7 @@ fn rest(frames: f64, joint: Joint) -> Piece {
         speeds: [[0.0; 2]; 2],
         length: 0.0,
         holds: true,
+        corner: false,
     }
 }
 
@@ -463,7 +479,12 @@ fn turning(course: &Course, ways: &[f64], spins: [Option<DVec3>; 2]) -> Option<[
         (leave, reach) = (leave + x, reach + y);
     }
     let most = 0.45 * (std::f64::consts::PI - angle(a, b));
-    (leave.length() <= most && reach.length() <= most).then(|| control(leave, reach))
+    // A key's own limiter does the last bit of this.
+    let within = [leave, reach]
+        .iter()
+        .all(|part| part.length() <= LIMITED * most);
+    let [leave, reach] = [leave, reach].map(|part| part.clamp_length_max(most));
+    within.then(|| control(leave, reach))
 }
 
 /// Two unknowns by their normal equations; one that has no part in them is 0.

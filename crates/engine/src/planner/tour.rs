@@ -1,0 +1,724 @@
+//! A flight that shows an object that nobody has planned for: candidate views around it or in it,
+//! the fewest of them that show enough, a short round that keeps clear, a smooth path at a pace
+//! within limits.
+
+mod cover;
+mod flight;
+mod places;
+mod round;
+mod seen;
+
+use std::fmt;
+
+use glam::DVec3;
+
+use self::cover::fewest;
+use self::flight::{Flight, Stop};
+use self::places::{View, directions, is_steep};
+use self::round::{Roads, round};
+use self::seen::{Camera, Picture, Set, Surface, members};
+use super::retime::{Request, retime};
+use crate::deform::Bounds;
+use crate::error::{Error, Invalid, OutOfRange, Result, vec_with_room};
+use crate::limits::{MAX_ORIENTATIONS, TOUR_DISTANCES};
+use crate::path::{CameraPath, Space, Timeline, Up};
+use crate::scene::Mesh;
+use crate::tools::check::{FindingKind, Limits};
+use crate::tools::clearance::Clearance;
+use crate::tools::fit::Progress;
+
+/// What is asked for.
+#[derive(Debug, Clone, Copy)]
+pub struct TourRequest {
+    /// Seconds of the flight, > 0.
+    pub seconds: f64,
+    /// Share, by area, of the surface that can be seen: greater than 0, at most 1.
+    pub coverage: f64,
+    /// How far the camera is from the object where it shows it; 0: found, so that the whole of it
+    /// is in the picture, or by how much room there is inside.
+    pub distance: f64,
+    /// In the object's free space, not around it.
+    pub inside: bool,
+    /// Where the flight begins; none: it is a closed round.
+    pub start: Option<DVec3>,
+    /// What stands upright.
+    pub up: Up,
+    /// The space of the path, if that holds the flight; none: the smallest round flight and object.
+    pub space: Option<Space>,
+    /// One frame for each view, not a flight.
+    pub stills: bool,
+    /// Limits of the pace, those of a check.
+    pub limits: Limits,
+    /// Frames a second.
+    pub fps: f64,
+}
+
+impl Default for TourRequest {
+    /// A minute that shows 0.95 from outside.
+    fn default() -> Self {
+        Self {
+            seconds: 60.0,
+            coverage: 0.95,
+            distance: 0.0,
+            inside: false,
+            start: None,
+            up: Up::Y,
+            space: None,
+            stills: false,
+            limits: Limits::default(),
+            fps: 25.0,
+        }
+    }
+}
+
+/// A flight, and what it shows. Shares are of areas.
+#[derive(Debug)]
+pub struct Tour {
+    /// The path.
+    pub path: CameraPath,
+    /// The share that its places show of what can be seen from anywhere outside or, inside, from
+    /// anywhere that is reached.
+    pub coverage: f64,
+    /// The share that they show of the whole surface.
+    pub surface: f64,
+    /// How many places show it.
+    pub places: usize,
+    /// The distance from the object that was found or given.
+    pub distance: f64,
+    /// The length of the way.
+    pub length: f64,
+    /// Seconds, a whole number of frames.
+    pub seconds: f64,
+    /// Of the whole surface what is seen from places that were tried but not taken,
+    pub left_out: f64,
+    /// what might be seen, but from none of the places that were tried,
+    pub narrow: f64,
+    /// and what cannot be seen.
+    pub hidden: f64,
+}
+
+/// English sentences, a line each.
+impl fmt::Display for Tour {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let percent = |share: f64| format!("{:.1} %", 100.0 * share);
+        let places = if self.places == 1 {
+            "place shows"
+        } else {
+            "places show"
+        };
+        writeln!(
+            f,
+            "{} {places} {} of the surface that can be seen, from a distance of {:.4}; {:.4} long, {:.3} s",
+            self.places,
+            percent(self.coverage),
+            self.distance,
+            self.length,
+            self.seconds
+        )?;
+        write!(
+            f,
+            "of the whole surface {} is shown, {} is seen from places that were not needed, {} only \
+             from nearer, through gaps or at a grazing angle, {} from nowhere",
+            percent(self.surface),
+            percent(self.left_out),
+            percent(self.narrow),
+            percent(self.hidden)
+        )
+    }
+}
+
+/// The distance that is found: so many times half the height, or half the diagonal of the ground,
+/// are whole in the picture with a tenth to spare.
+const FIT: [f64; 2] = [2.2, 1.47];
+
+/// Ways keep this share of the distance away, the curve this one.
+const CLEAR: [f64; 2] = [0.8, 0.7];
+
+/// The focal length.
+const ZOOM: f64 = 24.0;
+
+/// More triangles than this have fewer places tried.
+const MANY: f64 = 250_000.0;
+
+/// Places tried for what no other shows.
+const MORE: usize = 100;
+
+/// So many triangles are asked where they might be seen from, and in so many directions.
+const ASKED: usize = 1500;
+const WAYS: usize = 96;
+
+/// A speed above so many times the mean is not asked for, unless it must be.
+const EVEN: f64 = 1.25;
+
+/// A flight that shows as much of an object's surface as is asked for. Outside only the side that
+/// normals point to counts where neighbouring triangles agree about it, else either does, as inside.
+///
+/// `progress` gets pictures done and all of them.
+///
+/// # Errors
+/// [`crate::Error::Argument`] for numbers that will not do, an object without a surface, a start
+/// that is not free or from where nothing is reached, no free place inside, too few seconds (the
+/// error names the least), or where `progress` ends it; [`crate::Error::Range`],
+/// [`crate::Error::Limit`], [`crate::Error::Memory`].
+pub fn tour(object: &Mesh, request: &TourRequest, progress: Progress<'_>) -> Result<Tour> {
+    request.check()?;
+    object.check()?;
+    if object.triangles.is_empty() {
+        return Err(Invalid::NoSurface.into());
+    }
+    let tree = Clearance::new(object)?;
+    let mut work = Work::new(object, &tree, request)?;
+    work.find_views(progress)?;
+    let roads = work.roads()?;
+    work.keep_reached(&roads)?;
+    let unseen = work.unseen()?;
+    let mut chosen = work.choose(unseen.visible)?;
+    work.aim(&mut chosen)?;
+    let shown = work.shown(chosen.iter().map(|(_, set)| set))?;
+    let flight = work.flight(&roads, &chosen)?;
+    let places = flight.stops.iter().filter(|stop| !stop.targets.is_empty());
+    let places = places.count() - usize::from(request.start.is_some());
+    let total = work.surface.total;
+    let mut made = Tour {
+        coverage: (shown / unseen.visible).min(1.0),
+        surface: shown / total,
+        places,
+        distance: work.surface.distance,
+        length: 0.0,
+        seconds: 0.0,
+        left_out: (unseen.tried - shown).max(0.0) / total,
+        narrow: (unseen.visible - unseen.tried) / total,
+        hidden: (1.0 - unseen.visible / total).max(0.0),
+        path: work.path(flight)?,
+    };
+    made.length = Timeline::new(&made.path)?.length();
+    made.seconds = if request.stills {
+        chosen.len() as f64 / request.fps
+    } else {
+        work.pace(&mut made)?
+    };
+    Ok(made)
+}
+
+impl TourRequest {
+    fn check(&self) -> Result<()> {
+        if !(self.seconds > 0.0 && self.seconds.is_finite()) {
+            return Err(Invalid::PaceTime.into());
+        }
+        if !(self.coverage > 0.0 && self.coverage <= 1.0) {
+            return Err(OutOfRange::Coverage.into());
+        }
+        if !(self.distance >= 0.0 && self.distance.is_finite()) {
+            return Err(OutOfRange::TourDistance.into());
+        }
+        if let Some(start) = self.start
+            && !start.is_finite()
+        {
+            return Err(Invalid::TourStart.into());
+        }
+        Ok(())
+    }
+}
+
+/// Areas: what views that were tried show, and what might be seen.
+struct Unseen {
+    tried: f64,
+    visible: f64,
+}
+
+struct Work<'a> {
+    request: &'a TourRequest,
+    tree: &'a Clearance,
+    surface: Surface<'a>,
+    picture: Picture,
+    bounds: Bounds,
+    /// Half the diagonal of the object.
+    half: f64,
+    /// No place is nearer to the object.
+    least: f64,
+    places: Vec<DVec3>,
+    views: Vec<View>,
+    sets: Vec<Set>,
+    /// Of what was asked, the area that might be seen, and all of it.
+    asked: [f64; 2],
+}
+
+impl<'a> Work<'a> {
+    fn new(object: &'a Mesh, tree: &'a Clearance, request: &'a TourRequest) -> Result<Self> {
+        let surface = Surface::new(object, request.inside)?;
+        let corners = object.triangles.iter().flatten();
+        let start = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        let (low, high) = corners
+            .map(|at| object.points[*at as usize])
+            .fold(start, |(low, high), place| {
+                (low.min(place), high.max(place))
+            });
+        let bounds = Bounds::new(low, high)?;
+        let half = 0.5 * (high - low).length();
+        if request.distance > TOUR_DISTANCES[1] * half
+            || (request.distance > 0.0 && request.distance < TOUR_DISTANCES[0] * half)
+        {
+            return Err(OutOfRange::TourDistance.into());
+        }
+        let picture = Picture::new(&surface)?;
+        let mut made = Self {
+            request,
+            tree,
+            surface,
+            picture,
+            bounds,
+            half,
+            least: 0.0,
+            places: Vec::new(),
+            views: Vec::new(),
+            sets: Vec::new(),
+            asked: [0.0; 2],
+        };
+        made.set_distance(if request.distance > 0.0 {
+            request.distance
+        } else {
+            let size = 0.5 * request.up.upright(high - low);
+            (FIT[0] * size.y).max(FIT[1] * size.x.hypot(size.z))
+        });
+        Ok(made)
+    }
+
+    fn set_distance(&mut self, distance: f64) {
+        self.surface.distance = distance;
+        let limit = self.request.limits.get(FindingKind::Clearance);
+        let room = if self.request.inside { 0.0 } else { distance };
+        let size = self
+            .request
+            .space
+            .map_or(1.2 * (self.half + room), |space| space.half_size);
+        let near = if limit.is_finite() {
+            1.5 * limit * size
+        } else {
+            0.0
+        };
+        self.least = near.max(0.05 * distance).min(0.8 * distance);
+    }
+
+    /// The views that are tried, and what each shows.
+    fn find_views(&mut self, progress: Progress<'_>) -> Result<()> {
+        let mut stopped = |done, all| {
+            if progress(done, all) {
+                return Ok(());
+            }
+            Err(Error::from(Invalid::TourCancelled))
+        };
+        (self.places, self.views) = if self.request.inside {
+            let go_on = &mut || stopped(0, 1);
+            let least = self.least.min(0.02 * self.half);
+            let up = self.request.up;
+            let (places, views, widest) =
+                places::inside(self.tree, &self.bounds, least, up, go_on)?;
+            if views.is_empty() {
+                return Err(Invalid::NoRoomInside.into());
+            }
+            if self.request.distance == 0.0 {
+                self.set_distance(2.0 * widest);
+            }
+            self.least = self.least.min(0.2 * widest);
+            (places, views)
+        } else {
+            let up = (self.request.up, self.effort());
+            places::outside(self.tree, &self.bounds, self.surface.distance, up)?
+        };
+        let all = self.views.len() + MORE;
+        self.sets.try_reserve(all)?;
+        for at in 0..self.views.len() {
+            stopped(at, all)?;
+            let set = self.look(self.views[at])?;
+            self.sets.push(set);
+        }
+        self.ask(&mut |more| stopped(all - MORE + more, all))
+    }
+
+    /// Fewer places are tried for a surface of very many triangles, which takes long.
+    fn effort(&self) -> f64 {
+        let count = self.surface.areas.len() as f64;
+        (MANY / count).sqrt().clamp(0.4, 1.0)
+    }
+
+    fn camera(&self, view: View) -> Option<Camera> {
+        Camera::new(self.places[view.at], view.target, self.request.up, ZOOM)
+    }
+
+    fn look(&mut self, view: View) -> Result<Set> {
+        let mut set = self.surface.nothing()?;
+        if let Some(camera) = self.camera(view) {
+            self.picture.look(&self.surface, &camera, &mut set);
+        }
+        Ok(set)
+    }
+
+    /// Tries more places for what no view shows yet, and finds how much of that might be seen.
+    fn ask(&mut self, go_on: &mut dyn FnMut(usize) -> Result<()>) -> Result<()> {
+        let mut seen = self.union(self.sets.iter())?;
+        let count = self.surface.areas.len();
+        let left = count - members(&seen).count();
+        let mut more = 0;
+        let step = left.div_ceil(ASKED).max(1);
+        let mut open = vec_with_room(left / step + 1)?;
+        open.extend(
+            (0..count)
+                .filter(|at| seen[at / 64] >> (at % 64) & 1 == 0)
+                .step_by(step),
+        );
+        let is_seen = |seen: &Set, at: usize| seen[at / 64] >> (at % 64) & 1 == 1;
+        let mut found = vec_with_room(open.len())?;
+        for at in open {
+            go_on(more)?;
+            let eyes = self.seen_from(at);
+            if let (Some(Some(eye)), true) = (&eyes, more < MORE && !is_seen(&seen, at)) {
+                let view = View {
+                    at: self.places.len(),
+                    target: self.surface.middles[at],
+                };
+                self.places.try_reserve(1)?;
+                self.views.try_reserve(1)?;
+                self.places.push(*eye);
+                self.views.push(view);
+                let set = self.look(view)?;
+                seen.iter_mut().zip(&set).for_each(|(all, own)| *all |= own);
+                self.sets.push(set);
+                more += 1;
+            }
+            found.push((at, eyes.is_some()));
+        }
+        for (at, visible) in found {
+            if !is_seen(&seen, at) {
+                let area = self.surface.areas[at];
+                self.asked[1] += area;
+                self.asked[0] += if visible { area } else { 0.0 };
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether a triangle might be seen from anywhere, and a place for a camera, if there is one.
+    fn seen_from(&self, at: usize) -> Option<Option<DVec3>> {
+        let (middle, normal) = (self.surface.middles[at], self.surface.across[at]);
+        let distance = self.surface.distance;
+        if self.request.inside {
+            let towards = |eye: &DVec3| {
+                let way = *eye - middle;
+                let near = 1e-6 * self.half / way.length();
+                self.surface.faces(at, *eye)
+                    && !is_steep(*eye, middle, self.request.up)
+                    && !self.tree.is_crossed(middle + near * way, *eye)
+            };
+            let step = self.places.len().div_ceil(WAYS);
+            let from = self.places.iter().step_by(step).find(|eye| towards(eye));
+            return from.map(|eye| Some(*eye));
+        }
+        let facing = |way: &DVec3| {
+            let share = normal.dot(*way) / self.surface.areas[at];
+            if self.surface.one_sided {
+                share
+            } else {
+                share.abs()
+            }
+        };
+        let near = 1e-6 * self.half;
+        let free = |way: &DVec3| {
+            facing(way) > 0.1 && self.tree.ahead(middle + near * way, *way, 0.0).is_none()
+        };
+        let mut best: Option<(f64, DVec3)> = None;
+        let mut visible = false;
+        for way in directions(WAYS).filter(free) {
+            visible = true;
+            for far in [1.0, 0.5, 1.5].map(|share| share * distance) {
+                let eye = middle + far * way;
+                let share = facing(&way);
+                if best.is_none_or(|(most, _)| share > most)
+                    && !is_steep(eye, middle, self.request.up)
+                    && self.tree.distance(eye, 1.2 * self.least).is_none()
+                {
+                    best = Some((share, eye));
+                    break;
+                }
+            }
+        }
+        visible.then(|| best.map(|(_, eye)| eye))
+    }
+
+    fn union<'s>(&self, sets: impl Iterator<Item = &'s Set>) -> Result<Set> {
+        let mut all = self.surface.nothing()?;
+        for set in sets {
+            all.iter_mut().zip(set).for_each(|(all, own)| *all |= own);
+        }
+        Ok(all)
+    }
+
+    /// The area that some sets have together.
+    fn shown<'s>(&self, sets: impl Iterator<Item = &'s Set>) -> Result<f64> {
+        Ok(self.surface.area_of(&self.union(sets)?))
+    }
+
+    fn roads(&mut self) -> Result<Roads<'a>> {
+        let mut places = vec_with_room(self.places.len() + 1)?;
+        places.extend_from_slice(&self.places);
+        if let Some(start) = self.request.start {
+            if self.tree.distance(start, self.least).is_some() {
+                return Err(Invalid::TourStart.into());
+            }
+            places.push(start);
+        }
+        let middle = self.bounds.min() + 0.5 * (self.bounds.max() - self.bounds.min());
+        let (clear, middle) = if self.request.inside {
+            (self.least, None)
+        } else {
+            (
+                (CLEAR[0] * self.surface.distance).max(self.least),
+                Some(middle),
+            )
+        };
+        let up = self.request.up.world(DVec3::Y);
+        Roads::new(self.tree, clear, up, middle, places)
+    }
+
+    /// Leaves out views from where there is no way to the most of them, or to the start.
+    fn keep_reached(&mut self, roads: &Roads) -> Result<()> {
+        let count = roads.places.len();
+        let mut home: Vec<usize> = vec_with_room(count)?;
+        home.resize(count, usize::MAX);
+        for at in 0..count {
+            if home[at] == usize::MAX {
+                let (far, _) = roads.from(at)?;
+                (0..count)
+                    .filter(|k| far[*k] < f64::INFINITY)
+                    .for_each(|k| home[k] = at);
+            }
+        }
+        let size = |at: usize| self.views.iter().filter(|view| home[view.at] == at).count();
+        let best = match self.request.start {
+            Some(_) => home[count - 1],
+            None => (0..count).rev().max_by_key(|at| size(*at)).unwrap_or(0),
+        };
+        let views = std::mem::take(&mut self.views);
+        let sets = std::mem::take(&mut self.sets);
+        for (view, set) in views.into_iter().zip(sets) {
+            if home[view.at] == best && set.iter().any(|word| *word != 0) {
+                self.views.push(view);
+                self.sets.push(set);
+            }
+        }
+        if self.views.is_empty() {
+            let start = self.request.start.map(|_| Invalid::TourStart);
+            return Err(start.unwrap_or(Invalid::TourNothing).into());
+        }
+        Ok(())
+    }
+
+    fn unseen(&self) -> Result<Unseen> {
+        let tried = self.shown(self.sets.iter())?;
+        let share = self.asked[0] / self.asked[1].max(f64::MIN_POSITIVE);
+        let visible = tried + share * (self.surface.total - tried);
+        Ok(Unseen { tried, visible })
+    }
+
+    /// The views that are taken, at least from two places.
+    fn choose(&mut self, visible: f64) -> Result<Vec<(View, Set)>> {
+        let wanted = self.request.coverage * visible;
+        let mut taken = fewest(&self.sets, &self.surface.areas, wanted)?;
+        // A round has three places; those that are not needed are far from the others, and show
+        // half as much as the best at least.
+        let area = |at: usize| self.surface.area_of(&self.sets[at]);
+        let most = taken.iter().fold(0.0, |most: f64, at| most.max(area(*at)));
+        let least = if self.request.start.is_some() { 1 } else { 3 };
+        let place = |at: usize| self.places[self.views[at].at];
+        taken.try_reserve(least)?;
+        for _ in 0..least {
+            // The first view from each place.
+            let own = |k: &usize| taken[..*k].iter().all(|at| place(*at) != place(taken[*k]));
+            if (0..taken.len()).filter(own).count() >= least {
+                break;
+            }
+            let apart = |at: usize| {
+                let near = taken.iter().map(|other| place(*other).distance(place(at)));
+                near.fold(f64::INFINITY, f64::min)
+            };
+            let others = (0..self.views.len())
+                .rev()
+                .filter(|at| apart(*at) > 0.0 && area(*at) >= 0.5 * most);
+            let farthest = others.max_by(|a, b| apart(*a).total_cmp(&apart(*b)));
+            taken.extend(farthest);
+        }
+        if taken.is_empty() || (self.request.start.is_none() && taken.len() < 2) {
+            return Err(Invalid::TourNothing.into());
+        }
+        let mut chosen = vec_with_room(taken.len())?;
+        chosen.extend(
+            taken
+                .iter()
+                .map(|at| (self.views[*at], std::mem::take(&mut self.sets[*at]))),
+        );
+        Ok(chosen)
+    }
+
+    /// Turns each view to the middle of what it shows, where all together then show as much.
+    fn aim(&mut self, chosen: &mut [(View, Set)]) -> Result<()> {
+        let before = self.shown(chosen.iter().map(|(_, set)| set))?;
+        for k in 0..chosen.len() {
+            let (old, set) = &chosen[k];
+            let in_set = |at: usize| set[at / 64] >> (at % 64) & 1 == 1;
+            let Some(target) = self.surface.middle_of(in_set) else {
+                continue;
+            };
+            let view = View { target, ..*old };
+            if is_steep(self.places[view.at], target, self.request.up) {
+                continue;
+            }
+            let last = std::mem::replace(&mut chosen[k], (view, self.look(view)?));
+            if self.shown(chosen.iter().map(|(_, set)| set))? < before {
+                chosen[k] = last;
+            }
+        }
+        Ok(())
+    }
+
+    /// The way through the places of views that are taken.
+    fn flight(&self, roads: &Roads, chosen: &[(View, Set)]) -> Result<Flight> {
+        let mut stops: Vec<(usize, Vec<DVec3>)> = vec_with_room(chosen.len() + 1)?;
+        if let Some(start) = self.request.start {
+            let mut first = vec_with_room(1)?;
+            // In an object that may be where the camera is: then towards a place that is shown.
+            let ahead = places::ahead(&self.bounds, start);
+            let near = ahead.distance(start) < self.least;
+            first.push(
+                chosen
+                    .first()
+                    .filter(|_| near)
+                    .map_or(ahead, |(view, _)| view.target),
+            );
+            stops.push((roads.places.len() - 1, first));
+        }
+        for (view, _) in chosen {
+            match stops.iter_mut().find(|(at, _)| *at == view.at) {
+                Some((_, targets)) if targets.len() < MAX_ORIENTATIONS => {
+                    targets.try_reserve(1)?;
+                    targets.push(view.target);
+                }
+                Some(_) => {}
+                None => {
+                    let mut targets = vec_with_room(1)?;
+                    targets.push(view.target);
+                    stops.push((view.at, targets));
+                }
+            }
+        }
+        let mut far = vec_with_room(stops.len())?;
+        for (at, _) in &stops {
+            let (all, _) = roads.from(*at)?;
+            let mut row = vec_with_room(stops.len())?;
+            row.extend(stops.iter().map(|(to, _)| all[*to]));
+            far.push(row);
+        }
+        let closed = self.request.start.is_none() && stops.len() > 2;
+        let order = round(&far, closed)?;
+        let mut flight = Flight {
+            stops: Vec::new(),
+            closed,
+        };
+        for (k, &here) in order.iter().enumerate() {
+            let (at, targets) = &mut stops[here];
+            let (at, mut targets) = (*at, std::mem::take(targets));
+            self.sort_round(roads.places[at], &mut targets);
+            flight.stops.try_reserve(1)?;
+            flight.stops.push(Stop {
+                place: roads.places[at],
+                targets,
+            });
+            let next = match order.get(k + 1) {
+                Some(next) => *next,
+                None if closed => order[0],
+                None => break,
+            };
+            if self.request.stills {
+                continue;
+            }
+            let way = roads.way(at, stops[next].0)?;
+            flight.stops.try_reserve(way.len())?;
+            flight
+                .stops
+                .extend(way.iter().take(way.len() - 1).map(|via| Stop {
+                    place: roads.places[*via],
+                    targets: Vec::new(),
+                }));
+        }
+        Ok(flight)
+    }
+
+    /// Sorts views from one place by their headings, beginning behind the widest gap.
+    fn sort_round(&self, eye: DVec3, targets: &mut [DVec3]) {
+        let heading = |target: &DVec3| {
+            let way = self.request.up.upright(*target - eye);
+            way.x.atan2(way.z)
+        };
+        targets.sort_by(|a, b| heading(a).total_cmp(&heading(b)));
+        let count = targets.len();
+        let gap = |at: &usize| {
+            let before = (at + count - 1) % count;
+            let turn = heading(&targets[*at]) - heading(&targets[before]);
+            turn.rem_euclid(std::f64::consts::TAU)
+        };
+        let widest = (0..count).rev().max_by(|a, b| gap(a).total_cmp(&gap(b)));
+        targets.rotate_left(widest.unwrap_or(0));
+    }
+
+    fn path(&self, mut flight: Flight) -> Result<CameraPath> {
+        if !self.request.stills {
+            let share = if self.request.inside { 0.0 } else { CLEAR[1] };
+            let clear = (share * self.surface.distance).max(self.least);
+            if self.request.inside {
+                flight.turn(self.request.up)?;
+            }
+            flight.clear(self.tree, clear)?;
+            flight.look(self.request.up, self.request.inside)?;
+        }
+        let places = flight.reach()?;
+        let places = places.iter().copied();
+        let corners = [self.bounds.min(), self.bounds.max()];
+        let own = Space::around(places.clone().chain(corners), self.request.up)?;
+        let given = self.request.space.filter(|space| {
+            let holds =
+                |place: DVec3| (place - space.centre).abs().max_element() <= 0.98 * space.half_size;
+            space.up == self.request.up && places.clone().all(holds)
+        });
+        let space = given.unwrap_or(own);
+        if self.request.stills {
+            flight.stills(space)
+        } else {
+            flight.path(space)
+        }
+    }
+
+    /// Gives a tour's path a pace, as even as the limits allow; returns the seconds.
+    fn pace(&self, tour: &mut Tour) -> Result<f64> {
+        let mut limits = self.request.limits;
+        let mean = tour.length / tour.path.space.half_size / self.request.seconds;
+        let speed = limits.get(FindingKind::Speed).min(EVEN * mean);
+        limits.set(FindingKind::Speed, speed)?;
+        let paced = |limits: Limits| {
+            let request = Request {
+                limits,
+                fps: self.request.fps,
+                points: None,
+                seconds: self.request.seconds,
+            };
+            retime(&tour.path, &request)
+        };
+        let made = match paced(limits) {
+            Err(Error::Argument(_)) => paced(self.request.limits)?,
+            made => made?,
+        };
+        tour.path = made.path;
+        Ok(made.seconds)
+    }
+}
+
+#[cfg(test)]
+#[path = "tour_tests.rs"]
+mod tests;

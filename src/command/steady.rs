@@ -1,0 +1,60 @@
+//! `vides steady`: a recorded flight without the shaking of a hand.
+
+use std::io::{self, IsTerminal};
+use std::path::PathBuf;
+
+use clap::Args;
+use vides::document::Edit;
+use vides::planner::{SteadyRequest, steady};
+
+use super::output::Output;
+use super::progress::Bar;
+use super::{Failure, complain, input};
+
+#[derive(Args)]
+pub(super) struct Arguments {
+    /// The path; - is standard input
+    #[arg(value_name = "FILE.vid")]
+    file: PathBuf,
+    /// Half of a movement that takes so long there and back stays, and hardly anything of quicker
+    /// ones
+    #[arg(long, value_name = "SECONDS")]
+    seconds: f64,
+    /// No place goes farther than so
+    #[arg(long, value_name = "LENGTH")]
+    within: Option<f64>,
+    #[command(flatten)]
+    output: Output,
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    if arguments.within.is_some_and(|within| !(within > 0.0)) {
+        return Err(Failure::Usage("--within must be greater than 0".to_owned()));
+    }
+    let document = input::load(&arguments.file)?;
+    let name = input::name(&arguments.file);
+    let request = SteadyRequest {
+        seconds: arguments.seconds,
+        within: arguments.within.unwrap_or(0.0),
+        fps: document.info().fps,
+    };
+    let mut bar = io::stderr()
+        .is_terminal()
+        .then(|| Bar::new(io::stderr(), Some("poses")));
+    let made = steady(document.path(), &request, &mut |done, all| {
+        if let Some(bar) = &mut bar {
+            bar.update(done, all);
+        }
+        true
+    })
+    .map_err(|error| vides::Error::from(error).at(name.clone()))?;
+    drop(bar);
+    complain(&format!(
+        "{name}: {} points; places went {:.6} at most, views turned {:.3} degrees",
+        made.path.points.len(),
+        made.furthest,
+        made.turned
+    ));
+    let edit = Edit::ReplacePath(Box::new(made.path));
+    arguments.output.applied(document, &arguments.file, edit)
+}

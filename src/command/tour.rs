@@ -1,0 +1,100 @@
+//! `vides tour`: a flight that shows an object.
+
+use std::io::{self, IsTerminal};
+use std::path::PathBuf;
+
+use clap::Args;
+use vides::document::{Document, Info};
+use vides::path::Up;
+use vides::planner::{TourRequest, tour};
+
+use super::moves::{numbers, up};
+use super::output::Output;
+use super::progress::Bar;
+use super::{Failure, complain, input};
+
+#[derive(Args)]
+pub(super) struct Arguments {
+    /// The object: a mesh (.obj, .ply, .stl, .gltf, .glb), or the object of a .vid file
+    #[arg(value_name = "OBJECT")]
+    object: PathBuf,
+    /// How long the flight takes
+    #[arg(
+        long,
+        value_name = "SECONDS",
+        default_value_t = 60.0,
+        allow_negative_numbers = true
+    )]
+    seconds: f64,
+    /// The share of the surface that can be seen, by area, that is shown
+    #[arg(
+        long,
+        value_name = "SHARE",
+        default_value_t = 0.95,
+        allow_negative_numbers = true
+    )]
+    coverage: f64,
+    /// How far the camera is from what it shows [default: found, so that the whole object is in
+    /// the picture]
+    #[arg(long, value_name = "LENGTH", allow_negative_numbers = true)]
+    distance: Option<f64>,
+    /// Flies in the object's free space, not around it
+    #[arg(long)]
+    inside: bool,
+    /// Where the flight begins; else it is a closed round
+    #[arg(long, value_name = "X,Y,Z", value_parser = place, allow_hyphen_values = true)]
+    start: Option<[f64; 3]>,
+    /// Which axis stands upright
+    #[arg(long, value_name = "AXIS", value_parser = up(), default_value = "y")]
+    up: Up,
+    /// Only the views that show it, one a frame, for pictures; no flight
+    #[arg(long, conflicts_with = "seconds")]
+    stills: bool,
+    #[command(flatten)]
+    output: Output,
+}
+
+fn place(text: &str) -> Result<[f64; 3], String> {
+    let numbers = numbers(text)?;
+    <[f64; 3]>::try_from(numbers)
+        .map_err(|_| "three numbers with commas between are wanted".to_owned())
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let name = input::name(&arguments.object);
+    let object = input::object(&arguments.object)?;
+    let mesh = object.to_mesh()?;
+    let info = Info {
+        object,
+        ..Info::default()
+    };
+    let request = TourRequest {
+        seconds: arguments.seconds,
+        coverage: arguments.coverage,
+        distance: arguments.distance.unwrap_or(0.0),
+        inside: arguments.inside,
+        start: arguments.start.map(Into::into),
+        up: arguments.up,
+        stills: arguments.stills,
+        limits: info.limits,
+        fps: info.fps,
+        space: None,
+    };
+    let mut bar = io::stderr()
+        .is_terminal()
+        .then(|| Bar::new(io::stderr(), Some("pictures")));
+    let made = tour(&mesh, &request, &mut |done, all| {
+        if let Some(bar) = &mut bar {
+            bar.update(done, all);
+        }
+        true
+    })
+    .map_err(|error| vides::Error::from(error).at(name.clone()))?;
+    drop(bar);
+    for line in made.to_string().lines() {
+        complain(&format!("{name}: {line}"));
+    }
+    arguments
+        .output
+        .write(&Document::from_parts(made.path, info)?)
+}
