@@ -57,7 +57,7 @@ fn edit(document: &Document, name: &str, set: &[(&str, f64)]) -> Result<Option<E
             let places = (0..50).map(|step| 0.02 * f64::from(step));
             ToolInput::Stroke(places.map(|x| DVec3::new(x, x * x, 0.1)).collect())
         }
-        Needs::Nothing if tool.asks_object() => {
+        Needs::Nothing if tool.name == "picture" => {
             let corners = [[-0.3, 0.0, -3.0], [0.3, 0.1, -3.0], [0.0, 0.4, -3.2]];
             let mesh = Mesh {
                 points: corners.map(DVec3::from_array).to_vec(),
