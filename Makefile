@@ -215,11 +215,12 @@ check-calls: libs
 
 # The pace of random paths, and shaking flights made steady, beside other libraries; not in `make test`.
 check-planning: all
-	@mk/need.sh python3=python3
+	@mk/need.sh python3=python3 node=nodejs npm=npm
 	[ -x $(CARGO_TARGET_DIR)/planning/bin/python ] || { \
 	    python3 -m venv $(CARGO_TARGET_DIR)/planning && \
 	    $(CARGO_TARGET_DIR)/planning/bin/pip -q install -r tests/planning/requirements; }
 	$(CARGO_TARGET_DIR)/planning/bin/python tests/planning/retime.py $(RELEASE)/vides $(CARGO_TARGET_DIR)/planning/paths
+	$(CARGO_TARGET_DIR)/planning/bin/python tests/planning/picture.py $(LIB)/libvides.so.1 $(CARGO_TARGET_DIR)/planning/meshes
 	$(CARGO_TARGET_DIR)/planning/bin/python tests/planning/steady.py $(RELEASE)/vides $(CARGO_TARGET_DIR)/planning/paths
 	$(CARGO_TARGET_DIR)/planning/bin/python tests/planning/avoid.py $(RELEASE)/vides $(CARGO_TARGET_DIR)/planning/avoid
 	cd $(CARGO_TARGET_DIR)/planning && { [ -d data/meshes ] || { apt-get -q download libcgal-demo && \
