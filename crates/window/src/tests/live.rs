@@ -202,7 +202,7 @@ fn the_view_follows_the_picture_of_a_drag() {
     let mut late = Vec::new();
     for step in 0..60_u8 {
         let seen = host.views.borrow().len();
-        remote.hand(Event::PointerMoved(at(2.0 * f32::from(step))));
+        remote.hand(Event::PointerMoved(at(4.0 * f32::from(step))));
         dispatch();
         if host.views.borrow().len() > seen {
             assert_eq!(
@@ -221,7 +221,7 @@ fn the_view_follows_the_picture_of_a_drag() {
             .iter()
             .all(|&reason| reason == Reason::Scrubbed)
     );
-    remote.hand(button(at(118.0).x, at(118.0).y, false));
+    remote.hand(button(at(236.0).x, at(236.0).y, false));
     rest(&remote);
     assert_eq!(host.reasons().last(), Some(&Reason::Rested));
     late.sort();
