@@ -21,7 +21,7 @@ use super::retime::{Request, retime};
 use crate::deform::Bounds;
 use crate::error::{Error, Invalid, OutOfRange, Result, vec_with_room};
 use crate::limits::{MAX_ORIENTATIONS, TOUR_DISTANCES};
-use crate::path::{CameraPath, Space, Timeline, Up};
+use crate::path::{CameraPath, Space, Timeline};
 use crate::scene::Mesh;
 use crate::tools::check::{FindingKind, Limits};
 use crate::tools::clearance::Clearance;

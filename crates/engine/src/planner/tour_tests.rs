@@ -2,6 +2,7 @@ use std::f64::consts::TAU;
 
 use super::seen::LEAST;
 use super::*;
+use crate::path::Up;
 use crate::path::test_support::Random;
 use crate::path::{Sampler, Target};
 use crate::tools::check::{CheckContext, check};
