@@ -131,9 +131,9 @@ pub(crate) fn framed(
         ))
     })?;
     let object = object.map(Source::mesh).transpose()?;
-    let object = document.clearance(object.as_ref())?;
+    let object = document.solid(object.as_ref())?;
     let limits = document.info().limits;
-    let made = document.framed(object.as_ref(), (margin, what), limits)?;
+    let made = document.framed(&object, (margin, what), limits)?;
     document.apply(Edit::ReplacePath(Box::new(made.path)))?;
     Ok((made.added, made.tightest, made.loosest))
 }

@@ -1,6 +1,5 @@
 //! `vides avoid`: the way of a path led clear of an object.
 
-use std::io::{self, IsTerminal};
 use std::path::PathBuf;
 
 use clap::Args;
@@ -8,7 +7,7 @@ use vides::document::Edit;
 use vides::planner::{AvoidRequest, avoid_object};
 
 use super::output::Output;
-use super::progress::Bar;
+use super::progress::progress;
 use super::{Failure, complain, input};
 
 #[derive(Args)]
@@ -46,16 +45,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         clearance: arguments.clearance,
         radius: arguments.around,
     };
-    let mut bar = io::stderr()
-        .is_terminal()
-        .then(|| Bar::new(io::stderr(), Some("places")));
-    let made = avoid_object(document.path(), &object, &request, &mut |done, all| {
-        if let Some(bar) = &mut bar {
-            bar.update(done, all);
-        }
-        true
-    });
-    drop(bar);
+    let made = avoid_object(document.path(), &object, &request, &mut progress("places"));
     let made = made.map_err(|error| at_file(error.into()))?;
     for part in &made.parts {
         complain(&format!("{name}: {part}"));

@@ -1,6 +1,5 @@
 //! `vides fit`: recorded poses become a path of few points.
 
-use std::io::{self, IsTerminal};
 use std::path::PathBuf;
 
 use clap::Args;
@@ -11,7 +10,7 @@ use vides::tools::fit::{Options, Tolerance, fit};
 
 use super::moves::{numbers, up};
 use super::output::Output;
-use super::progress::Bar;
+use super::progress::progress;
 use super::{Failure, complain, input, one_line};
 
 #[derive(Args)]
@@ -135,15 +134,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         up: arguments.up,
         robust: arguments.robust,
     };
-    let mut bar = io::stderr()
-        .is_terminal()
-        .then(|| Bar::new(io::stderr(), Some("poses")));
-    let fitted = fit(&poses, times.as_deref(), fps, &options, &mut |done, all| {
-        if let Some(bar) = &mut bar {
-            bar.update(done, all);
-        }
-        true
-    })
+    let fitted = fit(
+        &poses,
+        times.as_deref(),
+        fps,
+        &options,
+        &mut progress("poses"),
+    )
     .map_err(|error| vides::Error::from(error).at(name.clone()))?;
     if let (Some(frames), Some(seconds)) = (&frames, &seconds) {
         compare(&name, frames, seconds, fps);

@@ -62,9 +62,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         (.., Some(corners)) => Some(corners_of(corners)?),
         _ => None,
     };
-    let clearance = document.clearance(object.as_ref()).map_err(at_file)?;
+    let object = document.solid(object.as_ref()).map_err(at_file)?;
     let what = What::named(&arguments.what).unwrap_or_default();
-    let made = document.framed(clearance.as_ref(), (arguments.margin, what), limits);
+    let made = document.framed(&object, (arguments.margin, what), limits);
     let made = made.map_err(at_file)?;
     complain(&format!(
         "{name}: {} to {} of the room within the margin, {} points more",

@@ -56,6 +56,19 @@ impl<W: Write> Bar<W> {
     }
 }
 
+/// A bar for work that is told how far it is and asks whether to go on, where standard error is a
+/// terminal.
+pub(super) fn progress(what: &'static str) -> impl FnMut(usize, usize) -> bool {
+    let shown = io::stderr().is_terminal();
+    let mut bar = shown.then(|| Bar::new(io::stderr(), Some(what)));
+    move |done, all| {
+        if let Some(bar) = &mut bar {
+            bar.update(done, all);
+        }
+        true
+    }
+}
+
 impl<W: Write> Drop for Bar<W> {
     fn drop(&mut self) {
         if self.drawn.is_some() {

@@ -1,6 +1,5 @@
 //! `vides steady`: a recorded flight without the shaking of a hand.
 
-use std::io::{self, IsTerminal};
 use std::path::PathBuf;
 
 use clap::Args;
@@ -8,7 +7,7 @@ use vides::document::Edit;
 use vides::planner::{SteadyRequest, steady};
 
 use super::output::Output;
-use super::progress::Bar;
+use super::progress::progress;
 use super::{Failure, complain, input};
 
 #[derive(Args)]
@@ -38,17 +37,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         within: arguments.within.unwrap_or(0.0),
         fps: document.info().fps,
     };
-    let mut bar = io::stderr()
-        .is_terminal()
-        .then(|| Bar::new(io::stderr(), Some("poses")));
-    let made = steady(document.path(), &request, &mut |done, all| {
-        if let Some(bar) = &mut bar {
-            bar.update(done, all);
-        }
-        true
-    })
-    .map_err(|error| vides::Error::from(error).at(name.clone()))?;
-    drop(bar);
+    let made = steady(document.path(), &request, &mut progress("poses"))
+        .map_err(|error| vides::Error::from(error).at(name.clone()))?;
     complain(&format!(
         "{name}: {} points; places went {:.6} at most, views turned {:.3} degrees",
         made.path.points.len(),

@@ -1,6 +1,5 @@
 //! `vides tour`: a flight that shows an object.
 
-use std::io::{self, IsTerminal};
 use std::path::PathBuf;
 
 use clap::Args;
@@ -10,7 +9,7 @@ use vides::planner::{TourRequest, tour};
 
 use super::moves::{numbers, up};
 use super::output::Output;
-use super::progress::Bar;
+use super::progress::progress;
 use super::{Failure, complain, input};
 
 #[derive(Args)]
@@ -80,17 +79,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         fps: info.fps,
         space: None,
     };
-    let mut bar = io::stderr()
-        .is_terminal()
-        .then(|| Bar::new(io::stderr(), Some("pictures")));
-    let made = tour(&mesh, &request, &mut |done, all| {
-        if let Some(bar) = &mut bar {
-            bar.update(done, all);
-        }
-        true
-    })
-    .map_err(|error| vides::Error::from(error).at(name.clone()))?;
-    drop(bar);
+    let made = tour(&mesh, &request, &mut progress("pictures"))
+        .map_err(|error| vides::Error::from(error).at(name.clone()))?;
     for line in made.to_string().lines() {
         complain(&format!("{name}: {line}"));
     }

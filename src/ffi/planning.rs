@@ -235,9 +235,9 @@ pub unsafe extern "C" fn v_path_keep_in_picture(
             }
         };
         edit_by(path, |document| {
-            let object = document.clearance(object.as_ref())?;
+            let object = document.solid(object.as_ref())?;
             let limits = document.info().limits;
-            let made = document.framed(object.as_ref(), (margin, what), limits)?;
+            let made = document.framed(&object, (margin, what), limits)?;
             can_allocate(size_of::<CameraPath>())?;
             Ok(Edit::ReplacePath(Box::new(made.path)))
         })

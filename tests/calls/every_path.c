@@ -866,11 +866,15 @@ CALL(v_path_tour)
 {
     static const unsigned corners[] = {0, 1, 2, 1, 2, 3};
     V_TOUR tour;
-    V_MESH object = *a_mesh();
+    const V_MESH *mesh = a_mesh();
+    V_MESH object;
 
-    object.triangles = corners;
-    object.corners = 6;
-
+    if (mesh) {
+        object = *mesh;
+        object.triangles = corners;
+        object.corners = 6;
+        mesh = given("V_MESH", &object, sizeof object);
+    }
     v_tour_init(&tour);
     if (chance(wild)) {
         frame->unfit = 1;
@@ -879,7 +883,7 @@ CALL(v_path_tour)
     tour.seconds = number(20, 90);
     tour.coverage = number(0.3, 1);
     tour.inside = chance(10);
-    return v_path_tour(given("V_MESH", &object, sizeof object),
+    return v_path_tour(mesh,
                        chance(20) ? NULL : given("V_TOUR", &tour, sizeof tour),
                        result(sizeof(V_PATH *), 0), result(sizeof(double), 1));
 }

@@ -7,26 +7,19 @@ use vides_engine::tools::clearance::Clearance;
 
 use super::edit::Edit;
 use super::editing::{Document, Selection};
-use crate::error::{Invalid, Result};
+use crate::error::Result;
 
 impl Document {
-    /// The path with all of an object in its picture less margin; `object` stands in for the
-    /// document's own ([`Document::obstacles`]).
+    /// The path with all of an object in its picture less margin.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Argument`] for no object, and as
-    /// [`vides_engine::planner::keep_in_picture`].
+    /// As [`vides_engine::planner::keep_in_picture`].
     pub fn framed(
         &self,
-        object: Option<&Clearance>,
+        object: &Clearance,
         (margin, what): (f64, What),
         limits: Limits,
     ) -> Result<Framed> {
-        let own = match object {
-            Some(_) => None,
-            None => self.clearance(None)?,
-        };
-        let object = object.or(own.as_ref()).ok_or(Invalid::NoGeometry)?;
         let request = PictureRequest {
             margin,
             what,

@@ -62,6 +62,16 @@ pub enum ToolInput {
     Object(Rc<Clearance>),
 }
 
+impl ToolInput {
+    /// The object, prepared, else the document's own.
+    fn object_or_own(&self, document: &Document) -> Result<Rc<Clearance>> {
+        match self {
+            Self::Object(object) => Ok(object.clone()),
+            _ => Ok(Rc::new(document.solid(None)?)),
+        }
+    }
+}
+
 /// What a tool needs before it can begin, or does at its end.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Needs {
@@ -99,6 +109,9 @@ enum Kind {
     Picture,
     Tour,
 }
+
+/// More poses than this are not fitted while a number is dragged.
+const POSES: usize = 2_000;
 
 const FITS: [Fit; 4] = [Fit::None, Fit::Move, Fit::Turn, Fit::Scale];
 
@@ -151,10 +164,24 @@ impl Tool {
         !self.tables[0].is_empty() || !self.tables[1].is_empty()
     }
 
-    /// Whether it fits a path anew to the poses of this one.
+    /// Whether it takes a noticeable time, so that a preview waits for the end of a drag.
     #[must_use]
-    pub const fn fits_anew(&self) -> bool {
-        matches!(self.kind, Kind::Steady)
+    pub fn takes_long(&self, document: &Document, material: &ToolInput) -> bool {
+        let poses = match (self.kind, material) {
+            (Kind::Avoid | Kind::Tour, _) => return true,
+            (Kind::Steady, _) => document
+                .sampler()
+                .map_or(0, |sampler| sampler.frame_count()),
+            (_, ToolInput::Poses(poses, _)) => poses.len(),
+            _ => 0,
+        };
+        poses > POSES
+    }
+
+    /// Whether what it makes is a flight of its own, to be looked at from its beginning.
+    #[must_use]
+    pub const fn makes_flight(&self) -> bool {
+        matches!(self.kind, Kind::Tour)
     }
 
     /// What it needs besides its numbers.
@@ -292,33 +319,20 @@ impl Tool {
                 let made = steady(path, &request, &mut |_, _| true)?;
                 Edit::ReplacePath(Box::new(made.path))
             }
-            (Kind::Avoid, material) => {
+            (Kind::Avoid, _) => {
                 let request = AvoidRequest {
                     clearance: given.number("clearance"),
                     radius: given.number("sphere"),
                 };
-                let own;
-                let object = match material {
-                    ToolInput::Object(object) => &**object,
-                    _ => {
-                        own = document.solid(None)?;
-                        &own
-                    }
-                };
-                let made = avoid_object(path, object, &request, &mut |_, _| true)?;
+                let object = material.object_or_own(document)?;
+                let made = avoid_object(path, &object, &request, &mut |_, _| true)?;
                 Edit::ReplacePath(Box::new(made.path))
             }
-            (Kind::Picture, material) => {
-                let object = match material {
-                    ToolInput::Object(object) => Some(&**object),
-                    _ => None,
-                };
+            (Kind::Picture, _) => {
                 let what = What::ALL[chosen(given.number("what")).min(What::ALL.len() - 1)];
-                let made = document.framed(
-                    object,
-                    (given.number("margin"), what),
-                    document.info().limits,
-                )?;
+                let object = material.object_or_own(document)?;
+                let how = (given.number("margin"), what);
+                let made = document.framed(&object, how, document.info().limits)?;
                 Edit::ReplacePath(Box::new(made.path))
             }
             (Kind::Tour, _) => Edit::ReplacePath(Box::new(given.tour()?)),

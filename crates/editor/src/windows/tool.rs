@@ -32,9 +32,6 @@ const NUMBER: f32 = 84.0;
 const FIELDS: f32 = 3.0 * NUMBER + 2.0 * theme::GAP;
 const BUTTON: f32 = 96.0;
 
-/// More poses than this are fitted again only where a drag ends, as a tour is made.
-const POSES: usize = 2_000;
-
 #[derive(Debug)]
 pub(crate) struct ToolWindow {
     tool: Tool,
@@ -129,7 +126,7 @@ impl ToolWindow {
             super::layer(Self::ID),
             editor.texts().menu.close_window,
         );
-        let slow = self.is_slow(editor);
+        let slow = self.tool.takes_long(&editor.document, &self.material);
         let waits = slow && self.before.is_some();
         let ended = dragged && self.before.is_none() && slow;
         if (old != self.numbers && !waits) || ended {
@@ -185,21 +182,9 @@ impl ToolWindow {
         }
     }
 
-    fn is_slow(&self, editor: &Editor) -> bool {
-        let poses = match &self.material {
-            ToolInput::Poses(poses, _) => poses.len(),
-            _ if self.tool.fits_anew() => {
-                let sampler = editor.document.sampler();
-                sampler.map_or(0, |sampler| sampler.frame_count())
-            }
-            _ => 0,
-        };
-        matches!(self.tool.name, "avoid" | "tour") || poses > POSES
-    }
-
     /// Whether a tour has been made, which begins to play.
     pub(crate) fn shows_tour(&self) -> bool {
-        self.tool.name == "tour" && self.applied
+        self.tool.makes_flight() && self.applied
     }
 
     /// The size of the result, in words.
