@@ -6,7 +6,7 @@ use clap::Args;
 use clap::builder::PossibleValuesParser;
 use vides::document::Edit;
 use vides::glam::DVec3;
-use vides::planner::What;
+use vides::planner::{DEFAULT_MARGIN, What};
 use vides::scene::Mesh;
 use vides::tools::check::FindingKind;
 
@@ -35,7 +35,7 @@ pub(super) struct Arguments {
     )]
     r#box: Option<Vec<f64>>,
     /// The share of the picture's width and height that stays free at each side
-    #[arg(long, value_name = "SHARE", default_value_t = 0.1)]
+    #[arg(long, value_name = "SHARE", default_value_t = DEFAULT_MARGIN)]
     margin: f64,
     /// By what the object is kept in the picture
     #[arg(long, default_value = "zoom", value_parser = PossibleValuesParser::new(What::NAMES))]

@@ -53,7 +53,7 @@ pub use wireframe::features;
 
 pub use prepare::no_longer_ahead;
 pub use property::properties;
-pub use remedy::is_planned;
+pub use remedy::planned::is_planned;
 pub use scene::SceneDocument;
 pub use step_name::StepName;
 #[doc(hidden)]

@@ -1,20 +1,20 @@
 //! Edits that cure what a check finds, where the choice is not the user's.
 
+pub(crate) mod planned;
+
 use glam::DVec3;
 use vides_engine::path::{Ease, EaseKind, Section, Timing, timing};
-use vides_engine::planner::{AvoidRequest, Request, What, avoid_object, retime};
 use vides_engine::tools::check::{Finding, FindingKind};
 use vides_engine::tools::clearance::Clearance;
 use vides_engine::tools::redundant::without;
 
+use planned::is_planned;
+
 use super::edit::{At, Edit};
 use super::editing::Document;
-use super::tool::least_clearance;
-use crate::error::{EngineError, Error, ErrorKind, Result};
+use crate::error::{ErrorKind, Result};
 use crate::limits::{MAX_FRAMES, MAX_SPEED, MIN_POINTS, MIN_SPEED, SPEEDS};
-use crate::path::{
-    CameraPath, Change, Orientation, OrientationOverrides, Pace, Tangents, Target, curve,
-};
+use crate::path::{CameraPath, Change, Orientation, OrientationOverrides, Pace, Tangents, curve};
 
 /// A section's frames grow by at most this factor.
 const MOST: f64 = 8.0;
@@ -28,9 +28,6 @@ const AHEAD: f64 = 0.1;
 
 /// Share of a section's time in which it comes to rest.
 const REST: f64 = 0.3;
-
-/// What stays free at each side of a picture into which an object is brought.
-const MARGIN_OF_PICTURE: f64 = 0.1;
 
 /// A cure at one place is tried so often.
 const TIMES: usize = 8;
@@ -71,11 +68,7 @@ impl Document {
                     .collect()
             }
             FindingKind::SpeedJump => self.joined(finding),
-            FindingKind::NothingToSee => self.seen(finding, object),
-            FindingKind::Clearance | FindingKind::Through => {
-                object.map_or(Ok(Vec::new()), |object| self.led_clear(object))
-            }
-            kind if is_of_pace(kind) => self.paced(finding),
+            kind if is_planned(kind) => self.planned(finding, object),
             FindingKind::Corner => {
                 let old = curve::tangents(path, point);
                 let middle = 0.5 * (old.before + old.after);
@@ -121,152 +114,10 @@ impl Document {
         }
     }
 
-    /// A pace within the limits between the points around a finding, or if it is still found then,
-    /// on the whole way: in the same time with the lowest peaks, or in the shortest where that is
-    /// not enough.
-    fn paced(&self, finding: &Finding) -> Result<Vec<Edit>> {
-        let (path, info) = (self.path(), self.info());
-        let last = path.points.len() - 1;
+    /// The sections of a finding's frames, in which something changes.
+    fn sections_of(&self, finding: &Finding) -> Result<Vec<Section>> {
         let sampler = self.sampler()?;
-        let (around, frames) = self.timeline(|timeline| {
-            let count = timeline.section_count();
-            let first = |k: usize| match k < count {
-                true => sampler.first_frame(k),
-                false => sampler.frame_count(),
-            };
-            let found = (0..count).filter(|&k| {
-                first(k) as f64 <= finding.last_frame && first(k + 1) as f64 > finding.first_frame
-            });
-            let behind = found.map(|k| timeline.section(k).point + 1).max();
-            let to = behind.unwrap_or(finding.point).min(last);
-            let of_key = |point: usize, at| timeline.section_from(point, at).unwrap_or(count);
-            let ends = [
-                of_key(finding.point, 0),
-                of_key(to, path.points[to].orientations.len() - 1),
-            ];
-            let frames = first(ends[1]).saturating_sub(first(ends[0]));
-            ([finding.point, to], frames)
-        })?;
-        let all = sampler.frame_count();
-        let (mut made, mut refused) = (None, None);
-        for (points, frames) in [(around, frames), ([0, last], all)] {
-            if points[0] >= points[1] {
-                continue;
-            }
-            let mut request = Request {
-                limits: info.limits,
-                fps: info.fps,
-                points: Some(points),
-                seconds: frames as f64 / info.fps,
-            };
-            let same = retime(path, &request);
-            request.seconds = 0.0;
-            let found = match same.or_else(|_| retime(path, &request)) {
-                Ok(found) => found.path,
-                Err(error) => {
-                    refused = Some(error);
-                    continue;
-                }
-            };
-            let mut other = self.try_clone()?.without_history();
-            other.apply(Edit::ReplacePath(Box::new(found.try_clone()?)))?;
-            let left = other.check_against(None)?;
-            made = Some(found);
-            if !left.iter().any(|left| left.kind == finding.kind) {
-                break;
-            }
-        }
-        match (made, refused) {
-            (Some(path), _) => Ok(vec![Edit::ReplacePath(Box::new(path))]),
-            (None, Some(error)) => Err(error.into()),
-            (None, None) => Ok(Vec::new()),
-        }
-    }
-
-    /// The way led clear of an object.
-    fn led_clear(&self, object: &Clearance) -> Result<Vec<Edit>> {
-        let request = AvoidRequest {
-            clearance: least_clearance(self),
-            radius: 0.0,
-        };
-        let made = avoid_object(self.path(), object, &request, &mut |_, _| true)?;
-        let edit = Edit::ReplacePath(Box::new(made.path));
-        Ok((!made.parts.is_empty())
-            .then_some(edit)
-            .into_iter()
-            .collect())
-    }
-
-    /// Views turned towards an object of which nothing is in the picture.
-    fn seen(&self, finding: &Finding, object: Option<&Clearance>) -> Result<Vec<Edit>> {
-        let own = match object {
-            Some(_) => None,
-            None => self.clearance(None)?,
-        };
-        let Some(object) = object.or(own.as_ref()) else {
-            return Ok(Vec::new());
-        };
-        match self.framed(
-            Some(object),
-            (MARGIN_OF_PICTURE, What::View),
-            self.info().limits,
-        ) {
-            Ok(made) => return Ok(vec![Edit::ReplacePath(Box::new(made.path))]),
-            Err(Error::Engine(EngineError::Argument(_))) => {}
-            Err(error) => return Err(error),
-        }
-        let [min, max] = object.bounds();
-        let target = Target::Absolute(min.midpoint(max));
-        let sampler = self.sampler()?;
-        // All views between which it is, and the one behind.
-        let keys = self.timeline(|timeline| {
-            let path = self.path();
-            let mut keys = Vec::new();
-            for k in 0..timeline.section_count() {
-                let section = timeline.section(k);
-                let first = sampler.first_frame(k) as f64 - 1.0;
-                let last = first + section.frames as f64;
-                if first > finding.last_frame || last < finding.first_frame {
-                    continue;
-                }
-                let (point, at) = (section.point, section.orientation);
-                let next = if at + 1 < path.points[point].orientations.len() {
-                    (point, at + 1)
-                } else {
-                    ((point + 1) % path.points.len(), 0)
-                };
-                keys.extend([(point, at), next]);
-            }
-            keys.sort_unstable();
-            keys.dedup();
-            keys
-        })?;
-        let turned = keys.into_iter().map(|(point, at)| {
-            let one = &self.path().points[point].orientations[at];
-            let own = one.own.with(|own| {
-                own.ahead = None;
-                own.velocities = None;
-                own.turning = None;
-            })?;
-            let orientation = Orientation {
-                target,
-                own,
-                ..one.clone()
-            };
-            Ok(Edit::SetOrientation {
-                point,
-                at,
-                orientation,
-            })
-        });
-        turned.collect()
-    }
-
-    /// More frames for the sections of a finding, in proportion.
-    fn slower(&self, finding: &Finding) -> Result<Vec<Edit>> {
-        let sampler = self.sampler()?;
-        let more = MARGIN * finding.value / finding.limit;
-        let sections = self.timeline(|timeline| {
+        self.timeline(|timeline| {
             let all = 0..timeline.section_count();
             let all = all.map(|k| (sampler.first_frame(k) as f64, timeline.section(k)));
             let found = all.filter(|(first, section)| {
@@ -274,9 +125,14 @@ impl Document {
                     && *first <= finding.last_frame
                     && first + section.frames as f64 > finding.first_frame
             });
-            found.map(|(_, section)| section).collect::<Vec<_>>()
-        })?;
-        let slowed = sections.iter().map(|section| {
+            found.map(|(_, section)| section).collect()
+        })
+    }
+
+    /// More frames for the sections of a finding, in proportion.
+    fn slower(&self, finding: &Finding) -> Result<Vec<Edit>> {
+        let more = MARGIN * finding.value / finding.limit;
+        let slowed = self.sections_of(finding)?.into_iter().map(|section| {
             let frames = (section.frames as f64 * more).ceil().min(MAX_FRAMES as f64);
             #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
             let frames = frames as u32;
@@ -382,27 +238,6 @@ impl Document {
             return Ok(found);
         }
     }
-}
-
-/// Whether a finding is cured by the planner, which may take long.
-#[must_use]
-pub const fn is_planned(kind: FindingKind) -> bool {
-    matches!(
-        kind,
-        FindingKind::Clearance | FindingKind::Through | FindingKind::NothingToSee
-    ) || is_of_pace(kind)
-}
-
-/// Whether a finding is of a pace that is too fast, and not of a section that is merely too short.
-const fn is_of_pace(kind: FindingKind) -> bool {
-    matches!(
-        kind,
-        FindingKind::Speed
-            | FindingKind::Acceleration
-            | FindingKind::Jerk
-            | FindingKind::TurningAcceleration
-            | FindingKind::Crossing
-    )
 }
 
 /// Whether less is found; or of one kind less or smaller excesses, and of the others not more. That

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 
 use egui::{Context, ViewportCommand};
 
-use crate::actions::Action;
+use crate::action::Action;
 use crate::document::{Document, Edit, StepName};
 use crate::files::{AfterSave, Purpose, readable, short};
 use crate::limits::MIN_POINTS;

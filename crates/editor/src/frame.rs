@@ -4,7 +4,7 @@ use egui::{
     Color32, Context, CornerRadius, Event, Id, Key, Rect, Stroke, StrokeKind, Ui, UiBuilder, vec2,
 };
 
-use crate::actions::Action;
+use crate::action::Action;
 use crate::number::Entry;
 use crate::panels::output;
 use crate::setup::Theme;

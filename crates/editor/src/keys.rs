@@ -5,7 +5,7 @@
 
 use egui::{Context, Event, Id, Key, Modifiers};
 
-use crate::actions::Action;
+use crate::action::Action;
 use crate::selected::SelectionChange;
 use crate::texts::Language;
 

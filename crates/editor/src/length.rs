@@ -163,7 +163,7 @@ impl Editor {
 
 #[cfg(test)]
 mod tests {
-    use crate::actions::Action;
+    use crate::action::Action;
     use crate::document::{At, Edit, Selection};
     use crate::number::Entry;
     use crate::panels::orientation::with;

@@ -9,6 +9,7 @@
 
 #![forbid(unsafe_code)]
 
+mod action;
 mod actions;
 mod clipboard;
 mod files;

@@ -14,7 +14,7 @@ use egui::{
     Sense, Stroke, StrokeKind, TextEdit, Ui, WidgetInfo, vec2,
 };
 
-use crate::actions::Action;
+use crate::action::Action;
 use crate::keys;
 use crate::path::Space;
 use crate::texts::{Language, fill};

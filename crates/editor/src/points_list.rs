@@ -9,7 +9,7 @@ use egui::{
     vec2,
 };
 
-use crate::actions::Action;
+use crate::action::Action;
 use crate::document::{At, Document, Edit, Selection};
 use crate::keys;
 use crate::scene_view;

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use crate::actions::Action;
+use crate::action::Action;
 use crate::clipboard::Copied;
 use crate::document::{Document, Edit, Fingerprint, Selection};
 use crate::error::{Error, Result};

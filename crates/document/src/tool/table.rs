@@ -1,7 +1,7 @@
 //! The tools but the moves, which the engine lists, with their parameters.
 
 use vides_engine::deform::LATTICE;
-use vides_engine::planner::What;
+use vides_engine::planner::{DEFAULT_MARGIN, What};
 use vides_engine::tools::{Parameter, Unit};
 
 use super::{Kind, Tool};
@@ -311,7 +311,11 @@ pub(super) const TOOLS: &[Tool] = &[
                 Parameter {
                     least: 0.0,
                     most: 0.49,
-                    ..one("margin", "the share that stays free at each side", 0.1)
+                    ..one(
+                        "margin",
+                        "the share that stays free at each side",
+                        DEFAULT_MARGIN,
+                    )
                 },
                 Parameter::choice("what", "by what it is kept there", What::NAMES, 0),
             ],

@@ -13,7 +13,7 @@ use egui::{
 
 use super::listing::{Folder, MAX_ENTRIES, fits, is_hidden};
 use super::naming::{described, filter_of, is_export, tidy, with_ending};
-use crate::actions::Action;
+use crate::action::Action;
 use crate::files::exchange::DEFAULT;
 use crate::files::folders;
 use crate::files::picture::{self, Picture};

@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use egui::{Button, vec2};
 
-use crate::actions::Action;
+use crate::action::Action;
 use crate::files::{AfterSave, short};
 use crate::keys;
 use crate::state::Editor;

@@ -4,7 +4,7 @@ use std::time::{Duration, SystemTime};
 
 use egui::{Button, Ui, Vec2, vec2};
 
-use crate::actions::Action;
+use crate::action::Action;
 use crate::files::picture::{self, Picture};
 use crate::files::recovery::Found;
 use crate::files::short;

@@ -14,7 +14,7 @@ pub use warning::{Warning, Warnings};
 use egui::{Area, Button, Context, Id, Order, Pos2, Rect, vec2};
 use glam::DVec3;
 
-use crate::actions::Action;
+use crate::action::Action;
 use crate::document::{At, Edit, Object, Selection};
 use crate::error::{EngineError, OutOfRange, Refused, Result};
 use crate::math::{orientation, view::View};

@@ -8,7 +8,7 @@ use egui::{
     Response, Role, Sense, SetOpenCommand, Shape, Stroke, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
 
-use crate::actions::Action;
+use crate::action::Action;
 use crate::document::StepName;
 use crate::document::tool::{self, Needs};
 use crate::keys;

@@ -3,7 +3,7 @@
 use egui::{Button, Popup, Response, RichText, Role, Ui, WidgetInfo};
 
 use super::{PanelButton, share};
-use crate::actions::Action;
+use crate::action::Action;
 use crate::document::{At, Edit};
 use crate::path::CurveKind;
 use crate::space::Joint;

@@ -14,7 +14,7 @@ use egui::{
     vec2,
 };
 
-use crate::actions::Action;
+use crate::action::Action;
 use crate::keys;
 use crate::state::Editor;
 use crate::theme;

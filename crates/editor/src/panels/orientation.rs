@@ -5,7 +5,7 @@ use glam::DVec3;
 
 use super::position::three_numbers;
 use super::{PanelButton, button_row, heading, pager, share};
-use crate::actions::Action;
+use crate::action::Action;
 use crate::document::{Edit, Selection};
 use crate::error::Result;
 use crate::limits::MAX_HOLD;

@@ -4,7 +4,7 @@ use egui::{
     Align, Align2, Button, Color32, FontId, Rect, Response, Role, Sense, Ui, WidgetInfo, pos2, vec2,
 };
 
-use crate::actions::Action;
+use crate::action::Action;
 use crate::keys;
 use crate::number::decimals;
 use crate::path::ahead;

@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use super::curve::{self, in_place_of_tangents, without_shape, words_of};
 use super::{PanelButton, button_row, heading_with_choice, pager, share, words};
-use crate::actions::Action;
+use crate::action::Action;
 use crate::document::{At, Edit};
 use crate::limits::PRESETS;
 use crate::number::Number;

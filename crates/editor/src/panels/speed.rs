@@ -6,7 +6,7 @@ use egui::{
 };
 
 use super::{PanelButton, button_row, heading};
-use crate::actions::Action;
+use crate::action::Action;
 use crate::limits::{BASE_SPEED, MAX_SPEED, MIN_SPEED, SPEEDS};
 use crate::path::speed_curve::INTERVALS;
 use crate::path::{Change, Section, Timing};

@@ -422,7 +422,7 @@ fn the_camera_looks_along_the_way_until_it_is_aimed() {
         assert!(here(&window).abs_diff_eq(before, 1e-9));
         click(&mut window, texts.ahead);
         window.state_mut().act(
-            crate::actions::Action::AimAt(DVec3::ZERO),
+            crate::action::Action::AimAt(DVec3::ZERO),
             &egui::Context::default(),
         );
         assert_eq!(own(&window), None);

@@ -4,7 +4,7 @@ use egui::{Grid, Popup, PopupCloseBehavior, Response, Slider, SliderClamping, Ui
 
 use super::heading_with_choice;
 use super::orientation::{OwnedMotion, own, with};
-use crate::actions::Action;
+use crate::action::Action;
 use crate::limits::{MAX_LIST_ZOOM, MAX_ZOOM, MIN_ZOOM};
 use crate::math::view::HALF_FILM_HEIGHT;
 use crate::number::{Entry, Number};

@@ -3,7 +3,7 @@
 use egui::{CornerRadius, Painter, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, vec2};
 
 use super::Editor;
-use crate::actions::Action;
+use crate::action::Action;
 use crate::theme;
 
 pub(super) const BUTTON: f32 = 32.0;

@@ -5,7 +5,7 @@ use egui::{Align, Button, Layout, Pos2, Rect, Role, Shape, Stroke, Ui, WidgetInf
 
 use super::buttons::{BUTTON, camera_button, play_button, speed_button};
 use super::{Editor, as_frame};
-use crate::actions::Action;
+use crate::action::Action;
 use crate::document::{Edit, Info};
 use crate::limits::{MAX_FPS, MAX_FRAMES};
 use crate::number::Number;

@@ -12,7 +12,7 @@ use super::curve::Curve;
 use super::key_row::{KeyDrag, take};
 use super::ruler::{colour_of_playhead, scrub_by_mouse};
 use super::{Marks, as_frame, plot};
-use crate::actions::Action;
+use crate::action::Action;
 use crate::document::{Document, Selection};
 use crate::error::Result;
 use crate::limits::{MAX_SPEED, MIN_SPEED, SPEEDS};

@@ -10,7 +10,7 @@ use super::graph::{Held, Memory, ended};
 use super::retime::{Beside, Retiming};
 use super::ruler::chosen_too;
 use super::{Mark, as_frame};
-use crate::actions::Action;
+use crate::action::Action;
 use crate::document::Selection;
 use crate::number::Entry;
 use crate::space::Typed;

@@ -23,7 +23,7 @@ pub(super) use self::fields::Pace;
 pub(super) use self::marks::Mark;
 use self::marks::Marks;
 pub(super) use self::retime::Retiming;
-use crate::actions::Action;
+use crate::action::Action;
 use crate::document::Selection;
 use crate::number::Entry;
 use crate::space::Camera;

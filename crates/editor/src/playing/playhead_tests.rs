@@ -5,7 +5,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
 use super::*;
-use crate::actions::Action;
+use crate::action::Action;
 use crate::path::{Space, SupportPoint, Up};
 use crate::space::tests::{
     editor, hold, motion, press, pyramid, pyramid_window, release, tap, window,

@@ -10,7 +10,7 @@ use egui::{
 
 use super::axis::{Axis, step};
 use super::graph::Scale;
-use crate::actions::Action;
+use crate::action::Action;
 use crate::document::Document;
 use crate::error::Result;
 use crate::state::Editor;

@@ -9,7 +9,7 @@ use egui::{
 use super::axis::{Axis, step};
 use super::retime::Retiming;
 use super::{Mark, Marks, as_frame};
-use crate::actions::Action;
+use crate::action::Action;
 use crate::number::Entry;
 use crate::selected::SelectionChange;
 use crate::setup::Element;

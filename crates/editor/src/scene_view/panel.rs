@@ -3,7 +3,7 @@
 use egui::{Button, Context, Rect, RichText, ScrollArea, Ui, vec2};
 use vides_engine::scene::{Kind, Node, Scene};
 
-use crate::actions::Action;
+use crate::action::Action;
 use crate::document::StepName;
 use crate::number::decimals;
 use crate::state::Editor;

@@ -5,7 +5,7 @@ use egui::{
     Button, Color32, CornerRadius, Grid, Rect, Sense, Slider, Stroke, StrokeKind, Ui, vec2,
 };
 
-use crate::actions::Action;
+use crate::action::Action;
 use crate::number::Number;
 use crate::setup::{Colours, Element, Setup, Theme};
 use crate::state::Editor;

@@ -2,7 +2,7 @@
 
 use egui::{Grid, vec2};
 
-use crate::actions::Action;
+use crate::action::Action;
 use crate::setup::{Element, Shown, Theme, View};
 use crate::state::Editor;
 use crate::texts::Language;

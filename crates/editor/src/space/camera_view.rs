@@ -11,7 +11,7 @@ use glam::{DMat4, DVec2, DVec3};
 
 use super::scene::{floor, object_line};
 use super::{Camera, drawing, flying};
-use crate::actions::Action;
+use crate::action::Action;
 use crate::host::HostPane;
 use crate::keys;
 use crate::math::view::View;

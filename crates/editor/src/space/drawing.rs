@@ -7,7 +7,7 @@ use super::Camera;
 use super::pointer::PointerContext;
 use super::projection::from_pos;
 use super::projection_of;
-use crate::actions::Action;
+use crate::action::Action;
 use crate::keys;
 use crate::state::Editor;
 use crate::theme;

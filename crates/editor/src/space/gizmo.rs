@@ -9,7 +9,7 @@ use glam::DVec3;
 
 use super::projection::{Axis, Projection};
 use super::{menu, projection_of, sliders};
-use crate::actions::Action;
+use crate::action::Action;
 use crate::setup::{Element, View};
 use crate::state::Editor;
 use crate::texts::fill;
@@ -297,7 +297,7 @@ mod tests {
         let context = window.ctx.clone();
         window
             .state_mut()
-            .act(crate::actions::Action::SwitchSliders, &context);
+            .act(crate::action::Action::SwitchSliders, &context);
         assert!(!window.state().shows_sliders());
     }
 }

@@ -9,7 +9,7 @@ use super::projection::{from_pos, scale};
 use super::projection_of;
 use super::tangents::{self, Joint};
 use super::typed::Typed;
-use crate::actions::Action;
+use crate::action::Action;
 use crate::selected::SelectionChange;
 use crate::setup::View;
 use crate::state::Editor;

@@ -7,7 +7,7 @@ use glam::DVec3;
 use super::drag::Handle;
 use super::picking::REACH;
 use super::projection::from_pos;
-use crate::actions::Action;
+use crate::action::Action;
 use crate::path::Up;
 use crate::setup::{Element, View};
 use crate::state::Editor;

@@ -47,7 +47,7 @@ use self::scene::{Look, PathLines};
 use self::strokes::Strokes;
 pub(super) use self::tangents::Joint;
 pub(super) use self::typed::Typed;
-use crate::actions::Action;
+use crate::action::Action;
 use crate::document::Document;
 use crate::error::Result;
 use crate::path;

@@ -14,7 +14,7 @@ use super::projection_of;
 use super::tangents::Side;
 use super::transform::{self, Kind, Next, Transform};
 use super::typed::Typed;
-use crate::actions::Action;
+use crate::action::Action;
 use crate::keys;
 use crate::selected::SelectionChange;
 use crate::setup::View;

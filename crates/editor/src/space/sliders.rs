@@ -3,7 +3,7 @@
 use egui::{Align, Layout, Rect, Slider, SliderOrientation, Ui, UiBuilder, pos2};
 
 use super::pointer::resized;
-use crate::actions::Action;
+use crate::action::Action;
 use crate::number::Number;
 use crate::setup::View;
 use crate::state::Editor;

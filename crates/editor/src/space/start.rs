@@ -6,7 +6,7 @@ use egui::{
     WidgetInfo, vec2,
 };
 
-use crate::actions::Action;
+use crate::action::Action;
 use crate::document::Edit;
 use crate::document::tool::{self, Tool};
 use crate::path::Space;

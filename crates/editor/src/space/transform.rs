@@ -13,7 +13,7 @@ use super::projection_of;
 use super::scene::Look;
 use super::strokes::Strokes;
 use super::typed::Typed;
-use crate::actions::Action;
+use crate::action::Action;
 use crate::document::{At, Edit};
 use crate::number::decimals;
 use crate::raster::Lines;

@@ -187,7 +187,7 @@ fn the_space_window_changes_it_in_one_step() {
         let context = harness.ctx.clone();
         harness
             .state_mut()
-            .act(crate::actions::Action::Space, &context);
+            .act(crate::action::Action::Space, &context);
         harness.run();
         screenshot(&mut harness, &format!("space-window-{language:?}.png"));
         let press = |harness: &mut Harness<'_, Editor>, label: &str| {
@@ -226,7 +226,7 @@ fn the_path_goes_along_into_a_space_that_is_found_for_it() {
             let context = harness.ctx.clone();
             harness
                 .state_mut()
-                .act(crate::actions::Action::Space, &context);
+                .act(crate::action::Action::Space, &context);
             harness.run();
             for label in [texts.fit, found] {
                 harness.get_by_label(label).click();

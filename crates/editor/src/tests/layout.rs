@@ -4,7 +4,7 @@
 use egui::{Rect, Shape};
 
 use super::*;
-use crate::actions::Action;
+use crate::action::Action;
 use crate::screenshots::screenshot;
 use crate::space::camera_view;
 

@@ -5,7 +5,7 @@ use egui::Id;
 use egui_kittest::kittest::{NodeT, by};
 
 use super::*;
-use crate::actions::Action;
+use crate::action::Action;
 use crate::screenshots::screenshot;
 use crate::texts::Texts;
 use crate::theme;

@@ -97,7 +97,7 @@ impl Language {
         Cow::Borrowed(name)
     }
 
-    /// "Undo orbit": what [`crate::actions::Action::Undo`] would do, or redo; without a step the
+    /// "Undo orbit": what [`crate::action::Action::Undo`] would do, or redo; without a step the
     /// plain word.
     pub(crate) fn travel(self, redo: bool, step: Option<StepName>) -> Cow<'static, str> {
         let (steps, menu) = (&self.texts().steps, &self.texts().menu);

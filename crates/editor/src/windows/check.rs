@@ -7,7 +7,7 @@
 use egui::{Button, Context, Label, RichText, ScrollArea, Ui, vec2};
 
 use super::{SubWindow, Windows, sub_window};
-use crate::actions::Action;
+use crate::action::Action;
 use crate::document::{Edit, Note, StepName, is_planned};
 use crate::error::Result;
 use crate::number::{Entry, Number};

@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use egui::{Grid, Key, Modifiers, ScrollArea};
 
 use super::{SubWindow, Windows, sub_window};
-use crate::actions::Action;
+use crate::action::Action;
 use crate::keys::{SHORTCUTS, combination};
 use crate::menu;
 use crate::space;

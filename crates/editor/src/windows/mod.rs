@@ -21,7 +21,7 @@ pub(super) use space::SpaceWindow;
 pub(super) use speed::{SpeedWindow, goes_by_ten};
 pub(super) use tool::ToolWindow;
 
-use crate::actions::Action;
+use crate::action::Action;
 use crate::files::{FileWindow, Question, RecoveryWindow};
 use crate::frame::BAR;
 use crate::keys;

@@ -3,7 +3,7 @@
 use egui::{Button, Key, Modifiers, vec2};
 
 use super::{SubWindow, Windows, sub_window};
-use crate::actions::Action;
+use crate::action::Action;
 use crate::keys;
 use crate::limits::MAX_DIVISION;
 use crate::state::Editor;

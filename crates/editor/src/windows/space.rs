@@ -4,7 +4,7 @@
 use egui::{Button, Grid, Ui, vec2};
 
 use super::{SubWindow, Windows, row_at_right, sub_window};
-use crate::actions::Action;
+use crate::action::Action;
 use crate::document::Edit;
 use crate::number::Number;
 use crate::path::{Space, Up};

@@ -12,7 +12,7 @@ use egui::{Align, Button, Context, Layout, Pos2, Ui, vec2};
 use glam::DVec3;
 
 use super::{name_cross, row_at_right, sub_window_as};
-use crate::actions::Action;
+use crate::action::Action;
 use crate::document::tool::{Cage, Needs, Tool, ToolInput};
 use crate::document::{Document, Selection, StepName};
 use crate::error::{EngineError, Error, OutOfRange, Result};

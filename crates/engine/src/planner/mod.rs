@@ -9,6 +9,7 @@
 
 pub mod avoid;
 mod course;
+mod directions;
 mod frames;
 pub mod picture;
 mod reach;
@@ -19,7 +20,7 @@ pub mod tour;
 mod track;
 
 pub use avoid::{AvoidRequest, Avoided, AvoidedPart, avoid, avoid_object};
-pub use picture::{Framed, PictureRequest, What, keep_in_picture};
+pub use picture::{DEFAULT_MARGIN, Framed, PictureRequest, What, keep_in_picture};
 pub use retime::{Request, Rest, Retimed, retime};
 pub use steady::{Steadied, SteadyRequest, steady};
 pub use tour::{Tour, TourRequest, tour};

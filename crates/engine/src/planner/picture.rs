@@ -17,6 +17,9 @@ use crate::tools::clearance::Clearance;
 use film::{Film, Spot};
 use outline::{Camera, FILM, Outline};
 
+/// What is left free at each side of a picture where nothing else is asked for.
+pub const DEFAULT_MARGIN: f64 = 0.1;
+
 choices! {
     /// By what an object is kept in the picture.
     pub enum What {

@@ -13,10 +13,11 @@ use glam::DVec3;
 
 use self::cover::fewest;
 use self::flight::{Flight, Stop};
-use self::places::{View, directions, is_steep};
+use self::places::{View, is_steep};
 pub use self::request::{Tour, TourRequest};
 use self::round::{Roads, round};
 use self::seen::{Camera, Picture, Set, Surface, members};
+use super::directions::directions;
 use super::retime::{Request, retime};
 use crate::deform::Bounds;
 use crate::error::{Error, Invalid, OutOfRange, Result, vec_with_room};

@@ -8,7 +8,7 @@ mod picture;
 
 use self::pending::{Belonging, CurveSource, GivenUp, Pending, orientation, users};
 use super::{SubWindow, Windows, is_cramped, row_at_right, sub_window};
-use crate::actions::Action;
+use crate::action::Action;
 use crate::document::Document;
 use crate::limits::PRESETS;
 use crate::number::{Entry, Number};

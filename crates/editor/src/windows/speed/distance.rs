@@ -4,7 +4,7 @@ use egui::{Button, CursorIcon, Id, Key, Modifiers, Rect, Sense, Ui, Vec2, Widget
 
 use super::graph::{Axes, Handle};
 use super::{Section, SpeedWindow, entered_own};
-use crate::actions::Action;
+use crate::action::Action;
 use crate::number::Number;
 use crate::path::{Orientation, Overrides, Pace, Timing};
 use crate::state::Editor;

@@ -4,7 +4,7 @@ use egui::{CursorIcon, Id, Rangef, Rect, Ui, pos2};
 
 use super::graph::{Axes, Handle, Held, Quantity};
 use super::{Section, entered_own};
-use crate::actions::Action;
+use crate::action::Action;
 use crate::limits::{MAX_SPEED, MIN_SPEED};
 use crate::number::Number;
 use crate::path::{Ease, Pace};

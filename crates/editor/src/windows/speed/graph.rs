@@ -6,7 +6,7 @@ use egui::{
 };
 
 use super::{SCALE, Section, goes_by_ten};
-use crate::actions::Action;
+use crate::action::Action;
 use crate::limits::{BASE_SPEED, MAX_SPEED, MIN_SPEED, SPEEDS};
 use crate::number::Entry;
 use crate::path::{Pace, Timing};

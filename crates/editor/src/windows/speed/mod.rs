@@ -14,7 +14,7 @@ mod ten;
 
 use self::graph::{Axes, Held, Quantity};
 use super::{SubWindow, Windows, is_cramped, is_low, sub_window};
-use crate::actions::Action;
+use crate::action::Action;
 use crate::document::{At, Edit, Info, Selection};
 use crate::limits::{MAX_FPS, MAX_FRAMES, MAX_HOLD, SPEEDS};
 use crate::number::{Entry, Number};

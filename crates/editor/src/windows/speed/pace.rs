@@ -7,7 +7,7 @@ use egui::{Button, Ui};
 use super::distance::sampled;
 use super::graph::Quantity;
 use super::{Section, SpeedWindow};
-use crate::actions::Action;
+use crate::action::Action;
 use crate::document::Selection;
 use crate::limits::{BASE_SPEED, MAX_SPEED, MIN_SPEED};
 use crate::path::{Ease, EaseKind, Pace};

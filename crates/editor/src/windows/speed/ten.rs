@@ -6,7 +6,7 @@ use super::graph::{Axes, Handle, Held, Quantity};
 use super::join::ready;
 use super::shapes::Shape;
 use super::{SCALE, Section, Size, entered};
-use crate::actions::Action;
+use crate::action::Action;
 use crate::limits::{BASE_SPEED, MAX_SPEED, MIN_SPEED, SPEEDS};
 use crate::number::Number;
 use crate::path::{Orientation, Timing};

@@ -10,6 +10,7 @@ use glam::DVec3;
 
 use crate::error::{Result, vec_with_room};
 use crate::path::hermite::Cubic;
+use crate::planner::directions::directions;
 use crate::tools::clearance::Clearance;
 
 /// Lines of a way round may dip below their distance by this share of it between two samples.
@@ -25,7 +26,7 @@ const PARTS: [f64; 2] = [1e-4, 1e-5];
 const DEPTH: u32 = 40;
 
 /// Directions in which a nearest clear place is looked for.
-const WAYS: u32 = 200;
+const WAYS: usize = 200;
 
 /// A part of a curve that is too near.
 #[derive(Debug, Clone, Copy)]
@@ -150,21 +151,12 @@ impl Field<'_> {
         let mut size = 0.25 * need;
         // As far as four distances away; within a thick object there is none.
         for _ in 0..24 {
-            let reached = |k: u32| {
-                let (z, turn) = (
-                    (2.0 * f64::from(k) + 1.0) / f64::from(WAYS) - 1.0,
-                    f64::from(k) * 2.399_963_229_728_653,
-                );
-                let level = (1.0 - z * z).sqrt();
-                let way = DVec3::new(level * turn.cos(), z, level * turn.sin());
-                place + size * way
-            };
             let clear =
                 |p: &DVec3| self.far(*p, need) >= need && !self.object.is_crossed(place, *p);
             // Of those that are clear the one with most room around.
             let room = |p: &DVec3| self.far(*p, 4.0 * need);
             let mut best: Option<(f64, DVec3)> = None;
-            for p in (0..WAYS).map(reached).filter(clear) {
+            for p in directions(WAYS).map(|way| place + size * way).filter(clear) {
                 let room = room(&p);
                 if best.is_none_or(|(most, _)| room > most) {
                     best = Some((room, p));

@@ -6,6 +6,7 @@ use super::round::STEEPEST;
 use crate::deform::Bounds;
 use crate::error::{Result, vec_with_room};
 use crate::path::Up;
+use crate::planner::directions::directions;
 use crate::tools::clearance::Clearance;
 
 /// Directions from which an object is tried from outside, at the tour's distance and nearer.
@@ -29,17 +30,6 @@ pub(super) struct View {
     /// Index of the place where it stands.
     pub at: usize,
     pub target: DVec3,
-}
-
-/// Directions spread evenly (Vogel's spiral on a sphere: Swinbank and Purser 2006).
-pub(super) fn directions(count: usize) -> impl Iterator<Item = DVec3> {
-    let golden = std::f64::consts::PI * (3.0 - 5_f64.sqrt());
-    (0..count).map(move |k| {
-        let z = 1.0 - (2.0 * k as f64 + 1.0) / count as f64;
-        let (sin, cos) = (golden * k as f64).sin_cos();
-        let flat = (1.0 - z * z).sqrt();
-        DVec3::new(flat * cos, flat * sin, z)
-    })
 }
 
 /// Whether a view is too near to straight up or down.
