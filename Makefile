@@ -213,7 +213,7 @@ check-calls: libs
 	$(ONCE)inject $(CARGO_TARGET_DIR)/inject include tests/calls -- \
 	    tests/calls/run.sh $(CARGO_TARGET_DIR)/inject inject hand_over
 
-# The pace of random paths, and shaking flights made steady, beside other libraries; not in `make test`.
+# Planned flights, beside other libraries and against their distances and rays; not in `make test`.
 check-planning: all
 	@mk/need.sh python3=python3 node=nodejs npm=npm
 	[ -x $(CARGO_TARGET_DIR)/planning/bin/python ] || { \
@@ -222,12 +222,12 @@ check-planning: all
 	$(CARGO_TARGET_DIR)/planning/bin/python tests/planning/retime.py $(RELEASE)/vides $(CARGO_TARGET_DIR)/planning/paths
 	$(CARGO_TARGET_DIR)/planning/bin/python tests/planning/picture.py $(LIB)/libvides.so.1 $(CARGO_TARGET_DIR)/planning/meshes
 	$(CARGO_TARGET_DIR)/planning/bin/python tests/planning/steady.py $(RELEASE)/vides $(CARGO_TARGET_DIR)/planning/paths
-	$(CARGO_TARGET_DIR)/planning/bin/python tests/planning/avoid.py $(RELEASE)/vides $(CARGO_TARGET_DIR)/planning/avoid
 	cd $(CARGO_TARGET_DIR)/planning && { [ -d data/meshes ] || { apt-get -q download libcgal-demo && \
 	    dpkg -x libcgal-demo_*.deb cgal && tar xzf cgal/usr/share/doc/libcgal-dev/data.tar.gz; }; }
 	$(CARGO_TARGET_DIR)/planning/bin/python tests/planning/tour.py $(RELEASE)/vides $(CARGO_TARGET_DIR)/planning/tours \
 	    $(patsubst %,$(CARGO_TARGET_DIR)/planning/data/meshes/%.off,refined_elephant bunny00 armadillo \
 	    camel bull lion-head cow) nut.ply airplane.ply ant.ply
+	$(CARGO_TARGET_DIR)/planning/bin/python tests/planning/avoid.py $(RELEASE)/vides $(CARGO_TARGET_DIR)/planning/avoid
 
 # The window, from outside.
 check-x: all

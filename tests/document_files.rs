@@ -514,7 +514,7 @@ fn a_computed_pace_comes_back() {
         points: None,
         seconds: 7.0,
     };
-    let made = retime(document.path(), &request).unwrap();
+    let made = retime(document.path(), &request, &mut |_, _| true).unwrap();
     document
         .apply(Edit::ReplacePath(Box::new(made.path)))
         .unwrap();

@@ -45,7 +45,7 @@ pub(crate) fn retimed(
         points: Some(points),
         seconds,
     };
-    let made = retime(document.path(), &request)?;
+    let made = retime(document.path(), &request, &mut |_, _| true)?;
     document.apply(Edit::ReplacePath(Box::new(made.path)))?;
     let rests = made.rests.iter();
     let rests = rests.map(|rest| (rest.point, rest.orientation, rest.limit.name()));
@@ -133,7 +133,7 @@ pub(crate) fn framed(
     let object = object.map(Source::mesh).transpose()?;
     let object = document.solid(object.as_ref())?;
     let limits = document.info().limits;
-    let made = document.framed(&object, (margin, what), limits)?;
+    let made = document.framed(&object, (margin, what), limits, &mut |_, _| true)?;
     document.apply(Edit::ReplacePath(Box::new(made.path)))?;
     Ok((made.added, made.tightest, made.loosest))
 }

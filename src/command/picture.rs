@@ -12,6 +12,7 @@ use vides::tools::check::FindingKind;
 
 use super::check::limit;
 use super::output::Output;
+use super::progress::progress;
 use super::{Failure, complain, input};
 
 #[derive(Args)]
@@ -64,7 +65,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     };
     let object = document.solid(object.as_ref()).map_err(at_file)?;
     let what = What::named(&arguments.what).unwrap_or_default();
-    let made = document.framed(&object, (arguments.margin, what), limits);
+    let made = document.framed(
+        &object,
+        (arguments.margin, what),
+        limits,
+        &mut progress("places"),
+    );
     let made = made.map_err(at_file)?;
     complain(&format!(
         "{name}: {} to {} of the room within the margin, {} points more",

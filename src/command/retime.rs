@@ -9,6 +9,7 @@ use vides::tools::check::FindingKind;
 
 use super::check::limit;
 use super::output::Output;
+use super::progress::progress;
 use super::{Failure, complain, input};
 
 #[derive(Args)]
@@ -62,7 +63,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         points: Some(points),
         seconds: arguments.seconds.unwrap_or(0.0),
     };
-    let made = retime(path, &request).map_err(|error| at_file(error.into()))?;
+    let made =
+        retime(path, &request, &mut progress("rounds")).map_err(|error| at_file(error.into()))?;
     for rest in &made.rests {
         complain(&format!("{name}: {rest}"));
     }

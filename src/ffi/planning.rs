@@ -117,7 +117,7 @@ pub unsafe extern "C" fn v_path_retime(
                 points: Some(points),
                 seconds,
             };
-            let made = retime(document.path(), &request)?;
+            let made = retime(document.path(), &request, &mut |_, _| true)?;
             for rest in &made.rests {
                 add_last_warning(format_args!("{rest}"));
             }
@@ -237,7 +237,7 @@ pub unsafe extern "C" fn v_path_keep_in_picture(
         edit_by(path, |document| {
             let object = document.solid(object.as_ref())?;
             let limits = document.info().limits;
-            let made = document.framed(&object, (margin, what), limits)?;
+            let made = document.framed(&object, (margin, what), limits, &mut |_, _| true)?;
             can_allocate(size_of::<CameraPath>())?;
             Ok(Edit::ReplacePath(Box::new(made.path)))
         })

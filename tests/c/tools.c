@@ -258,21 +258,26 @@ static const unsigned box_corners[36] = {
     0, 1, 3, 0, 3, 2, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
     2, 3, 7, 2, 7, 6, 0, 2, 6, 0, 6, 4, 1, 3, 7, 1, 7, 5};
 
+/* A cube of 0.5 around the origin. */
+static V_MESH cube(double corners[24])
+{
+    V_MESH box = {sizeof box, corners, 8, NULL, NULL, 0, box_corners, 36};
+    int i;
+
+    for (i = 0; i < 24; i++)
+        corners[i] = (i / 3) >> (i % 3) & 1 ? 0.25 : -0.25;
+    return box;
+}
+
 static void the_faces_of_the_own_object_are_looked_at(void)
 {
     V_PATH *path = NULL;
     V_FINDING own[16], given[16];
-    V_MESH box = {sizeof box, NULL, 0, NULL, NULL, 0, NULL, 0};
     double corners[24], value = 9, limit = 0;
+    V_MESH box = cube(corners);
     const double ends[2][3] = {{-0.8, 0.01, 0.02}, {0.8, 0.01, 0.02}};
     size_t i, count = 0, other = 0;
 
-    for (i = 0; i < 24; i++)
-        corners[i] = (i / 3) >> (i % 3) & 1 ? 0.25 : -0.25;
-    box.xyz = corners;
-    box.points = 8;
-    box.triangles = box_corners;
-    box.corners = 36;
     OK(v_path_new(&path));
     OK(v_path_set_position(path, 0, ends[0]));
     OK(v_path_set_position(path, 1, ends[1]));
@@ -403,18 +408,12 @@ static void avoid(void)
 {
     V_PATH *path = NULL;
     V_FINDING found[16];
-    V_MESH box = {sizeof box, NULL, 0, NULL, NULL, 0, NULL, 0};
     double corners[24], value = 9, place[3];
+    V_MESH box = cube(corners);
     const double ends[2][3] = {{-0.8, 0.01, 0.02}, {0.8, 0.01, 0.02}};
-    size_t i, count = 0;
+    size_t count = 0;
     int points, again;
 
-    for (i = 0; i < 24; i++)
-        corners[i] = (i / 3) >> (i % 3) & 1 ? 0.25 : -0.25;
-    box.xyz = corners;
-    box.points = 8;
-    box.triangles = box_corners;
-    box.corners = 36;
     OK(v_path_new(&path));
     OK(v_path_set_position(path, 0, ends[0]));
     OK(v_path_set_position(path, 1, ends[1]));

@@ -139,6 +139,23 @@ mv "$moved" "$own"
 mkdir "$work/shell"
 sed -n '/^```toml$/,/^```$/p' README.md | sed '/^```/d' >"$work/shell/flight.vid"
 sed -n '/^```sh$/,/^```$/p' README.md | grep '^vides ' >"$work/shell/commands"
+# A cube, away from the way.
+cat >"$work/shell/mesh.obj" <<'OBJ'
+v -0.2 -0.2 -0.2
+v 0.2 -0.2 -0.2
+v 0.2 0.2 -0.2
+v -0.2 0.2 -0.2
+v -0.2 -0.2 0.2
+v 0.2 -0.2 0.2
+v 0.2 0.2 0.2
+v -0.2 0.2 0.2
+f 4 3 2 1
+f 5 6 7 8
+f 1 2 6 5
+f 3 4 8 7
+f 2 3 7 6
+f 4 1 5 8
+OBJ
 check "the README shows commands" test -s "$work/shell/commands"
 while read -r shown; do
     check "README: ${shown%%#*}" \

@@ -89,7 +89,7 @@ pub fn keys_to_path(
         space: scene.space(),
         ..CameraPath::try_new()?
     };
-    let path = fitted(&poses, None, fps, tolerance, &like)?;
+    let path = fitted(&poses, None, fps, tolerance, &like, &mut |_, _| true)?;
     let (off, turned) = missed(&path, &poses)?;
     let points = path.points.len();
     for channel in [

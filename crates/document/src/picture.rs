@@ -4,6 +4,7 @@ use vides_engine::planner::picture::{What, keep_all_in_picture, orientation_towa
 use vides_engine::planner::{Framed, PictureRequest};
 use vides_engine::tools::check::Limits;
 use vides_engine::tools::clearance::Clearance;
+use vides_engine::tools::fit::Progress;
 
 use super::edit::Edit;
 use super::editing::{Document, Selection};
@@ -19,6 +20,7 @@ impl Document {
         object: &Clearance,
         (margin, what): (f64, What),
         limits: Limits,
+        progress: Progress<'_>,
     ) -> Result<Framed> {
         let request = PictureRequest {
             margin,
@@ -26,7 +28,12 @@ impl Document {
             limits,
             fps: self.info().fps,
         };
-        Ok(keep_all_in_picture(self.path(), object, &request)?)
+        Ok(keep_all_in_picture(
+            self.path(),
+            object,
+            &request,
+            progress,
+        )?)
     }
 
     /// The edit by which one orientation looks at the middle of an object and shows it as large as

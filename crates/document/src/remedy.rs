@@ -6,6 +6,7 @@ use glam::DVec3;
 use vides_engine::path::{Ease, EaseKind, Section, Timing, timing};
 use vides_engine::tools::check::{Finding, FindingKind};
 use vides_engine::tools::clearance::Clearance;
+use vides_engine::tools::fit::Progress;
 use vides_engine::tools::redundant::without;
 
 use planned::is_planned;
@@ -47,7 +48,12 @@ impl Document {
     /// # Errors
     /// [`vides_engine::Error::Argument`] where there is no way round or no such pace; [`vides_engine::Error::Limit`],
     /// [`vides_engine::Error::Memory`].
-    pub fn remedy(&self, finding: &Finding, object: Option<&Clearance>) -> Result<Vec<Edit>> {
+    pub fn remedy(
+        &self,
+        finding: &Finding,
+        object: Option<&Clearance>,
+        progress: Progress<'_>,
+    ) -> Result<Vec<Edit>> {
         let path = self.path();
         let (point, at) = (finding.point, finding.orientation);
         let known = path.points.get(point);
@@ -68,7 +74,7 @@ impl Document {
                     .collect()
             }
             FindingKind::SpeedJump => self.joined(finding),
-            kind if is_planned(kind) => self.planned(finding, object),
+            kind if is_planned(kind) => self.planned(finding, object, progress),
             FindingKind::Corner => {
                 let old = curve::tangents(path, point);
                 let middle = 0.5 * (old.before + old.after);
@@ -208,7 +214,7 @@ impl Document {
                 if tried.iter().filter(|known| **known == place).count() >= TIMES {
                     continue;
                 }
-                let edits = match self.remedy(finding, object) {
+                let edits = match self.remedy(finding, object, &mut |_, _| true) {
                     // No way round.
                     Err(error) if error.kind() == ErrorKind::Argument => Vec::new(),
                     edits => edits?,

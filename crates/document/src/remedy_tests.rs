@@ -16,7 +16,7 @@ fn mended(document: &mut Document, kind: &str) -> bool {
         let Some(finding) = found(document, kind) else {
             return true;
         };
-        let edits = document.remedy(&finding, None).unwrap();
+        let edits = document.remedy(&finding, None, &mut |_, _| true).unwrap();
         assert!(!edits.is_empty(), "{finding:?}");
         edits
             .into_iter()
@@ -66,7 +66,7 @@ fn presses_leave_nothing_at_the_limit() {
         document.apply(few).unwrap();
         let mut presses = 0;
         while let Some(finding) = found(&document, "turning") {
-            for edit in document.remedy(&finding, None).unwrap() {
+            for edit in document.remedy(&finding, None, &mut |_, _| true).unwrap() {
                 document.apply(edit).unwrap();
             }
             presses += 1;
@@ -108,7 +108,12 @@ fn a_turn_at_once_is_left_to_the_user() {
     document.apply(few).unwrap();
     let finding = found(&document, "turning").unwrap();
     assert!(finding.value > 8.0 * finding.limit, "{finding:?}");
-    assert!(document.remedy(&finding, None).unwrap().is_empty());
+    assert!(
+        document
+            .remedy(&finding, None, &mut |_, _| true)
+            .unwrap()
+            .is_empty()
+    );
 }
 
 #[test]
@@ -177,7 +182,12 @@ fn what_is_for_the_user_to_choose_has_no_edit() {
         .apply(Edit::set(At::Point(2), "position", position))
         .unwrap();
     let finding = found(&document, "space").unwrap();
-    assert!(document.remedy(&finding, None).unwrap().is_empty());
+    assert!(
+        document
+            .remedy(&finding, None, &mut |_, _| true)
+            .unwrap()
+            .is_empty()
+    );
 }
 
 fn speeds(document: &mut Document, point: usize, speed: f64, (frames, hold): (u32, u32)) {
@@ -318,8 +328,15 @@ fn what_is_in_the_way_is_gone_round() {
         found.into_iter().find(|finding| is_led(finding.kind))
     };
     let finding = near(&document).unwrap();
-    assert!(document.remedy(&finding, None).unwrap().is_empty());
-    let edits = document.remedy(&finding, Some(&object)).unwrap();
+    assert!(
+        document
+            .remedy(&finding, None, &mut |_, _| true)
+            .unwrap()
+            .is_empty()
+    );
+    let edits = document
+        .remedy(&finding, Some(&object), &mut |_, _| true)
+        .unwrap();
     let mut mended = document.try_clone().unwrap();
     for edit in edits {
         mended.apply(edit).unwrap();

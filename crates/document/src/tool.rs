@@ -3,7 +3,7 @@
 
 mod table;
 
-use std::rc::Rc;
+use std::sync::Arc;
 
 use glam::{DQuat, DVec3};
 use vides_engine::deform::{Bounds, Deformation, identity_lattice};
@@ -14,7 +14,7 @@ use vides_engine::tools::blend::blend;
 use vides_engine::tools::block::{self, Fit};
 use vides_engine::tools::check::{FindingKind, OFF};
 use vides_engine::tools::clearance::Clearance;
-use vides_engine::tools::fit::{Options, Tolerance, fit};
+use vides_engine::tools::fit::{Options, Progress, Tolerance, fit};
 use vides_engine::tools::moves::{MOVES, Move};
 use vides_engine::tools::{Parameter, transform};
 
@@ -59,15 +59,15 @@ pub enum ToolInput {
     /// The positions of a line drawn by hand.
     Stroke(Vec<DVec3>),
     /// The object of the document, prepared.
-    Object(Rc<Clearance>),
+    Object(Arc<Clearance>),
 }
 
 impl ToolInput {
     /// The object, prepared, else the document's own.
-    fn object_or_own(&self, document: &Document) -> Result<Rc<Clearance>> {
+    fn object_or_own(&self, document: &Document) -> Result<Arc<Clearance>> {
         match self {
             Self::Object(object) => Ok(object.clone()),
-            _ => Ok(Rc::new(document.solid(None)?)),
+            _ => Ok(Arc::new(document.solid(None)?)),
         }
     }
 }
@@ -237,6 +237,7 @@ impl Tool {
         document: &Document,
         material: &ToolInput,
         numbers: &[f64],
+        progress: Progress<'_>,
     ) -> Result<Option<Edit>> {
         let own = Parameter::count(self.tables[0]).min(numbers.len());
         let (first, second) = numbers.split_at(own);
@@ -308,7 +309,7 @@ impl Tool {
                     points: Some([points[0], points[points.len() - 1]]),
                     seconds: given.number("seconds"),
                 };
-                Edit::ReplacePath(Box::new(retime(path, &request)?.path))
+                Edit::ReplacePath(Box::new(retime(path, &request, progress)?.path))
             }
             (Kind::Steady, _) => {
                 let request = SteadyRequest {
@@ -316,7 +317,7 @@ impl Tool {
                     within: given.number("within"),
                     fps: document.info().fps,
                 };
-                let made = steady(path, &request, &mut |_, _| true)?;
+                let made = steady(path, &request, progress)?;
                 Edit::ReplacePath(Box::new(made.path))
             }
             (Kind::Avoid, _) => {
@@ -325,24 +326,24 @@ impl Tool {
                     radius: given.number("sphere"),
                 };
                 let object = material.object_or_own(document)?;
-                let made = avoid_object(path, &object, &request, &mut |_, _| true)?;
+                let made = avoid_object(path, &object, &request, progress)?;
                 Edit::ReplacePath(Box::new(made.path))
             }
             (Kind::Picture, _) => {
                 let what = What::ALL[chosen(given.number("what")).min(What::ALL.len() - 1)];
                 let object = material.object_or_own(document)?;
                 let how = (given.number("margin"), what);
-                let made = document.framed(&object, how, document.info().limits)?;
+                let made = document.framed(&object, how, document.info().limits, progress)?;
                 Edit::ReplacePath(Box::new(made.path))
             }
-            (Kind::Tour, _) => Edit::ReplacePath(Box::new(given.tour()?)),
+            (Kind::Tour, _) => Edit::ReplacePath(Box::new(given.tour(progress)?)),
             (Kind::Fit, ToolInput::Poses(poses, seconds)) => {
                 let tolerance = Tolerance {
                     position: given.number("tolerance"),
                     angle: given.number("angle"),
                 };
                 let (fps, seconds) = (document.info().fps, seconds.as_deref());
-                let made = fitted(poses, seconds, fps, tolerance, path)?;
+                let made = fitted(poses, seconds, fps, tolerance, path, progress)?;
                 Edit::ReplacePath(Box::new(made))
             }
             (Kind::Insert | Kind::Blend | Kind::Fit | Kind::Draw, _) => return Ok(None),
@@ -393,6 +394,7 @@ pub(super) fn fitted(
     fps: f64,
     tolerance: Tolerance,
     like: &CameraPath,
+    progress: Progress<'_>,
 ) -> Result<CameraPath> {
     let space = like.space;
     let far = |pose: &Pose| (DVec3::from(pose.vrp) - space.centre).abs().max_element();
@@ -402,7 +404,7 @@ pub(super) fn fitted(
         up: space.up,
         ..tolerance.into()
     };
-    let mut made = fit(poses, seconds, fps, &options, &mut |_, _| true)?.path;
+    let mut made = fit(poses, seconds, fps, &options, progress)?.path;
     made.base_frames = like.base_frames;
     Ok(made)
 }
@@ -467,7 +469,7 @@ impl<'a> ToolArguments<'a> {
         Ok((first - 1..last).collect())
     }
 
-    fn tour(&self) -> Result<CameraPath> {
+    fn tour(&self, progress: Progress<'_>) -> Result<CameraPath> {
         let (space, info) = (self.document.path().space, self.document.info());
         let request = TourRequest {
             seconds: self.number("seconds"),
@@ -482,7 +484,7 @@ impl<'a> ToolArguments<'a> {
             fps: info.fps,
         };
         let object = self.document.obstacles()?.unwrap_or_default();
-        Ok(tour(&object, &request, &mut |_, _| true)?.path)
+        Ok(tour(&object, &request, progress)?.path)
     }
 
     fn places(&self) -> Result<Vec<DVec3>> {

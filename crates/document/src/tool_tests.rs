@@ -64,11 +64,11 @@ fn edit(document: &Document, name: &str, set: &[(&str, f64)]) -> Result<Option<E
                 points: corners.map(DVec3::from_array).to_vec(),
                 ..Mesh::default()
             };
-            ToolInput::Object(Rc::new(Clearance::new(&mesh).unwrap()))
+            ToolInput::Object(Arc::new(Clearance::new(&mesh).unwrap()))
         }
         Needs::Nothing | Needs::Output => ToolInput::None,
     };
-    tool.edit(document, &material, &numbers)
+    tool.edit(document, &material, &numbers, &mut |_, _| true)
 }
 
 #[test]
@@ -172,7 +172,7 @@ fn a_move_lies_around_the_object_and_goes_on_behind_the_current_point() {
     let document = document();
     let numbers = tool("orbit").defaults(&document).unwrap();
     let Some(Edit::ReplacePath(orbit)) = tool("orbit")
-        .edit(&document, &ToolInput::None, &numbers)
+        .edit(&document, &ToolInput::None, &numbers, &mut |_, _| true)
         .unwrap()
     else {
         panic!("no new path");
@@ -250,7 +250,9 @@ fn a_free_form_bends_what_is_flat() {
         for node in 0..64 {
             numbers[3 * node + 1] -= lowered;
         }
-        let edit = tool.edit(&document, &ToolInput::None, &numbers).unwrap();
+        let edit = tool
+            .edit(&document, &ToolInput::None, &numbers, &mut |_, _| true)
+            .unwrap();
         document.begin_step();
         document.apply(edit.unwrap()).unwrap();
         let way = before - place(&document);

@@ -106,6 +106,8 @@ pub(super) enum Action {
     Cure(Finding),
     /// Show the path with the tool applied.
     PreviewTool,
+    /// Show what the tool has made beside the window.
+    ToolMade,
     /// Move a control point of the tool's cage.
     MoveControl {
         at: usize,
@@ -245,6 +247,7 @@ impl Action {
                 | Self::ApplySpace(_)
                 | Self::FileChosen(..)
                 | Self::PreviewTool
+                | Self::ToolMade
                 | Self::Discard(_)
                 | Self::SaveBefore(_)
                 | Self::GoOn(_)
@@ -262,6 +265,7 @@ impl Action {
             self,
             Self::Tool(_)
                 | Self::PreviewTool
+                | Self::ToolMade
                 | Self::EndTool { .. }
                 | Self::MoveControl { .. }
                 | Self::DrawOn(..)

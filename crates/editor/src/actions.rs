@@ -157,14 +157,11 @@ impl Editor {
             Action::Tool(tool) => {
                 self.open_tool(tool);
                 ToolWindow::to_top(context);
-                let flies = self
-                    .windows
-                    .tool
-                    .as_ref()
-                    .is_some_and(ToolWindow::shows_tour);
-                if flies && !self.playing.is_playing() {
-                    self.play_or_pause(context);
-                }
+                self.play_tour(context);
+            }
+            Action::ToolMade => {
+                self.tool_made();
+                self.play_tour(context);
             }
             Action::Check => windows::open::<CheckWindow>(self, context),
             Action::GoTo(finding) => self.go_to(&finding),
@@ -358,6 +355,14 @@ impl Editor {
         let _ = self.document.select(segment + 1, 0);
         if !within {
             self.document.end_step();
+        }
+    }
+
+    /// Plays a tour that has just been made.
+    fn play_tour(&mut self, context: &egui::Context) {
+        let made = self.windows.tool.as_ref();
+        if made.is_some_and(ToolWindow::shows_tour) && !self.playing.is_playing() {
+            self.play_or_pause(context);
         }
     }
 

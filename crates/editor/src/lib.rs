@@ -11,6 +11,7 @@
 
 mod action;
 mod actions;
+mod background;
 mod clipboard;
 mod files;
 mod frame;
@@ -45,6 +46,7 @@ use vides_engine::{limits, math, path, tools};
 use vides_formats as formats;
 use vides_raster as raster;
 
+pub use background::Start;
 pub use files::Folders;
 pub use host::{Date, HostPane, PlayheadState, Program, Warning, Warnings};
 pub use state::{Editor, HostView, Options, Reason, Request};

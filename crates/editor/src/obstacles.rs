@@ -2,7 +2,7 @@
 
 use std::cell::RefCell;
 use std::ptr;
-use std::rc::Rc;
+use std::sync::Arc;
 
 use crate::document::Object;
 use crate::error::Result;
@@ -18,7 +18,7 @@ struct Prepared {
     object: Object,
     /// The number of the scene around the path.
     scene: Option<u64>,
-    tree: Option<Rc<Clearance>>,
+    tree: Option<Arc<Clearance>>,
 }
 
 impl Editor {
@@ -28,7 +28,7 @@ impl Editor {
     }
 
     /// The tree over the objects; `None` if there are none.
-    pub(crate) fn obstacles(&self) -> Result<Option<Rc<Clearance>>> {
+    pub(crate) fn obstacles(&self) -> Result<Option<Arc<Clearance>>> {
         let object = &self.document.info().object;
         let scene = self.document.edited_scene().map(|edited| edited.number());
         let mut known = self.obstacles.0.borrow_mut();
@@ -40,7 +40,7 @@ impl Editor {
         }
         *known = None;
         let mesh = self.document.obstacles()?;
-        let tree = mesh.as_ref().map(Clearance::new).transpose()?.map(Rc::new);
+        let tree = mesh.as_ref().map(Clearance::new).transpose()?.map(Arc::new);
         *known = Some(Prepared {
             object: object.clone(),
             scene,

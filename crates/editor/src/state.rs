@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use crate::action::Action;
+use crate::background::Start;
 use crate::clipboard::Copied;
 use crate::document::{Document, Edit, Fingerprint, Selection};
 use crate::error::{Error, Result};
@@ -132,6 +133,8 @@ pub struct Editor {
     pub(super) message: Option<Message>,
     pub(super) length: Length,
     pub(super) requests: Vec<Request>,
+    /// How threads are started; none: all is done at once.
+    pub(super) start: Option<Start>,
     pub(super) setup: Setup,
     pub(super) space: space::MovementWindow,
     pub(super) scene_view: scene_view::SceneView,
@@ -189,6 +192,7 @@ impl Editor {
             message: None,
             length: Length::default(),
             requests: Vec::new(),
+            start: None,
             setup: Setup::default(),
             space: space::MovementWindow::default(),
             scene_view: scene_view::SceneView::default(),
@@ -267,6 +271,11 @@ impl Editor {
             error: true,
             undoes: None,
         });
+    }
+
+    /// Lets work that takes long be done by threads, while the window goes on.
+    pub fn work_beside(&mut self, start: Start) {
+        self.start = Some(start);
     }
 
     /// Shows in the output field what was wrong with what the host gave.

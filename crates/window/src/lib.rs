@@ -194,6 +194,7 @@ const SMALLEST: [f32; 2] = [640.0, 440.0];
 pub fn open(options: Options) -> Result<Handle> {
     let mut editor = Editor::new(options.editor)?;
     editor.warn(&options.warnings);
+    editor.work_beside(start);
     let title = editor.window_title();
     let screen = x11::Window::open(&x11::Options {
         display: options.display,
@@ -213,6 +214,12 @@ pub fn open(options: Options) -> Result<Handle> {
         lookout::begin(descriptor);
     }
     Ok(handle)
+}
+
+/// Starts a thread for work that takes long; whether that could be.
+fn start(work: Box<dyn FnOnce() + Send>) -> bool {
+    let thread = std::thread::Builder::new().name("vides work".to_owned());
+    x11::without_signals(|| thread.spawn(work)).is_ok()
 }
 
 /// Loads a path or scene, with what was wrong with its meshes; a new path if the file is missing.

@@ -3,6 +3,7 @@
 use vides_engine::planner::{self, AvoidRequest, Request, What, avoid_object, retime};
 use vides_engine::tools::check::{Finding, FindingKind};
 use vides_engine::tools::clearance::Clearance;
+use vides_engine::tools::fit::Progress;
 
 use crate::edit::Edit;
 use crate::editing::Document;
@@ -16,11 +17,14 @@ impl Document {
         &self,
         finding: &Finding,
         object: Option<&Clearance>,
+        progress: Progress<'_>,
     ) -> Result<Vec<Edit>> {
         match (finding.kind, object) {
-            (FindingKind::NothingToSee, Some(object)) => self.seen(finding, object),
-            (FindingKind::Clearance | FindingKind::Through, Some(object)) => self.led_clear(object),
-            (kind, _) if is_of_pace(kind) => self.paced(finding),
+            (FindingKind::NothingToSee, Some(object)) => self.seen(finding, object, progress),
+            (FindingKind::Clearance | FindingKind::Through, Some(object)) => {
+                self.led_clear(object, progress)
+            }
+            (kind, _) if is_of_pace(kind) => self.paced(finding, progress),
             _ => Ok(Vec::new()),
         }
     }
@@ -28,7 +32,7 @@ impl Document {
     /// A pace within the limits between the points around a finding, or if it is still found then,
     /// on the whole way: in the same time with the lowest peaks, or in the shortest where that is
     /// not enough.
-    fn paced(&self, finding: &Finding) -> Result<Vec<Edit>> {
+    fn paced(&self, finding: &Finding, progress: Progress<'_>) -> Result<Vec<Edit>> {
         let (path, info) = (self.path(), self.info());
         let last = path.points.len() - 1;
         let sampler = self.sampler()?;
@@ -57,9 +61,9 @@ impl Document {
                 points: Some(points),
                 seconds: frames as f64 / info.fps,
             };
-            let same = retime(path, &request);
+            let same = retime(path, &request, progress);
             request.seconds = 0.0;
-            let found = match same.or_else(|_| retime(path, &request)) {
+            let found = match same.or_else(|_| retime(path, &request, progress)) {
                 Ok(found) => found.path,
                 Err(error) => {
                     refused = Some(error);
@@ -82,12 +86,12 @@ impl Document {
     }
 
     /// The way led clear of an object.
-    fn led_clear(&self, object: &Clearance) -> Result<Vec<Edit>> {
+    fn led_clear(&self, object: &Clearance, progress: Progress<'_>) -> Result<Vec<Edit>> {
         let request = AvoidRequest {
             clearance: least_clearance(self),
             radius: 0.0,
         };
-        let made = avoid_object(self.path(), object, &request, &mut |_, _| true)?;
+        let made = avoid_object(self.path(), object, &request, progress)?;
         let edit = Edit::ReplacePath(Box::new(made.path));
         Ok((!made.parts.is_empty())
             .then_some(edit)
@@ -97,9 +101,14 @@ impl Document {
 
     /// Views turned so that all of an object, of which nothing is in the picture, is; towards its
     /// middle where it is too large for that.
-    fn seen(&self, finding: &Finding, object: &Clearance) -> Result<Vec<Edit>> {
+    fn seen(
+        &self,
+        finding: &Finding,
+        object: &Clearance,
+        progress: Progress<'_>,
+    ) -> Result<Vec<Edit>> {
         let how = (planner::DEFAULT_MARGIN, What::View);
-        match self.framed(object, how, self.info().limits) {
+        match self.framed(object, how, self.info().limits, progress) {
             Ok(made) => return Ok(vec![Edit::ReplacePath(Box::new(made.path))]),
             Err(Error::Engine(EngineError::Argument(_))) => {}
             Err(error) => return Err(error),

@@ -1,7 +1,7 @@
 //! What the graph shows beside the pace, from the poses as `vides plot` has them: its menu, its
 //! scale, the limits of the check, and what the check has found.
 
-use std::rc::Rc;
+use std::sync::Arc;
 
 use egui::{
     Align2, Button, Color32, Painter, Popup, PopupCloseBehavior, Pos2, Rect, RichText, Shape,
@@ -104,7 +104,7 @@ impl Plot {
         document: &Document,
         shown: Shown,
         held: bool,
-        object: impl FnOnce() -> Result<Option<Rc<Clearance>>>,
+        object: impl FnOnce() -> Result<Option<Arc<Clearance>>>,
     ) -> Result<()> {
         let most = if held { VALUES } else { POSES };
         let of = Some((document.revision(), shown, most));

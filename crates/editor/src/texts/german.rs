@@ -200,7 +200,6 @@ german! {
         TourStart => "der Beginn eines Rundflugs muss ein Ort sein, der nicht im Objekt oder dicht daneben liegt";
         NoRoomInside => "im Objekt ist kein freier Ort, von dem ein Rundflug es zeigen könnte";
         TourWay => "kein Weg eines Rundflugs bleibt vom Objekt entfernt: einen anderen Abstand wählen";
-        TourCancelled => "der Rundflug wurde abgebrochen";
         AvoidClearance(most) =>
             "der Abstand muss größer als 0 sein, der Radius mindestens 0, beide zusammen höchstens {}",
             number(*most);
@@ -243,7 +242,7 @@ german! {
         ClosedAndOpen => "geschlossene Pfade lassen sich nicht mit offenen mischen";
         NoWay => "die Kamera bewegt sich nicht";
         SteadyBound(within) => "im Abstand von {} vom Flug wurde kein ruhiger Pfad aus ganzen Bildern gefunden", within;
-        Cancelled => "die Anpassung wurde abgebrochen";
+        Cancelled => "es wurde abgebrochen";
         TooFewPoses => "eine Anpassung braucht mindestens drei Posen";
         PoseTimes => "die Zeiten der Posen müssen wachsen, eine für jede";
         SamePoses => "alle Posen sind gleich";

@@ -8,7 +8,8 @@ use egui::{Button, Context, Label, RichText, ScrollArea, Ui, vec2};
 
 use super::{SubWindow, Windows, sub_window};
 use crate::action::Action;
-use crate::document::{Edit, Note, StepName, is_planned};
+use crate::background::Background;
+use crate::document::{Document, Edit, Note, StepName, is_planned};
 use crate::error::Result;
 use crate::number::{Entry, Number};
 use crate::state::Editor;
@@ -48,6 +49,8 @@ pub(crate) struct CheckWindow {
     trouble: Option<String>,
     /// A check was asked for.
     asked: bool,
+    /// What the planner makes of a finding beside the window.
+    curing: Option<Background<Vec<Edit>>>,
 }
 
 impl SubWindow for CheckWindow {
@@ -69,6 +72,7 @@ impl SubWindow for CheckWindow {
             self.check(editor);
         }
         let current = self.checked == Some(editor.document.revision());
+        self.take_cure(editor, (context, current), actions);
         let height = (context.content_rect().height() - 200.0).max(120.0);
         sub_window(context, Self::ID, texts.title, |ui| {
             ui.set_width(WIDTH);
@@ -92,18 +96,29 @@ impl SubWindow for CheckWindow {
                     self.asked |= button.clicked();
                 }
             });
+            if let Some(work) = &self.curing {
+                let cancelled = ui.horizontal(|ui| {
+                    let cancel = ui.button(editor.texts().tools.cancel);
+                    work.show(ui);
+                    cancel.clicked()
+                });
+                if cancelled.inner {
+                    self.curing = None;
+                }
+            }
             for note in &self.notes {
                 let text = RichText::new(editor.language().note(note)).color(palette.weak);
                 ui.add(Label::new(text).wrap());
             }
             let open = ui.selectable_label(self.limits, texts.limits);
             self.limits ^= open.on_hover_text(texts.limits_hint).clicked();
+            let free = current && self.curing.is_none();
             ScrollArea::vertical().max_height(height).show(ui, |ui| {
                 if self.limits {
                     limits(editor, ui, actions);
                 }
                 for (at, (finding, mend)) in self.found.iter().zip(&self.mends).enumerate() {
-                    ui.push_id(at, |ui| row(editor, ui, (finding, mend), current, actions));
+                    ui.push_id(at, |ui| row(editor, ui, (finding, mend), free, actions));
                 }
             });
         })
@@ -157,7 +172,7 @@ fn row(
     editor: &Editor,
     ui: &mut Ui,
     (finding, mend): (&Finding, &Vec<Edit>),
-    current: bool,
+    free: bool,
     actions: &mut Vec<Action>,
 ) {
     let texts = &editor.texts().check;
@@ -192,7 +207,7 @@ fn row(
             ui.add(Label::new(words).wrap()).on_hover_text(remedy);
         });
         if mends {
-            let button = ui.add_enabled(current, Button::new(texts.mend));
+            let button = ui.add_enabled(free, Button::new(texts.mend));
             if button.on_hover_text(remedy).clicked() {
                 actions.push(if planned {
                     Action::Cure(*finding)
@@ -227,6 +242,27 @@ impl CheckWindow {
         &self.found
     }
 
+    /// Takes what the planner has made; what it makes of another path is given up.
+    fn take_cure(
+        &mut self,
+        editor: &Editor,
+        (context, current): (&Context, bool),
+        actions: &mut Vec<Action>,
+    ) {
+        let Some(work) = &mut self.curing else { return };
+        if current && !work.is_done(context) {
+            return;
+        }
+        match work.made().filter(|_| current) {
+            Some(Ok(edits)) => actions.push(Action::Mend(edits)),
+            Some(Err(error)) => {
+                actions.push(Action::Complain(of_edit(editor.language(), &error)));
+            }
+            None => {}
+        }
+        self.curing = None;
+    }
+
     fn check(&mut self, editor: &Editor) {
         self.asked = false;
         self.checked = Some(editor.document.revision());
@@ -239,7 +275,7 @@ impl CheckWindow {
             self.mends = listed
                 .map(|finding| match is_planned(finding.kind) {
                     true => Ok(Vec::new()),
-                    false => document.remedy(finding, None),
+                    false => document.remedy(finding, None, &mut |_, _| true),
                 })
                 .collect::<Result<_>>()?;
             Ok(())
@@ -270,12 +306,16 @@ impl Editor {
 impl Editor {
     /// Mends a finding by the planner, or tells why it cannot be.
     pub(crate) fn cure(&mut self, finding: &Finding) {
-        let found = self
-            .obstacles()
-            .and_then(|tree| self.document.remedy(finding, tree.as_deref()));
-        match found {
-            Ok(edits) => self.mend(edits),
-            Err(error) => self.complain_of(&error),
+        let copy = self.document.try_clone().map(Document::without_history);
+        let (object, finding) = (self.obstacles(), *finding);
+        let mut work = Background::begin(self.start, move |progress| {
+            copy?.remedy(&finding, object?.as_deref(), progress)
+        });
+        match (work.made(), &mut self.windows.check) {
+            (Some(Ok(edits)), _) => self.mend(edits),
+            (Some(Err(error)), _) => self.complain_of(&error),
+            (None, Some(window)) => window.curing = Some(work),
+            (None, None) => {}
         }
     }
 

@@ -13,8 +13,9 @@ use glam::DVec3;
 
 use super::{name_cross, row_at_right, sub_window_as};
 use crate::action::Action;
+use crate::background::Background;
 use crate::document::tool::{Cage, Needs, Tool, ToolInput};
-use crate::document::{Document, Selection, StepName};
+use crate::document::{Document, Edit, Selection, StepName};
 use crate::error::{EngineError, Error, OutOfRange, Result};
 use crate::files::Purpose;
 use crate::formats;
@@ -52,6 +53,8 @@ pub(crate) struct ToolWindow {
     written: Option<[usize; 2]>,
     /// How far the path is from recorded poses: a length and degrees.
     missed: Option<(f64, f64)>,
+    /// What the tool makes beside the window.
+    work: Option<Background<Option<Edit>>>,
     /// Where the playhead stood.
     stood: (Option<f64>, Selection),
     fresh: bool,
@@ -96,9 +99,10 @@ impl ToolWindow {
                 let palette = theme::palette(ui);
                 ui.colored_label(palette.weak, language.tool_hint(&self.tool));
                 self.fields(editor, ui, actions);
-                match &self.trouble {
-                    Some(trouble) => ui.colored_label(palette.error, trouble),
-                    None => ui.colored_label(palette.weak, self.result(editor)),
+                match (&self.work, &self.trouble) {
+                    (Some(work), _) => work.show(ui),
+                    (_, Some(trouble)) => ui.colored_label(palette.error, trouble),
+                    _ => ui.colored_label(palette.weak, self.result(editor)),
                 };
                 let (ok, hint) = match self.tool.needs() {
                     Needs::Output => (texts.write, texts.write_hint),
@@ -110,7 +114,8 @@ impl ToolWindow {
                     if cancel.on_hover_text(texts.cancel_hint).clicked() {
                         actions.push(Action::EndTool { keeps: false });
                     }
-                    let able = self.trouble.is_none() && !self.lacks_stroke();
+                    let able =
+                        self.trouble.is_none() && self.work.is_none() && !self.lacks_stroke();
                     let ok = ui.add_enabled(able, button(ok)).on_hover_text(hint);
                     if std::mem::take(&mut self.fresh) {
                         ok.request_focus();
@@ -132,6 +137,8 @@ impl ToolWindow {
         if (old != self.numbers && !waits) || ended {
             // Before a button's action, which goes by these numbers.
             actions.insert(0, Action::PreviewTool);
+        } else if self.work.as_mut().is_some_and(|work| work.is_done(context)) {
+            actions.push(Action::ToolMade);
         }
         if !open {
             actions.push(Action::EndTool { keeps: false });
@@ -444,6 +451,7 @@ impl Editor {
             drawn: Vec::new(),
             written: None,
             missed: None,
+            work: None,
             stood: (self.playing.frame(), self.document.selection()),
             fresh: true,
         });
@@ -498,11 +506,43 @@ impl Editor {
             let object = self.obstacles().ok().flatten();
             window.material = object.map_or(ToolInput::None, ToolInput::Object);
         }
+        let document = &self.document;
+        let tool = window.tool;
+        window.work = None;
+        window.cage = tool.cage(document, &window.numbers);
+        if self.start.is_none() || !tool.takes_long(document, &window.material) {
+            let edit = tool.edit(document, &window.material, &window.numbers, &mut |_, _| {
+                true
+            });
+            self.show_made(window, edit);
+            return;
+        }
+        let copy = document.try_clone().map(Document::without_history);
+        let (material, numbers) = (window.material.clone(), window.numbers.clone());
+        let mut work = Background::begin(self.start, move |progress| {
+            tool.edit(&copy?, &material, &numbers, progress)
+        });
+        match work.made() {
+            Some(edit) => self.show_made(window, edit),
+            None => {
+                (window.work, window.trouble) = (Some(work), None);
+                self.windows.tool = Some(window);
+            }
+        }
+    }
+
+    /// Shows what the tool has made beside the window.
+    pub(crate) fn tool_made(&mut self) {
+        let window = self.windows.tool.as_mut();
+        if let Some(edit) = window.and_then(|window| window.work.take()?.made())
+            && let Some(window) = self.windows.tool.take()
+        {
+            self.show_made(window, edit);
+        }
+    }
+
+    fn show_made(&mut self, mut window: ToolWindow, edit: Result<Option<Edit>>) {
         let document = &mut self.document;
-        window.cage = window.tool.cage(document, &window.numbers);
-        let edit = window
-            .tool
-            .edit(document, &window.material, &window.numbers);
         let done = edit.and_then(|edit| {
             document.begin_step();
             document.name_step(StepName::Tool(window.tool.name));

@@ -271,8 +271,6 @@ pub enum Invalid {
     NoRoomInside,
     #[error("no way of a tour keeps clear of the object: ask for another distance")]
     TourWay,
-    #[error("the tour was cancelled")]
-    TourCancelled,
     #[error(
         "the clearance must be greater than 0, the radius 0 or greater, both together at most {0}"
     )]
@@ -350,7 +348,7 @@ pub enum Invalid {
     /// The bound.
     #[error("no steady path of whole frames was found within {0} of the flight")]
     SteadyBound(f64),
-    #[error("the fit was cancelled")]
+    #[error("it was cancelled")]
     Cancelled,
     #[error("a fit needs at least three poses")]
     TooFewPoses,

@@ -14,6 +14,7 @@ use crate::property::choices;
 use crate::scene::Mesh;
 use crate::tools::check::Limits;
 use crate::tools::clearance::Clearance;
+use crate::tools::fit::Progress;
 use film::{Film, Spot};
 use outline::{Camera, FILM, Outline};
 
@@ -79,43 +80,30 @@ pub fn keep_in_picture(
     request: &PictureRequest,
 ) -> Result<Framed> {
     request.check()?;
-    keep_all_in_picture(path, &Clearance::new(object)?, request)
+    keep_all_in_picture(path, &Clearance::new(object)?, request, &mut |_, _| true)
 }
 
-/// As [`keep_in_picture`], with a tree that is there.
+/// As [`keep_in_picture`], with a tree that is there; `progress` gets places along the path that were
+/// looked at and all, for each round anew, and ends it with `false`.
 ///
 /// # Errors
-/// As [`keep_in_picture`].
+/// As [`keep_in_picture`]; [`crate::Error::Argument`] where `progress` ends it.
 pub fn keep_all_in_picture(
     path: &CameraPath,
     object: &Clearance,
     request: &PictureRequest,
+    progress: Progress<'_>,
 ) -> Result<Framed> {
     request.check()?;
     path.check()?;
-    let mut work = Work::new(object, request);
     let film = Film::new(path, request.fps)?;
-    let (tightest, loosest) = work.shares(&film);
-    let fits = tightest <= 1.0;
-    if fits && (tightest >= TIGHT || request.what == What::View) {
-        return Ok(Framed {
-            path: path.try_clone()?,
-            added: 0,
-            tightest,
-            loosest,
-        });
+    let mut work = Work::new(object, request, progress);
+    work.all = film.spots.len();
+    let framed = work.framed(path, &film);
+    if work.cancelled {
+        return Err(Invalid::Cancelled.into());
     }
-    match request.what {
-        What::Zoom => work.by_zoom(path, &film),
-        What::Distance => {
-            let [min, max] = object.bounds();
-            if min == max {
-                return Err(Invalid::PicturePlace.into());
-            }
-            work.by_keys(path, &film)
-        }
-        What::View => work.by_keys(path, &film),
-    }
+    framed
 }
 
 /// One orientation that looks at the middle of an object and shows it whole, as large as the margin
@@ -140,7 +128,8 @@ pub fn orientation_towards(
     let support = path.points.get(point).ok_or_else(|| path.no_point(point))?;
     let known = support.orientations.get(orientation);
     let mut one = known.ok_or(OutOfRange::Orientations)?.clone();
-    let mut work = Work::new(object, &request);
+    let go_on = &mut |_, _| true;
+    let mut work = Work::new(object, &request, go_on);
     let middle = work.outline.middle();
     let far = middle - support.position;
     let view = far.try_normalize().ok_or(Invalid::TargetOnCamera)?;
@@ -187,20 +176,63 @@ struct Work<'a> {
     /// Half of the picture less margin to each side, in mm.
     room: [f64; 4],
     outline: Outline<'a>,
+    progress: Progress<'a>,
+    /// Cameras that were looked at, and places of the film.
+    seen: usize,
+    all: usize,
+    cancelled: bool,
 }
 
+/// Cameras that are looked at before it is asked whether to go on.
+const BETWEEN: usize = 128;
+
 impl<'a> Work<'a> {
-    fn new(object: &'a Clearance, request: &'a PictureRequest) -> Self {
+    fn new(object: &'a Clearance, request: &'a PictureRequest, progress: Progress<'a>) -> Self {
         Self {
             request,
             room: FILM.map(|film| film * (1.0 - 2.0 * request.margin)),
             outline: Outline::new(object),
+            progress,
+            seen: 0,
+            all: 1,
+            cancelled: false,
+        }
+    }
+
+    fn framed(&mut self, path: &CameraPath, film: &Film) -> Result<Framed> {
+        let (tightest, loosest) = self.shares(film);
+        let fits = tightest <= 1.0;
+        if fits && (tightest >= TIGHT || self.request.what == What::View) {
+            return Ok(Framed {
+                path: path.try_clone()?,
+                added: 0,
+                tightest,
+                loosest,
+            });
+        }
+        match self.request.what {
+            What::Zoom => self.by_zoom(path, film),
+            What::Distance => {
+                let [min, max] = self.outline.bounds();
+                if min == max {
+                    return Err(Invalid::PicturePlace.into());
+                }
+                self.by_keys(path, film)
+            }
+            What::View => self.by_keys(path, film),
         }
     }
 
     /// The greatest zoom with which all of the object is in the room; none where not all is before
-    /// the camera. Infinite for a single place in the middle.
+    /// the camera, and when it is cancelled. Infinite for a single place in the middle.
     fn zoom_for(&mut self, camera: &Camera) -> Option<f64> {
+        self.seen += 1;
+        if self.seen % BETWEEN == 0 && !self.cancelled {
+            self.cancelled = !(self.progress)(self.seen % self.all, self.all);
+        }
+        if self.cancelled {
+            return None;
+        }
         let reach = self.outline.reach(camera)?;
         let sides = reach.iter().zip(self.room);
         // A reach of -0.0 would make it -inf.

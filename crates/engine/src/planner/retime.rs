@@ -12,6 +12,7 @@ use crate::path::{
     CameraPath, Orientation, Pace, PacePart, PaceSource, Sampler, Timeline, Timing, own,
 };
 use crate::tools::check::{FindingKind, Limits};
+use crate::tools::fit::Progress;
 
 /// What is asked for.
 #[derive(Debug, Clone, Copy)]
@@ -67,7 +68,7 @@ pub struct Retimed {
 }
 
 /// Cells of the grid on a section, and of all together, about.
-const CELLS: [usize; 2] = [32, 512];
+const CELLS: [usize; 2] = [32, 2000];
 const ALL_CELLS: usize = 2000;
 
 /// Share of a frame's change by which a rate may jump where sections meet.
@@ -92,13 +93,14 @@ const SMOOTHED: usize = 25;
 
 /// The pace of a path, or of a range of it, computed anew: as fast as the limits allow, or in a
 /// given time with the lowest peaks. Rest at the ends of an open path and where keys are held;
-/// where a range ends, the speed of what lies beside it, as far as the limits allow.
+/// where a range ends, the speed of what lies beside it, as far as the limits allow. `progress` gets
+/// rounds done and the most there can be, and ends it with `false`.
 ///
 /// # Errors
 /// [`crate::Error::Argument`] for limits of 0, none at all, a time shorter than they allow, or
-/// where the pace would have to rest within a section; [`crate::Error::Range`] for points that
+/// where the pace would have to rest within a section, or `progress` ends it; [`crate::Error::Range`] for points that
 /// there are not; [`crate::Error::Limit`] for too many frames; [`crate::Error::Memory`].
-pub fn retime(path: &CameraPath, request: &Request) -> Result<Retimed> {
+pub fn retime(path: &CameraPath, request: &Request, progress: Progress<'_>) -> Result<Retimed> {
     let bounds = Bounds::new(&request.limits)?;
     if !(request.seconds >= 0.0 && request.seconds.is_finite()) {
         return Err(Invalid::PaceTime.into());
@@ -115,6 +117,9 @@ pub fn retime(path: &CameraPath, request: &Request) -> Result<Retimed> {
     }
     work.start_smooth()?;
     for round in 0..ROUNDS {
+        if !progress(round, ROUNDS) {
+            return Err(Invalid::Cancelled.into());
+        }
         // What does not come to whole frames is not smoothed.
         if round == SMOOTHED && work.smoothing.take().is_some() {
             work.start_plain();
@@ -126,7 +131,7 @@ pub fn retime(path: &CameraPath, request: &Request) -> Result<Retimed> {
                     seconds: 0.0,
                     ..*request
                 };
-                let least = retime(path, &fastest)?.seconds;
+                let least = retime(path, &fastest, progress)?.seconds;
                 if least <= seconds {
                     return Err(work.not_held());
                 }

@@ -50,7 +50,7 @@ fn a_straight_line_takes_the_trapezoid() {
         (1.7, 0.3, 2.0),
     ] {
         let wanted = request(&[(FindingKind::Speed, v), (FindingKind::Acceleration, a)]);
-        let made = retime(&line(length), &wanted).unwrap();
+        let made = retime(&line(length), &wanted, &mut |_, _| true).unwrap();
         let known = if length > v * v / a {
             length / v + v / a
         } else {
@@ -77,7 +77,7 @@ fn a_straight_line_with_jerk_takes_about_the_shortest() {
             (FindingKind::Acceleration, a),
             (FindingKind::Jerk, j),
         ]);
-        let made = retime(&line(length), &wanted).unwrap();
+        let made = retime(&line(length), &wanted, &mut |_, _| true).unwrap();
         let known = if v > 10.0 {
             (32.0 * length / j).cbrt()
         } else {
@@ -117,7 +117,7 @@ fn random_paths_hold_the_jerk() {
     ]);
     for round in 0..30 {
         let path = random_path(&mut random, round);
-        let made = match retime(&path, &wanted) {
+        let made = match retime(&path, &wanted, &mut |_, _| true) {
             Ok(made) => made,
             Err(error) => panic!("round {round}: {error}"),
         };
@@ -125,10 +125,10 @@ fn random_paths_hold_the_jerk() {
             seconds: (made.seconds * 1.3 * 25.0).round() / 25.0,
             ..wanted
         };
-        let slower = retime(&path, &again).unwrap();
+        let slower = retime(&path, &again, &mut |_, _| true).unwrap();
         assert!((slower.seconds - again.seconds).abs() < 1e-9);
         let plain = request(&[(FindingKind::Speed, 1.0), (FindingKind::Acceleration, 2.0)]);
-        let plain = retime(&path, &plain).unwrap();
+        let plain = retime(&path, &plain, &mut |_, _| true).unwrap();
         println!(
             "round {round}: {} s, without jerk {} s",
             made.seconds, plain.seconds
@@ -235,7 +235,7 @@ fn views_stay_and_limits_hold_on_random_paths() {
     let start = std::time::Instant::now();
     for round in 0..200 {
         let path = random_path(&mut random, round);
-        let made = match retime(&path, &wanted) {
+        let made = match retime(&path, &wanted, &mut |_, _| true) {
             Ok(made) => made,
             Err(error) => {
                 println!("round {round}: {error}");

@@ -186,7 +186,7 @@ impl<'a> Work<'a> {
             if progress(done, all) {
                 return Ok(());
             }
-            Err(Error::from(Invalid::TourCancelled))
+            Err(Error::from(Invalid::Cancelled))
         };
         (self.places, self.views) = if self.request.inside {
             let go_on = &mut || stopped(0, 1);
@@ -589,7 +589,7 @@ impl<'a> Work<'a> {
                 points: None,
                 seconds: self.request.seconds,
             };
-            retime(&tour.path, &request)
+            retime(&tour.path, &request, &mut |_, _| true)
         };
         let made = match paced(limits) {
             Err(Error::Argument(_)) => paced(self.request.limits)?,

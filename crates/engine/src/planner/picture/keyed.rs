@@ -63,6 +63,9 @@ impl Work<'_> {
         let mut aims: Vec<f64> = vec_with_room(base.points.len())?;
         aims.resize(base.points.len(), AIM);
         for _ in 0..ROUNDS {
+            if self.cancelled {
+                break;
+            }
             let before = Film::new(&base, self.request.fps)?;
             let made = match self.request.what {
                 What::View => self.turned(&base, &before, &aims)?,

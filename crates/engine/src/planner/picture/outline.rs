@@ -57,8 +57,12 @@ impl<'a> Outline<'a> {
     }
 
     /// The middle of the box around it.
+    pub(super) fn bounds(&self) -> [DVec3; 2] {
+        self.tree.bounds()
+    }
+
     pub(super) fn middle(&self) -> DVec3 {
-        let [min, max] = self.tree.bounds();
+        let [min, max] = self.bounds();
         min.midpoint(max)
     }
 
