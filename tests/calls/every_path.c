@@ -870,7 +870,7 @@ CALL(v_path_tour)
     V_MESH object;
 
     if (mesh) {
-        object = *mesh;
+        memcpy(&object, mesh, sizeof object); /* it may lie anywhere */
         object.triangles = corners;
         object.corners = 6;
         mesh = given("V_MESH", &object, sizeof object);

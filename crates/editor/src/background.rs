@@ -115,3 +115,7 @@ impl<T> Drop for Background<T> {
         }
     }
 }
+
+#[cfg(test)]
+#[path = "background_tests.rs"]
+mod tests;

@@ -4,7 +4,7 @@ use std::cell::RefCell;
 use std::ptr;
 use std::sync::Arc;
 
-use crate::document::Object;
+use crate::document::{Document, Object};
 use crate::error::Result;
 use crate::state::Editor;
 use crate::tools::clearance::Clearance;
@@ -22,6 +22,19 @@ struct Prepared {
 }
 
 impl Editor {
+    /// The path with all that stands around it, for another thread: without a scene, which may have
+    /// functions of the host's.
+    pub(crate) fn apart(&self) -> Result<Document> {
+        let mut info = self.document.info().clone();
+        if self.document.edited_scene().is_some() {
+            info.object = match self.document.obstacles()? {
+                Some(mesh) => Object::of_mesh(mesh)?,
+                None => Object::default(),
+            };
+        }
+        Document::from_parts(self.document.path().try_clone()?, info)
+    }
+
     /// Whether there may be an object.
     pub(crate) fn has_object(&self) -> bool {
         !self.document.info().object.is_empty() || self.document.edited_scene().is_some()

@@ -9,7 +9,7 @@ use egui::{Button, Context, Label, RichText, ScrollArea, Ui, vec2};
 use super::{SubWindow, Windows, sub_window};
 use crate::action::Action;
 use crate::background::Background;
-use crate::document::{Document, Edit, Note, StepName, is_planned};
+use crate::document::{Edit, Note, StepName, is_planned};
 use crate::error::Result;
 use crate::number::{Entry, Number};
 use crate::state::Editor;
@@ -306,7 +306,7 @@ impl Editor {
 impl Editor {
     /// Mends a finding by the planner, or tells why it cannot be.
     pub(crate) fn cure(&mut self, finding: &Finding) {
-        let copy = self.document.try_clone().map(Document::without_history);
+        let copy = self.apart();
         let (object, finding) = (self.obstacles(), *finding);
         let mut work = Background::begin(self.start, move |progress| {
             copy?.remedy(&finding, object?.as_deref(), progress)

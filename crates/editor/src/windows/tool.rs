@@ -517,7 +517,7 @@ impl Editor {
             self.show_made(window, edit);
             return;
         }
-        let copy = document.try_clone().map(Document::without_history);
+        let copy = self.apart();
         let (material, numbers) = (window.material.clone(), window.numbers.clone());
         let mut work = Background::begin(self.start, move |progress| {
             tool.edit(&copy?, &material, &numbers, progress)

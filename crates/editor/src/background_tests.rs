@@ -1,0 +1,151 @@
+use std::time::{Duration, Instant};
+
+use egui_kittest::kittest::NodeT;
+use glam::DVec3;
+use vides_engine::scene::Mesh;
+
+use crate::document::{At, Edit, Object, is_planned};
+use crate::path::CameraPath;
+use crate::screenshots::screenshot;
+use crate::tests::*;
+
+/// A thread whose work is never done at once.
+fn late(work: Box<dyn FnOnce() + Send>) -> bool {
+    std::thread::spawn(|| {
+        std::thread::sleep(3 * super::AT_ONCE);
+        work();
+    });
+    true
+}
+
+/// A window with a small tetrahedron in its space.
+fn beside(language: Language, start: super::Start) -> Window {
+    let mut window = window_with_points(language, LARGE, 1.0, Theme::Dark);
+    window.state_mut().work_beside(start);
+    let corners = [
+        [-0.1, -0.1, -0.1],
+        [0.1, -0.1, 0.1],
+        [0.1, 0.1, -0.1],
+        [-0.1, 0.1, 0.1],
+    ];
+    let mut info = window.state().document.info().clone();
+    info.object = Object::of_mesh(Mesh {
+        points: corners.map(DVec3::from_array).to_vec(),
+        triangles: vec![[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]],
+        ..Mesh::default()
+    })
+    .unwrap();
+    window.state_mut().edit(Edit::SetInfo(Box::new(info)));
+    window.run();
+    window
+}
+
+fn tour(window: &mut Window) {
+    let language = window.state().language();
+    press(window, Modifiers::ALT, Key::W);
+    click(window, &format!("{} …", language.tool("tour")));
+}
+
+fn path(window: &Window) -> CameraPath {
+    window.state().document.path().clone()
+}
+
+fn is_able(window: &Window) -> bool {
+    let ok = window.get_all_by_label("OK").last().expect("a button");
+    !ok.accesskit_node().is_disabled()
+}
+
+/// Steps until something is true; false after some seconds.
+const PATIENCE: Duration = Duration::from_secs(3);
+
+fn comes(window: &mut Window, what: impl Fn(&Window) -> bool) -> bool {
+    let begun = Instant::now();
+    while !what(window) && begun.elapsed() < PATIENCE {
+        std::thread::sleep(Duration::from_millis(20));
+        window.step();
+    }
+    what(window)
+}
+
+#[test]
+fn a_tool_works_while_the_window_goes_on() {
+    for language in BOTH {
+        let mut window = beside(language, late);
+        let before = path(&window);
+        tour(&mut window);
+        assert_eq!(path(&window), before);
+        assert!(!is_able(&window));
+        screenshot(&mut window, &format!("work-{language:?}.png"));
+        // One looks round meanwhile.
+        window.state_mut().scrub(7.0);
+        assert!(comes(&mut window, |window| path(window) != before));
+        window.step();
+        assert!(is_able(&window) && window.state().playing.is_playing());
+        click(&mut window, language.texts().tools.cancel);
+        assert_eq!(path(&window), before);
+    }
+}
+
+#[test]
+fn who_cancels_need_not_wait() {
+    let mut window = beside(Language::English, late);
+    let before = path(&window);
+    tour(&mut window);
+    click(&mut window, "Cancel");
+    assert!(window.state().windows.tool.is_none());
+    assert_eq!(path(&window), before);
+    // Another edit gives it up, too.
+    tour(&mut window);
+    let edit = Edit::set(At::Path, "closed", true);
+    window
+        .state_mut()
+        .act(crate::action::Action::Edit(edit), &egui::Context::default());
+    assert!(window.state().windows.tool.is_none() && path(&window).closed);
+    assert!(!comes(&mut window, |window| path(window).points.len()
+        != before.points.len()));
+}
+
+#[test]
+fn without_threads_to_be_had_nothing_is_lost() {
+    let mut window = beside(Language::English, |_| false);
+    let before = path(&window);
+    tour(&mut window);
+    assert!(window.query_by_label_contains("cancelled").is_some() && !is_able(&window));
+    assert_eq!(path(&window), before);
+}
+
+#[test]
+fn a_finding_is_cured_while_the_window_goes_on() {
+    for cancels in [false, true] {
+        let mut window = beside(Language::English, late);
+        let mut info = window.state().document.info().clone();
+        let kind = vides_engine::tools::check::FindingKind::Speed;
+        info.limits.set(kind, 0.05).unwrap();
+        window.state_mut().edit(Edit::SetInfo(Box::new(info)));
+        press(&mut window, Modifiers::ALT, Key::W);
+        click(&mut window, "Check …");
+        let found = window
+            .state()
+            .windows
+            .check
+            .as_ref()
+            .unwrap()
+            .found()
+            .to_vec();
+        let finding = *found.iter().find(|found| found.kind == kind).unwrap();
+        assert!(is_planned(kind));
+        let before = path(&window);
+        let cure = crate::action::Action::Cure(finding);
+        window.state_mut().act(cure, &egui::Context::default());
+        window.step();
+        assert_eq!(path(&window), before);
+        if cancels {
+            click(&mut window, "Cancel");
+            assert!(!comes(&mut window, |window| path(window) != before));
+        } else {
+            assert!(comes(&mut window, |window| path(window) != before));
+            let left = window.state().document.check(None).unwrap();
+            assert!(!left.iter().any(|left| left.kind == kind));
+        }
+    }
+}
