@@ -190,7 +190,7 @@ pub(crate) fn tool(
         room.copy_from_slice(&wanted);
     }
     let material = block.map_or(ToolInput::None, |block| ToolInput::Block(Box::new(block)));
-    match tool.edit(document, &material, &numbers)? {
+    match tool.edit(document, &material, &numbers, &mut |_, _| true)? {
         Some(edit) => Ok(document.apply(edit)?),
         None => Err(Failure::argument(format!(
             "{} needs another path, or is not for Python",

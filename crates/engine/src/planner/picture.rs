@@ -227,7 +227,7 @@ impl<'a> Work<'a> {
     /// the camera, and when it is cancelled. Infinite for a single place in the middle.
     fn zoom_for(&mut self, camera: &Camera) -> Option<f64> {
         self.seen += 1;
-        if self.seen % BETWEEN == 0 && !self.cancelled {
+        if self.seen.is_multiple_of(BETWEEN) && !self.cancelled {
             self.cancelled = !(self.progress)(self.seen % self.all, self.all);
         }
         if self.cancelled {
