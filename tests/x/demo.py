@@ -140,7 +140,7 @@ def slow_start(player):
     go_to(player, CORNER)
     for _ in range(3):
         player.button(4, 1)
-    player.button(7, 0)
+    player.button(8, 0)
 
     def shapes():
         picture = player.server.drawn(player.window)
@@ -251,7 +251,7 @@ def beside(command, name, folder, picture, about, orbits):
             server.drawn(window)
             before = server.drawn(host, 1)
             # The playhead is put in the middle.
-            server.click(window, width // 2, height - rail_above(height))
+            server.click(window, width // 2, height - rail_above(height, markers=not orbits))
             wait(lambda: server.picture(host).differs(before), "the host to follow")
             server.xdotool("mousemove", "--window", window, *AWAY)
             server.drawn(host, 1)
