@@ -601,3 +601,31 @@ proptest! {
         prop_assert!(!copy.can_undo());
     }
 }
+
+#[test]
+fn no_node_is_edited_in_whose_space_the_object_would_be_too_far_away() {
+    let mut scene = Scene::new();
+    for (name, half_size) in [("far", 1e6), ("near", 1.0)] {
+        let mut path = CameraPath::default();
+        path.space.half_size = half_size;
+        let mut node = Node::new(name, scene::Kind::Group);
+        let path = FollowPath::new(path, 1.0, Extrapolation::Hold).unwrap();
+        node.set_path(Some(path)).unwrap();
+        scene.add(node).unwrap();
+    }
+    let mut document = Document::new();
+    document.apply(Edit::ReplaceScene(Box::new(scene))).unwrap();
+    let _ = document.apply(Edit::EditNode(Some(0)));
+    let mut info = Info::default();
+    let position = DVec3::splat(1e14);
+    info.object = vec![ObjectPoint {
+        position,
+        draw: true,
+    }]
+    .into();
+    document.apply(Edit::SetInfo(Box::new(info))).unwrap();
+    let before = whole(&document);
+    let error = document.apply(Edit::EditNode(Some(1))).unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::Range);
+    assert_eq!(whole(&document), before);
+}

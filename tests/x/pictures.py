@@ -29,9 +29,9 @@ def take(hosts, theme, scale, path):
             host = Told(folder, [os.path.join(hosts, "loop_poll-archive")], server.env)
             host.edit(0, os.path.realpath(PYRAMID))
             window = server.new_window()
-            for _ in range(3):  # on to the corner where the camera pans
-                server.click(window, 212 * scale, 108 * scale)
-                server.drawn(window)
+            # The corner where the camera pans, in the list.
+            server.click(window, 60 * scale, 150 * scale)
+            server.drawn(window)
             server.xdotool("mousemove", 2490, 1690)
             server.drawn(window).save(path)
         finally:

@@ -264,6 +264,7 @@ fn other_node(state: &State, node: Option<usize>) -> Result<Prepared> {
         return Ok((IDLE, None));
     }
     let (edited, path) = edited_scene::edit(edited.with(&state.path)?, node)?;
+    state.info.check(path.space)?;
     exchanged_scene(Some(edited), path)
 }
 
