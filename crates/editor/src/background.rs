@@ -25,6 +25,8 @@ pub(crate) struct Background<T> {
     how_far: Arc<HowFar>,
     answer: Receiver<Result<T>>,
     known: Option<Result<T>>,
+    /// A forked child has no thread to wait for.
+    process: u32,
 }
 
 #[derive(Debug, Default)]
@@ -62,6 +64,7 @@ impl<T: Send + 'static> Background<T> {
             how_far,
             answer,
             known: None,
+            process: std::process::id(),
         };
         begun.known = begun.wait(AT_ONCE);
         begun
@@ -110,7 +113,7 @@ impl<T> Drop for Background<T> {
     /// Its thread ends before the window goes on.
     fn drop(&mut self) {
         self.how_far.cancelled.store(true, Ordering::Relaxed);
-        if self.known.is_none() {
+        if self.known.is_none() && self.process == std::process::id() {
             let _ = self.answer.recv();
         }
     }
