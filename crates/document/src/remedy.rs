@@ -38,7 +38,7 @@ impl Document {
     /// or zoom gets more frames (not over eight times as many: then the view should change), a
     /// corner or cusp smooth tangents, a speed that jumps goes over into the next one, or to rest
     /// where the camera rests, a view that jumps gets a place ahead to look at; a redundant key is
-    /// removed. Where nothing of `object`, or the document's own, is in the picture the views are
+    /// removed. Where nothing of `object` is in the picture the views are
     /// turned so that all of it is; where it is too large for that, to its middle. Where the way is
     /// too near `object` or goes through it, the whole way is led clear of it
     /// ([`vides_engine::planner::avoid()`]), with the limit of the clearance. Where the camera is too

@@ -37,7 +37,8 @@ struct HowFar {
 }
 
 impl<T: Send + 'static> Background<T> {
-    /// Begins it; where there is no thread to be had it is done before this returns.
+    /// Begins it. Without a way to start threads it is done before this returns; where none can be
+    /// started it counts as cancelled.
     pub(crate) fn begin(
         start: Option<Start>,
         work: impl FnOnce(Progress<'_>) -> Result<T> + Send + 'static,

@@ -98,8 +98,9 @@ const SMOOTHED: usize = 25;
 ///
 /// # Errors
 /// [`crate::Error::Argument`] for limits of 0, none at all, a time shorter than they allow, or
-/// where the pace would have to rest within a section, or `progress` ends it; [`crate::Error::Range`] for points that
-/// there are not; [`crate::Error::Limit`] for too many frames; [`crate::Error::Memory`].
+/// where the pace would have to rest within a section, or `progress` ends it;
+/// [`crate::Error::Range`] for points that there are not; [`crate::Error::Limit`] for too many
+/// frames; [`crate::Error::Memory`].
 pub fn retime(path: &CameraPath, request: &Request, progress: Progress<'_>) -> Result<Retimed> {
     let bounds = Bounds::new(&request.limits)?;
     if !(request.seconds >= 0.0 && request.seconds.is_finite()) {

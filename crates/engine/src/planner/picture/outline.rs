@@ -56,7 +56,7 @@ impl<'a> Outline<'a> {
         }
     }
 
-    /// The middle of the box around it.
+    /// The box around it.
     pub(super) fn bounds(&self) -> [DVec3; 2] {
         self.tree.bounds()
     }
