@@ -49,7 +49,7 @@ pub use mesh_file::{Watcher, load_mesh, load_object, mesh_source, watch_meshes};
 #[doc(hidden)]
 pub use not_a_file::NotAFile;
 pub use notes::Note;
-pub use wireframe::features;
+pub use wireframe::{coarse, features, sharp_lines};
 
 pub use prepare::no_longer_ahead;
 pub use property::properties;

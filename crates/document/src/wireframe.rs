@@ -93,9 +93,76 @@ pub fn features(mesh: &Mesh) -> Result<Vec<[u32; 2]>> {
         return Ok(chosen.map(|at| [at, at]).collect());
     }
     let mut all = edges(mesh)?;
+    if all.is_empty() {
+        let mut sides = sides(mesh)?;
+        sides.dedup_by_key(|(side, _)| *side);
+        all = thinned(
+            sides.into_iter().map(|(side, _)| side).collect(),
+            MAX_SMOOTH_LINES,
+        );
+    }
     all.try_reserve(mesh.lines.len())?;
     all.extend(&mesh.lines);
     Ok(thinned(all, MAX_LINES))
+}
+
+/// The lines to draw on a mesh whose faces are seen: its own, borders and sharp edges, thinned as
+/// [`features`]; of a ball there are none.
+///
+/// # Errors
+/// As [`features`].
+pub fn sharp_lines(mesh: &Mesh) -> Result<Vec<[u32; 2]>> {
+    mesh.check()?;
+    let mut all = edges(mesh)?;
+    all.try_reserve(mesh.lines.len())?;
+    all.extend(&mesh.lines);
+    Ok(thinned(all, MAX_LINES))
+}
+
+/// Cells along each side of a mesh's box in which one point stands for all others.
+const CELLS: usize = 80;
+
+/// Some ten thousand triangles that look like the mesh from afar, as indices of its points (Rossignac
+/// and Borrel 1993: points in a cell of a grid become one).
+///
+/// # Errors
+/// `ErrorKind::Memory`.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+pub fn coarse(mesh: &Mesh) -> Result<Vec<[u32; 3]>> {
+    let points = || mesh.points.iter().copied();
+    let low = points().fold(DVec3::INFINITY, DVec3::min);
+    let size = points().fold(DVec3::NEG_INFINITY, DVec3::max) - low;
+    let unit = CELLS as f64 / size.max_element().max(f64::MIN_POSITIVE);
+    let cell = |point: DVec3| {
+        let at = ((point - low) * unit)
+            .to_array()
+            .map(|x| (x as usize).min(CELLS - 1));
+        (at[0] * CELLS + at[1]) * CELLS + at[2]
+    };
+    let mut of_cell = vec_with_room(CELLS * CELLS * CELLS)?;
+    of_cell.resize(CELLS * CELLS * CELLS, u32::MAX);
+    let mut of_point = vec_with_room(mesh.points.len())?;
+    for (number, point) in (0_u32..).zip(points()) {
+        let first = &mut of_cell[cell(point)];
+        *first = number.min(*first);
+        of_point.push(*first);
+    }
+    let mut all = Vec::new();
+    for &triangle in &mesh.triangles {
+        let [a, b, c] = triangle.map(|at| of_point[at as usize]);
+        if a != b && b != c && c != a {
+            all.try_reserve(1)?;
+            // Equal ones come to lie beside each other.
+            all.push(match a.min(b).min(c) {
+                least if least == a => [a, b, c],
+                least if least == b => [b, c, a],
+                _ => [c, a, b],
+            });
+        }
+    }
+    all.sort_unstable();
+    all.dedup();
+    Ok(all)
 }
 
 fn thinned(all: Vec<[u32; 2]>, most: usize) -> Vec<[u32; 2]> {
@@ -117,6 +184,7 @@ fn sides(mesh: &Mesh) -> Result<Vec<([u32; 2], usize)>> {
     Ok(sides)
 }
 
+/// Borders and sharp edges.
 fn edges(mesh: &Mesh) -> Result<Vec<[u32; 2]>> {
     let place = |at: u32| mesh.points[at as usize];
     let normal = |&[a, b, c]: &[u32; 3]| {
@@ -137,12 +205,7 @@ fn edges(mesh: &Mesh) -> Result<Vec<[u32; 2]>> {
     };
     let found = groups().filter(sharp).map(|group| group[0].0);
     // The tip of a cone may be many points at one place.
-    let found: Vec<[u32; 2]> = found.filter(|&[a, b]| place(a) != place(b)).collect();
-    if found.is_empty() {
-        let all = groups().map(|group| group[0].0).collect();
-        return Ok(thinned(all, MAX_SMOOTH_LINES));
-    }
-    Ok(found)
+    Ok(found.filter(|&[a, b]| place(a) != place(b)).collect())
 }
 
 #[cfg(test)]
@@ -239,6 +302,7 @@ mod tests {
             let [c, d] = [0, 1].map(|more| point(ring + 1, turn + more));
             ball.triangles.extend([[a, b, c], [b, d, c]]);
         }
+        assert_eq!(sharp_lines(&ball).unwrap(), [[0_u32; 2]; 0]);
         let found = features(&ball).unwrap().len();
         assert!(
             (MAX_SMOOTH_LINES / 2..=MAX_SMOOTH_LINES).contains(&found),

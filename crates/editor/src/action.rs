@@ -186,6 +186,8 @@ pub(super) enum Action {
     GraphHeight(f32),
     /// Show the sliders around the space, or hide them.
     SwitchSliders,
+    /// Show objects as lines, or shaded.
+    SwitchWireframe,
     Pace(Pace),
     Setup(Box<Setup>),
     /// A language of the window, or the environment's.
@@ -237,6 +239,7 @@ impl Action {
                 | Self::SwitchMovesAlong
                 | Self::Retime(_)
                 | Self::SwitchSliders
+                | Self::SwitchWireframe
                 | Self::RulerInFrames(_)
                 | Self::GraphHeight(_)
                 | Self::Pace(_)
@@ -290,6 +293,7 @@ impl Action {
                 | Self::SwitchKeepsLength
                 | Self::SwitchMovesAlong
                 | Self::SwitchSliders
+                | Self::SwitchWireframe
                 | Self::RulerInFrames(_)
                 | Self::GraphHeight(_)
                 | Self::Pace(_)

@@ -11,8 +11,9 @@ use super::quad::Quad;
 use super::rounded_rect::RoundedRect;
 use super::rounded_rect_painter::RoundedRectPainter;
 use super::stroke::{self, Stroke};
+use super::surfaces::Surfaces;
 use super::texture::{Texture, Textures};
-use super::tile::{Ink, PixelRect, Tile};
+use super::tile::{FULL, Ink, PixelRect, Tile, pixel};
 use super::triangle::{self, Corner};
 
 /// Seeds the hash of a tile covered by one colour.
@@ -77,6 +78,7 @@ pub(super) struct Part {
 pub(super) enum Shape<'a> {
     Mesh(&'a Mesh),
     Lines(&'a Lines),
+    Surfaces(&'a Surfaces),
     RoundedRect(&'a RoundedRect),
 }
 
@@ -85,8 +87,10 @@ impl<'a> Shape<'a> {
         match &primitive.primitive {
             Primitive::Mesh(mesh) => Some(Self::Mesh(mesh)),
             Primitive::Callback(callback) => {
+                let content = &callback.callback;
                 let lines = Lines::of(callback).map(Self::Lines);
-                lines.or_else(|| callback.callback.downcast_ref().map(Self::RoundedRect))
+                let lines = lines.or_else(|| content.downcast_ref().map(Self::Surfaces));
+                lines.or_else(|| content.downcast_ref().map(Self::RoundedRect))
             }
         }
     }
@@ -120,6 +124,7 @@ fn extent(primitive: &ClippedPrimitive, pixels_per_point: f32, target: PixelRect
             }
             extent = extent.expand(0.5 * widest);
         }
+        Some(Shape::Surfaces(surfaces)) => return surfaces.bounds().intersect(target),
         Some(Shape::RoundedRect(rounded_rect)) => extent = rounded_rect.rect,
     }
     // A line is at least a pixel wide, and its bounds are rounded outwards.
@@ -163,6 +168,7 @@ impl Layer {
                 }
             }
             Some(Shape::Lines(lines)) => layer.sort_lines(lines, pixels_per_point),
+            Some(Shape::Surfaces(surfaces)) => layer.sort_surfaces(surfaces),
             Some(Shape::RoundedRect(rounded_rect)) => {
                 layer.sort_rounded_rect(rounded_rect, pixels_per_point, target)
             }
@@ -311,6 +317,25 @@ impl Layer {
         }
     }
 
+    fn sort_surfaces(&mut self, surfaces: &Surfaces) {
+        for (x, y) in self.tiles.each() {
+            let within = self.key.clip().intersect(pixels_of(x, y));
+            let mut seen = false;
+            let mut hash = 2;
+            for (_, _, row) in surfaces.rows(within) {
+                seen |= row.iter().any(|&color| color != Color32::TRANSPARENT);
+                let words = row.chunks(2).map(|two| match two {
+                    [a, b] => u64::from(bits(*a)) << 32 | u64::from(bits(*b)),
+                    rest => rest.iter().map(|&color| u64::from(bits(color))).sum(),
+                });
+                hash = words.fold(hash, mix);
+            }
+            if seen {
+                self.add(x, y, 0, hash);
+            }
+        }
+    }
+
     #[inline]
     fn add(&mut self, x: usize, y: usize, item: u32, hash: u64) {
         let Some(index) = self.tiles.index(x, y) else {
@@ -419,6 +444,19 @@ impl Layer {
                     }
                 }
             }
+            Some(Shape::Surfaces(surfaces)) if next != END => {
+                for (y, x, row) in surfaces.rows(within) {
+                    let to = x + row.len() as i32;
+                    for (below, &color) in tile.span(y, x, to).iter_mut().zip(row) {
+                        *below = match color.a() {
+                            0 => continue,
+                            255 => pixel(color),
+                            _ => Ink::new(color).over_translucent(*below, FULL),
+                        };
+                    }
+                }
+            }
+            Some(Shape::Surfaces(_)) => {}
             Some(Shape::RoundedRect(rounded_rect)) => {
                 if next != END
                     && let Some(painter) = RoundedRectPainter::new(rounded_rect, pixels_per_point)

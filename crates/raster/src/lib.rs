@@ -21,6 +21,7 @@ mod rounded_rect;
 mod rounded_rect_painter;
 mod spans;
 mod stroke;
+mod surfaces;
 #[cfg(test)]
 mod tests;
 mod texture;
@@ -28,6 +29,7 @@ mod tile;
 mod triangle;
 
 pub use lines::{Line, Lines};
+pub use surfaces::{Corner3, Surfaces};
 
 use backdrop::{Backdrop, Step};
 use grid::{Areas, Tiles, pixels_of};
@@ -151,7 +153,7 @@ impl Raster {
     }
 
     /// Paints what changed since the last call and returns the areas painted. Only paint callbacks
-    /// made by [`primitives`] and [`Lines::shape`] are painted. A target smaller than it claims is
+    /// made by [`primitives`], [`Lines::shape`] and [`Surfaces::shape`] are painted. A target smaller than it claims is
     /// left alone.
     pub fn paint(
         &mut self,

@@ -306,6 +306,12 @@ fn settings(editor: &Editor) -> Vec<Entry> {
             Action::SwitchSliders,
         )
         .on(editor.shows_sliders()),
+        Entry::new(
+            editor.texts().space.wireframe,
+            editor.texts().space.wireframe_tip,
+            Action::SwitchWireframe,
+        )
+        .on(editor.setup.wireframe),
         look(texts.as_system, hints.as_system, None).apart(),
         look(texts.dark, hints.dark, Some(Theme::Dark)),
         look(texts.light, hints.light, Some(Theme::Light)),

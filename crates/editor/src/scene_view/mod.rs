@@ -16,7 +16,7 @@ use glam::{DAffine3, DVec3};
 use vides_engine::scene::{NodeState, Scene, Warnings};
 
 pub(super) use self::panel::{list, no_path, show};
-pub(super) use self::wires::{other_paths, outline, wires};
+pub(super) use self::wires::{Seen, each_object, other_paths, outline, wires};
 use crate::document::Document;
 use crate::error::{Error, Refused, Result};
 use crate::path::{Pose, Space};
@@ -26,7 +26,7 @@ use crate::state::Editor;
 #[derive(Debug, Default)]
 pub(super) struct SceneView {
     now: RefCell<Option<Now>>,
-    edges: RefCell<edges::Edges>,
+    pub(super) edges: RefCell<edges::Edges>,
 }
 
 /// The scene at the playhead.

@@ -1,10 +1,10 @@
 //! What is drawn of a scene, as lines in the world.
 
-use glam::DVec3;
-use vides_engine::scene::{Kind, Node, Warnings};
+use glam::{DAffine3, DVec3};
+use vides_engine::scene::{Kind, Mesh, Node, Warnings};
 
 use super::Now;
-use super::edges::Edges;
+use super::edges::{Drawn, Edges};
 use crate::document::Document;
 use crate::error::Result;
 use crate::path::curve;
@@ -40,6 +40,30 @@ pub(crate) fn outline(document: &Document) -> Result<Vec<[DVec3; 2]>> {
 }
 
 fn of_objects(edges: &mut Edges, now: &Now, mut take: impl FnMut(Wire)) {
+    each_object(edges, now, |object| {
+        let world = object.world;
+        let place = |at: u32| world.transform_point3(object.points[at as usize]);
+        for &[a, b] in object.drawn.wires(object.mesh) {
+            take(Wire {
+                ends: [place(a), place(b)],
+                colour: object.colour,
+            });
+        }
+    });
+}
+
+/// A visible object of the scene as it is now.
+pub(crate) struct Seen<'a> {
+    pub(crate) mesh: &'a Mesh,
+    /// Those of the mesh, or where its deformations bring them.
+    pub(crate) points: &'a [DVec3],
+    pub(crate) world: DAffine3,
+    /// Linear.
+    pub(crate) colour: [f64; 3],
+    pub(crate) drawn: &'a mut Drawn,
+}
+
+pub(crate) fn each_object(edges: &mut Edges, now: &Now, mut take: impl FnMut(Seen<'_>)) {
     let mut moved = Vec::new();
     for (at, node) in now.scene.nodes().iter().enumerate() {
         let state = &now.states[at];
@@ -60,14 +84,13 @@ fn of_objects(edges: &mut Edges, now: &Now, mut take: impl FnMut(Wire)) {
                 points = &moved;
             }
         }
-        let world = state.world();
-        let place = |at: u32| world.transform_point3(points[at as usize]);
-        for &[a, b] in edges.of(now.made_of.0, at, mesh) {
-            take(Wire {
-                ends: [place(a), place(b)],
-                colour: state.colour,
-            });
-        }
+        take(Seen {
+            mesh,
+            points,
+            world: state.world(),
+            colour: state.colour,
+            drawn: edges.of(now.made_of.0, at),
+        });
     }
 }
 

@@ -33,7 +33,10 @@ const RULER: &str = "ruler_frames";
 /// The key of the sliders.
 const SLIDERS: &str = "sliders";
 
-const KEYS: [&str; 15] = [
+/// The key of objects as lines.
+const WIREFRAME: &str = "wireframe";
+
+const KEYS: [&str; 16] = [
     "version",
     "theme",
     "language",
@@ -45,6 +48,7 @@ const KEYS: [&str; 15] = [
     "speed_graph",
     RULER,
     SLIDERS,
+    WIREFRAME,
     "view",
     "shown",
     "dark",
@@ -129,6 +133,7 @@ fn write_setup(out: &mut String, setup: &Setup) -> std::fmt::Result {
     writeln!(out, "safe_frame = {}", setup.safe_frame)?;
     writeln!(out, "speed_graph = {}", setup.speed_graph)?;
     writeln!(out, "{RULER} = {}", setup.ruler_frames)?;
+    writeln!(out, "{WIREFRAME} = {}", setup.wireframe)?;
     if let Some(sliders) = setup.sliders {
         writeln!(out, "{SLIDERS} = {sliders}")?;
     }
@@ -202,6 +207,7 @@ fn from_toml(text: &str) -> Result<Setup> {
             "speed_graph" => setup.speed_graph = field.boolean()?,
             SLIDERS => setup.sliders = Some(field.boolean()?),
             RULER => setup.ruler_frames = field.boolean()?,
+            WIREFRAME => setup.wireframe = field.boolean()?,
             "view" => setup.view = view(field)?,
             "shown" => read_shown(field, &mut setup.shown)?,
             "dark" => read_colours(field, &mut setup.dark)?,
@@ -312,6 +318,12 @@ impl Editor {
         self.keep(SLIDERS, &sliders.to_string());
     }
 
+    /// Shows objects as lines or shaded, also for the next start.
+    pub(crate) fn switch_wireframe(&mut self) {
+        self.setup.wireframe = !self.setup.wireframe;
+        self.keep(WIREFRAME, &self.setup.wireframe.to_string());
+    }
+
     /// Lets the ruler count frames or seconds, also for the next start.
     pub(crate) fn choose_ruler(&mut self, frames: bool) {
         self.setup.ruler_frames = frames;
@@ -389,6 +401,7 @@ mod tests {
             speed_graph: false,
             ruler_frames: true,
             sliders: Some(true),
+            wireframe: true,
             view: View {
                 rotation: -12.345_678_901_234_5,
                 tilt: 1.0 / 3.0,

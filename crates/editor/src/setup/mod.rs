@@ -246,6 +246,8 @@ pub(super) struct Setup {
     pub(super) dark: Colours,
     pub(super) light: Colours,
     pub(super) shown: Shown,
+    /// Objects are lines, not shaded faces.
+    pub(super) wireframe: bool,
     pub(super) view: View,
     pub(super) camera_view: bool,
     pub(super) camera_place: CameraPlace,
@@ -272,6 +274,7 @@ impl Default for Setup {
             dark: Colours::DARK,
             light: Colours::LIGHT,
             shown: Shown::default(),
+            wireframe: false,
             view: View::default(),
             camera_view: true,
             camera_place: CameraPlace::default(),

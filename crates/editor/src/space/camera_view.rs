@@ -7,15 +7,17 @@ use egui::{
     Align, Align2, Button, Color32, Context, FontId, Key, Label, Layout, Painter, PointerButton,
     Pos2, Rect, Response, RichText, Sense, Ui, UiBuilder, Vec2, vec2,
 };
-use glam::{DMat4, DVec2, DVec3};
+use glam::{DMat4, DVec2, DVec3, DVec4};
 
-use super::scene::{floor, object_line};
+use super::projection::{from_pos, light};
+use super::scene::{EDGE, floor, object_line};
+use super::solid::{Eye, Solid};
 use super::{Camera, drawing, flying};
 use crate::action::Action;
 use crate::host::HostPane;
 use crate::keys;
 use crate::math::view::View;
-use crate::raster::{Line, Lines};
+use crate::raster::{Line, Lines, Surfaces};
 use crate::scene_view::wires;
 use crate::setup::{CameraPlace, Element, Setup};
 use crate::state::Editor;
@@ -58,6 +60,7 @@ pub(super) fn divided(setup: &Setup, viewport: Rect) -> (Rect, Option<Rect>) {
 /// Shows the picture docked, where one can fly through it; returns what the host is to draw into.
 pub(super) fn docked(
     editor: &Editor,
+    solid: &mut Solid,
     ui: &mut Ui,
     rect: Rect,
     actions: &mut Vec<Action>,
@@ -70,13 +73,14 @@ pub(super) fn docked(
     let inside = UiBuilder::new()
         .max_rect(rect.shrink(4.0))
         .id_salt("camera view");
-    ui.scope_builder(inside, |ui| contents(editor, ui, true, actions))
+    ui.scope_builder(inside, |ui| contents(editor, solid, ui, true, actions))
         .inner
 }
 
 /// Shows the picture as a floating pane, if it is open; returns what the host is to draw into.
 pub(super) fn show(
     editor: &Editor,
+    solid: &mut Solid,
     context: &Context,
     viewport: Rect,
     actions: &mut Vec<Action>,
@@ -111,7 +115,7 @@ pub(super) fn show(
             .min_width(width)
             .max_width(width);
     }
-    let shown = pane.show(context, |ui| contents(editor, ui, false, actions))?;
+    let shown = pane.show(context, |ui| contents(editor, solid, ui, false, actions))?;
     let rect = shown.response.rect;
     let held = context.input(|input| input.pointer.any_down());
     let by_hand = known.is_some_and(|known| {
@@ -162,6 +166,7 @@ fn first_width(viewport: Rect) -> f32 {
 
 fn contents(
     editor: &Editor,
+    solid: &mut Solid,
     ui: &mut Ui,
     docked: bool,
     actions: &mut Vec<Action>,
@@ -196,8 +201,7 @@ fn contents(
         return (!ui.is_sizing_pass()).then_some(HostPane { picture, above });
     }
     let painter = ui.painter_at(picture);
-    let lines = picture_of(editor, &camera, picture);
-    painter.add(Lines::shape(&Arc::new(lines), picture));
+    paint(editor, solid, &camera, &painter, picture);
     let line = egui::Stroke::new(1.0, theme::palette(ui).line);
     if docked {
         painter.rect_stroke(picture, 0.0, line, egui::StrokeKind::Inside);
@@ -460,9 +464,14 @@ fn camera_of_path(editor: &Editor) -> Option<Camera> {
     }
 }
 
-/// Cube and object as the camera sees them, in `picture`.
-fn picture_of(editor: &Editor, camera: &Camera, picture: Rect) -> Lines {
-    let mut lines = Lines::default();
+/// The matrix into the canonical volume, in half sizes from the middle of the space, and how a
+/// camera sees the world in `picture`.
+pub(super) fn eye(
+    editor: &Editor,
+    camera: &Camera,
+    picture: Rect,
+    pixels_per_point: f64,
+) -> Option<(DMat4, Eye)> {
     let object = &editor.document.info().object;
     let space = editor.shown_space();
     // In half sizes from the middle, so that a space far from the origin loses no digits.
@@ -482,47 +491,103 @@ fn picture_of(editor: &Editor, camera: &Camera, picture: Rect) -> Lines {
         FRONT,
         back,
     );
-    let Ok(matrix) = view.and_then(|view| view.matrix()) else {
-        return lines;
+    let matrix = view.and_then(|view| view.matrix()).ok()?;
+    let unit = DMat4::from_scale(DVec3::splat(1.0 / space.half_size));
+    let eye = Eye {
+        matrix: pixels(picture, pixels_per_point)
+            * matrix
+            * unit
+            * DMat4::from_translation(-space.centre),
+        front: FRONT / back,
+        slack: [0.0, 4e-3],
+        light: light(camera.view.cross(camera.up), camera.up, -camera.view),
+        rect: picture,
+        pixels_per_point,
+        of_path: false,
     };
-    let mut add = |from: DVec3, to: DVec3, width: f32, color: Color32| {
-        let [from, to] = [from, to].map(local);
-        if let Some([from, to]) = seen(&matrix, FRONT / back, from, to) {
-            lines.lines.push(Line {
-                from: on_picture(from, picture),
-                to: on_picture(to, picture),
-                width,
-                color,
-            });
-        }
+    Some((matrix, eye))
+}
+
+/// Paints cube and object as the camera sees them, in `picture`.
+fn paint(editor: &Editor, solid: &mut Solid, camera: &Camera, painter: &Painter, picture: Rect) {
+    let pixels_per_point = f64::from(painter.pixels_per_point());
+    let Some((matrix, eye)) = eye(editor, camera, picture, pixels_per_point) else {
+        return;
+    };
+    let object = &editor.document.info().object;
+    let space = editor.shown_space();
+    let local = |place: DVec3| (place - space.centre) / space.half_size;
+    let sight = solid.update(editor, painter.ctx(), eye).cloned();
+    let shape = |lines: Vec<Line>| Lines::shape(&Arc::new(Lines { lines }), picture);
+    let line = |[from, to]: [DVec3; 2], width: f32, color: Color32| {
+        let [from, to] = seen(&matrix, eye.front, local(from), local(to))?;
+        let [from, to] = [from, to].map(|end| on_picture(end, picture));
+        Some(Line {
+            from,
+            to,
+            width,
+            color,
+        })
     };
     let colours = editor.setup.colours();
     let shown = &editor.setup.shown;
+    let mut lines = Vec::new();
+    let mut room = |ends: [DVec3; 2], color: Color32| match &sight {
+        None => lines.extend(line(ends, 1.0, color)),
+        Some(sight) => sight.parts(ends[0], ends[1], |start, end, hidden| {
+            let part = [start, end].map(|at| ends[0].lerp(ends[1], at));
+            lines.extend(line(part, 1.0, color).filter(|_| !hidden));
+        }),
+    };
     if shown.has(Element::Cube) {
         let color = colours.of(Element::Cube).gamma_multiply(0.7);
         for (from, to) in super::cube(space) {
-            add(from, to, 1.0, color);
+            room([from, to], color);
         }
         let color = color.gamma_multiply(0.45);
-        for [from, to] in floor(space) {
-            add(from, to, 1.0, color);
+        for ends in floor(space) {
+            room(ends, color);
         }
+    }
+    if let Some(sight) = &sight {
+        painter.add(Surfaces::shape(&sight.surfaces, picture));
     }
     if shown.has(Element::Object) {
         let color = colours.of(Element::Object);
-        for ([from, to], own) in object.lines() {
-            let (width, color) = object_line(from == to, own, color);
-            add(from, to, width, color);
+        for &ends in sight.iter().flat_map(|sight| sight.edges.iter()) {
+            lines.extend(line(ends, 1.0, color.gamma_multiply(EDGE)));
         }
-        // Out of memory these lines are merely missing.
-        let _ = editor.with_scene(|now| {
-            wires(editor, now, |wire| {
-                let [from, to] = wire.ends;
-                add(from, to, 1.2, super::wire_colour(wire.colour, color));
+        if sight.is_none() || object.mesh().is_none() {
+            for (ends, own) in object.lines() {
+                let (width, color) = object_line(ends[0] == ends[1], own, color);
+                lines.extend(line(ends, width, color));
+            }
+        }
+        if sight.is_none() {
+            // Out of memory these lines are merely missing.
+            let _ = editor.with_scene(|now| {
+                wires(editor, now, |wire| {
+                    let color = super::wire_colour(wire.colour, color);
+                    lines.extend(line(wire.ends, 1.2, color));
+                });
             });
-        });
+        }
     }
-    lines
+    painter.add(shape(lines));
+}
+
+/// From the canonical volume to the pixels of `picture`, and nearness, times the distance.
+fn pixels(picture: Rect, pixels_per_point: f64) -> DMat4 {
+    let [x, y] = from_pos(picture.center()).to_array();
+    let half = 0.5 * from_pos(picture.size().to_pos2());
+    let row = |x: f64, y: f64, z: f64| DVec4::new(x, y, z, 0.0) * pixels_per_point;
+    DMat4::from_cols(
+        row(half.x, 0.0, x),
+        row(0.0, -half.y, y),
+        DVec4::W,
+        DVec4::Z,
+    )
+    .transpose()
 }
 
 /// The part of a line within the camera's pyramid, from −1 to 1 to the right and up. `front` is the

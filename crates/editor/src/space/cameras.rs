@@ -130,7 +130,7 @@ impl KeyCameras {
         }
         let seen = Some(look.key());
         if self.now != self.cameras || self.seen != seen {
-            let mut strokes = Strokes::new(look.projection, look.viewport);
+            let mut strokes = Strokes::in_space(look);
             let color = look.colours.of(Element::Cameras).gamma_multiply(0.8);
             for seen in &self.now {
                 camera(&mut strokes, look, seen, CAMERA[0], THIN, color);

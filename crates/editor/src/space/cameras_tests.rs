@@ -19,6 +19,7 @@ fn each_point_of_the_path_has_a_camera() {
     hidden.set(Element::Cameras, false);
     let colours = crate::setup::Colours::DARK;
     let look = |shown| Look {
+        sight: None,
         projection: &projection,
         viewport: Rect::from_min_size(pos2(0.0, 0.0), vec2(900.0, 700.0)),
         pixels_per_point: 1.0,

@@ -205,6 +205,11 @@ fn numbers(
         if tick.on_hover_text(texts.sliders_tip).clicked() {
             actions.push(Action::SwitchSliders);
         }
+        let mut wireframe = editor.setup.wireframe;
+        let tick = theme::tick(ui, &mut wireframe, texts.wireframe);
+        if tick.on_hover_text(texts.wireframe_tip).clicked() {
+            actions.push(Action::SwitchWireframe);
+        }
     });
     response.on_hover_text(texts.view_menu_tip);
 }

@@ -3,7 +3,7 @@
 //! Three pieces of arithmetic are tested without a window: [`projection`] (where a point appears),
 //! [`picking`] (what lies under the pointer) and [`drag`] (the edit that a drag makes).
 //! [`mod@pointer`] and [`keyboard`] turn events into actions, [`gesture`] applies those of a drag;
-//! [`scene`], [`cameras`], [`ribbon`] and [`overlay`] draw.
+//! [`scene`], [`solid`], [`cameras`], [`ribbon`] and [`overlay`] draw.
 
 pub(crate) mod camera_view;
 mod cameras;
@@ -23,6 +23,7 @@ mod projection;
 mod ribbon;
 mod scene;
 mod sliders;
+mod solid;
 mod start;
 mod strokes;
 mod tangents;
@@ -44,6 +45,7 @@ use self::pointer::{PointerContext, PointerController};
 use self::projection::Projection;
 use self::ribbon::Ribbon;
 use self::scene::{Look, PathLines};
+use self::solid::{Eye, Solid};
 use self::strokes::Strokes;
 pub(super) use self::tangents::Joint;
 pub(super) use self::typed::Typed;
@@ -51,7 +53,7 @@ use crate::action::Action;
 use crate::document::Document;
 use crate::error::Result;
 use crate::path;
-use crate::raster::Lines;
+use crate::raster::{Lines, Surfaces};
 use crate::setup::{Element, View};
 use crate::state::Editor;
 use crate::texts::Texts;
@@ -66,6 +68,9 @@ pub(super) struct MovementWindow {
     key_cameras: KeyCameras,
     ribbon: Ribbon,
     nodes: Nodes,
+    /// The objects' faces, in the space and in the camera's picture.
+    solid: Solid,
+    seen_solid: Solid,
     menu: menu::PointMenu,
     /// The view before one of its numbers was dragged.
     view_before: Option<View>,
@@ -106,9 +111,10 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     };
     let (viewport, docked) = camera_view::divided(&editor.setup, viewport);
     space.show(editor, ui, viewport, docked);
+    let solid = &mut space.seen_solid;
     editor.host_pane = editor.part(&context, |editor, actions| match docked {
-        Some(rect) => camera_view::docked(editor, ui, rect, actions),
-        None => camera_view::show(editor, &context, viewport, actions),
+        Some(rect) => camera_view::docked(editor, solid, ui, rect, actions),
+        None => camera_view::show(editor, solid, &context, viewport, actions),
     });
     editor.space = space;
     editor.part(&context, |editor, actions| {
@@ -290,13 +296,26 @@ impl MovementWindow {
 
     fn draw(&mut self, editor: &Editor, painter: &Painter, viewport: Rect) -> Result<()> {
         let projection = projection_of(editor, viewport);
+        let pixels_per_point = f64::from(painter.pixels_per_point());
+        let eye = Eye {
+            matrix: projection.matrix(pixels_per_point),
+            front: 0.0,
+            slack: [1.5, 0.0],
+            light: projection.light(),
+            rect: viewport,
+            pixels_per_point,
+            of_path: true,
+        };
+        let sight = self.solid.update(editor, painter.ctx(), eye).cloned();
+        let sight = sight.as_ref();
         let look = Look {
             projection: &projection,
             viewport,
-            pixels_per_point: f64::from(painter.pixels_per_point()),
+            pixels_per_point,
             colours: editor.setup.colours(),
             shown: &editor.setup.shown,
             pane: camera_view::floating(editor, painter.ctx()),
+            sight,
         };
         painter.rect_filled(viewport, 0.0, look.colours.of(Element::Background));
         let add_shared = |lines: &Arc<Lines>| {
@@ -318,7 +337,12 @@ impl MovementWindow {
             overlay::plane(painter, &look, through, freedom);
         }
         let trouble = self.lines.update(document, &look);
-        add_shared(self.lines.still());
+        let [behind, still] = self.lines.still();
+        add_shared(behind);
+        if let Some(sight) = sight {
+            painter.add(Surfaces::shape(&sight.surfaces, viewport));
+        }
+        add_shared(still);
         if document.edited_scene().is_some() {
             add_shared(self.nodes.update(editor, &look)?);
             nodes::names(editor, painter, &look);

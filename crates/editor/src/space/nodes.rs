@@ -64,7 +64,7 @@ pub(crate) fn colour(own: [f64; 3], of_window: Color32) -> Color32 {
 }
 
 fn lines(editor: &Editor, now: &Now, look: &Look<'_>) -> Lines {
-    let mut strokes = Strokes::new(look.projection, look.viewport);
+    let mut strokes = Strokes::in_space(look);
     if let Some(color) = look.of(Element::Curve) {
         let faint = color.gamma_multiply(0.35);
         other_paths(now, |ends| {
@@ -72,7 +72,7 @@ fn lines(editor: &Editor, now: &Now, look: &Look<'_>) -> Lines {
             strokes.line(from, to, THIN, faint);
         });
     }
-    if let Some(color) = look.of(Element::Object) {
+    if let Some(color) = look.of(Element::Object).filter(|_| look.sight.is_none()) {
         wires(editor, now, |wire| {
             let [from, to] = wire.ends.map(|end| now.into_path.transform_point3(end));
             let color = colour(wire.colour, color);

@@ -3,7 +3,7 @@
 //! dragged lies under the pointer however far the view is enlarged.
 
 use egui::{Pos2, Rect, pos2};
-use glam::{DVec2, DVec3};
+use glam::{DMat4, DVec2, DVec3, DVec4};
 
 use crate::path::Space;
 use crate::setup::View;
@@ -107,6 +107,28 @@ impl Projection {
         }
     }
 
+    /// To pixels of the screen, with the nearness in pixels as the third coordinate.
+    pub(super) fn matrix(&self, pixels_per_point: f64) -> DMat4 {
+        let near = self.toward * (self.scale / self.space.half_size);
+        let row = |way: DVec3, at: f64| {
+            let way = way * pixels_per_point;
+            way.extend(at * pixels_per_point - way.dot(self.space.centre))
+        };
+        DMat4::from_cols(
+            row(self.across, self.middle.x),
+            row(self.down, self.middle.y),
+            row(near, 0.0),
+            DVec4::W,
+        )
+        .transpose()
+    }
+
+    /// From where the light comes, a unit vector: from the upper left of the viewer.
+    pub(super) fn light(&self) -> DVec3 {
+        let [right, down] = [self.across, self.down].map(DVec3::normalize_or_zero);
+        light(right, -down, self.toward)
+    }
+
     pub(super) fn image(&self, point: DVec3) -> DVec2 {
         self.middle + self.image_of_way(point - self.space.centre)
     }
@@ -196,6 +218,11 @@ impl Projection {
             .zip(signs)
             .all(|(axis, sign)| self.toward[axis.index()] * sign < -1e-12)
     }
+}
+
+/// From where the light comes for a viewer.
+pub(super) fn light(right: DVec3, up: DVec3, toward: DVec3) -> DVec3 {
+    (toward + 0.7 * up - 0.45 * right).normalize_or_zero()
 }
 
 /// For egui, in single precision.

@@ -12,7 +12,8 @@ use egui::{Color32, Painter, Rect};
 use glam::{DVec2, DVec3};
 
 use super::projection::{Projection, cube_edges, edge_ends};
-use super::strokes::{Strokes, in_pixel, part_between};
+use super::solid::Sight;
+use super::strokes::{Strokes, dimmed, in_pixel, part_between};
 use crate::document::{Document, Object};
 use crate::error::Result;
 use crate::path::hermite::Cubic;
@@ -50,6 +51,8 @@ pub(super) struct Look<'a> {
     pub(super) shown: &'a Shown,
     /// The camera's pane, which lies above.
     pub(super) pane: Option<Rect>,
+    /// The faces of objects, if they are shaded.
+    pub(super) sight: Option<&'a Sight>,
 }
 
 /// The values of a [`Look`], to be compared with the next.
@@ -60,6 +63,7 @@ pub(super) struct LookKey {
     pixels_per_point: f64,
     colours: Colours,
     shown: Shown,
+    sight: Option<u64>,
 }
 
 impl Look<'_> {
@@ -70,6 +74,7 @@ impl Look<'_> {
             pixels_per_point: self.pixels_per_point,
             colours: *self.colours,
             shown: *self.shown,
+            sight: self.sight.map(|sight| sight.number),
         }
     }
 
@@ -110,6 +115,8 @@ struct Chunk {
 #[derive(Debug, Default)]
 pub(super) struct PathLines {
     seen: Option<LookKey>,
+    /// What does not move by itself: what lies behind all objects, and all else.
+    behind: Arc<Lines>,
     still: Arc<Lines>,
     object: Object,
     chunks: Vec<Chunk>,
@@ -126,7 +133,7 @@ impl PathLines {
         let other_object = !ptr::eq::<[_]>(&**object, &*self.object);
         if other_look || other_object {
             self.object = object.clone();
-            self.still = Arc::new(still(object, look));
+            [self.behind, self.still] = still(object, look).map(Arc::new);
         }
         // Out of memory below, everything is made again next time.
         self.seen = None;
@@ -147,8 +154,8 @@ impl PathLines {
         Ok(())
     }
 
-    pub(super) fn still(&self) -> &Arc<Lines> {
-        &self.still
+    pub(super) fn still(&self) -> [&Arc<Lines>; 2] {
+        [&self.behind, &self.still]
     }
 
     pub(super) fn paint(&self, painter: &Painter, viewport: Rect) {
@@ -164,7 +171,8 @@ impl PathLines {
     #[cfg(test)]
     fn all(&self) -> Vec<Vec<crate::raster::Line>> {
         let chunks = self.chunks.iter();
-        std::iter::once(self.still.lines.clone())
+        [self.behind.lines.clone(), self.still.lines.clone()]
+            .into_iter()
             .chain(
                 chunks.flat_map(|chunk| [chunk.curve.lines.clone(), chunk.crosses.lines.clone()]),
             )
@@ -240,7 +248,7 @@ impl Chunk {
             self.tolerance = tolerance;
             self.knots.extend(knots(path, index));
         }
-        let mut strokes = Strokes::new(look.projection, look.viewport);
+        let mut strokes = Strokes::in_space(look);
         let merge = MERGE / look.pixels_per_point;
         stroke_curve(
             &mut strokes,
@@ -260,6 +268,8 @@ impl Chunk {
                     continue;
                 }
                 last = image;
+                let hidden = look.sight.is_some_and(|sight| sight.hides(point.position));
+                let color = dimmed(color, hidden);
                 cross(&mut strokes, look, point.position, CROSS, THIN, color);
             }
         }
@@ -377,7 +387,7 @@ fn cross(
 pub(super) fn current(document: &Document, look: &Look<'_>) -> Result<Lines> {
     let path = document.path();
     let at = document.selection().point;
-    let mut strokes = Strokes::new(look.projection, look.viewport);
+    let mut strokes = Strokes::in_space(look);
     if at < path.segment_count()
         && let Some(color) = look.of(Element::Segment)
     {
@@ -401,20 +411,31 @@ pub(super) fn current(document: &Document, look: &Look<'_>) -> Result<Lines> {
     Ok(strokes.finish())
 }
 
-/// What does not move by itself: cube and object.
-fn still(object: &Object, look: &Look<'_>) -> Lines {
-    let mut strokes = Strokes::new(look.projection, look.viewport);
+/// Cube and object: what lies behind the object, and the rest.
+fn still(object: &Object, look: &Look<'_>) -> [Lines; 2] {
+    let [mut behind, mut strokes] = [(); 2].map(|()| Strokes::new(look.projection, look.viewport));
     if let Some(color) = look.of(Element::Cube) {
-        cube(&mut strokes, look, color);
+        cube(&mut behind, &mut strokes, look, color);
     }
-    if let Some(color) = look.of(Element::Object) {
+    let Some(color) = look.of(Element::Object) else {
+        return [behind, strokes].map(Strokes::finish);
+    };
+    if let Some(sight) = look.sight {
+        for &[from, to] in &*sight.edges {
+            strokes.line(from, to, THIN, color.gamma_multiply(EDGE));
+        }
+    }
+    if look.sight.is_none() || object.mesh().is_none() {
         for ([from, to], own) in object.lines() {
             let (width, color) = object_line(from == to, own, color);
             strokes.line(from, to, width, color);
         }
     }
-    strokes.finish()
+    [behind, strokes].map(Strokes::finish)
 }
+
+/// How much of their colour edges have on shaded faces.
+pub(super) const EDGE: f32 = 0.6;
 
 /// Width and colour of a line or point of the object: its own colour, else `color`.
 pub(super) fn object_line(point: bool, own: Option<[u8; 3]>, color: Color32) -> (f32, Color32) {
@@ -437,17 +458,14 @@ pub(super) fn floor(space: Space) -> impl Iterator<Item = [DVec3; 2]> {
     })
 }
 
-fn cube(strokes: &mut Strokes<'_>, look: &Look<'_>, color: Color32) {
+fn cube(behind: &mut Strokes<'_>, before: &mut Strokes<'_>, look: &Look<'_>, color: Color32) {
     let floor = color.gamma_multiply(0.16);
     let space = look.projection.space();
     for [from, to] in self::floor(space) {
-        strokes.line(from, to, THIN, floor);
+        behind.line(from, to, THIN, floor);
     }
     let hidden = color.gamma_multiply(0.7);
-    // What is in front is painted last.
-    let mut edges: Vec<_> = cube_edges().collect();
-    edges.sort_by_key(|&(axis, signs)| !look.projection.hides_edge(axis, signs));
-    for (axis, signs) in edges {
+    for (axis, signs) in cube_edges() {
         let mut ends = edge_ends(space, axis, signs).map(|end| look.projection.image(end));
         // Edges that are upright on the screen fill whole pixels.
         if ends[0].x == ends[1].x {
@@ -455,10 +473,10 @@ fn cube(strokes: &mut Strokes<'_>, look: &Look<'_>, color: Color32) {
             ends = ends.map(|end| DVec2::new(x, end.y));
         }
         if look.projection.hides_edge(axis, signs) {
-            strokes.restart_dashes();
-            strokes.flat_dashed(ends[0], ends[1], THIN, hidden);
+            behind.restart_dashes();
+            behind.flat_dashed(ends[0], ends[1], THIN, hidden);
         } else {
-            strokes.flat(ends[0], ends[1], THIN, color);
+            before.flat(ends[0], ends[1], THIN, color);
         }
     }
 }

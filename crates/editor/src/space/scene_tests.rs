@@ -27,6 +27,7 @@ impl Eye {
 
     pub(in crate::space) fn look(&self) -> Look<'_> {
         Look {
+            sight: None,
             projection: &self.projection,
             viewport: viewport(),
             pixels_per_point: 1.0,
@@ -311,7 +312,8 @@ fn hidden_edges_are_dashed_and_visible_ones_drawn_through() {
             ..View::default()
         });
         let color = eye.colours.of(Element::Cube);
-        let lines = still(&Object::default(), &eye.look()).lines;
+        let [behind, before] = still(&Object::default(), &eye.look());
+        let lines = [behind.lines, before.lines].concat();
         let length = |color: Color32| -> f64 {
             let drawn = lines.iter().filter(|line| line.color == color);
             drawn

@@ -4,6 +4,8 @@ use egui::{Color32, Rect};
 use glam::{DVec2, DVec3};
 
 use super::projection::{Projection, from_pos, to_pos};
+use super::scene::Look;
+use super::solid::Sight;
 use crate::path::Space;
 use crate::raster::{Line, Lines};
 
@@ -17,6 +19,8 @@ pub(super) struct Strokes<'a> {
     low: DVec2,
     high: DVec2,
     out: Lines,
+    /// What lies behind these faces is dimmed.
+    sight: Option<&'a Sight>,
     /// How far into the pattern of dashes the last dashed piece went.
     phase: f64,
 }
@@ -30,7 +34,16 @@ impl<'a> Strokes<'a> {
             low: from_pos(viewport.min),
             high: from_pos(viewport.max),
             out: Lines::default(),
+            sight: None,
             phase: 0.0,
+        }
+    }
+
+    /// Those of which one sees whether they lie before or behind an object's faces.
+    pub(super) fn in_space(look: &'a Look<'a>) -> Self {
+        Self {
+            sight: look.sight,
+            ..Self::new(look.projection, look.viewport)
         }
     }
 
@@ -61,8 +74,15 @@ impl<'a> Strokes<'a> {
     }
 
     pub(super) fn line(&mut self, from: DVec3, to: DVec3, width: f32, color: Color32) {
-        let [from, to] = [from, to].map(|end| self.projection.image(end));
-        self.flat(from, to, width, color);
+        let projection = self.projection;
+        let Some(sight) = self.sight else {
+            let [from, to] = [from, to].map(|end| projection.image(end));
+            return self.flat(from, to, width, color);
+        };
+        sight.parts(from, to, |start, end, hidden| {
+            let [from, to] = [start, end].map(|part| projection.image(from.lerp(to, part)));
+            self.flat(from, to, width, dimmed(color, hidden));
+        });
     }
 
     /// Makes the next dashed line begin with a dash.
@@ -101,8 +121,18 @@ impl<'a> Strokes<'a> {
     }
 
     pub(super) fn dashed(&mut self, from: DVec3, to: DVec3, width: f32, color: Color32) {
+        let hidden = self.sight.is_some_and(|sight| sight.hides(from));
         let [from, to] = [from, to].map(|end| self.projection.image(end));
-        self.flat_dashed(from, to, width, color);
+        self.flat_dashed(from, to, width, dimmed(color, hidden));
+    }
+}
+
+/// The colour of what lies behind faces, still seen.
+pub(super) fn dimmed(color: Color32, hidden: bool) -> Color32 {
+    if hidden {
+        color.gamma_multiply(0.4)
+    } else {
+        color
     }
 }
 

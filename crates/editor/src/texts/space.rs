@@ -234,6 +234,9 @@ texts! {
             "Größe, Drehung und Kippung des Raumes, von vorn, von oben, und die Schieber";
         view_oblique: "Oblique", "Schräg";
         view_oblique_tip: "From in front, a little from the right and from above", "Von vorn, etwas von rechts und von oben";
+        wireframe: "Wireframe", "Drahtmodell";
+        wireframe_tip: "Show objects by their edges instead of shaded faces",
+            "Objekte durch ihre Kanten zeigen statt durch schattierte Flächen";
         sliders: "Sliders", "Schieber";
         sliders_tip: "Sliders for size, rotation and tilt around the space",
             "Schieber für Größe, Drehung und Kippung um den Raum";

@@ -6,6 +6,7 @@ mod harmless;
 mod lines;
 mod pieces;
 mod rounded_rects;
+mod surfaces;
 mod triangles;
 
 use egui::epaint::textures::TextureOptions;

@@ -1,0 +1,193 @@
+//! Flat triangles of which only what is nearest is seen: a depth buffer (Catmull 1974).
+
+use std::collections::TryReserveError;
+use std::sync::Arc;
+
+use egui::{Color32, PaintCallback, Rect, Shape};
+
+use super::Area;
+use super::tile::PixelRect;
+
+/// Triangles painted into pixels of their own, and how near each of them is.
+#[derive(Clone, Debug, Default)]
+pub struct Surfaces {
+    area: Area,
+    /// Samples in a pixel along each side.
+    fine: u32,
+    colors: Vec<Color32>,
+    /// The greater, the nearer; −∞ where there is nothing.
+    nearness: Vec<f32>,
+}
+
+/// A corner: x and y in pixels of the target, and its nearness, which is linear on the screen.
+pub type Corner3 = [f64; 3];
+
+fn filled<T: Clone>(value: T, count: usize) -> Result<Vec<T>, TryReserveError> {
+    let mut all = Vec::new();
+    all.try_reserve_exact(count)?;
+    all.resize(count, value);
+    Ok(all)
+}
+
+impl Surfaces {
+    /// Nothing yet, for these pixels of the target; `fine` smooths outlines, for four times the
+    /// time, once [`Surfaces::settle`] is called.
+    ///
+    /// # Errors
+    /// Out of memory.
+    pub fn new(area: Area, fine: bool) -> Result<Self, TryReserveError> {
+        let fine = 1 + u32::from(fine);
+        let count = area.width as usize * area.height as usize * (fine * fine) as usize;
+        Ok(Self {
+            area,
+            fine,
+            colors: filled(Color32::TRANSPARENT, count)?,
+            nearness: filled(f32::NEG_INFINITY, count)?,
+        })
+    }
+
+    /// A shape for egui's painter; `clip` is the clip rectangle in points.
+    pub fn shape(surfaces: &Arc<Self>, clip: Rect) -> Shape {
+        Shape::Callback(PaintCallback {
+            rect: clip,
+            callback: Arc::<Self>::clone(surfaces),
+        })
+    }
+
+    /// Adds a triangle where it is nearer than what is there. One that is not finite is left out.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    pub fn triangle(&mut self, corners: [Corner3; 3], color: Color32) {
+        let fine = f64::from(self.fine);
+        let (left, top) = (f64::from(self.area.x), f64::from(self.area.y));
+        let mut corners = corners.map(|[x, y, z]| [(x - left) * fine, (y - top) * fine, z]);
+        corners.sort_by(|a, b| a[1].total_cmp(&b[1]));
+        let [a, b, c] = corners;
+        let wide = (self.area.width * self.fine) as usize;
+        let high = (self.area.height * self.fine) as usize;
+        // Samples lie in the middles. What is not a number becomes 0.
+        let first = |at: f64, end: usize| ((at - 0.5).ceil().max(0.0) as usize).min(end);
+        let rows = first(a[1], high)..first(c[1], high);
+        let [to_b, to_c] = [b, c].map(|p| [p[0] - a[0], p[1] - a[1], p[2] - a[2]]);
+        let twice = to_b[0] * to_c[1] - to_c[0] * to_b[1];
+        if rows.is_empty() || twice == 0.0 || !twice.is_finite() {
+            return;
+        }
+        let along = (to_b[2] * to_c[1] - to_c[2] * to_b[1]) / twice;
+        let down = (to_c[2] * to_b[0] - to_b[2] * to_c[0]) / twice;
+        // A sliver's plane is known badly, its corners are.
+        let low = a[2].min(b[2]).min(c[2]) as f32;
+        let top = a[2].max(b[2]).max(c[2]) as f32;
+        let at =
+            |p: Corner3, q: Corner3, y: f64| p[0] + (q[0] - p[0]) * ((y - p[1]) / (q[1] - p[1]));
+        for row in rows {
+            let y = row as f64 + 0.5;
+            let long = at(a, c, y);
+            let short = if y < b[1] { at(a, b, y) } else { at(b, c, y) };
+            let (from, to) = (first(long.min(short), wide), first(long.max(short), wide));
+            let begins = a[2] + along * (from as f64 + 0.5 - a[0]) + down * (y - a[1]);
+            let places = row * wide + from..row * wide + to.max(from);
+            let known = self.nearness[places.clone()].iter_mut();
+            for (step, (known, shown)) in known.zip(&mut self.colors[places]).enumerate() {
+                let near = ((begins + along * step as f64) as f32).clamp(low, top);
+                if near > *known {
+                    (*known, *shown) = (near, color);
+                }
+            }
+        }
+    }
+
+    /// Makes pixels of the samples. Call when all triangles are there.
+    ///
+    /// # Errors
+    /// Out of memory.
+    pub fn settle(&mut self) -> Result<(), TryReserveError> {
+        if self.fine == 1 {
+            return Ok(());
+        }
+        let (wide, high) = (self.area.width as usize, self.area.height as usize);
+        let mut colors = filled(Color32::TRANSPARENT, wide * high)?;
+        let mut nearness = filled(f32::NEG_INFINITY, wide * high)?;
+        for (at, (color, near)) in colors.iter_mut().zip(&mut nearness).enumerate() {
+            let first = at / wide * 4 * wide + at % wide * 2;
+            let samples = [first, first + 1, first + 2 * wide, first + 2 * wide + 1];
+            let shown = samples.map(|sample| self.colors[sample].to_array());
+            let [r, g, b, a] = std::array::from_fn(|part| {
+                let sum: u16 = shown.iter().map(|color| u16::from(color[part])).sum();
+                ((sum + 2) / 4) as u8
+            });
+            *color = Color32::from_rgba_premultiplied(r, g, b, a);
+            // What lies at an outline is seen.
+            *near = samples
+                .map(|sample| self.nearness[sample])
+                .into_iter()
+                .fold(f32::INFINITY, f32::min);
+        }
+        (self.fine, self.colors, self.nearness) = (1, colors, nearness);
+        Ok(())
+    }
+
+    /// Whether nothing was painted.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.colors.is_empty()
+    }
+
+    /// The pixels of the target that it was made for.
+    #[must_use]
+    pub fn area(&self) -> Area {
+        self.area
+    }
+
+    /// Whether a place is behind what is painted: it is hidden in its pixel and in those beside.
+    #[must_use]
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    pub fn hides(&self, [x, y, near]: Corner3) -> bool {
+        let place = [x - f64::from(self.area.x), y - f64::from(self.area.y)];
+        let size = [self.area.width, self.area.height].map(f64::from);
+        if !(0..2).all(|at| (0.0..size[at]).contains(&place[at])) {
+            return false;
+        }
+        let [x, y] = place.map(|at| at as usize);
+        let (wide, high) = (self.area.width as usize, self.area.height as usize);
+        // At the rim there is nothing beside.
+        if x == 0 || y == 0 || x + 1 == wide || y + 1 == high {
+            return false;
+        }
+        let at = y * wide + x;
+        let beside = [at, at - 1, at + 1, at - wide, at + wide];
+        let hidden = |at: usize| {
+            self.nearness
+                .get(at)
+                .is_some_and(|&known| f64::from(known) > near)
+        };
+        beside.into_iter().all(hidden)
+    }
+
+    pub(super) fn bounds(&self) -> PixelRect {
+        let [x0, y0] = [self.area.x, self.area.y].map(|at| i32::try_from(at).unwrap_or(i32::MAX));
+        let [wide, high] =
+            [self.area.width, self.area.height].map(|size| i32::try_from(size).unwrap_or(i32::MAX));
+        PixelRect {
+            x0,
+            y0,
+            x1: x0.saturating_add(wide),
+            y1: y0.saturating_add(high),
+        }
+    }
+
+    /// The rows of `within` that it has: y, the first x, and the colours.
+    pub(super) fn rows(&self, within: PixelRect) -> impl Iterator<Item = (i32, i32, &[Color32])> {
+        let all = self.bounds();
+        let cut = if self.is_empty() {
+            PixelRect { x1: all.x0, ..all }
+        } else {
+            all.intersect(within)
+        };
+        let rows = if cut.is_empty() { 0..0 } else { cut.y0..cut.y1 };
+        rows.filter_map(move |y| {
+            let row = (y - all.y0) as usize * self.area.width as usize;
+            let [from, to] = [cut.x0, cut.x1].map(|x| row + (x - all.x0) as usize);
+            Some((y, cut.x0, self.colors.get(from..to)?))
+        })
+    }
+}
