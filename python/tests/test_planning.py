@@ -219,7 +219,7 @@ def test_limits_are_the_paths_own() -> None:
     path.undo()
     path.set_limits(speed=None, acceleration=None, turning=None, turning_acceleration=None, zoom=None)
     assert path.limits == fresh
-    for wrong in ({"speed": 0}, {"speed": math.nan}, {"zoom": -1}, {"none": 1}, {"turning-acceleration": 1}):
+    for wrong in ({"speed": math.nan}, {"zoom": -1}, {"none": 1}, {"turning-acceleration": 1}):
         with pytest.raises(vides.Error):
             path.set_limits(**wrong)  # type: ignore[arg-type]
     assert path.limits == fresh
@@ -238,7 +238,7 @@ def test_a_cure_is_one_step() -> None:
     path.set_object(written())
     path.points[0].zoom = 30
     before = path.copy()
-    assert {found.kind for found in path.fix()} >= {"through"}
+    assert "through" in {found.kind for found in path.check()} and path.fix()
     assert "through" not in {found.kind for found in path.check()}
     assert path.undo() and path == before
     assert path.undo() and path.points[0].zoom != 30

@@ -424,10 +424,6 @@ class Path(Planned):
         ``math.inf``: there is none. ``None``: that of a new path.
 
         >>> path = Path()
-        >>> path.set_limits(turning=20, speed=0.5, roll=None)
-        Traceback (most recent call last):
-            ...
-        vides._error.Error: there is no limit 'roll'
         >>> path.set_limits(turning=20, speed=0.5)
         >>> path.limits["turning"], path.limits["speed"]
         (20.0, 0.5)
