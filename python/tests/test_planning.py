@@ -221,7 +221,7 @@ def test_limits_are_the_paths_own() -> None:
     assert path.limits == fresh
     for wrong in ({"speed": math.nan}, {"zoom": -1}, {"none": 1}, {"turning-acceleration": 1}):
         with pytest.raises(vides.Error):
-            path.set_limits(**wrong)  # type: ignore[arg-type]
+            path.set_limits(**wrong)
     assert path.limits == fresh
 
 
