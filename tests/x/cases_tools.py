@@ -80,8 +80,11 @@ def workers(host):
     """The signals that are blocked in each thread that works beside the window."""
     found = []
     for task in os.listdir(f"/proc/{host.pid}/task"):
-        with open(f"/proc/{host.pid}/task/{task}/status") as file:
-            said = dict(line.rstrip("\n").split(":\t", 1) for line in file if ":\t" in line)
+        try:
+            with open(f"/proc/{host.pid}/task/{task}/status") as file:
+                said = dict(line.rstrip("\n").split(":\t", 1) for line in file if ":\t" in line)
+        except (FileNotFoundError, ProcessLookupError):  # it has ended meanwhile
+            continue
         if said["Name"] == "vides work":
             found.append(int(said["SigBlk"], 16))
     return found
