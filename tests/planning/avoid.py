@@ -4,9 +4,9 @@ VIDES is the command. Random paths (tcb, cubic and linear, open and closed, 2 to
 bunny, teapot and dragon (npm), airplane, ant and nut (pyvista), hills of VTK's generator and a furnished
 room. Each is led clear; the way is then held against VTK's locator at 20 places a frame, and against
 `vides check`. Frames are as many as they were. Points that were clear have to stay to the last bit,
-unless no way leads to them, and a path is refused only where none joins its ends: cells are flooded
-from either, with SciPy's distances to samples of the surface. Ends with status 1 for any that is not
-so, and if a closed box is not refused with its frame.
+unless no way leads to them, and a path is refused only where none joins its ends: VTK has one of them
+inside of a closed surface, or cells are flooded from either, with SciPy's distances to samples of
+the surface. Ends with status 1 for any that is not so, and if a closed box is not refused with its frame.
 """
 
 import gzip
@@ -123,8 +123,13 @@ MIDDLE = 1 << 19
 
 
 def is_apart(of, one, other, clear):
-    """Whether surely no way that keeps clear joins two places: cells through which one may lead are
-    flooded from either, until no more are reached, or the other place or the outside is."""
+    """Whether surely no way that keeps clear joins two places: one is inside of a closed surface and the
+    other is not; or cells through which one may lead are flooded from either, until no more are
+    reached, or the other place or the outside is."""
+    if of.mesh.is_manifold and of.mesh.n_open_edges == 0:
+        ends = pyvista.PolyData(np.array([one, other])).select_interior_points(of.mesh, check_surface=False)
+        if ends["selected_points"].any() != ends["selected_points"].all():
+            return True
     # Half of the distance does where the surface is closed, fewer cells than a quarter.
     return any(is_shut(of, *ends, clear, step) for step in (clear / 2, clear / 4) for ends in ((one, other), (other, one)))
 

@@ -151,10 +151,8 @@ fn random_paths_hold_the_jerk() {
         assert!((slower.seconds - again.seconds).abs() < 1e-9);
         let plain = request(&[(FindingKind::Speed, 1.0), (FindingKind::Acceleration, 2.0)]);
         let plain = retime(&path, &plain, &mut |_, _| true).unwrap();
-        println!(
-            "round {round}: {} s, without jerk {} s",
-            made.seconds, plain.seconds
-        );
+        let times = [made.seconds, plain.seconds];
+        assert!(times[0] <= 2.0 * times[1], "round {round}: {times:?}");
         for made in [made, slower] {
             let found = check_of(&made.path, &again.limits);
             assert!(found.is_empty(), "round {round}: {found:?}");
