@@ -26,8 +26,10 @@ const WORSE: f64 = 1.03;
 /// Share of the jerk's limit that a window should reach.
 const FULL: [f64; 2] = [0.97, 0.995];
 
-/// The narrowest window, in frames.
+/// The narrowest window, in frames, and the widest, a share of the longest flight from rest to rest:
+/// one that only speeds up and slows down has half of its time, and a wider one is of no use.
 const NARROWEST: f64 = 0.25;
+const WIDEST: f64 = 0.75;
 
 /// Rounds in which sections take whole frames: near a rest about half of what one is slower is made
 /// good beside it, so each step goes further than what is missing.
@@ -42,6 +44,11 @@ const FASTER: f64 = 0.002;
 
 /// What may be missing to whole frames, in frames, where the rest is stretched.
 const WHOLE: f64 = 1e-6;
+
+/// Seconds of a section.
+fn lasts(section: &Vec<Knot>) -> f64 {
+    section.last().map_or(0.0, |knot| knot[0])
+}
 
 impl Smoothing {
     /// Limits for the pace that is smoothed, of one so much slower.
@@ -153,7 +160,8 @@ impl Work<'_> {
             }
             sections.push(knots(xs, reach.ramps, takes)?);
         }
-        let most = most..4.0 * time;
+        let times = |run: std::ops::Range<usize>| sections[run].iter().map(lasts).sum::<f64>();
+        let most = most..WIDEST * self.runs().map(times).fold(0.0, f64::max);
         let rests = if self.ring { 0 } else { self.runs().count() };
         let mut window: Option<f64> = None;
         for _ in 0..ROUNDS {

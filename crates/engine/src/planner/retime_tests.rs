@@ -40,6 +40,28 @@ fn sampler(path: &CameraPath) -> Sampler {
     Sampler::new(path, &Timeline::new(path).unwrap()).unwrap()
 }
 
+#[test]
+fn it_ends_when_it_is_told_at_any_section() {
+    let path = random_path(&mut Random(3), 1);
+    let wanted = request(&[(FindingKind::Speed, 1.0), (FindingKind::Acceleration, 1.0)]);
+    let mut all = 0;
+    retime(&path, &wanted, &mut |_, _| {
+        all += 1;
+        true
+    })
+    .unwrap();
+    assert!(all >= 2 * path.points.len() - 2, "{all}");
+    for last in 1..=all {
+        let mut asked = 0;
+        let ended = retime(&path, &wanted, &mut |_, _| {
+            asked += 1;
+            asked < last
+        });
+        assert_eq!(ended.unwrap_err(), Invalid::Cancelled.into());
+        assert_eq!(asked, last);
+    }
+}
+
 /// From rest to rest with speed v and acceleration a: L/v + v/a, or 2√(L/a), to a frame.
 #[test]
 fn a_straight_line_takes_the_trapezoid() {
@@ -129,10 +151,8 @@ fn random_paths_hold_the_jerk() {
         assert!((slower.seconds - again.seconds).abs() < 1e-9);
         let plain = request(&[(FindingKind::Speed, 1.0), (FindingKind::Acceleration, 2.0)]);
         let plain = retime(&path, &plain, &mut |_, _| true).unwrap();
-        println!(
-            "round {round}: {} s, without jerk {} s",
-            made.seconds, plain.seconds
-        );
+        let times = [made.seconds, plain.seconds];
+        assert!(times[0] <= 2.0 * times[1], "round {round}: {times:?}");
         for made in [made, slower] {
             let found = check_of(&made.path, &again.limits);
             assert!(found.is_empty(), "round {round}: {found:?}");
