@@ -65,33 +65,35 @@ impl Surfaces {
         let wide = (self.area.width * self.fine) as usize;
         let high = (self.area.height * self.fine) as usize;
         // Samples lie in the middles. What is not a number becomes 0.
-        let first = |at: f64, end: usize| ((at - 0.5).ceil().max(0.0) as usize).min(end);
+        let first = |at: f64, end: usize| ((at + 0.5).max(0.0) as usize).min(end);
         let rows = first(a[1], high)..first(c[1], high);
         let [to_b, to_c] = [b, c].map(|p| [p[0] - a[0], p[1] - a[1], p[2] - a[2]]);
         let twice = to_b[0] * to_c[1] - to_c[0] * to_b[1];
-        if rows.is_empty() || twice == 0.0 || !twice.is_finite() {
+        // A sliver's plane is known badly, its corners are.
+        let low = a[2].min(b[2]).min(c[2]) as f32;
+        let top = a[2].max(b[2]).max(c[2]) as f32;
+        if rows.is_empty() || twice == 0.0 || !twice.is_finite() || low.is_nan() {
             return;
         }
         let along = (to_b[2] * to_c[1] - to_c[2] * to_b[1]) / twice;
         let down = (to_c[2] * to_b[0] - to_b[2] * to_c[0]) / twice;
-        // A sliver's plane is known badly, its corners are.
-        let low = a[2].min(b[2]).min(c[2]) as f32;
-        let top = a[2].max(b[2]).max(c[2]) as f32;
-        let at =
-            |p: Corner3, q: Corner3, y: f64| p[0] + (q[0] - p[0]) * ((y - p[1]) / (q[1] - p[1]));
+        let [long, upper, lower] =
+            [(a, c), (a, b), (b, c)].map(|(p, q)| [p[0], p[1], (q[0] - p[0]) / (q[1] - p[1])]);
+        let at = |[x, y, slope]: Corner3, row: f64| x + slope * (row - y);
         for row in rows {
             let y = row as f64 + 0.5;
-            let long = at(a, c, y);
-            let short = if y < b[1] { at(a, b, y) } else { at(b, c, y) };
+            let long = at(long, y);
+            let short = at(if y < b[1] { upper } else { lower }, y);
             let (from, to) = (first(long.min(short), wide), first(long.max(short), wide));
-            let begins = a[2] + along * (from as f64 + 0.5 - a[0]) + down * (y - a[1]);
+            let mut near = a[2] + along * (from as f64 + 0.5 - a[0]) + down * (y - a[1]);
             let places = row * wide + from..row * wide + to.max(from);
             let known = self.nearness[places.clone()].iter_mut();
-            for (step, (known, shown)) in known.zip(&mut self.colors[places]).enumerate() {
-                let near = ((begins + along * step as f64) as f32).clamp(low, top);
-                if near > *known {
-                    (*known, *shown) = (near, color);
+            for (known, shown) in known.zip(&mut self.colors[places]) {
+                let inner = (near as f32).max(low).min(top);
+                if inner > *known {
+                    (*known, *shown) = (inner, color);
                 }
+                near += along;
             }
         }
     }

@@ -310,6 +310,7 @@ fn every_entry_has_a_tooltip() {
                     (menu.colours, hints.colours),
                     (menu.display, hints.display),
                     (texts.space.sliders, texts.space.sliders_tip),
+                    (texts.space.wireframe, texts.space.wireframe_tip),
                     (menu.as_system, hints.as_system),
                     (menu.dark, hints.dark),
                     (menu.light, hints.light),

@@ -6,8 +6,11 @@ use vides_engine::scene::Mesh;
 
 use crate::document::{Object, coarse, features, sharp_lines};
 
-/// Meshes of more triangles have a coarser one beside them, and no lines on their faces.
-const MANY: usize = 100_000;
+/// Meshes of more triangles have a coarser one beside them for while things move.
+const MANY: usize = 30_000;
+
+/// Meshes of more triangles have no lines on their faces.
+const DENSE: usize = 100_000;
 
 /// Made of a mesh when first asked for. Without memory nothing is drawn, which does no other harm.
 #[derive(Debug, Default)]
@@ -26,7 +29,7 @@ impl Drawn {
 
     /// The lines on its faces.
     pub(crate) fn sharp(&mut self, mesh: &Mesh) -> &[[u32; 2]] {
-        let few = || mesh.triangles.len() <= MANY;
+        let few = || mesh.triangles.len() <= DENSE;
         let lines = || few().then(|| sharp_lines(mesh).ok()).flatten();
         self.sharp
             .get_or_insert_with(|| lines().unwrap_or_default())

@@ -16,7 +16,7 @@ use crate::setup::Element;
 use crate::state::Editor;
 
 /// After this time without a change, in seconds, it is made as well as can be.
-const REST: f64 = 0.2;
+const REST: f64 = 0.3;
 
 /// More pixels are not smoothed, nor where a point has two of them.
 const SMOOTHED: f64 = 2.5e6;
@@ -400,7 +400,7 @@ pub(super) fn tone(ground: Color32, base: Color32, own: Option<[f32; 3]>, lit: f
     let bright = |colour: Color32| colour.r() as u32 + colour.g() as u32 + colour.b() as u32;
     let share = match bright(base) > bright(ground) {
         true => 0.07 + 0.25 * lit,
-        false => 0.24 - 0.20 * lit,
+        false => 0.16 - 0.13 * lit,
     };
     ground.lerp_to_gamma(base, share)
 }

@@ -61,7 +61,7 @@ fn at_time<R>(context: &Context, time: f64, look: impl FnOnce() -> R) -> R {
         ..RawInput::default()
     });
     let result = look();
-    let _ = context.end_pass();
+    context.end_pass().textures_delta.clear();
     result
 }
 
@@ -176,7 +176,7 @@ fn faces_are_shaded_until_a_wireframe_is_chosen() {
             Color32::from_rgb(r, g, b)
         };
         let faces = [
-            DVec3::new(-HALF, 0.17, 0.21),
+            DVec3::new(-HALF, -0.3, -0.3),
             DVec3::new(0.17, HALF, 0.21),
             DVec3::new(0.17, 0.21, HALF),
         ];
@@ -237,7 +237,7 @@ fn a_large_mesh_is_coarse_while_it_moves() {
     assert_eq!(made(10.02, 5.0), (2, true));
     assert_eq!(made(10.1, 6.0), (3, true));
     assert_eq!(made(10.2, 6.0), (3, true));
-    assert_eq!(made(10.4, 6.0), (4, false));
+    assert_eq!(made(10.5, 6.0), (4, false));
     assert_eq!(made(11.0, 6.0), (4, false));
 }
 
@@ -258,48 +258,5 @@ fn the_path_stands_out_from_faces() {
                 assert!(found >= 3.0, "{element:?} {lit}: {found}");
             }
         }
-    }
-}
-
-#[test]
-fn zz_timing() {
-    for cells in [29, 41, 288, 408] {
-        let mut window = window_with(box_of(cells), Theme::Dark);
-        let mut document = crate::tests::some_points();
-        let path = CameraPath { points: (0..100).map(|i| { let mut p = document.path().points[0].clone(); let t = i as f64*0.2; p.position = DVec3::new(0.8*t.cos(), 0.6*(t*1.7).sin(), 0.8*t.sin()); p }).collect(), ..document.path().clone() };
-        let info = window.state().document.info().clone();
-        document = Document::from_parts(path, info).unwrap();
-        window.state_mut().document = document;
-        window.run();
-        let _ = screenshot(&mut window, &format!("timing-{cells}.png"));
-        let triangles = window.state().document.info().object.mesh().unwrap().triangles.len();
-        let rect = window.get_by_label(window.state().texts().space.name).rect();
-        let context = Context::default();
-        let mut solid = Solid::default();
-        for (at, rotation) in [0.0, 1.0, 2.0, 3.0].into_iter().enumerate() {
-            let view = View { rotation, ..View::default() };
-            let projection = Projection::of(&view, rect, Space::default());
-            let eye = Eye { matrix: projection.matrix(1.0), front: 0.0, slack: [1.5, 0.0], light: projection.light(), rect, pixels_per_point: 1.0, of_path: true };
-            let start = std::time::Instant::now();
-            at_time(&context, 1.0 + 0.01 * at as f64, || { solid.update(window.state(), &context, eye); });
-            println!("{triangles} view {rotation}: {:?} quick {} edges {}", start.elapsed(), solid.quick, solid.sight.as_ref().unwrap().edges.len());
-        }
-        let mut times = vec![];
-        for i in 0..20 {
-            let view = View { rotation: i as f64, ..View::default() };
-            window.state_mut().setup.view = view;
-            let start = std::time::Instant::now();
-            window.step();
-            times.push(start.elapsed());
-        }
-        println!("{triangles} turn pass {:?}", times);
-        let mut times = vec![];
-        for i in 0..20 {
-            window.state_mut().document.apply(crate::document::Edit::set(crate::document::At::Point(3), "position", DVec3::new(0.3, 0.01 * i as f64, 0.2))).unwrap();
-            let start = std::time::Instant::now();
-            window.step();
-            times.push(start.elapsed());
-        }
-        println!("{triangles} drag pass {:?}", times);
     }
 }

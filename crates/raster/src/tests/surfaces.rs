@@ -210,6 +210,8 @@ fn what_is_no_number_or_has_no_area_does_no_harm() {
         surfaces.triangle(corners, Color32::WHITE);
         let _ = surfaces.hides(corners[0]);
     }
+    let nowhere = [[1.0, 1.0], [30.0, 2.0], [5.0, 30.0]].map(|[x, y]| [x, y, f64::NAN]);
+    surfaces.triangle(nowhere, Color32::WHITE);
     surfaces.settle().unwrap();
     let nothing = Surfaces::new(Area::default(), true).unwrap();
     let mut screen = Screen::new(SIDE, SIDE, Color32::BLACK);
