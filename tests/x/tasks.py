@@ -154,7 +154,7 @@ def look(hand):
     before = len(hand.poses())
     hand.keys("ctrl+Page_Up", "ctrl+Page_Up", "alt+Insert")
     hand.number(hand.panel(FIELD)[3][0], -0.4)
-    hand.number(hand.panel(FIELD)[4][1], 12)
+    hand.number(hand.panel(FIELD)[5][0], 12)
     poses = hand.saved()
     check(len(poses) > before, "no frames for the look")
     rests = sum(distance(a, b) < 1e-9 for a, b in zip(poses, poses[1:]))
@@ -210,7 +210,7 @@ def save(hand):
 def poses(hand):
     """All poses as CSV."""
     file = os.path.join(hand.folder, "poses.csv")
-    hand.keys("alt+a", "d")
+    hand.keys("alt+f", "e")
     hand.server.xdotool("key", "--delay", "20", "ctrl+a")
     hand.typed(file)
     wait(lambda: os.path.exists(file), "the poses")
@@ -235,11 +235,11 @@ def undo(hand):
 def closed(hand):
     """The path is closed: its last pose is beside the first."""
     before = hand.poses()
-    hand.keys("alt+b", "g")
+    hand.keys("alt+e", "c")
     poses = hand.saved()
     step = max(distance(a, b) for a, b in zip(poses, poses[1:]))
     check(distance(poses[-1], poses[0]) <= step * 1.001, "it is open")
-    hand.server.press(hand.window, "alt+b", "g")
+    hand.server.press(hand.window, "alt+e", "c")
     check(hand.saved() == before, "opened it is not what it was")
 
 

@@ -1,11 +1,13 @@
 //! The keyboard's shortcuts, and who has the keyboard.
 //!
-//! The shortcuts are the same in both languages (thesis A.5, and habits of today). While a text is
+//! The shortcuts are the same in both languages (thesis A.5, and habits of today), but for those of
+//! the German manual that open a menu in the other one. While a text is
 //! typed, editing keys belong to it; any other shortcut first applies the text.
 
 use egui::{Context, Event, Id, Key, Modifiers};
 
 use crate::action::Action;
+use crate::menu;
 use crate::selected::SelectionChange;
 use crate::texts::Language;
 
@@ -18,6 +20,7 @@ const CTRL_SHIFT: Modifiers = Modifiers::CTRL.plus(Modifiers::SHIFT);
 pub(super) const SHORTCUTS: &[(Modifiers, Key, Action)] = &[
     (ALT, Key::L, Action::Load),
     (CTRL, Key::O, Action::Load),
+    (CTRL, Key::N, Action::New),
     (CTRL, Key::S, Action::Save),
     (ALT, Key::S, Action::SaveAs),
     (CTRL_SHIFT, Key::S, Action::SaveAs),
@@ -79,7 +82,7 @@ const OF_TEXTS: &[Action] = &[
 ];
 
 /// Takes the actions whose keys were pressed out of the input, in their order.
-pub(super) fn pressed(context: &Context) -> Vec<Action> {
+pub(super) fn pressed(context: &Context, language: Language) -> Vec<Action> {
     let typing = context.text_edit_focused();
     context.input_mut(|input| {
         let mut found = Vec::new();
@@ -91,7 +94,7 @@ pub(super) fn pressed(context: &Context) -> Vec<Action> {
                     repeat,
                     modifiers,
                     ..
-                } => action_of(*modifiers, *key)
+                } => action_of(language, *modifiers, *key)
                     .filter(|action| !repeat || REPEATED.contains(action)),
                 Event::Copy => Some(Action::Copy),
                 Event::Cut => Some(Action::Cut),
@@ -107,18 +110,23 @@ pub(super) fn pressed(context: &Context) -> Vec<Action> {
     })
 }
 
-fn action_of(modifiers: Modifiers, key: Key) -> Option<Action> {
+/// The shortcuts that open no menu in a language.
+pub(super) fn of(language: Language) -> impl Iterator<Item = &'static (Modifiers, Key, Action)> {
+    let menus = menu::letters(language);
+    SHORTCUTS.iter().filter(move |(modifiers, key, _)| {
+        *modifiers != ALT || menus.iter().all(|(letter, _)| letter != key)
+    })
+}
+
+fn action_of(language: Language, modifiers: Modifiers, key: Key) -> Option<Action> {
     let known = |shortcut: &&(Modifiers, Key, Action)| {
         shortcut.1 == key && modifiers.matches_exact(shortcut.0)
     };
-    SHORTCUTS
-        .iter()
-        .find(known)
-        .map(|shortcut| shortcut.2.clone())
+    of(language).find(known).map(|shortcut| shortcut.2.clone())
 }
 
 pub(super) fn words(language: Language, action: &Action) -> Option<String> {
-    let &(modifiers, key, _) = SHORTCUTS.iter().find(|shortcut| shortcut.2 == *action)?;
+    let &(modifiers, key, _) = of(language).find(|shortcut| shortcut.2 == *action)?;
     Some(combination(language, modifiers, key))
 }
 

@@ -1,8 +1,10 @@
 //! The menu bar (thesis A.5): opened by the pointer, by Alt and a letter, or by F10. The arrow keys
-//! walk through it; in an open menu an entry's letter picks it.
+//! walk through it; in an open menu an entry's letter picks it. Letters are of the words that are
+//! shown, underlined: each language has its own, the German ones those of the thesis where it has any.
 
 use std::borrow::Cow;
 
+use egui::text::{LayoutJob, TextFormat};
 use egui::{
     Align2, Button, Color32, Context, CornerRadius, FocusDirection, Id, Key, Modifiers, Popup,
     Response, Role, Sense, SetOpenCommand, Shape, Stroke, Ui, Vec2, WidgetInfo, pos2, vec2,
@@ -16,7 +18,7 @@ use crate::limits::MIN_POINTS;
 use crate::selected::SelectionChange;
 use crate::setup::Theme;
 use crate::state::Editor;
-use crate::texts::{Language, Texts, fill};
+use crate::texts::{Language, fill};
 use crate::theme;
 use crate::windows::{below_bar, is_cramped};
 
@@ -99,31 +101,89 @@ struct Menu {
 }
 
 /// The letters that open the menus with Alt, and the titles.
-pub(super) fn letters(texts: &Texts) -> [(Key, &'static str); 6] {
-    let menu = &texts.menu;
-    [
-        (Key::D, menu.file),
-        (Key::B, menu.edit),
-        (Key::A, menu.output),
-        (Key::W, texts.tools.menu),
-        (Key::E, menu.settings),
-        (Key::H, menu.help),
-    ]
+pub(super) fn letters(language: Language) -> [(Key, &'static str); 6] {
+    use Key::{A, B, D, E, F, G, H, O, T, W};
+    let (menu, tools) = (&language.texts().menu, &language.texts().tools);
+    let letters = match language {
+        Language::German => [D, B, A, W, E, H],
+        Language::English => [F, E, O, T, G, H],
+    };
+    let titles = [
+        menu.file,
+        menu.edit,
+        menu.output,
+        tools.menu,
+        menu.settings,
+        menu.help,
+    ];
+    std::array::from_fn(|at| (letters[at], titles[at]))
 }
 
-/// The keys of an entry without a shortcut: its menu's, then its own.
-pub(super) fn in_menu(language: Language, menu: Key, entry: Key) -> String {
-    let opens = keys::combination(language, Modifiers::ALT, menu);
-    format!("{opens}, {}", entry.name())
+/// Whether a letter can be a key of words: it is in them, an umlaut being its vowel.
+fn is_in(letter: Key, words: &str) -> bool {
+    words.chars().any(|sign| key_of(sign) == Some(letter))
+}
+
+/// The key of a sign, if it is a letter.
+fn key_of(sign: char) -> Option<Key> {
+    let sign = match sign.to_lowercase().next()? {
+        'ä' => 'A',
+        'ö' => 'O',
+        'ü' => 'U',
+        sign if sign.is_ascii_alphabetic() => sign.to_ascii_uppercase(),
+        _ => return None,
+    };
+    Key::from_name(sign.encode_utf8(&mut [0; 4]))
+}
+
+/// Each entry with a letter of its words that no other of the menu has: its own if that is one of
+/// them, else one that begins a word, else any.
+fn lettered(mut entries: Vec<Entry>) -> Vec<Entry> {
+    let mut taken = Vec::new();
+    for entry in &mut entries {
+        let text = &entry.text;
+        entry.letter = entry
+            .letter
+            .filter(|&own| is_in(own, text) && !taken.contains(&own));
+        taken.extend(entry.letter);
+    }
+    for entry in &mut entries {
+        let first = entry.text.split(' ').filter_map(|word| word.chars().next());
+        let all = first.chain(entry.text.chars());
+        let free = all.filter_map(key_of).find(|key| !taken.contains(key));
+        entry.letter = entry.letter.or(free);
+        taken.extend(entry.letter);
+    }
+    entries
+}
+
+/// A text whose first such letter is underlined.
+fn underlined(text: &str, letter: Option<Key>, color: Color32) -> LayoutJob {
+    let mut job = LayoutJob::default();
+    let plain = TextFormat::simple(theme::text(), color);
+    let at = text
+        .char_indices()
+        .find(|&(_, sign)| letter.is_some() && key_of(sign) == letter);
+    let (from, to) = at.map_or((0, 0), |(at, sign)| (at, at + sign.len_utf8()));
+    let mut line = plain.clone();
+    line.underline = Stroke::new(1.0, color);
+    for (range, format) in [
+        (0..from, &plain),
+        (from..to, &line),
+        (to..text.len(), &plain),
+    ] {
+        job.append(&text[range], 0.0, format.clone());
+    }
+    job
 }
 
 fn menus(editor: &Editor) -> [Menu; 6] {
     let entries = [file, edit, output, tools, settings, help];
     let mut entries = entries.into_iter().map(|entries| entries(editor));
-    letters(editor.texts()).map(|(letter, title)| Menu {
+    letters(editor.language()).map(|(letter, title)| Menu {
         title,
         letter,
-        entries: entries.next().unwrap_or_default(),
+        entries: lettered(entries.next().unwrap_or_default()),
     })
 }
 
@@ -139,11 +199,13 @@ pub(super) fn names(editor: &Editor, menu: usize) -> Vec<(Action, Cow<'static, s
 fn file(editor: &Editor) -> Vec<Entry> {
     let (texts, hints) = (&editor.texts().menu, &editor.texts().menu_hints);
     let mut file = vec![
-        Entry::new(texts.load, hints.load, Action::Load).letter(Key::L),
-        Entry::new(texts.load_object, hints.load_object, Action::LoadObject).letter(Key::O),
-        Entry::new(texts.import, hints.import, Action::Import).letter(Key::I),
+        Entry::new(texts.new, hints.new, Action::New),
+        Entry::new(texts.load, hints.load, Action::Load),
+        Entry::new(texts.load_object, hints.load_object, Action::LoadObject),
         Entry::new(texts.save, hints.save, Action::Save).apart(),
-        Entry::new(texts.save_as, hints.save_as, Action::SaveAs).letter(Key::S),
+        Entry::new(texts.save_as, hints.save_as, Action::SaveAs),
+        Entry::new(texts.import, hints.import, Action::Import).apart(),
+        Entry::new(texts.export, hints.export, Action::Export),
     ];
     let recent = editor.recent.iter().zip(editor.recent_names());
     file.extend(recent.enumerate().map(|(number, (path, name))| Entry {
@@ -220,7 +282,8 @@ fn edit(editor: &Editor) -> Vec<Entry> {
         )
         .only_if(editor.copied.is_some(), output.nothing_copied),
         Entry::new(texts.aim_all, hints.aim_all, Action::AimAll),
-        Entry::new(texts.space, hints.space, Action::Space).apart(),
+        Entry::new(texts.speeds, hints.speeds, Action::SpeedCurve).apart(),
+        Entry::new(texts.space, hints.space, Action::Space),
     ];
     let edits_path = editor.document.edits_path();
     let only_path = editor.texts().tools.only_path;
@@ -241,10 +304,17 @@ fn travel(editor: &Editor, redo: bool, step: Option<StepName>) -> Entry {
         Some(_) => format!("{text}. {hint}").into(),
         None => Cow::Borrowed(hint),
     };
+    // Whatever its words are.
+    let letter = match (editor.language(), redo) {
+        (Language::English, false) => Key::U,
+        (_, false) => Key::R,
+        (Language::English, true) => Key::R,
+        (_, true) => Key::W,
+    };
     Entry {
         text,
         hint,
-        ..Entry::new("", "", action)
+        ..Entry::new("", "", action).letter(letter)
     }
 }
 
@@ -294,6 +364,10 @@ fn tools(editor: &Editor) -> Vec<Entry> {
 
 fn settings(editor: &Editor) -> Vec<Entry> {
     let (texts, hints) = (&editor.texts().menu, &editor.texts().menu_hints);
+    let display = &editor.texts().display;
+    let speaks = |text, hint, language| {
+        Entry::new(text, hint, Action::Language(language)).on(editor.setup.language == language)
+    };
     let look = |text, hint, theme| {
         Entry::new(text, hint, Action::Theme(theme)).on(editor.setup.theme == theme)
     };
@@ -309,6 +383,14 @@ fn settings(editor: &Editor) -> Vec<Entry> {
         look(texts.as_system, hints.as_system, None).apart(),
         look(texts.dark, hints.dark, Some(Theme::Dark)),
         look(texts.light, hints.light, Some(Theme::Light)),
+        // Each language by its own name, for those who speak it.
+        speaks(display.automatic, display.language_hint, None).apart(),
+        speaks(display.german, display.german_hint, Some(Language::German)),
+        speaks(
+            display.english,
+            display.english_hint,
+            Some(Language::English),
+        ),
         Entry::new(texts.load_setup, hints.load_setup, Action::LoadSetup)
             .letter(Key::T)
             .apart(),
@@ -357,7 +439,8 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui) -> Option<Action> {
     ui.spacing_mut().button_padding = vec2(margin, 0.0);
     ui.spacing_mut().item_spacing.x = 0.0;
     for (index, menu) in menus.iter().enumerate() {
-        let mut title = Button::new(menu.title).frame_when_inactive(false);
+        let words = underlined(menu.title, Some(menu.letter), theme::palette(ui).text);
+        let mut title = Button::new(words).frame_when_inactive(false);
         if open == Some(index) {
             let fill = theme::palette(ui).hovered;
             title = title.frame_when_inactive(true).fill(fill);
@@ -383,8 +466,7 @@ fn show_entries(editor: &Editor, ui: &mut Ui, menu: &Menu, bar: &mut Bar) -> Opt
     ui.spacing_mut().item_spacing.y = 0.0;
     let keys = |entry: &Entry| {
         let keys = keys::words(editor.language(), &entry.action);
-        let letter = || Some(in_menu(editor.language(), menu.letter, entry.letter?));
-        keys.or_else(letter).unwrap_or_default()
+        keys.unwrap_or_default()
     };
     let width = |text: &str| {
         let galley = ui
@@ -458,13 +540,9 @@ fn show_entry(ui: &mut Ui, entry: &Entry, keys: &str, size: Vec2) -> Response {
         painter.add(Shape::line(tick, Stroke::new(1.5, palette.accent)));
     }
     let left = pos2(rect.left() + MARK, middle);
-    painter.text(
-        left,
-        Align2::LEFT_CENTER,
-        &entry.text,
-        theme::text(),
-        palette.text,
-    );
+    let words = painter.layout_job(underlined(&entry.text, entry.letter, palette.text));
+    let place = Align2::LEFT_CENTER.anchor_size(left, words.size());
+    painter.galley(place.min, words, palette.text);
     let right = pos2(rect.right() - 8.0, middle);
     painter.text(
         right,

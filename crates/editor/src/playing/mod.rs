@@ -13,6 +13,7 @@ pub(crate) mod playhead;
 mod plot;
 mod retime;
 mod ruler;
+mod section_menu;
 
 use std::time::Duration;
 
