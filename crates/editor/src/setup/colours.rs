@@ -82,7 +82,8 @@ impl ColourWindow {
                 let row = Button::selectable(chosen, name)
                     .min_size(vec2(ui.available_width(), theme::ROW))
                     .wrap_mode(egui::TextWrapMode::Truncate);
-                ui.add(row)
+                // Words from the left.
+                ui.vertical(|ui| ui.add(row)).inner
             });
             let response = row.inner;
             response.widget_info(|| {
