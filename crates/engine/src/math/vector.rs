@@ -46,6 +46,16 @@ pub(crate) fn fetch<T>(values: &[T]) {
     let _ = values;
 }
 
+/// An array of the values of an expression, as `[0, 1, 2].map(|i| …)` gives it. A closure is a
+/// function of its own, compiled for the plainest processor, and what it does with vectors becomes
+/// a call for each operation. This is written out where it stands.
+macro_rules! each {
+    ($name:ident in [$($each:expr),*] => $value:expr) => {
+        [$({ let $name = $each; $value }),*]
+    };
+}
+pub(crate) use each;
+
 /// The polynomial with `coefficients` (lowest first) at `x`.
 #[inline(always)]
 #[must_use]

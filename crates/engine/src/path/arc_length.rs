@@ -9,7 +9,7 @@ use glam::DVec3;
 use super::hermite::Cubic;
 use crate::error::Result;
 use crate::math::chebyshev::{self, NODES};
-use crate::math::vector::{Vector, horner, horner_each};
+use crate::math::vector::{Vector, each, horner, horner_each};
 
 /// Error allowed to a piece, as a share of the whole length.
 const TOLERANCE: f64 = 4e-15;
@@ -390,8 +390,8 @@ fn newton<V: Vector>(
     arrived: &mut [bool; MAX_LANES],
 ) {
     let scale = V::splat(1.0 / piece.length);
-    let s = [0, 1, 2, 3].map(|k| V::load(&s[k * V::LANES..]));
-    let mut at = horner_each(&piece.guess, &s.map(|s| s.mul(scale)));
+    let s = each!(k in [0, 1, 2, 3] => V::load(&s[k * V::LANES..]));
+    let mut at = horner_each(&piece.guess, &each!(k in [0, 1, 2, 3] => s[k].mul(scale)));
     step(piece, &s, &mut at);
     let second = step(piece, &s, &mut at);
     store_all(at, x);
@@ -433,10 +433,15 @@ pub(super) fn polish<V: Vector, const U: usize>(
 ) {
     let (middle, half) = (V::splat(piece.middle), V::splat(piece.half));
     let larger = V::splat(1.0 / piece.half);
-    let s = lengths.map(|length| length.sub(V::splat(piece.start)));
-    let mut x = parameters.map(|t| t.sub(middle).mul(larger));
+    let (mut s, mut x) = (*lengths, *parameters);
+    for k in 0..U {
+        s[k] = s[k].sub(V::splat(piece.start));
+        x[k] = x[k].sub(middle).mul(larger);
+    }
     step(piece, &s, &mut x);
-    *parameters = x.map(|x| middle.add(half.mul(x)));
+    for k in 0..U {
+        parameters[k] = middle.add(half.mul(x[k]));
+    }
 }
 
 /// Which lanes need no further step, and whether none does.

@@ -5,7 +5,7 @@ use glam::DQuat;
 use super::keys::quaternion;
 use crate::error::{Error, Invalid, OutOfRange, Result, vec_with_room};
 use crate::math::quaternion::{angle, continue_sign, continue_signs, exp, log};
-use crate::math::vector::{Vector, horner};
+use crate::math::vector::{Vector, each, horner};
 use crate::path::Tcb;
 use crate::path::quaternion_spline::{bezier, normalized, tcb_section};
 
@@ -55,7 +55,7 @@ pub(super) struct GreatArc {
 /// arcs side by side take no branch. At most a quarter of the great circle, they do not cancel.
 #[inline(always)]
 pub(super) fn arc_weights<V: Vector>(square: V, inverse: V, u: V) -> [V; 2] {
-    [V::splat(1.0).sub(u), u].map(|share| {
+    each!(share in [V::splat(1.0).sub(u), u] => {
         let sinc = horner::<V, 9>(&SINC, share.mul(share).mul(square));
         share.mul(sinc).mul(inverse)
     })

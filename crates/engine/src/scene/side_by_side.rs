@@ -18,7 +18,7 @@ use super::rotation::{GreatArc, arc_weights};
 use super::state::{Looks, NodeState, Warnings};
 use super::track::{Interpolation, Track};
 use crate::error::{Result, vec_with_room};
-use crate::math::vector::{self, Vector};
+use crate::math::vector::{self, Vector, each};
 use crate::path::dispatch::widest;
 
 /// Nodes of a group.
@@ -217,27 +217,33 @@ struct Around<'a> {
     at_key: bool,
 }
 
+/// The numbers of a vector of nodes.
+#[inline(always)]
+fn at<V: Vector>(row: &Row, k: usize) -> V {
+    V::load(&row[k..])
+}
+
 /// L = T(position)·T(pivot)·R·S·T(−pivot) of a vector of nodes, column by column.
 #[inline(always)]
 fn local<V: Vector>(head: &Head, around: &Around<'_>, k: usize, own: &mut [[Row; 3]; 4]) {
-    let at = |row: &Row| V::load(&row[k..]);
+    let (from, to) = (around.from, around.to);
     let one = V::splat(1.0);
-    let [position, scale] = [0, 1].map(|motion| {
-        let share = at(&around.shares[motion]);
+    let [position, scale] = each!(motion in [0, 1] => {
+        let share = at::<V>(&around.shares[motion], k);
         let rest = one.sub(share);
-        [0, 1, 2].map(|i| {
-            let row = SCALE * motion + i;
-            at(&around.from[row]).mul_add(rest, at(&around.to[row]).mul(share))
+        each!(row in [SCALE * motion, SCALE * motion + 1, SCALE * motion + 2] => {
+            at::<V>(&from[row], k).mul_add(rest, at::<V>(&to[row], k).mul(share))
         })
     });
-    let (mut square, mut inverse) = (at(&around.from[SQUARE]), at(&around.from[SQUARE + 1]));
+    let (mut square, mut inverse) = (at(&from[SQUARE], k), at(&from[SQUARE + 1], k));
     if around.at_key {
         // The weight of the key is 1 then, and not what comes near it.
         (square, inverse) = (V::splat(0.0), one);
     }
-    let [a, b] = arc_weights(square, inverse, at(&around.shares[2]));
-    let [x, y, z, w] = [TURN, TURN + 1, TURN + 2, TURN + 3]
-        .map(|row| at(&around.from[row]).mul_add(a, at(&around.from[row + 4]).mul(b)));
+    let [a, b] = arc_weights(square, inverse, at(&around.shares[2], k));
+    let [x, y, z, w] = each!(row in [TURN, TURN + 1, TURN + 2, TURN + 3] => {
+        at::<V>(&from[row], k).mul_add(a, at::<V>(&from[row + 4], k).mul(b))
+    });
     let square = x.mul_add(x, y.mul_add(y, z.mul_add(z, w.mul(w))));
     let twice = V::splat(2.0).div(square);
     let [tx, ty, tz] = [x.mul(twice), y.mul(twice), z.mul(twice)];
@@ -249,8 +255,8 @@ fn local<V: Vector>(head: &Head, around: &Around<'_>, k: usize, own: &mut [[Row;
         [xy.sub(wz), one.sub(xx).sub(zz), yz.add(wx)],
         [xz.add(wy), yz.sub(wx), one.sub(xx).sub(yy)],
     ];
-    let pivot = [0, 1, 2].map(|i| at(&head.pivot[i]));
-    let mut place = [0, 1, 2].map(|i| position[i].add(pivot[i]));
+    let pivot: [V; 3] = each!(i in [0, 1, 2] => at(&head.pivot[i], k));
+    let mut place = each!(i in [0, 1, 2] => position[i].add(pivot[i]));
     for j in 0..3 {
         let along = V::splat(0.0).sub(pivot[j]);
         for i in 0..3 {
@@ -269,9 +275,9 @@ fn local<V: Vector>(head: &Head, around: &Around<'_>, k: usize, own: &mut [[Row;
 fn world<V: Vector>(own: &[[Row; 3]; 4], lane: usize, parent: &[f64; 16]) -> [f64; 16] {
     let mut matrix = [0.0; 16];
     for i in (0..4).step_by(V::LANES) {
-        let axis = [0, 1, 2, 3].map(|j| V::load(&parent[4 * j + i..]));
+        let axis = each!(j in [0, 1, 2, 3] => V::load(&parent[4 * j + i..]));
         for j in 0..4 {
-            let [x, y, z] = [0, 1, 2].map(|k| V::splat(own[j][k][lane]));
+            let [x, y, z] = each!(k in [0, 1, 2] => V::splat(own[j][k][lane]));
             let mut sum = axis[1].mul_add(y, axis[2].mul(z));
             if j == 3 {
                 sum = sum.add(axis[3]);
