@@ -186,7 +186,7 @@ def pastes(place, kind, said):
     server, host, window = opened(place)
     owner = flood(place, server, kind)
     before = private(host.pid)
-    server.press(window, "alt+f")  # a field that takes text: the file window's
+    server.press(window, "alt+d")  # a field that takes text: the file window's
     server.press(window, "Escape")
     server.press(window, "alt+l")
     server.press(window, "ctrl+v")

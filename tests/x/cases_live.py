@@ -264,7 +264,7 @@ def old_hosts_get_the_flight_continuously(place):
     server.xdotool("windowraise", host)
     server.click(host, width / 2, height / 6)
     window = server.new_window()
-    server.press(window, "alt+o", "l")
+    server.press(window, "alt+a", "l")
     program.expect("121 poses came")
     server.press(window, "alt+Insert")  # changes no pose
     program.expect("121 poses came")
@@ -281,7 +281,7 @@ def old_hosts_get_the_flight_continuously(place):
     wait(lambda: handed() > before, "poses while it is dragged")
     server.xdotool("mouseup", 3)
     time.sleep(0.5)
-    server.press(window, "alt+o", "l")
+    server.press(window, "alt+a", "l")
     before = handed()
     server.press(window, "alt+Insert")
     time.sleep(0.5)
@@ -402,7 +402,7 @@ def windows_behind_others_tell_their_host(place):
     server.xdotool("windowfocus", "--sync", windows[0], "key", "F5")
     wait(lambda: Told(host, 0).played >= before + 5, "playing by the user")
     server.xdotool("key", "F5")
-    server.xdotool("windowfocus", "--sync", windows[1], "key", "--delay", "100", "alt+o", "l")
+    server.xdotool("windowfocus", "--sync", windows[1], "key", "--delay", "100", "alt+a", "l")
     wait(lambda: Told(host, 1).poses > 0, "poses")
     before = Told(host, 1).poses
     host.tell("alter 1 0.75")

@@ -12,7 +12,7 @@ from run import test
 @test()
 def an_orbit_is_shown_taken_and_undone(place):
     """In both languages, by the keyboard: one step, all of it taken back."""
-    for locale, menu in (("de_DE.UTF-8", "alt+w"), ("en_GB.UTF-8", "alt+t")):
+    for locale, menu in (("de_DE.UTF-8", "alt+w"), ("en_GB.UTF-8", "alt+o")):
         server, host, window = opened(place, LC_ALL=locale)
         before = host.path()
         quiet = server.drawn(window)
@@ -42,7 +42,7 @@ def findings_are_listed_and_lead_to_their_frame(place):
     """The last entry of the menu checks the path: of a new one it finds nothing; where
     a point was put outside it is listed, and a click goes there."""
     server, host, window = opened(place, LC_ALL="en_GB.UTF-8")
-    server.press(window, "alt+t", "Up", "Return")
+    server.press(window, "alt+o", "Up", "Return")
     quiet = server.drawn(window)
 
     def rows():

@@ -60,7 +60,7 @@ def closing_by_menu(place):
     server, host, window = opened(place, LANG="en_GB.UTF-8", LC_ALL=None)
 
     def menu():
-        server.press(window, "alt+f")
+        server.press(window, "alt+d")
         server.xdotool("key", "--delay", "40", "Up", "Return")
 
     asked_and_refused(server, host, window, menu)
@@ -278,8 +278,8 @@ def what_is_handed_over_is_what_vides_samples(place):
     for ours, its in zip(listed, sampled):
         differences = [abs(float(a) - float(b)) for a, b in zip(ours.split(), its.split())]
         check(max(differences[:9]) < 1.01e-4 and differences[9] <= 0.5, f"{ours}\n{its}")
-    server.press(window, "alt+f")
-    named_file(server, window, "e", "poses.txt")
+    server.press(window, "alt+a")
+    named_file(server, window, "d", "poses.txt")
     wait(lambda: os.path.exists(place.path("poses.txt")), "the output file")
     wait(lambda: open(place.path("poses.txt"), encoding="ascii").read().splitlines() == sampled,
          "the output file to be what vides sample writes")

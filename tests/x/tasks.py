@@ -15,7 +15,7 @@ import sys
 import tempfile
 
 from harness import Failure, Program, Server, check, wait
-from panel import BUTTON, FIELD, PANEL, boxes, middle, panel_boxes, timeline
+from panel import BUTTON, FIELD, PANEL, boxes, graph, middle, panel_boxes, rail_of, timeline
 from space import first_look
 
 OBJECT = """v -0.4 0 -0.4
@@ -164,14 +164,13 @@ def look(hand):
 def slow_start(hand):
     """The flight begins slowly."""
     before = hand.poses()
-    hand.keys("ctrl+Page_Up", "ctrl+Page_Up", "F3")
     hand.away()
     picture = hand.server.drawn(hand.window)
-    found = boxes(picture, BUTTON, 0, 34, picture.width - PANEL,
-                  picture.height - timeline(picture.height))
-    shapes = [row for row in found if len(row) >= 5][0]
-    hand.click(shapes[1])
-    hand.keys("Escape")
+    # A right click on the first section in the row of keys; the second entry above it.
+    x, y = rail_of(picture)[0] + 20, picture.height - 4 - graph(picture.height) - 12
+    hand.click((x, y, 0, 0), 3)
+    hand.server.drawn(hand.window)
+    hand.click((x + 30, y - 110, 0, 0))
     poses = hand.saved()
     check(distance(*poses[:2]) < 0.1 * distance(*before[:2]), "the start is not slow")
 
@@ -210,7 +209,7 @@ def save(hand):
 def poses(hand):
     """All poses as CSV."""
     file = os.path.join(hand.folder, "poses.csv")
-    hand.keys("alt+f", "e")
+    hand.keys("alt+a", "d")
     hand.server.xdotool("key", "--delay", "20", "ctrl+a")
     hand.typed(file)
     wait(lambda: os.path.exists(file), "the poses")
@@ -235,11 +234,11 @@ def undo(hand):
 def closed(hand):
     """The path is closed: its last pose is beside the first."""
     before = hand.poses()
-    hand.keys("alt+e", "c")
+    hand.keys("alt+b", "g")
     poses = hand.saved()
     step = max(distance(a, b) for a, b in zip(poses, poses[1:]))
     check(distance(poses[-1], poses[0]) <= step * 1.001, "it is open")
-    hand.server.press(hand.window, "alt+e", "c")
+    hand.server.press(hand.window, "alt+b", "g")
     check(hand.saved() == before, "opened it is not what it was")
 
 

@@ -44,7 +44,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     if !editor.windows.has_modal() {
         points_list::take_keys(editor, &context);
         windows::take_keys(editor, &context);
-        actions.extend(keys::pressed(&context, editor.language()));
+        actions.extend(keys::pressed(&context));
         let dropped: Vec<_> = context.input(|input| {
             let files = input.raw.dropped_files.iter();
             files.map(|file| file.path().to_owned()).collect()

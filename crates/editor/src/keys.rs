@@ -1,13 +1,11 @@
 //! The keyboard's shortcuts, and who has the keyboard.
 //!
-//! The shortcuts are the same in both languages (thesis A.5, and habits of today), but for those of
-//! the German manual that open a menu in the other one. While a text is
+//! The shortcuts are the same in both languages (thesis A.5, and habits of today). While a text is
 //! typed, editing keys belong to it; any other shortcut first applies the text.
 
 use egui::{Context, Event, Id, Key, Modifiers};
 
 use crate::action::Action;
-use crate::menu;
 use crate::selected::SelectionChange;
 use crate::texts::Language;
 
@@ -82,7 +80,7 @@ const OF_TEXTS: &[Action] = &[
 ];
 
 /// Takes the actions whose keys were pressed out of the input, in their order.
-pub(super) fn pressed(context: &Context, language: Language) -> Vec<Action> {
+pub(super) fn pressed(context: &Context) -> Vec<Action> {
     let typing = context.text_edit_focused();
     context.input_mut(|input| {
         let mut found = Vec::new();
@@ -94,7 +92,7 @@ pub(super) fn pressed(context: &Context, language: Language) -> Vec<Action> {
                     repeat,
                     modifiers,
                     ..
-                } => action_of(language, *modifiers, *key)
+                } => action_of(*modifiers, *key)
                     .filter(|action| !repeat || REPEATED.contains(action)),
                 Event::Copy => Some(Action::Copy),
                 Event::Cut => Some(Action::Cut),
@@ -110,23 +108,18 @@ pub(super) fn pressed(context: &Context, language: Language) -> Vec<Action> {
     })
 }
 
-/// The shortcuts that open no menu in a language.
-pub(super) fn of(language: Language) -> impl Iterator<Item = &'static (Modifiers, Key, Action)> {
-    let menus = menu::letters(language);
-    SHORTCUTS.iter().filter(move |(modifiers, key, _)| {
-        *modifiers != ALT || menus.iter().all(|(letter, _)| letter != key)
-    })
-}
-
-fn action_of(language: Language, modifiers: Modifiers, key: Key) -> Option<Action> {
+fn action_of(modifiers: Modifiers, key: Key) -> Option<Action> {
     let known = |shortcut: &&(Modifiers, Key, Action)| {
         shortcut.1 == key && modifiers.matches_exact(shortcut.0)
     };
-    of(language).find(known).map(|shortcut| shortcut.2.clone())
+    SHORTCUTS
+        .iter()
+        .find(known)
+        .map(|shortcut| shortcut.2.clone())
 }
 
 pub(super) fn words(language: Language, action: &Action) -> Option<String> {
-    let &(modifiers, key, _) = of(language).find(|shortcut| shortcut.2 == *action)?;
+    let &(modifiers, key, _) = SHORTCUTS.iter().find(|shortcut| shortcut.2 == *action)?;
     Some(combination(language, modifiers, key))
 }
 

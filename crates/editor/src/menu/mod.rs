@@ -1,14 +1,18 @@
 //! The menu bar (thesis A.5): opened by the pointer, by Alt and a letter, or by F10. The arrow keys
 //! walk through it; in an open menu an entry's letter picks it. Letters are of the words that are
-//! shown, underlined: each language has its own, the German ones those of the thesis where it has any.
+//! shown, underlined: each language has its own.
+
+mod letters;
 
 use std::borrow::Cow;
 
-use egui::text::{LayoutJob, TextFormat};
 use egui::{
     Align2, Button, Color32, Context, CornerRadius, FocusDirection, Id, Key, Modifiers, Popup,
     Response, Role, Sense, SetOpenCommand, Shape, Stroke, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
+
+pub(super) use letters::letters;
+use letters::{GERMAN, lettered, pick_by_letter, underlined};
 
 use crate::action::Action;
 use crate::document::StepName;
@@ -40,6 +44,8 @@ struct Entry {
     action: Action,
     /// Picks it while the menu is open.
     letter: Option<Key>,
+    /// Does so too if no entry of the menu has it.
+    other_letter: Option<Key>,
     enabled: bool,
     /// A switch, and whether it is on.
     on: Option<bool>,
@@ -56,6 +62,7 @@ impl Entry {
             hint: Cow::Borrowed(hint),
             action,
             letter: None,
+            other_letter: None,
             enabled: true,
             on: None,
             apart: false,
@@ -98,83 +105,6 @@ struct Menu {
     /// Opens the menu with Alt.
     letter: Key,
     entries: Vec<Entry>,
-}
-
-/// The letters that open the menus with Alt, and the titles.
-pub(super) fn letters(language: Language) -> [(Key, &'static str); 6] {
-    use Key::{A, B, D, E, F, G, H, O, T, W};
-    let (menu, tools) = (&language.texts().menu, &language.texts().tools);
-    let letters = match language {
-        Language::German => [D, B, A, W, E, H],
-        Language::English => [F, E, O, T, G, H],
-    };
-    let titles = [
-        menu.file,
-        menu.edit,
-        menu.output,
-        tools.menu,
-        menu.settings,
-        menu.help,
-    ];
-    std::array::from_fn(|at| (letters[at], titles[at]))
-}
-
-/// Whether a letter can be a key of words: it is in them, an umlaut being its vowel.
-fn is_in(letter: Key, words: &str) -> bool {
-    words.chars().any(|sign| key_of(sign) == Some(letter))
-}
-
-/// The key of a sign, if it is a letter.
-fn key_of(sign: char) -> Option<Key> {
-    let sign = match sign.to_lowercase().next()? {
-        'ä' => 'A',
-        'ö' => 'O',
-        'ü' => 'U',
-        sign if sign.is_ascii_alphabetic() => sign.to_ascii_uppercase(),
-        _ => return None,
-    };
-    Key::from_name(sign.encode_utf8(&mut [0; 4]))
-}
-
-/// Each entry with a letter of its words that no other of the menu has: its own if that is one of
-/// them, else one that begins a word, else any.
-fn lettered(mut entries: Vec<Entry>) -> Vec<Entry> {
-    let mut taken = Vec::new();
-    for entry in &mut entries {
-        let text = &entry.text;
-        entry.letter = entry
-            .letter
-            .filter(|&own| is_in(own, text) && !taken.contains(&own));
-        taken.extend(entry.letter);
-    }
-    for entry in &mut entries {
-        let first = entry.text.split(' ').filter_map(|word| word.chars().next());
-        let all = first.chain(entry.text.chars());
-        let free = all.filter_map(key_of).find(|key| !taken.contains(key));
-        entry.letter = entry.letter.or(free);
-        taken.extend(entry.letter);
-    }
-    entries
-}
-
-/// A text whose first such letter is underlined.
-fn underlined(text: &str, letter: Option<Key>, color: Color32) -> LayoutJob {
-    let mut job = LayoutJob::default();
-    let plain = TextFormat::simple(theme::text(), color);
-    let at = text
-        .char_indices()
-        .find(|&(_, sign)| letter.is_some() && key_of(sign) == letter);
-    let (from, to) = at.map_or((0, 0), |(at, sign)| (at, at + sign.len_utf8()));
-    let mut line = plain.clone();
-    line.underline = Stroke::new(1.0, color);
-    for (range, format) in [
-        (0..from, &plain),
-        (from..to, &line),
-        (to..text.len(), &plain),
-    ] {
-        job.append(&text[range], 0.0, format.clone());
-    }
-    job
 }
 
 fn menus(editor: &Editor) -> [Menu; 6] {
@@ -567,7 +497,8 @@ fn walk(context: &Context, bar: &mut Bar, menus: &[Menu]) -> Option<Action> {
         return Some(action);
     }
     // F10 opens the first one, as in many programs.
-    let keys = menus.iter().map(|menu| (Modifiers::ALT, menu.letter));
+    let letters = menus.iter().map(|menu| menu.letter).chain(GERMAN);
+    let keys = letters.map(|letter| (Modifiers::ALT, letter));
     let keys = keys.chain([(Modifiers::NONE, Key::F10)]);
     for (index, (modifiers, key)) in keys.enumerate() {
         if let Some(&popup) = bar.popups.get(index % menus.len())
@@ -619,19 +550,6 @@ fn walk(context: &Context, bar: &mut Bar, menus: &[Menu]) -> Option<Action> {
         context.memory_mut(|memory| memory.move_focus(FocusDirection::None));
     }
     None
-}
-
-/// An entry's letter, with Alt or without, in the open menu.
-fn pick_by_letter(context: &Context, menu: &Menu) -> Option<Action> {
-    let entry = menu.entries.iter().find(|entry| {
-        let Some(letter) = entry.letter.filter(|_| entry.enabled) else {
-            return false;
-        };
-        context.input_mut(|input| {
-            input.consume_key(Modifiers::NONE, letter) || input.consume_key(Modifiers::ALT, letter)
-        })
-    })?;
-    Some(entry.action.clone())
 }
 
 #[cfg(test)]

@@ -187,36 +187,51 @@ fn all_cameras_are_aimed_at_one_target_in_one_step() {
 
 #[test]
 fn the_thesis_shortcuts_do_what_the_menus_do() {
-    let opened = |key: Key| {
-        let mut window = window(Language::German);
-        press(&mut window, Modifiers::ALT, key);
-        window
-    };
-    let texts = &Language::German.texts().files;
-    let shows = |window: &Window, title: &str| window.query_by_label(title).is_some();
-    assert!(shows(&opened(Key::L), texts.load_path));
-    assert!(shows(&opened(Key::S), texts.save_path));
-    assert!(shows(&opened(Key::T), texts.load_setup));
-    assert!(shows(&opened(Key::P), texts.save_setup));
-    assert!(opened(Key::F).state().windows.colours.is_some());
-    assert!(opened(Key::Z).state().windows.display.is_some());
-    assert_eq!(
-        opened(Key::U).state_mut().next_request(),
-        Some(Request::HandOver)
-    );
-    assert_eq!(
-        opened(Key::F4).state_mut().next_request(),
-        Some(Request::Close)
-    );
+    for language in BOTH {
+        let opened = |key: Key| {
+            let mut window = window(language);
+            press(&mut window, Modifiers::ALT, key);
+            window
+        };
+        let texts = &language.texts().files;
+        let shows = |window: &Window, title: &str| window.query_by_label(title).is_some();
+        assert!(shows(&opened(Key::L), texts.load_path));
+        assert!(shows(&opened(Key::S), texts.save_path));
+        assert!(shows(&opened(Key::T), texts.load_setup));
+        assert!(shows(&opened(Key::P), texts.save_setup));
+        assert!(opened(Key::F).state().windows.colours.is_some());
+        assert!(opened(Key::Z).state().windows.display.is_some());
+        assert_eq!(
+            opened(Key::U).state_mut().next_request(),
+            Some(Request::HandOver)
+        );
+        assert_eq!(
+            opened(Key::F4).state_mut().next_request(),
+            Some(Request::Close)
+        );
+        // Its menus; in English, E is the edit menu's.
+        let menu = &language.texts().menu;
+        assert!(shows(&opened(Key::D), menu.load));
+        assert!(shows(&opened(Key::A), menu.hand_over));
+        let fifth = match language {
+            Language::German => menu.colours,
+            Language::English => menu.aim_all,
+        };
+        assert!(shows(&opened(Key::E), fifth));
+    }
 }
 
 #[test]
 fn d_in_the_open_output_menu_writes_to_a_file() {
-    for modifiers in [Modifiers::NONE, Modifiers::ALT] {
-        let mut window = window(Language::German);
-        open_menu(&mut window, 2);
+    let keys = [Modifiers::NONE, Modifiers::ALT];
+    for (modifiers, language) in keys
+        .into_iter()
+        .flat_map(|keys| BOTH.map(|one| (keys, one)))
+    {
+        let mut window = window(language);
+        press(&mut window, Modifiers::ALT, Key::A);
         press(&mut window, modifiers, Key::D);
-        let texts = Language::German.texts();
+        let texts = language.texts();
         assert!(window.query_by_label(texts.files.export).is_some());
         assert!(window.query_by_label(texts.menu.load).is_none());
     }
@@ -440,17 +455,21 @@ fn no_two_entries_of_a_menu_and_no_two_menus_have_one_key() {
             opens.sort();
             assert!(opens.windows(2).all(|pair| pair[0] != pair[1]), "{opens:?}");
             for menu in &menus {
-                assert!(super::is_in(menu.letter, menu.title), "{}", menu.title);
+                assert!(
+                    super::letters::is_in(menu.letter, menu.title),
+                    "{}",
+                    menu.title
+                );
                 let mut letters = Vec::new();
                 for entry in &menu.entries {
                     let Some(letter) = entry.letter else {
-                        let mut own = entry.text.chars().filter_map(super::key_of);
+                        let mut own = entry.text.chars().filter_map(super::letters::key_of);
                         let all: Vec<_> = menu.entries.iter().map(|other| other.letter).collect();
                         assert!(own.all(|key| all.contains(&Some(key))), "{}", entry.text);
                         continue;
                     };
                     assert!(
-                        super::is_in(letter, &entry.text),
+                        super::letters::is_in(letter, &entry.text),
                         "{letter:?}: {}",
                         entry.text
                     );
@@ -459,7 +478,7 @@ fn no_two_entries_of_a_menu_and_no_two_menus_have_one_key() {
                 }
             }
             // What opens a menu is no other shortcut.
-            for (modifiers, key, action) in crate::keys::of(language) {
+            for (modifiers, key, action) in crate::keys::SHORTCUTS {
                 let both = *modifiers == Modifiers::ALT && opens.contains(key);
                 assert!(!both, "{action:?}");
             }

@@ -23,7 +23,7 @@ use crate::theme;
 pub(super) const WIDTH: f32 = 236.0;
 
 /// A lower window has smaller gaps between the rows.
-const MIN_HEIGHT_FOR_GAPS: f32 = 580.0;
+const MIN_HEIGHT_FOR_GAPS: f32 = 545.0;
 
 /// Distance between two panels, in points.
 const APART: f32 = 8.0;

@@ -6,7 +6,7 @@ texts! {
     Menu {
         file: "File", "Datei";
         edit: "Edit", "Bearbeiten";
-        output: "Output", "Ausgabe";
+        output: "Hand over", "Ausgabe";
         settings: "Settings", "Einstellungen";
         help: "Help", "Hilfe";
 

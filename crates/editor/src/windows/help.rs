@@ -6,7 +6,7 @@ use egui::{Grid, Key, Modifiers, ScrollArea};
 
 use super::{SubWindow, Windows, sub_window};
 use crate::action::Action;
-use crate::keys::{self, combination};
+use crate::keys::{SHORTCUTS, combination};
 use crate::menu;
 use crate::space;
 use crate::state::Editor;
@@ -80,7 +80,8 @@ fn sections(language: Language) -> [(&'static str, Vec<Row>); 5] {
     ];
     let others = space::shortcut_help(language.texts());
     mouse.extend(others.map(|(hand, meaning)| row(hand, meaning)));
-    let shortcuts = keys::of(language)
+    let shortcuts = SHORTCUTS
+        .iter()
         .map(|(modifiers, key, action)| {
             (
                 combination(language, *modifiers, *key),
@@ -173,7 +174,6 @@ pub(crate) fn meaning(language: Language, action: &Action) -> Cow<'static, str> 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::keys::SHORTCUTS;
     use crate::tests::*;
 
     /// What stands in a menu or on a button is called so here, too.
