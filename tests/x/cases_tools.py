@@ -5,25 +5,25 @@ import os
 
 from cases_window import opened
 from harness import check, wait
-from panel import BUTTON, boxes
+from panel import BUTTON, PANEL, boxes
 from run import test
 
 
 @test()
 def an_orbit_is_shown_taken_and_undone(place):
     """In both languages, by the keyboard: one step, all of it taken back."""
-    for locale in ("de_DE.UTF-8", "en_GB.UTF-8"):
+    for locale, menu in (("de_DE.UTF-8", "alt+w"), ("en_GB.UTF-8", "alt+o")):
         server, host, window = opened(place, LC_ALL=locale)
         before = host.path()
         quiet = server.drawn(window)
         # The first tool of the menu; Escape leaves all as it was.
-        server.press(window, "alt+w", "Return")
+        server.press(window, menu, "Return")
         wait(lambda: server.picture(window).differs(quiet), "the tool")
         server.drawn(window)
         server.press(window, "Escape")
         server.drawn(window)
         check(host.path() == before, "it was left, and changed the path")
-        server.press(window, "alt+w", "Return")
+        server.press(window, menu, "Return")
         server.drawn(window)
         server.press(window, "Return")
         server.drawn(window)
@@ -42,12 +42,14 @@ def findings_are_listed_and_lead_to_their_frame(place):
     """The last entry of the menu checks the path: of a new one it finds nothing; where
     a point was put outside it is listed, and a click goes there."""
     server, host, window = opened(place, LC_ALL="en_GB.UTF-8")
-    server.press(window, "alt+w", "Up", "Return")
+    server.press(window, "alt+o", "Up", "Return")
     quiet = server.drawn(window)
 
     def rows():
         # The frames of each, one below the other.
-        return boxes(server.drawn(window), BUTTON, 30, 100, 175, 620, least=(80, 14))
+        picture = server.drawn(window)
+        left, right = picture.width - PANEL, picture.width - PANEL / 2
+        return boxes(picture, BUTTON, left, 100, int(right), 620, least=(80, 14))
 
     check(not rows(), "findings of a new path")
     # Two views at one point that are equal: one of them would do.

@@ -140,7 +140,7 @@ def slow_start(player):
     go_to(player, CORNER)
     for _ in range(3):
         player.button(4, 1)
-    player.button(8, 0)
+    player.server.press(player.window, "F3")
 
     def shapes():
         picture = player.server.drawn(player.window)

@@ -115,7 +115,7 @@ def rail_above(height, markers=False):
 
 def graph(height):
     """How high the graph is in a window of this height."""
-    return 0 if height < 660 else round(min(max((height - 580) * 0.3, 56), 160))
+    return 0 if height < 660 else round(min(max((height - 580) * 0.45, 56), 160))
 
 
 def timeline(height):

@@ -15,7 +15,7 @@ import sys
 import tempfile
 
 from harness import Failure, Program, Server, check, wait
-from panel import BUTTON, FIELD, PANEL, boxes, middle, panel_boxes, timeline
+from panel import BUTTON, FIELD, PANEL, boxes, graph, middle, panel_boxes, rail_of, timeline
 from space import first_look
 
 OBJECT = """v -0.4 0 -0.4
@@ -154,7 +154,7 @@ def look(hand):
     before = len(hand.poses())
     hand.keys("ctrl+Page_Up", "ctrl+Page_Up", "alt+Insert")
     hand.number(hand.panel(FIELD)[3][0], -0.4)
-    hand.number(hand.panel(FIELD)[4][1], 12)
+    hand.number(hand.panel(FIELD)[5][0], 12)
     poses = hand.saved()
     check(len(poses) > before, "no frames for the look")
     rests = sum(distance(a, b) < 1e-9 for a, b in zip(poses, poses[1:]))
@@ -164,14 +164,13 @@ def look(hand):
 def slow_start(hand):
     """The flight begins slowly."""
     before = hand.poses()
-    hand.keys("ctrl+Page_Up", "ctrl+Page_Up", "F3")
     hand.away()
     picture = hand.server.drawn(hand.window)
-    found = boxes(picture, BUTTON, 0, 34, picture.width - PANEL,
-                  picture.height - timeline(picture.height))
-    shapes = [row for row in found if len(row) >= 5][0]
-    hand.click(shapes[1])
-    hand.keys("Escape")
+    # A right click on the first section in the row of keys; the second entry above it.
+    x, y = rail_of(picture)[0] + 20, picture.height - 4 - graph(picture.height) - 12
+    hand.click((x, y, 0, 0), 3)
+    hand.server.drawn(hand.window)
+    hand.click((x + 30, y - 110, 0, 0))
     poses = hand.saved()
     check(distance(*poses[:2]) < 0.1 * distance(*before[:2]), "the start is not slow")
 

@@ -24,6 +24,8 @@ use crate::tools::profile::Quantity;
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Action {
     /// Ask for a file and load a path from it.
+    /// Begins an empty path.
+    New,
     Load,
     /// Save under the known name, else ask for one.
     Save,

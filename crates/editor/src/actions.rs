@@ -67,6 +67,7 @@ impl Editor {
         }
         let Selection { point, orientation } = self.document.selection();
         match action {
+            Action::New => self.ask_before(AfterSave::New),
             Action::Load => self.ask_before(AfterSave::Load),
             Action::Save => {
                 self.save(None);
@@ -156,7 +157,6 @@ impl Editor {
             Action::TakeOver { replace } => self.ask_for_view(replace),
             Action::Tool(tool) => {
                 self.open_tool(tool);
-                ToolWindow::to_top(context);
                 self.play_tour(context);
             }
             Action::ToolMade => {

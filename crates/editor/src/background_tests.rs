@@ -43,7 +43,7 @@ fn beside(language: Language, start: super::Start) -> Window {
 
 fn tour(window: &mut Window) {
     let language = window.state().language();
-    press(window, Modifiers::ALT, Key::W);
+    open_menu(window, 3);
     click(window, &format!("{} …", language.tool("tour")));
 }
 
@@ -123,7 +123,7 @@ fn a_finding_is_cured_while_the_window_goes_on() {
         let kind = vides_engine::tools::check::FindingKind::Speed;
         info.limits.set(kind, 0.05).unwrap();
         window.state_mut().edit(Edit::SetInfo(Box::new(info)));
-        press(&mut window, Modifiers::ALT, Key::W);
+        open_menu(&mut window, 3);
         click(&mut window, "Check …");
         let found = window
             .state()

@@ -17,7 +17,7 @@ pub(super) const BAR: f32 = 32.0;
 const PANELS: f32 = panels::WIDTH + 2.0 * MARGIN;
 
 /// Anything higher and wider is no control but a part of the window.
-const LARGE: f32 = 160.0;
+pub(super) const LARGE: f32 = 160.0;
 
 const MARGIN: f32 = 12.0;
 
@@ -64,6 +64,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
         ui.available_rect_before_wrap().bottom()
     });
     (middle.max.y, right.max.y) = (top.inner, top.inner);
+    let docked = windows::place(editor, &context, &mut middle, &mut right);
     // First what moves under the pointer: panels and output field then show it in this pass.
     part(ui, "space", middle, editor.background(), |ui| {
         space::show(editor, ui)
@@ -86,7 +87,9 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     part(ui, "panels", right, palette.panel, |ui| {
         let inside = UiBuilder::new().max_rect(right.shrink(MARGIN));
         ui.scope_builder(inside, |ui| {
-            if editor.document.edits_path() {
+            if docked {
+                // A window stands there.
+            } else if editor.document.edits_path() {
                 panels::show(editor, ui);
             } else {
                 let show = |editor: &Editor, actions: &mut _| {

@@ -18,6 +18,7 @@ const CTRL_SHIFT: Modifiers = Modifiers::CTRL.plus(Modifiers::SHIFT);
 pub(super) const SHORTCUTS: &[(Modifiers, Key, Action)] = &[
     (ALT, Key::L, Action::Load),
     (CTRL, Key::O, Action::Load),
+    (CTRL, Key::N, Action::New),
     (CTRL, Key::S, Action::Save),
     (ALT, Key::S, Action::SaveAs),
     (CTRL_SHIFT, Key::S, Action::SaveAs),

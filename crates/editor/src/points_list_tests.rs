@@ -72,9 +72,9 @@ fn it_has_a_row_for_each_point_and_for_each_further_orientation() {
             LEFT_SIDE,
             "Point 3: left corner",
             "Point 4: right corner",
-            "Point 4, orientation 2",
-            "Point 4, orientation 3",
-            "Point 4, orientation 4",
+            "Point 4, view 2",
+            "Point 4, view 3",
+            "Point 4, view 4",
             RIGHT_SIDE,
             "Point 6: end",
         ]
@@ -96,7 +96,7 @@ fn clicks_select_one_or_several() {
     assert_eq!(state(&harness), (Selection::at(0, 0), vec![0, 1, 2, 3, 4]));
     click(&mut harness, LEFT_SIDE, Modifiers::CTRL);
     assert_eq!(state(&harness), (Selection::at(0, 0), vec![0, 2, 3, 4]));
-    click(&mut harness, "Point 4, orientation 3", Modifiers::NONE);
+    click(&mut harness, "Point 4, view 3", Modifiers::NONE);
     assert_eq!(state(&harness), (Selection::at(3, 2), vec![3]));
     // Here the arrow keys go through the list.
     tap(&mut harness, Key::ArrowUp, Modifiers::NONE);
@@ -161,7 +161,7 @@ fn dragging_brings_points_into_another_order() {
         release(harness, to, LEFT);
     };
     // Behind the last orientation of point 4, between it and point 5.
-    drag(&mut harness, LEFT_SIDE, "Point 4, orientation 2", 0.0);
+    drag(&mut harness, LEFT_SIDE, "Point 4, view 2", 0.0);
     let now = |harness: &Window<'_>| -> Vec<usize> {
         let path = harness.state().document.path();
         let number = |point| points.iter().position(|other| other == point).unwrap();

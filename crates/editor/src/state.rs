@@ -366,6 +366,7 @@ impl Editor {
             self.selected.clone(),
             message,
             self.setup.theme(),
+            self.windows.front(),
         )
     }
 

@@ -24,8 +24,8 @@ fn losses_are_told_before_a_file_is_written() {
         let mut window = window_in(language, folder.path());
         let file = folder.path().join("a.tum");
         let ask = |window: &mut Window| {
-            press(window, Modifiers::ALT, Key::A);
-            press(window, Modifiers::NONE, Key::D);
+            open_menu(window, 2);
+            click(window, window.state().texts().menu.export);
             name(window, "a.tum");
             window.run();
         };
@@ -47,8 +47,9 @@ fn losses_are_told_before_a_file_is_written() {
         let said = said(&window).expect("a sentence");
         assert_eq!(said, fill(texts.output.written, &[&frames, &"a.tum"]));
         // Lines of ten numbers lose nothing that anyone expects there.
-        press(&mut window, Modifiers::ALT, Key::A);
-        press(&mut window, Modifiers::NONE, Key::D);
+        open_menu(&mut window, 2);
+        let export = window.state().texts().menu.export;
+        click(&mut window, export);
         name(&mut window, "a.txt");
         assert!(folder.path().join("a.txt").exists());
     }

@@ -65,6 +65,8 @@ pub(crate) enum Purpose {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum AfterSave {
     Close,
+    /// An empty path takes its place.
+    New,
     Load,
     /// A recent file is loaded, by its number.
     Recent(usize),
@@ -93,6 +95,7 @@ impl Editor {
     pub(crate) fn go_on(&mut self, then: AfterSave) {
         match then {
             AfterSave::Close => self.requests.push(Request::Close),
+            AfterSave::New => self.begin_anew(),
             AfterSave::Load => self.choose_file(Purpose::LoadPath),
             AfterSave::Recent(number) => {
                 if let Some(file) = self.recent.get(number).cloned()
@@ -211,11 +214,7 @@ impl Editor {
         let loaded = self.loaded(file);
         let (document, warnings) =
             loaded.map_err(|error| self.refusal(texts.errors.cannot_load, file, &error))?;
-        self.known = document.fingerprint();
-        self.document = document;
-        self.handed_state = None;
-        self.windows.path_replaced();
-        self.file = Some(file.to_owned());
+        self.take_up(document, Some(file));
         self.note_file(file);
         self.say(fill(texts.output.loaded, &[&short(file)]));
         let mut meshes = Warnings::default();
@@ -224,10 +223,32 @@ impl Editor {
         Ok(())
     }
 
+    /// Edits another document from now on, and with it its file.
+    fn take_up(&mut self, document: Document, file: Option<&Path>) {
+        self.known = document.fingerprint();
+        self.document = document;
+        self.handed_state = None;
+        self.windows.path_replaced();
+        self.file = file.map(Path::to_owned);
+    }
+
+    /// An empty path in place of the open one, with what is the host's.
+    fn begin_anew(&mut self) {
+        match self.of_host(Document::new()) {
+            Ok(document) => self.take_up(document, None),
+            Err(error) => self.complain_of(&error),
+        }
+    }
+
     fn loaded(&self, file: &Path) -> Result<(Document, Vec<Error>)> {
-        let (mut loaded, warnings) = Document::load_scene(file)?;
+        let (loaded, warnings) = Document::load_scene(file)?;
+        Ok((self.of_host(loaded)?, warnings))
+    }
+
+    /// A document with the base speeds and the object of a host that fixes them.
+    fn of_host(&self, mut loaded: Document) -> Result<Document> {
         if !self.fixed_speeds {
-            return Ok((loaded, warnings));
+            return Ok(loaded);
         }
         if loaded.edits_path() {
             loaded.apply(Edit::set(
@@ -244,7 +265,7 @@ impl Editor {
         // A copy has no history: putting the host's values back cannot be undone.
         let mut copy = loaded.try_clone()?;
         copy.mark_saved();
-        Ok((copy, warnings))
+        Ok(copy)
     }
 
     /// Saves the path as this file, whatever is there, and edits it from now on.

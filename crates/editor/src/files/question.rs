@@ -94,6 +94,7 @@ impl Question {
             &About::Unsaved(then) => {
                 let text = match then {
                     AfterSave::Close => texts.before_close,
+                    AfterSave::New => texts.before_new,
                     AfterSave::Load | AfterSave::Recent(_) | AfterSave::Dropped => {
                         texts.before_load
                     }

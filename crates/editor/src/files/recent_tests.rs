@@ -40,7 +40,7 @@ fn recent_files_are_in_the_menu_and_load() {
         let names = window.state().recent_names();
         assert_eq!(names[..3], ["one.vid", "two.vid", "more 5.vid"]);
         assert!(!names.contains(&"gone.vid".to_owned()));
-        press(&mut window, Modifiers::ALT, Key::D);
+        open_menu(&mut window, 0);
         click(&mut window, "two.vid");
         assert_eq!(
             window.state().file.as_deref(),
@@ -56,7 +56,7 @@ fn recent_files_are_in_the_menu_and_load() {
             .apply(Edit::set(At::Path, "closed", false))
             .unwrap();
         window.run();
-        press(&mut window, Modifiers::ALT, Key::D);
+        open_menu(&mut window, 0);
         click(&mut window, "one.vid");
         let texts = &language.texts().questions;
         assert!(window.query_by_label(texts.unsaved).is_some());
@@ -72,7 +72,7 @@ fn recent_files_are_in_the_menu_and_load() {
         assert_eq!(names[0], "one.vid (sub)");
         // One that vanished meanwhile is a message.
         std::fs::remove_file(at("two.vid")).unwrap();
-        press(&mut window, Modifiers::ALT, Key::D);
+        open_menu(&mut window, 0);
         click(&mut window, "two.vid");
         let message = window.state().message.clone().unwrap();
         assert!(message.error && message.text.contains("two.vid"));

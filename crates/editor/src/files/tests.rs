@@ -285,8 +285,9 @@ fn poses_are_written_as_lines_of_ten_numbers() {
         let texts = language.texts();
         let folder = tempfile::tempdir().expect("a folder");
         let mut window = window_in(language, folder.path());
-        press(&mut window, Modifiers::ALT, Key::A);
-        press(&mut window, Modifiers::NONE, Key::D);
+        open_menu(&mut window, 2);
+        let export = window.state().texts().menu.export;
+        click(&mut window, export);
         click(&mut window, texts.files.write);
         let name = format!("{}.txt", texts.files.poses);
         let written = std::fs::read_to_string(folder.path().join(&name)).expect("a file");
@@ -308,8 +309,9 @@ fn poses_are_written_as_lines_of_ten_numbers() {
 fn the_ending_chooses_the_format_of_poses() {
     let text = |folder: &Path, file: &str| {
         let mut window = window_in(Language::English, folder);
-        press(&mut window, Modifiers::ALT, Key::A);
-        press(&mut window, Modifiers::NONE, Key::D);
+        open_menu(&mut window, 2);
+        let export = window.state().texts().menu.export;
+        click(&mut window, export);
         name(&mut window, file);
         let file = folder.join(file);
         let said = said(&window);
@@ -337,8 +339,9 @@ fn the_file_window_offers_all_formats_of_poses() {
             std::fs::write(folder.path().join(file), "").expect("a file");
         }
         let mut window = window_in(language, folder.path());
-        press(&mut window, Modifiers::ALT, Key::A);
-        press(&mut window, Modifiers::NONE, Key::D);
+        open_menu(&mut window, 2);
+        let export = window.state().texts().menu.export;
+        click(&mut window, export);
         for (file, seen) in [
             ("a.txt", true),
             ("b.csv", true),

@@ -1,5 +1,8 @@
 //! The menu bar (thesis A.5): opened by the pointer, by Alt and a letter, or by F10. The arrow keys
-//! walk through it; in an open menu an entry's letter picks it.
+//! walk through it; in an open menu an entry's letter picks it. Letters are of the words that are
+//! shown, underlined: each language has its own.
+
+mod letters;
 
 use std::borrow::Cow;
 
@@ -7,6 +10,9 @@ use egui::{
     Align2, Button, Color32, Context, CornerRadius, FocusDirection, Id, Key, Modifiers, Popup,
     Response, Role, Sense, SetOpenCommand, Shape, Stroke, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
+
+pub(super) use letters::letters;
+use letters::{GERMAN, lettered, pick_by_letter, underlined};
 
 use crate::action::Action;
 use crate::document::StepName;
@@ -16,7 +22,7 @@ use crate::limits::MIN_POINTS;
 use crate::selected::SelectionChange;
 use crate::setup::Theme;
 use crate::state::Editor;
-use crate::texts::{Language, Texts, fill};
+use crate::texts::{Language, fill};
 use crate::theme;
 use crate::windows::{below_bar, is_cramped};
 
@@ -38,6 +44,8 @@ struct Entry {
     action: Action,
     /// Picks it while the menu is open.
     letter: Option<Key>,
+    /// Does so too if no entry of the menu has it.
+    other_letter: Option<Key>,
     enabled: bool,
     /// A switch, and whether it is on.
     on: Option<bool>,
@@ -54,6 +62,7 @@ impl Entry {
             hint: Cow::Borrowed(hint),
             action,
             letter: None,
+            other_letter: None,
             enabled: true,
             on: None,
             apart: false,
@@ -98,32 +107,13 @@ struct Menu {
     entries: Vec<Entry>,
 }
 
-/// The letters that open the menus with Alt, and the titles.
-pub(super) fn letters(texts: &Texts) -> [(Key, &'static str); 6] {
-    let menu = &texts.menu;
-    [
-        (Key::D, menu.file),
-        (Key::B, menu.edit),
-        (Key::A, menu.output),
-        (Key::W, texts.tools.menu),
-        (Key::E, menu.settings),
-        (Key::H, menu.help),
-    ]
-}
-
-/// The keys of an entry without a shortcut: its menu's, then its own.
-pub(super) fn in_menu(language: Language, menu: Key, entry: Key) -> String {
-    let opens = keys::combination(language, Modifiers::ALT, menu);
-    format!("{opens}, {}", entry.name())
-}
-
 fn menus(editor: &Editor) -> [Menu; 6] {
     let entries = [file, edit, output, tools, settings, help];
     let mut entries = entries.into_iter().map(|entries| entries(editor));
-    letters(editor.texts()).map(|(letter, title)| Menu {
+    letters(editor.language()).map(|(letter, title)| Menu {
         title,
         letter,
-        entries: entries.next().unwrap_or_default(),
+        entries: lettered(entries.next().unwrap_or_default()),
     })
 }
 
@@ -139,11 +129,13 @@ pub(super) fn names(editor: &Editor, menu: usize) -> Vec<(Action, Cow<'static, s
 fn file(editor: &Editor) -> Vec<Entry> {
     let (texts, hints) = (&editor.texts().menu, &editor.texts().menu_hints);
     let mut file = vec![
-        Entry::new(texts.load, hints.load, Action::Load).letter(Key::L),
-        Entry::new(texts.load_object, hints.load_object, Action::LoadObject).letter(Key::O),
-        Entry::new(texts.import, hints.import, Action::Import).letter(Key::I),
+        Entry::new(texts.new, hints.new, Action::New),
+        Entry::new(texts.load, hints.load, Action::Load),
+        Entry::new(texts.load_object, hints.load_object, Action::LoadObject),
         Entry::new(texts.save, hints.save, Action::Save).apart(),
-        Entry::new(texts.save_as, hints.save_as, Action::SaveAs).letter(Key::S),
+        Entry::new(texts.save_as, hints.save_as, Action::SaveAs),
+        Entry::new(texts.import, hints.import, Action::Import).apart(),
+        Entry::new(texts.export, hints.export, Action::Export),
     ];
     let recent = editor.recent.iter().zip(editor.recent_names());
     file.extend(recent.enumerate().map(|(number, (path, name))| Entry {
@@ -220,7 +212,8 @@ fn edit(editor: &Editor) -> Vec<Entry> {
         )
         .only_if(editor.copied.is_some(), output.nothing_copied),
         Entry::new(texts.aim_all, hints.aim_all, Action::AimAll),
-        Entry::new(texts.space, hints.space, Action::Space).apart(),
+        Entry::new(texts.speeds, hints.speeds, Action::SpeedCurve).apart(),
+        Entry::new(texts.space, hints.space, Action::Space),
     ];
     let edits_path = editor.document.edits_path();
     let only_path = editor.texts().tools.only_path;
@@ -241,10 +234,17 @@ fn travel(editor: &Editor, redo: bool, step: Option<StepName>) -> Entry {
         Some(_) => format!("{text}. {hint}").into(),
         None => Cow::Borrowed(hint),
     };
+    // Whatever its words are.
+    let letter = match (editor.language(), redo) {
+        (Language::English, false) => Key::U,
+        (_, false) => Key::R,
+        (Language::English, true) => Key::R,
+        (_, true) => Key::W,
+    };
     Entry {
         text,
         hint,
-        ..Entry::new("", "", action)
+        ..Entry::new("", "", action).letter(letter)
     }
 }
 
@@ -294,6 +294,10 @@ fn tools(editor: &Editor) -> Vec<Entry> {
 
 fn settings(editor: &Editor) -> Vec<Entry> {
     let (texts, hints) = (&editor.texts().menu, &editor.texts().menu_hints);
+    let display = &editor.texts().display;
+    let speaks = |text, hint, language| {
+        Entry::new(text, hint, Action::Language(language)).on(editor.setup.language == language)
+    };
     let look = |text, hint, theme| {
         Entry::new(text, hint, Action::Theme(theme)).on(editor.setup.theme == theme)
     };
@@ -315,6 +319,14 @@ fn settings(editor: &Editor) -> Vec<Entry> {
         look(texts.as_system, hints.as_system, None).apart(),
         look(texts.dark, hints.dark, Some(Theme::Dark)),
         look(texts.light, hints.light, Some(Theme::Light)),
+        // Each language by its own name, for those who speak it.
+        speaks(display.automatic, display.language_hint, None).apart(),
+        speaks(display.german, display.german_hint, Some(Language::German)),
+        speaks(
+            display.english,
+            display.english_hint,
+            Some(Language::English),
+        ),
         Entry::new(texts.load_setup, hints.load_setup, Action::LoadSetup)
             .letter(Key::T)
             .apart(),
@@ -363,7 +375,8 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui) -> Option<Action> {
     ui.spacing_mut().button_padding = vec2(margin, 0.0);
     ui.spacing_mut().item_spacing.x = 0.0;
     for (index, menu) in menus.iter().enumerate() {
-        let mut title = Button::new(menu.title).frame_when_inactive(false);
+        let words = underlined(menu.title, Some(menu.letter), theme::palette(ui).text);
+        let mut title = Button::new(words).frame_when_inactive(false);
         if open == Some(index) {
             let fill = theme::palette(ui).hovered;
             title = title.frame_when_inactive(true).fill(fill);
@@ -389,8 +402,7 @@ fn show_entries(editor: &Editor, ui: &mut Ui, menu: &Menu, bar: &mut Bar) -> Opt
     ui.spacing_mut().item_spacing.y = 0.0;
     let keys = |entry: &Entry| {
         let keys = keys::words(editor.language(), &entry.action);
-        let letter = || Some(in_menu(editor.language(), menu.letter, entry.letter?));
-        keys.or_else(letter).unwrap_or_default()
+        keys.unwrap_or_default()
     };
     let width = |text: &str| {
         let galley = ui
@@ -464,13 +476,9 @@ fn show_entry(ui: &mut Ui, entry: &Entry, keys: &str, size: Vec2) -> Response {
         painter.add(Shape::line(tick, Stroke::new(1.5, palette.accent)));
     }
     let left = pos2(rect.left() + MARK, middle);
-    painter.text(
-        left,
-        Align2::LEFT_CENTER,
-        &entry.text,
-        theme::text(),
-        palette.text,
-    );
+    let words = painter.layout_job(underlined(&entry.text, entry.letter, palette.text));
+    let place = Align2::LEFT_CENTER.anchor_size(left, words.size());
+    painter.galley(place.min, words, palette.text);
     let right = pos2(rect.right() - 8.0, middle);
     painter.text(
         right,
@@ -495,7 +503,8 @@ fn walk(context: &Context, bar: &mut Bar, menus: &[Menu]) -> Option<Action> {
         return Some(action);
     }
     // F10 opens the first one, as in many programs.
-    let keys = menus.iter().map(|menu| (Modifiers::ALT, menu.letter));
+    let letters = menus.iter().map(|menu| menu.letter).chain(GERMAN);
+    let keys = letters.map(|letter| (Modifiers::ALT, letter));
     let keys = keys.chain([(Modifiers::NONE, Key::F10)]);
     for (index, (modifiers, key)) in keys.enumerate() {
         if let Some(&popup) = bar.popups.get(index % menus.len())
@@ -547,19 +556,6 @@ fn walk(context: &Context, bar: &mut Bar, menus: &[Menu]) -> Option<Action> {
         context.memory_mut(|memory| memory.move_focus(FocusDirection::None));
     }
     None
-}
-
-/// An entry's letter, with Alt or without, in the open menu.
-fn pick_by_letter(context: &Context, menu: &Menu) -> Option<Action> {
-    let entry = menu.entries.iter().find(|entry| {
-        let Some(letter) = entry.letter.filter(|_| entry.enabled) else {
-            return false;
-        };
-        context.input_mut(|input| {
-            input.consume_key(Modifiers::NONE, letter) || input.consume_key(Modifiers::ALT, letter)
-        })
-    })?;
-    Some(entry.action.clone())
 }
 
 #[cfg(test)]

@@ -33,15 +33,12 @@ fn alt_and_a_letter_open_the_menus() {
     for language in BOTH {
         let texts = &language.texts().menu;
         let mut window = window(language);
-        for (key, entries) in [
+        for (menu, entries) in [
+            (0, vec![texts.load, texts.save, texts.save_as, texts.quit]),
+            (1, vec![texts.undo, texts.add_points, texts.aim_all]),
+            (2, vec![texts.export, texts.hand_over]),
             (
-                Key::D,
-                vec![texts.load, texts.save, texts.save_as, texts.quit],
-            ),
-            (Key::B, vec![texts.undo, texts.add_points, texts.aim_all]),
-            (Key::A, vec![texts.export, texts.hand_over]),
-            (
-                Key::E,
+                4,
                 vec![
                     texts.colours,
                     texts.display,
@@ -49,10 +46,10 @@ fn alt_and_a_letter_open_the_menus() {
                     texts.save_setup,
                 ],
             ),
-            (Key::H, vec![texts.keys]),
+            (5, vec![texts.keys]),
         ] {
             assert!(window.query_by_label(entries[0]).is_none());
-            press(&mut window, Modifiers::ALT, key);
+            open_menu(&mut window, menu);
             for entry in entries {
                 assert!(window.query_by_label(entry).is_some(), "{entry}");
             }
@@ -66,15 +63,15 @@ fn alt_and_a_letter_open_the_menus() {
 fn the_menus_are_walked_through_by_the_arrow_keys() {
     let texts = &Language::German.texts().menu;
     let mut window = window(Language::German);
-    press(&mut window, Modifiers::ALT, Key::D);
-    assert!(window.get_by_label(texts.load).is_focused());
+    open_menu(&mut window, 0);
+    assert!(window.get_by_label(texts.new).is_focused());
     press(&mut window, Modifiers::NONE, Key::ArrowUp);
     assert!(window.get_by_label(texts.quit).is_focused());
     press(&mut window, Modifiers::NONE, Key::ArrowDown);
     press(&mut window, Modifiers::NONE, Key::ArrowDown);
-    assert!(window.get_by_label(texts.load_object).is_focused());
+    assert!(window.get_by_label(texts.load).is_focused());
     press(&mut window, Modifiers::NONE, Key::ArrowDown);
-    assert!(window.get_by_label(texts.import).is_focused());
+    assert!(window.get_by_label(texts.load_object).is_focused());
     press(&mut window, Modifiers::NONE, Key::ArrowDown);
     assert!(window.get_by_label(texts.save).is_focused());
     press(&mut window, Modifiers::NONE, Key::ArrowRight);
@@ -95,14 +92,14 @@ fn f10_opens_the_first_menu_and_shift_f10_does_not() {
     let texts = &Language::English.texts().menu;
     let mut window = window(Language::English);
     press(&mut window, Modifiers::NONE, Key::F10);
-    assert!(window.get_by_label(texts.load).is_focused());
+    assert!(window.get_by_label(texts.new).is_focused());
     press(&mut window, Modifiers::NONE, Key::Escape);
     press(&mut window, Modifiers::SHIFT, Key::F10);
     assert!(window.query_by_label(texts.load).is_none());
     assert!(window.query_by_label(texts.copy_orientation).is_some());
     press(&mut window, Modifiers::NONE, Key::Escape);
     // Nor does it while another menu is open.
-    press(&mut window, Modifiers::ALT, Key::A);
+    open_menu(&mut window, 2);
     press(&mut window, Modifiers::SHIFT, Key::F10);
     assert!(window.query_by_label(texts.load).is_none());
 }
@@ -190,36 +187,51 @@ fn all_cameras_are_aimed_at_one_target_in_one_step() {
 
 #[test]
 fn the_thesis_shortcuts_do_what_the_menus_do() {
-    let opened = |key: Key| {
-        let mut window = window(Language::German);
-        press(&mut window, Modifiers::ALT, key);
-        window
-    };
-    let texts = &Language::German.texts().files;
-    let shows = |window: &Window, title: &str| window.query_by_label(title).is_some();
-    assert!(shows(&opened(Key::L), texts.load_path));
-    assert!(shows(&opened(Key::S), texts.save_path));
-    assert!(shows(&opened(Key::T), texts.load_setup));
-    assert!(shows(&opened(Key::P), texts.save_setup));
-    assert!(opened(Key::F).state().windows.colours.is_some());
-    assert!(opened(Key::Z).state().windows.display.is_some());
-    assert_eq!(
-        opened(Key::U).state_mut().next_request(),
-        Some(Request::HandOver)
-    );
-    assert_eq!(
-        opened(Key::F4).state_mut().next_request(),
-        Some(Request::Close)
-    );
+    for language in BOTH {
+        let opened = |key: Key| {
+            let mut window = window(language);
+            press(&mut window, Modifiers::ALT, key);
+            window
+        };
+        let texts = &language.texts().files;
+        let shows = |window: &Window, title: &str| window.query_by_label(title).is_some();
+        assert!(shows(&opened(Key::L), texts.load_path));
+        assert!(shows(&opened(Key::S), texts.save_path));
+        assert!(shows(&opened(Key::T), texts.load_setup));
+        assert!(shows(&opened(Key::P), texts.save_setup));
+        assert!(opened(Key::F).state().windows.colours.is_some());
+        assert!(opened(Key::Z).state().windows.display.is_some());
+        assert_eq!(
+            opened(Key::U).state_mut().next_request(),
+            Some(Request::HandOver)
+        );
+        assert_eq!(
+            opened(Key::F4).state_mut().next_request(),
+            Some(Request::Close)
+        );
+        // Its menus; in English, E is the edit menu's.
+        let menu = &language.texts().menu;
+        assert!(shows(&opened(Key::D), menu.load));
+        assert!(shows(&opened(Key::A), menu.hand_over));
+        let fifth = match language {
+            Language::German => menu.colours,
+            Language::English => menu.aim_all,
+        };
+        assert!(shows(&opened(Key::E), fifth));
+    }
 }
 
 #[test]
 fn d_in_the_open_output_menu_writes_to_a_file() {
-    for modifiers in [Modifiers::NONE, Modifiers::ALT] {
-        let mut window = window(Language::German);
+    let keys = [Modifiers::NONE, Modifiers::ALT];
+    for (modifiers, language) in keys
+        .into_iter()
+        .flat_map(|keys| BOTH.map(|one| (keys, one)))
+    {
+        let mut window = window(language);
         press(&mut window, Modifiers::ALT, Key::A);
         press(&mut window, modifiers, Key::D);
-        let texts = Language::German.texts();
+        let texts = language.texts();
         assert!(window.query_by_label(texts.files.export).is_some());
         assert!(window.query_by_label(texts.menu.load).is_none());
     }
@@ -234,7 +246,7 @@ fn handing_over_is_grey_where_nobody_takes_it() {
             ..options(language)
         };
         let mut window = window_of(options, LARGE, 1.0, Theme::Dark);
-        press(&mut window, Modifiers::ALT, Key::A);
+        open_menu(&mut window, 2);
         click(&mut window, texts.hand_over);
         assert_eq!(window.state_mut().next_request(), None);
         press(&mut window, Modifiers::NONE, Key::Escape);
@@ -265,11 +277,13 @@ fn every_entry_has_a_tooltip() {
             (
                 menu.file,
                 vec![
+                    (menu.new, hints.new),
                     (menu.load, hints.load),
                     (menu.load_object, hints.load_object),
-                    (menu.import, hints.import),
                     (menu.save, hints.save),
                     (menu.save_as, hints.save_as),
+                    (menu.import, hints.import),
+                    (menu.export, hints.export),
                     (menu.quit, hints.quit),
                 ],
             ),
@@ -293,6 +307,7 @@ fn every_entry_has_a_tooltip() {
                     (menu.paste, hints.paste),
                     (menu.paste_orientation, texts.output.nothing_copied),
                     (menu.aim_all, hints.aim_all),
+                    (menu.speeds, hints.speeds),
                     (menu.space, hints.space),
                 ],
             ),
@@ -314,6 +329,9 @@ fn every_entry_has_a_tooltip() {
                     (menu.as_system, hints.as_system),
                     (menu.dark, hints.dark),
                     (menu.light, hints.light),
+                    (texts.display.automatic, texts.display.language_hint),
+                    (texts.display.german, texts.display.german_hint),
+                    (texts.display.english, texts.display.english_hint),
                     (menu.load_setup, hints.load_setup),
                     (menu.save_setup, hints.save_setup),
                 ],
@@ -359,10 +377,10 @@ fn a_hand_over_is_told() {
 #[test]
 fn light_and_dark_are_chosen_in_the_settings() {
     let mut window = window(Language::German);
-    press(&mut window, Modifiers::ALT, Key::E);
+    open_menu(&mut window, 4);
     click(&mut window, "Hell");
     assert!(!window.ctx.global_style().visuals.dark_mode);
-    press(&mut window, Modifiers::ALT, Key::E);
+    open_menu(&mut window, 4);
     click(&mut window, "Dunkel");
     assert!(window.ctx.global_style().visuals.dark_mode);
 }
@@ -427,34 +445,87 @@ fn the_title_begins_with_the_name_and_marks_unsaved_work() {
     assert_eq!(editor.window_title(), "VIDES – *Flug");
 }
 
-/// A letter alone would look as if it could be pressed anywhere.
+/// In each language, whatever there is to undo or is selected.
 #[test]
-fn a_letter_of_one_menu_is_shown_behind_the_menus_keys() {
+fn no_two_entries_of_a_menu_and_no_two_menus_have_one_key() {
+    for language in BOTH {
+        let mut window = window_with_points(language, LARGE, 1.0, Theme::Dark);
+        for round in 0..3 {
+            let menus = super::menus(window.state());
+            let mut opens = menus.each_ref().map(|menu| menu.letter);
+            opens.sort();
+            assert!(opens.windows(2).all(|pair| pair[0] != pair[1]), "{opens:?}");
+            for menu in &menus {
+                assert!(
+                    super::letters::is_in(menu.letter, menu.title),
+                    "{}",
+                    menu.title
+                );
+                let mut letters = Vec::new();
+                for entry in &menu.entries {
+                    let Some(letter) = entry.letter else {
+                        let mut own = entry.text.chars().filter_map(super::letters::key_of);
+                        let all: Vec<_> = menu.entries.iter().map(|other| other.letter).collect();
+                        assert!(own.all(|key| all.contains(&Some(key))), "{}", entry.text);
+                        continue;
+                    };
+                    assert!(
+                        super::letters::is_in(letter, &entry.text),
+                        "{letter:?}: {}",
+                        entry.text
+                    );
+                    assert!(!letters.contains(&letter), "{letter:?}: {}", entry.text);
+                    letters.push(letter);
+                }
+            }
+            // What opens a menu is no other shortcut.
+            for (modifiers, key, action) in crate::keys::SHORTCUTS {
+                let both = *modifiers == Modifiers::ALT && opens.contains(key);
+                assert!(!both, "{action:?}");
+            }
+            match round {
+                0 => window.state_mut().edit(Edit::AppendAfterLast),
+                _ => window.state_mut().document.undo(),
+            };
+            window.run();
+        }
+    }
+}
+
+#[test]
+fn the_letters_are_underlined_and_pick() {
     for language in BOTH {
         let mut window = window(language);
-        let shown = |window: &Window| -> Vec<String> {
-            let shapes = window.output().shapes.iter();
-            let texts = shapes.filter_map(|clipped| match &clipped.shape {
-                egui::Shape::Text(text) => Some(text.galley.text().to_owned()),
-                _ => None,
-            });
-            texts.collect()
-        };
-        press(&mut window, Modifiers::ALT, Key::A);
-        let texts = shown(&window);
-        assert!(texts.iter().any(|text| text == "Alt+A, D"), "{texts:?}");
-        assert!(!texts.iter().any(|text| text == "D"), "{texts:?}");
-        press(&mut window, Modifiers::NONE, Key::Escape);
-        press(&mut window, Modifiers::NONE, Key::F1);
-        assert!(window.query_by_label("Alt+A, D").is_some());
-        assert!(window.query_by_label("D").is_none());
-        // They are the keys that do it.
-        press(&mut window, Modifiers::NONE, Key::Escape);
-        press(&mut window, Modifiers::ALT, Key::A);
-        press(&mut window, Modifiers::NONE, Key::D);
-        let export = language.texts().files.export;
-        assert!(window.query_by_label(export).is_some());
+        open_menu(&mut window, 0);
+        let shapes = window.output().shapes.iter();
+        let sections = shapes.flat_map(|clipped| match &clipped.shape {
+            egui::Shape::Text(text) => text.galley.job.sections.clone(),
+            _ => Vec::new(),
+        });
+        let lined = sections.filter(|section| section.format.underline.width > 0.0);
+        // Six titles, eight entries.
+        assert_eq!(lined.count(), 14);
+        window.state_mut().edit(Edit::AppendAfterLast);
+        press(&mut window, Modifiers::NONE, Key::N);
+        let question = language.texts().questions.unsaved;
+        assert!(window.query_by_label(question).is_some());
     }
+}
+
+/// What is new is as in a window without a file, after a question about what is not saved.
+#[test]
+fn a_new_path_is_begun() {
+    let mut window = window_with_points(Language::English, LARGE, 1.0, Theme::Dark);
+    window.state_mut().file = Some("/tmp/a.vid".into());
+    press(&mut window, Modifiers::CTRL, Key::N);
+    let editor = window.state();
+    assert_eq!(editor.document.path(), Document::new().path());
+    assert!(editor.file.is_none() && !editor.is_unsaved());
+    window.state_mut().edit(Edit::AppendAfterLast);
+    window.run();
+    press(&mut window, Modifiers::CTRL, Key::N);
+    click(&mut window, Language::English.texts().questions.discard);
+    assert_eq!(window.state().document.path(), Document::new().path());
 }
 
 /// Menu and tooltip name what would be taken back, whatever the edit was.
@@ -503,7 +574,7 @@ fn undo_and_redo_say_what() {
             window.run();
             for (pattern, next) in [(undo, Key::Z), (redo, Key::Y)] {
                 let wanted = pattern.replace("{}", name);
-                press(&mut window, Modifiers::ALT, Key::B);
+                open_menu(&mut window, 1);
                 assert!(window.query_by_label(&wanted).is_some(), "{wanted}");
                 press(&mut window, Modifiers::NONE, Key::Escape);
                 press(&mut window, Modifiers::CTRL, next);

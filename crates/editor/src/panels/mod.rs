@@ -4,7 +4,7 @@ pub(crate) mod curve;
 pub(crate) mod orientation;
 pub(crate) mod output;
 mod position;
-mod speed;
+mod timing;
 mod zoom;
 #[cfg(test)]
 mod zoom_tests;
@@ -23,7 +23,7 @@ use crate::theme;
 pub(super) const WIDTH: f32 = 236.0;
 
 /// A lower window has smaller gaps between the rows.
-const MIN_HEIGHT_FOR_GAPS: f32 = 580.0;
+const MIN_HEIGHT_FOR_GAPS: f32 = 545.0;
 
 /// Distance between two panels, in points.
 const APART: f32 = 8.0;
@@ -44,9 +44,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
         apart(ui);
         panel(ui, &orientation::show);
         apart(ui);
-        panel(ui, &|editor, ui, actions| {
-            speed::show(editor, ui, height, actions)
-        });
+        panel(ui, &timing::show);
         apart(ui);
         panel(ui, &zoom::show);
     });
@@ -240,7 +238,7 @@ fn words(ui: &mut Ui, text: &str, width: f32, color: Color32) -> Response {
 }
 
 /// Width of one of `count` things that fill a row.
-fn share(ui: &Ui, count: usize) -> f32 {
+pub(crate) fn share(ui: &Ui, count: usize) -> f32 {
     let gaps = (count - 1) as f32 * ui.spacing().item_spacing.x;
     ((ui.available_width() - gaps) / count as f32).floor()
 }

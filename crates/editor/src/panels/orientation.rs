@@ -8,7 +8,6 @@ use super::{PanelButton, button_row, heading, pager, share};
 use crate::action::Action;
 use crate::document::{Edit, Selection};
 use crate::error::Result;
-use crate::limits::MAX_HOLD;
 use crate::math::rotation_minimising::turned;
 use crate::number::Number;
 use crate::path::{CameraPath, Orientation, OrientationOverrides, Target, Up, UpVector, ahead};
@@ -84,32 +83,16 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     }
     up(editor, ui, &shown, actions);
     let language = editor.language();
-    let width = share(ui, 2);
-    ui.horizontal(|ui| {
-        let roll = Number::new(texts.roll, current.roll)
-            .label(texts.roll)
-            .hint(texts.roll_hint)
-            .faint(missing)
-            .unit("°")
-            .decimals(1)
-            .steps(1.0, 0.5)
-            .show(ui, language, "roll", width);
-        let roll = roll.map(|roll| with(selection, current, |new| new.roll = roll));
-        actions.push(Action::enter(missing, roll));
-        let hold = Number::new(texts.hold, f64::from(current.hold))
-            .label(texts.hold)
-            .hint(texts.hold_hint)
-            .faint(missing)
-            .unit(texts.hold_unit)
-            .whole()
-            .range(0.0..=f64::from(MAX_HOLD))
-            .steps(1.0, 0.2)
-            .show(ui, language, "hold", width);
-        // Whole, and in the range of a u32.
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-        let hold = hold.map(|hold| with(selection, current, |new| new.hold = hold as u32));
-        actions.push(Action::enter(missing, hold));
-    });
+    let roll = Number::new(texts.roll, current.roll)
+        .label(texts.roll)
+        .hint(texts.roll_hint)
+        .faint(missing)
+        .unit("°")
+        .decimals(1)
+        .steps(1.0, 0.5)
+        .show(ui, language, "roll", ui.available_width());
+    let roll = roll.map(|roll| with(selection, current, |new| new.roll = roll));
+    actions.push(Action::enter(missing, roll));
 }
 
 fn target(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Action>) {

@@ -50,13 +50,12 @@ fn the_panels_name_all_that_the_thesis_has_there() {
         "Blick 1 von 3",
         "Ziel",
         "Richtung",
-        "Zeitkurve ändern …",
         "Zoom",
     ] {
         assert!(window.query_by_label(name).is_some(), "{name}");
     }
     let window = large(Language::English);
-    for name in ["3 of 6", "Change …", "View 1 of 3", "Change speed curve …"] {
+    for name in ["3 of 6", "Change …", "View 1 of 3"] {
         assert!(window.query_by_label(name).is_some(), "{name}");
     }
 }
@@ -588,12 +587,13 @@ fn the_section_is_shown_with_its_frames_and_seconds() {
     let mut window = window(Language::German);
     assert!(
         window
-            .query_by_label("Zeitkurve: 120 Bilder · 4,80 s")
+            .query_by_label("Zeiten: 120 Bilder · 4,80 s")
             .is_some()
     );
     click_button(&mut window, |texts| texts.position.next);
-    assert!(window.query_by_label("Zeitkurve: Ende der Bahn").is_some());
-    click(&mut window, "Zeitkurve ändern …");
+    assert!(window.query_by_label("Zeiten: Ende der Bahn").is_some());
+    open_menu(&mut window, 1);
+    click(&mut window, "Zeitkurve …");
     assert!(window.state().windows.speed.is_some());
     click(&mut window, "Ändern …");
     assert!(window.state().windows.curve.is_some());

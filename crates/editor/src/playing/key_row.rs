@@ -9,6 +9,7 @@ use super::axis::Axis;
 use super::graph::{Held, Memory, ended};
 use super::retime::{Beside, Retiming};
 use super::ruler::chosen_too;
+use super::section_menu;
 use super::{Mark, as_frame};
 use crate::action::Action;
 use crate::document::Selection;
@@ -214,6 +215,11 @@ pub(super) fn show(
     let painter = ui.painter_at(ground);
     painter.rect_filled(ground.shrink2(vec2(0.0, 1.0)), 3.0, palette.field);
     if editor.document.edits_path() {
+        let id = ui.scope_id().with("sections");
+        let response = ui.interact(ground, id, Sense::CLICK);
+        let name = editor.texts().timeline.all_sections;
+        response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Canvas, true, name));
+        section_menu::show(editor, &response, axis, actions);
         sections(editor, &painter, axis, rect);
         let keys = with_room(
             &editor.playing.marks.keys,

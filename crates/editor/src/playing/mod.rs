@@ -13,6 +13,7 @@ pub(crate) mod playhead;
 mod plot;
 mod retime;
 mod ruler;
+mod section_menu;
 
 use std::time::Duration;
 
@@ -405,7 +406,7 @@ fn bar(editor: &Editor, memory: &mut graph::Memory, ui: &mut Ui, actions: &mut V
 
 /// A higher window has more room for the graph; dragged it is as high as it was made.
 fn graph_height(editor: &Editor, whole: f32) -> f32 {
-    let usual = ((whole - 580.0) * 0.3).clamp(56.0, 160.0);
+    let usual = ((whole - 580.0) * 0.45).clamp(56.0, 160.0);
     let most = (0.45 * whole).max(graph::LEAST);
     let height = editor.playing.graph_height.unwrap_or(usual);
     height.clamp(graph::LEAST, most).round()

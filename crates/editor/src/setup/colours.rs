@@ -11,11 +11,9 @@ use crate::setup::{Colours, Element, Setup, Theme};
 use crate::state::Editor;
 use crate::texts::fill;
 use crate::theme;
-use crate::windows::{SubWindow, Windows, sub_window};
+use crate::windows::{SubWindow, Windows, docked};
 
-const LIST: f32 = 190.0;
-const REST: f32 = 280.0;
-/// Of the rest: a name, a number, and between the columns.
+/// Width of a name, of a number, and between the columns.
 const NAME: f32 = 44.0;
 const NUMBER: f32 = 56.0;
 const APART: f32 = 8.0;
@@ -25,19 +23,23 @@ pub(crate) struct ColourWindow {
     element: Element,
     /// The colour before a number was dragged.
     before: Option<Color32>,
+    /// What Escape gives back: the colours of both themes.
+    before_all: (Colours, Colours),
 }
 
 impl SubWindow for ColourWindow {
     const ID: &'static str = "colours";
+    const DOCKED: bool = true;
 
     fn slot(windows: &mut Windows) -> &mut Option<Self> {
         &mut windows.colours
     }
 
-    fn new(_: &Editor) -> Self {
+    fn new(editor: &Editor) -> Self {
         Self {
             element: Element::Background,
             before: None,
+            before_all: (editor.setup.dark, editor.setup.light),
         }
     }
 
@@ -49,25 +51,21 @@ impl SubWindow for ColourWindow {
     ) -> bool {
         let texts = &editor.texts().colours;
         let mut setup = editor.setup.clone();
-        let stays = sub_window(context, Self::ID, texts.title, |ui| {
-            ui.set_width(LIST + REST + 16.0);
-            ui.horizontal_top(|ui| {
-                ui.spacing_mut().item_spacing.x = 16.0;
-                ui.vertical(|ui| {
-                    ui.set_width(LIST);
-                    self.list(editor, ui);
-                });
-                ui.vertical(|ui| {
-                    ui.spacing_mut().item_spacing.x = theme::GAP;
-                    ui.set_width(REST);
-                    self.mix(editor, ui, &mut setup, actions);
-                });
-            });
+        let tools = &editor.texts().tools;
+        let named = (Self::ID, texts.title);
+        let keeps = ([tools.ok, tools.ok_hint], true);
+        let end = docked(editor, context, named, Some(keeps), |ui| {
+            self.mix(editor, ui, &mut setup, actions);
+            ui.separator();
+            self.list(editor, ui);
         });
+        if end == Some(false) {
+            (setup.dark, setup.light) = self.before_all;
+        }
         if setup != editor.setup {
             actions.push(Action::Setup(Box::new(setup)));
         }
-        stays
+        end.is_none()
     }
 }
 
@@ -77,19 +75,20 @@ impl ColourWindow {
         for element in Element::ALL {
             let name = editor.texts().display.name(element);
             let chosen = element == self.element;
-            let row = Button::selectable(chosen, format!("        {name}"))
-                .min_size(vec2(LIST, theme::ROW))
-                .wrap_mode(egui::TextWrapMode::Truncate);
-            let response = ui.add(row);
+            let row = ui.horizontal(|ui| {
+                let (place, _) = ui.allocate_exact_size(vec2(16.0, theme::ROW), Sense::hover());
+                let place = Rect::from_center_size(place.center(), vec2(16.0, 14.0));
+                swatch(ui, place, editor.setup.colours().of(element));
+                let row = Button::selectable(chosen, name)
+                    .min_size(vec2(ui.available_width(), theme::ROW))
+                    .wrap_mode(egui::TextWrapMode::Truncate);
+                // Words from the left.
+                ui.vertical(|ui| ui.add(row)).inner
+            });
+            let response = row.inner;
             response.widget_info(|| {
                 egui::WidgetInfo::selected(egui::Role::RadioButton, true, chosen, name)
             });
-            let at = response.rect.left_center() + vec2(18.0, 0.0);
-            swatch(
-                ui,
-                Rect::from_center_size(at, vec2(16.0, 14.0)),
-                editor.setup.colours().of(element),
-            );
             if response.clicked() {
                 self.element = element;
                 self.before = None;
@@ -102,9 +101,10 @@ impl ColourWindow {
         let element = self.element;
         let colour = setup.colours().of(element);
         ui.strong(editor.texts().display.name(element));
-        let (rect, _) = ui.allocate_exact_size(vec2(REST, 64.0), Sense::hover());
+        let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), 32.0), Sense::hover());
         swatch(ui, rect, colour);
         ui.add_space(theme::GAP);
+        let slider = ui.available_width() - NAME - NUMBER - 2.0 * APART;
         let [r, g, b, _] = colour.to_array();
         let names = [texts.red, texts.green, texts.blue];
         Grid::new("mix")
@@ -118,7 +118,7 @@ impl ColourWindow {
                     });
                     let label = label.inner;
                     let mut slid = value;
-                    ui.spacing_mut().slider_width = REST - NAME - NUMBER - 2.0 * APART;
+                    ui.spacing_mut().slider_width = slider;
                     let slider = Slider::new(&mut slid, 0..=255).show_value(false);
                     if ui.add(slider).labelled_by(label.id).changed() {
                         setup

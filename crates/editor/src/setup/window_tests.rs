@@ -12,7 +12,8 @@ fn an_element_is_chosen_and_three_sliders_mix_its_colour() {
         let texts = &language.texts().colours;
         let mut window = window(language);
         let as_new = window.state().setup.clone();
-        press(&mut window, Modifiers::ALT, Key::F);
+        open_menu(&mut window, 4);
+        click(&mut window, language.texts().menu.colours);
         click(&mut window, language.texts().display.curve);
         let first = window.state().setup.colours().of(Element::Curve);
         for (name, text) in [(texts.red, "10"), (texts.green, "20"), (texts.blue, "256")] {
@@ -59,11 +60,6 @@ fn each_element_is_switched_off_and_on() {
         window.run();
         click(&mut window, texts.all);
         assert_eq!(window.state().setup, as_new);
-        window
-            .get_by_role_and_label(Role::RadioButton, language.texts().menu.light)
-            .click();
-        window.run();
-        assert_eq!(window.state().setup.theme, Some(Theme::Light));
     }
 }
 
@@ -81,18 +77,18 @@ fn the_language_is_chosen_and_kept() {
         window_of(options, SMALL, 1.0, Theme::Dark)
     };
     let mut window = start(Language::English);
-    press(&mut window, Modifiers::ALT, Key::Z);
+    open_menu(&mut window, 4);
     // At once, in all of the window.
     click(&mut window, "Deutsch");
     assert!(window.query_by_label("Datei").is_some());
-    assert!(window.query_by_label("Stützpunkte").is_some());
+    assert!(window.query_by_label("Bearbeiten").is_some());
     let file = folder.path().join("other.toml");
     window.state_mut().save_setup(&file).unwrap();
     // At the next start, too, without a word of the setup.
     let mut window = start(Language::English);
     assert!(window.query_by_label("Datei").is_some());
-    press(&mut window, Modifiers::ALT, Key::Z);
-    click(&mut window, "Automatisch");
+    open_menu(&mut window, 4);
+    click(&mut window, "Sprache: automatisch");
     assert!(window.query_by_label("File").is_some());
     // A setup that is loaded brings its language.
     window.state_mut().load_setup(&file).unwrap();
@@ -100,7 +96,7 @@ fn the_language_is_chosen_and_kept() {
     assert!(window.query_by_label("Datei").is_some());
 }
 
-/// By the menu or the display window; whatever else stands in the setup file stays as it
+/// By the menu; whatever else stands in the setup file stays as it
 /// is written there.
 #[test]
 fn the_theme_chosen_is_that_of_the_next_start() {
@@ -118,13 +114,9 @@ fn the_theme_chosen_is_that_of_the_next_start() {
             };
             Editor::new(options).unwrap()
         };
-        let choose = |name: &str, in_window: bool| {
+        let choose = |name: &str| {
             let mut window = window_of_editor(start(), SMALL, 1.0);
-            if in_window {
-                press(&mut window, Modifiers::ALT, Key::Z);
-            } else {
-                press(&mut window, Modifiers::ALT, Key::E);
-            }
+            open_menu(&mut window, 4);
             click(&mut window, name);
             assert!(
                 !window
@@ -134,9 +126,9 @@ fn the_theme_chosen_is_that_of_the_next_start() {
                     .is_some_and(|said| said.error)
             );
         };
-        choose(menu.light, false);
+        choose(menu.light);
         assert_eq!(start().setup.theme, Some(Theme::Light));
-        choose(menu.dark, true);
+        choose(menu.dark);
         assert_eq!(start().setup.theme, Some(Theme::Dark));
         assert_eq!(
             std::fs::read_to_string(&file).unwrap(),
@@ -144,7 +136,7 @@ fn the_theme_chosen_is_that_of_the_next_start() {
         );
         let by_hand = "# mine\nversion = 1\ntheme = 'dark' # at night\n[view]\nsize = 2\n";
         std::fs::write(&file, by_hand).unwrap();
-        choose(menu.as_system, false);
+        choose(menu.as_system);
         let kept = by_hand.replace("'dark'", "\"system\"");
         assert_eq!(std::fs::read_to_string(&file).unwrap(), kept);
         assert_eq!(start().setup.theme, None);
@@ -245,7 +237,8 @@ fn a_setup_is_saved_and_loaded_by_the_menu() {
         let file = folder.path().join("setup.toml");
         assert!(file.is_file(), "the proposal is setup.toml in its folder");
         window.state_mut().setup = Setup::default();
-        press(&mut window, Modifiers::ALT, Key::T);
+        open_menu(&mut window, 4);
+        click(&mut window, language.texts().menu.load_setup);
         click(&mut window, "setup.toml");
         window
             .get_by_role_and_label(Role::Button, language.texts().files.load)
@@ -258,9 +251,11 @@ fn a_setup_is_saved_and_loaded_by_the_menu() {
 #[test]
 fn pictures() {
     for (language, theme, scale, name) in LOOKS {
-        for (key, which) in [(Key::F, "colours"), (Key::Z, "display")] {
+        let menu = &language.texts().menu;
+        for (entry, which) in [(menu.colours, "colours"), (menu.display, "display")] {
             let mut window = window_with_points(language, SMALL, scale, theme);
-            press(&mut window, Modifiers::ALT, key);
+            open_menu(&mut window, 4);
+            click(&mut window, entry);
             screenshot(&mut window, &format!("{which}-{name}.png"));
         }
     }
@@ -284,11 +279,11 @@ fn light_and_dark_are_the_desktops_unless_chosen() {
     assert!(!dark(&window));
     desktop(&mut window, egui::Theme::Dark);
     assert!(dark(&window));
-    press(&mut window, Modifiers::ALT, Key::E);
+    open_menu(&mut window, 4);
     click(&mut window, "Light");
     assert!(!dark(&window));
     desktop(&mut window, egui::Theme::Light);
-    press(&mut window, Modifiers::ALT, Key::E);
+    open_menu(&mut window, 4);
     click(&mut window, "Dark");
     assert!(dark(&window));
     // A setup that chooses nothing leaves it to the desktop, which is known.
@@ -298,7 +293,7 @@ fn light_and_dark_are_the_desktops_unless_chosen() {
     window.state_mut().load_setup(&file).unwrap();
     window.run();
     assert!(!dark(&window));
-    press(&mut window, Modifiers::ALT, Key::E);
+    open_menu(&mut window, 4);
     click(&mut window, "As the system");
     assert!(!dark(&window));
 }

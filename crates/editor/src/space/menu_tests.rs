@@ -53,13 +53,13 @@ fn orientations_are_copied_from_point_to_point() {
     let copied = harness.state().document.path().points[3].orientations[1].clone();
     harness.event(Event::Copy);
     harness.step();
-    choose(&mut harness, 0, "Paste orientation");
+    choose(&mut harness, 0, "Paste view");
     assert_eq!(
         harness.state().document.path().points[0].orientations[0],
         copied
     );
-    choose(&mut harness, 1, "Copy orientation");
-    choose(&mut harness, 0, "Paste orientation");
+    choose(&mut harness, 1, "Copy view");
+    choose(&mut harness, 0, "Paste view");
     let points = &harness.state().document.path().points;
     assert_eq!(points[0].orientations[0], points[1].orientations[0]);
 }

@@ -344,7 +344,7 @@ fn tab_goes_through_buttons_as_they_are_read() {
         let names = [texts.curve.show, texts.curve.ok];
         assert_eq!(tabbed(&mut window, &names), names);
         press(&mut window, Modifiers::NONE, Key::Escape);
-        click(&mut window, texts.speed.change);
+        press(&mut window, Modifiers::NONE, Key::F3);
         click(&mut window, texts.speed_window.copy);
         let speed = &texts.speed_window;
         let names = [speed.copy, speed.paste, speed.reset];

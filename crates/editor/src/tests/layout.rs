@@ -88,8 +88,15 @@ fn faults(window: &Window) -> Vec<String> {
     let panels = window.ctx.content_rect().right() - PANELS;
     let seen = painted(window);
     assert!(seen.len() > 20, "{}", seen.len());
+    let dock = window.state().windows.dock_place();
+    let list = window
+        .get_by_label(window.state().texts().space.name)
+        .rect()
+        .left();
     let faulty = |text: &Painted| {
-        let scrolls = text.rect.left() > panels;
+        let docked = dock.is_some_and(|dock| dock.intersects(text.rect));
+        // So does a long list.
+        let scrolls = text.rect.left() > panels || docked || text.rect.right() < list;
         let room = match scrolls {
             true => Rect::from_x_y_ranges(text.clip.x_range(), text.rect.y_range()),
             false => text.clip,
@@ -206,6 +213,131 @@ fn the_bar_of_frames_is_long_enough() {
     }
 }
 
+/// Sizes in points and scales from the smallest usual window to a large screen at each of its scales.
+const SCREENS: [([f32; 2], f32); 6] = [
+    ([800.0, 600.0], 1.0),
+    ([1200.0, 800.0], 1.0),
+    ([1280.0, 720.0], 3.0),
+    ([1920.0, 1080.0], 2.0),
+    ([1707.0, 960.0], 1.5),
+    ([3840.0, 2160.0], 1.0),
+];
+
+/// All that is docked, for the example's path.
+fn docked(window: &Window) -> Vec<Action> {
+    let several = crate::document::tool::tools().filter(|tool| {
+        use crate::document::tool::Needs;
+        matches!(tool.needs(), Needs::Nothing | Needs::Output | Needs::Stroke)
+    });
+    let tools = several.filter(|tool| tool.defaults(&window.state().document).is_ok());
+    let others = [
+        Action::Check,
+        Action::Colours,
+        Action::Display,
+        Action::SpeedCurve,
+    ];
+    tools.map(Action::Tool).chain(others).collect()
+}
+
+/// The docked state of every window: it lies over nothing, nothing in it is cut or covered, and what
+/// it stands in place of comes back.
+#[test]
+fn what_is_docked_covers_nothing() {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/pyramid.vid");
+    let looks = BOTH.map(|language| [(language, Theme::Dark), (language, Theme::Light)]);
+    let cases = SCREENS
+        .into_iter()
+        .flat_map(|size| looks.as_flattened().iter().map(move |&look| (size, look)));
+    let mut seen = 0;
+    for ((size, scale), (language, theme)) in cases {
+        let options = Options {
+            document: Document::load(file.as_ref()).expect("the example"),
+            ..options(language)
+        };
+        let mut window = window_of(options, size, scale, theme);
+        let context = window.ctx.clone();
+        let texts = language.texts();
+        let values = |window: &Window| {
+            let mut zooms = window.query_all_by_role_and_label(Role::SpinButton, texts.zoom.value);
+            zooms.next().is_some()
+        };
+        let pane = areas(&window, egui::Order::Middle).len();
+        for action in docked(&window) {
+            let what = match &action {
+                Action::Tool(tool) => tool.name.to_owned(),
+                other => format!("{other:?}"),
+            };
+            let name = format!("{language:?}-{theme:?}-{}x{scale}-{what}", size[0]);
+            let wide = action == Action::SpeedCurve;
+            window.state_mut().act(action, &context);
+            window.run();
+            let found = areas(&window, egui::Order::Middle);
+            assert_eq!(found.len(), pane + 1, "{name}: {found:?}");
+            let dock = window
+                .state()
+                .windows
+                .dock_place()
+                .expect("a place")
+                .shrink(0.5);
+            let whole = window.ctx.content_rect();
+            assert!(whole.contains_rect(dock), "{name}: {dock:?}");
+            let space = window.get_by_label(texts.space.name).rect();
+            let rail = window
+                .get_by_role_and_label(Role::Slider, texts.space.timeline)
+                .rect();
+            assert!(
+                !space.intersects(dock) && !rail.intersects(dock),
+                "{name}: {dock:?}"
+            );
+            assert!(
+                space.height() > 100.0 && space.width() > 300.0,
+                "{name}: {space:?}"
+            );
+            assert_eq!(values(&window), wide, "{name}");
+            let speed = &texts.speed_window;
+            let paces = [speed.distance, speed.sine, speed.parabolic, speed.ten];
+            for pace in paces.iter().take(if wide { 4 } else { 0 }) {
+                click(&mut window, &format!("{}: {pace}", speed.pace));
+                let found = faults(&window);
+                assert!(found.is_empty(), "{name}, {pace}: {found:#?}");
+            }
+            let found = faults(&window);
+            assert!(found.is_empty(), "{name}: {found:#?}");
+            if size[0] <= 1200.0 {
+                screenshot(&mut window, &format!("docked-{name}.png"));
+            }
+            press(&mut window, Modifiers::NONE, Key::Escape);
+            assert!(window.state().windows.dock_place().is_none(), "{name}");
+            assert!(values(&window), "{name}");
+            seen += 1;
+        }
+    }
+    assert!(seen > 500, "{seen}");
+}
+
+/// The one that was opened last is seen; the one before comes back.
+#[test]
+fn one_is_docked_at_a_time() {
+    let mut window = window_with_points(Language::English, LARGE, 1.0, Theme::Dark);
+    let shows = |window: &Window, title: &str| window.query_by_label(title).is_some();
+    let texts = Language::English.texts();
+    let context = window.ctx.clone();
+    for action in [Action::Check, Action::Display] {
+        window.state_mut().act(action, &context);
+        window.run();
+    }
+    assert!(shows(&window, texts.display.all) && !shows(&window, texts.check.limits));
+    press(&mut window, Modifiers::NONE, Key::Enter);
+    assert!(!shows(&window, texts.display.all) && shows(&window, texts.check.limits));
+    press(&mut window, Modifiers::NONE, Key::Enter);
+    let mut values = window.query_all_by_role_and_label(Role::SpinButton, texts.zoom.value);
+    assert!(
+        !shows(&window, texts.check.limits) && values.next().is_some(),
+        "{:?}",
+        window.state().windows.front()
+    );
+}
+
 /// Windows and menus leave the bar free, and their rows reach the border.
 #[test]
 fn windows_and_menus_leave_the_bar_free() {
@@ -226,7 +358,7 @@ fn windows_and_menus_leave_the_bar_free() {
             screenshot(&mut window, &format!("layout-{name}-{what}.png"));
             press(&mut window, Modifiers::NONE, Key::Escape);
         }
-        for (letter, _) in crate::menu::letters(window.state().texts()) {
+        for (letter, _) in crate::menu::letters(window.state().language()) {
             press(&mut window, Modifiers::ALT, letter);
             // A menu begins where its title ends.
             for rect in areas(&window, egui::Order::Foreground) {
@@ -258,25 +390,5 @@ fn all_panels_are_seen_at_once() {
             let below = timeline.top() - zoom.rect().bottom();
             assert!((8.0..80.0).contains(&below), "{language:?}: {below}");
         }
-    }
-}
-
-/// That of the small picture of the speeds leaves free the button below it.
-#[test]
-fn the_tooltip_of_the_small_speed_curve_covers_no_button() {
-    for size in [LARGE, [1200.0, 700.0]] {
-        let mut window = window_of(options(Language::German), size, 1.0, Theme::Dark);
-        let texts = &Language::German.texts().speed;
-        let picture = window.get_by_label(texts.picture).rect();
-        let button = window.get_by_label(texts.change).rect();
-        window.hover_at(picture.center());
-        for _ in 0..80 {
-            window.step();
-        }
-        let tips = areas(&window, egui::Order::Tooltip);
-        assert!(
-            !tips.is_empty() && tips.iter().all(|tip| !tip.intersects(button)),
-            "{tips:?}"
-        );
     }
 }

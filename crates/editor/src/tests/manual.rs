@@ -45,7 +45,9 @@ fn the_parts_lie_around_the_movement_window() {
         let panels = [
             of(texts.position.add),
             of(texts.orientation.add),
-            of(texts.speed.change),
+            window
+                .get_by_role_and_label(Role::SpinButton, texts.timing.hold)
+                .rect(),
             slider(texts.zoom.slider),
         ];
         for pair in panels.windows(2) {
@@ -102,7 +104,7 @@ fn neighbouring_speeds_cannot_be_dragged() {
         let texts = language.texts();
         let mut window = window_with_points(language, LARGE, 1.0, Theme::Dark);
         click(&mut window, texts.orientation.next);
-        click(&mut window, texts.speed.change);
+        press(&mut window, Modifiers::NONE, Key::F3);
         let square = |window: &Window, at: usize| {
             let name = fill(texts.speed_window.speed, &[&at]);
             let square = window.get_by_role_and_label(Role::Slider, &name);

@@ -36,6 +36,12 @@ pub(crate) fn options(language: Language) -> Options {
     }
 }
 
+/// Opens a menu by its key, which each language has its own.
+pub(crate) fn open_menu(window: &mut Window, number: usize) {
+    let (letter, _) = crate::menu::letters(window.state().language())[number];
+    press(window, Modifiers::ALT, letter);
+}
+
 /// A window of this size and scale.
 pub(crate) fn window_of(options: Options, size: [f32; 2], scale: f32, theme: Theme) -> Window {
     let mut editor = Editor::new(options).expect("an editor");

@@ -4,7 +4,7 @@ use super::texts;
 
 texts! {
     Colours {
-        title: "Colours", "Farbe";
+        title: "Colours", "Farben";
         red: "Red", "Rot";
         green: "Green", "Grün";
         blue: "Blue", "Blau";

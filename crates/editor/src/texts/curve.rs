@@ -6,7 +6,7 @@ use crate::path::Tcb;
 texts! {
     Curve {
         title: "Curve parameters", "Kurvenparameter";
-        of: "Point {0} · Orientation {1}", "Punkt {0} · Orientierung {1}";
+        of: "Point {0} · View {1}", "Punkt {0} · Blick {1}";
         waiting: "not applied yet", "noch nicht übernommen";
 
         preset: "Preset {0}", "Standard {0}";
@@ -56,8 +56,8 @@ texts! {
         show_hint: "Apply what was entered", "Die Eingaben übernehmen";
         ok: "OK", "OK";
         ok_hint: "Apply what was entered and close", "Die Eingaben übernehmen und schließen";
-        given_up: "Another point or orientation is current: what was entered has been discarded",
-            "Ein anderer Punkt oder eine andere Orientierung ist aktuell: Die Eingaben sind verworfen";
+        given_up: "Another point or view is current: what was entered has been discarded",
+            "Ein anderer Punkt oder ein anderer Blick ist aktuell: Die Eingaben sind verworfen";
         given_up_changed: "The path has changed: what was entered has been discarded",
             "Die Bahn hat sich geändert: Die Eingaben sind verworfen";
     }

@@ -25,12 +25,9 @@ texts! {
         camera_view: "Picture of the camera", "Bild der Kamera";
         all: "Show all", "Alles zeigen";
         all_hint: "Switch everything on", "Alles einschalten";
-        view: "Reset the view", "Ansicht zurücksetzen";
-        view_hint: "Size, rotation and tilt as in a new window",
-            "Größe, Drehung und Kippung wie in einem neuen Fenster";
-        theme: "Theme", "Erscheinungsbild";
-        language: "Language", "Sprache";
-        automatic: "Automatic", "Automatisch";
+        automatic: "Language: automatic", "Sprache: automatisch";
+        german_hint: "Show the window in German", "Das Fenster auf Deutsch zeigen";
+        english_hint: "Show the window in English", "Das Fenster auf Englisch zeigen";
         german: "Deutsch", "Deutsch";
         english: "English", "English";
         language_hint: "Automatic: the language of the program that opened the window, or of the system",

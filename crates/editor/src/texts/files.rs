@@ -4,12 +4,12 @@ use super::texts;
 
 texts! {
     Files {
-        load_path: "Load curve", "Lade Kurve";
-        save_path: "Save curve", "Speicher Kurve";
-        load_object: "Load object", "Lade Objekt";
+        load_path: "Open path", "Bahn öffnen";
+        save_path: "Save path", "Bahn speichern";
+        load_object: "Open object", "Objekt öffnen";
         export: "Write to a file", "In Datei ausgeben";
-        load_setup: "Load setup", "Lade Setup";
-        save_setup: "Save setup", "Speicher Setup";
+        load_setup: "Load setup", "Setup laden";
+        save_setup: "Save setup", "Setup speichern";
         load_block: "Insert a block", "Baustein einfügen";
         save_block: "Save points as a block", "Punkte als Baustein speichern";
         import: "Import a scene or recorded poses", "Szene oder aufgezeichnete Posen importieren";

@@ -41,7 +41,7 @@ german! {
     }
     Place {
         Point(at) => "Punkt {}", Index(*at);
-        Orientation(at) => "Orientierung {}", Index(*at);
+        Orientation(at) => "Blick {}", Index(*at);
         ObjectPoint(at) => "Objektpunkt {}", Index(*at);
         Node(name) => "Knoten „{name}“";
         Channel(name) => "Kanal „{name}“";
@@ -84,7 +84,7 @@ german! {
         DistanceNotFinite => "die Schlüssel eines vorgegebenen Wegs müssen endliche Zahlen sein";
         ControlNotUnit => "die Kontrollquaternionen einer Drehung müssen die Länge 1 haben";
         NoNewKey =>
-            "in der Orientierungsart barry-goldman würde ein neuer Schlüssel die Ansichten ringsum ändern";
+            "in der Blickart barry-goldman würde ein neuer Schlüssel die Ansichten ringsum ändern";
         CentreNotFinite => "der Mittelpunkt des Raums muss endlich sein";
         NoSize => "ein einzelner Ort hat keine Größe, die ein Raum haben könnte";
         ViewNotFinite => "jede Zahl einer Ansicht muss endlich sein";
@@ -221,7 +221,7 @@ german! {
             number(*frame);
         PicturePlace => "das Objekt ist ein einzelner Ort, aus jeder Entfernung gleich groß";
         PictureKeys { frame } =>
-            "um Bild {} halten keine Orientierungen das Objekt im Bild: dort einen Punkt setzen oder \
+            "um Bild {} halten keine Blicke das Objekt im Bild: dort einen Punkt setzen oder \
              dem Abschnitt mehr Bilder geben",
             number(*frame);
         NothingSelected => "kein Punkt ist ausgewählt";
@@ -229,7 +229,7 @@ german! {
         NoNormal => "oben nach „frenet“ braucht eine Kurve der Art cubic, deren Punkte keine \
                      eigenen Tangenten haben, sonst spränge ihre Normale; „minimal“ geht auf \
                      jeder Kurve";
-        FixedUp(name) => "das Oben „{name}“ einer Orientierung kann nicht mitgehen, wo eine andere \
+        FixedUp(name) => "das Oben „{name}“ eines Blicks kann nicht mitgehen, wo ein anderer \
                           Achse aufrecht stehen soll; wählen Sie vorher „axis“ dafür";
         NoUp(name) =>
             "es gibt kein oben „{name}“; bekannt: axis, point, path, minimal, frenet, y, z";
@@ -270,7 +270,7 @@ german! {
             "den Punkt {} gibt es nicht: die Bahn hat die Punkte 1 bis {}", Index(*point), Index(*last);
         NoPreset(preset) =>
             "den Standardwert {} gibt es nicht: sie sind von 0 bis 9 nummeriert", preset;
-        Orientations => "ein Punkt hat 1 bis 10 Orientierungen";
+        Orientations => "ein Punkt hat 1 bis 10 Blicke";
         Hold => "das Halten muss zwischen 0 und 1000000 Bildern liegen";
         NoFrame { frame, first, last } =>
             "das Bild {} gibt es nicht: sie gehen von {} bis {}",
@@ -392,9 +392,9 @@ german! {
             "eine Bahn für oben hat höchstens {} Punkte", limits::MAX_UP_PATH_POINTS;
         UpPaths => "eine Bahn hat höchstens {} verschiedene Bahnen für oben", limits::MAX_UP_PATHS;
         SupportPoints => "eine Bahn hat höchstens {} Stützpunkte", limits::MAX_POINTS;
-        Orientations => "ein Punkt hat höchstens 10 Orientierungen";
+        Orientations => "ein Punkt hat höchstens 10 Blicke";
         AllOrientations =>
-            "die Punkte einer Bahn haben zusammen höchstens {} Orientierungen", limits::MAX_ALL_ORIENTATIONS;
+            "die Punkte einer Bahn haben zusammen höchstens {} Blicke", limits::MAX_ALL_ORIENTATIONS;
         Frames =>
             "die Bahn ergäbe mehr als 100000000 Bilder; die Grundgeschwindigkeiten sind zu hoch";
         SceneFrames => "die Szene hat mehr als {} Bilder", limits::MAX_FRAMES;

@@ -38,14 +38,14 @@ german! {
             "der {} Abschnitt hat keine Länge und damit keine Richtung, in der es weiterginge", German(end);
         NoRoom(end) => "jenseits des {}n Punktes ist im Bewegungsraum kein Platz", German(end);
         NoOrientation { orientation, point, last } =>
-            "die Orientierung {} gibt es nicht: Punkt {} hat die Orientierungen 1 bis {}",
+            "den Blick {} gibt es nicht: Punkt {} hat die Blicke 1 bis {}",
             Index(*orientation), Index(*point), Index(*last);
         NewOrientation { at, last } =>
-            "eine neue Orientierung kommt an eine Stelle von 1 bis {}, nicht {}",
+            "ein neuer Blick kommt an eine Stelle von 1 bis {}, nicht {}",
             Index(*last), Index(*at);
-        OneOrientationRemains => "die letzte Orientierung eines Punktes lässt sich nicht löschen";
+        OneOrientationRemains => "der letzte Blick eines Punktes lässt sich nicht löschen";
         OnTarget { point, orientation } =>
-            "Punkt {} darf nicht auf dem Ziel seiner Orientierung {} liegen",
+            "Punkt {} darf nicht auf dem Ziel seines Blicks {} liegen",
             Index(*point), Index(*orientation);
         TargetTooFar => "ein Ziel in dieser Richtung läge weiter draußen als 1e9 halbe Größen";
         NoCamera => "diese Szene hat keine Kamera auf einem Pfad";
@@ -114,9 +114,9 @@ german! {
             "eine Bahn braucht mindestens zwei Punkte, jeder mit seinem [[point]]; gefunden: {number}";
         NoPosition => "dieser Punkt hat keine position";
         PresetAndOwn => "ein Punkt hat entweder preset oder own";
-        TargetAndOffset => "eine Orientierung hat entweder target oder offset";
-        PaceTwice => "eine Orientierung hat entweder ease, distance oder pace_part";
-        UpTwice => "eine Orientierung hat entweder up, up_point oder up_path";
+        TargetAndOffset => "ein Blick hat entweder target oder offset";
+        PaceTwice => "ein Blick hat entweder ease, distance oder pace_part";
+        UpTwice => "ein Blick hat entweder up, up_point oder up_path";
         NoUpPath => "diese Bahn für oben steht nicht weiter oben in der Datei";
         PartTwice => "ein Teil gehört zu einem Ganzen";
         PartWithoutWhole => "ein Teil braucht sein Ganzes: speed_curve, ease, distance oder track";

@@ -33,10 +33,10 @@ texts! {
 
         absolute: "Switch between {0} and {1}", "Zwischen {0} und {1} wechseln";
 
-        copy: "Copy the selected points, else the orientation",
-            "Die gewählten Punkte kopieren, sonst die Orientierung";
-        paste: "Paste copied points behind this one, or a copied orientation in place of this one",
-            "Kopierte Punkte hinter diesem einfügen, oder eine kopierte Orientierung an die Stelle dieser";
+        copy: "Copy the selected points, else the view",
+            "Die gewählten Punkte kopieren, sonst den Blick";
+        paste: "Paste copied points behind this one, or a copied view in place of this one",
+            "Kopierte Punkte hinter diesem einfügen, oder einen kopierten Blick an die Stelle von diesem";
 
         menus: "Menus", "Menüs";
         open_menu: "Open the menu {0}", "Menü {0} öffnen";
@@ -44,7 +44,8 @@ texts! {
         arrows: "Arrow keys, Enter", "Pfeiltasten, Enter";
         arrows_meaning: "Walk through the menus, pick an entry",
             "Durch die Menüs gehen, Eintrag wählen";
-        d_meaning: "Open the menu {0}, there: {1}", "Menü {0} öffnen, darin: {1}";
+        letter: "Underlined letter", "Unterstrichener Buchstabe";
+        letter_meaning: "Pick that entry of the open menu", "Diesen Eintrag des offenen Menüs wählen";
 
         squares: "Drag a square, arrow keys", "Quadrat ziehen, Pfeiltasten";
         squares_meaning: "Change the pace of the section; Shift: ten times finer when dragged, ten steps by keys",

@@ -6,14 +6,15 @@ texts! {
     Menu {
         file: "File", "Datei";
         edit: "Edit", "Bearbeiten";
-        output: "Output", "Ausgabe";
+        output: "Hand over", "Ausgabe";
         settings: "Settings", "Einstellungen";
         help: "Help", "Hilfe";
 
-        load: "Load curve …", "Lade Kurve …";
+        new: "New", "Neu";
+        load: "Open …", "Öffnen …";
         save: "Save", "Speichern";
-        save_as: "Save curve …", "Speicher Kurve …";
-        load_object: "Load object …", "Lade Objekt …";
+        save_as: "Save as …", "Speichern unter …";
+        load_object: "Open object …", "Objekt öffnen …";
         import: "Import …", "Importieren …";
         quit: "Quit", "Beenden";
 
@@ -25,26 +26,27 @@ texts! {
         append: "Append after the last point", "Hinter dem letzten Punkt anfügen";
         prepend: "Put before the first point", "Vor dem ersten Punkt einfügen";
         close: "Closed path", "Geschlossene Bahn";
-        add_orientation: "New orientation", "Neue Orientierung";
-        remove_orientation: "Remove this orientation", "Orientierung löschen";
-        copy_orientation: "Copy orientation", "Orientierung kopieren";
+        add_orientation: "New view", "Neuer Blick";
+        remove_orientation: "Remove this view", "Blick löschen";
+        copy_orientation: "Copy view", "Blick kopieren";
         copy_points: "Copy points", "Punkte kopieren";
         cut: "Cut points", "Punkte ausschneiden";
         paste: "Paste", "Einfügen";
-        paste_orientation: "Paste orientation", "Orientierung einfügen";
+        paste_orientation: "Paste view", "Blick einfügen";
+        speeds: "Speed curve …", "Zeitkurve …";
         space: "Space …", "Raum …";
         aim_all: "Aim all cameras at this target", "Alle Kameras auf dieses Ziel richten";
 
-        export: "Write to a file …", "In Datei ausgeben …";
+        export: "Export …", "Datei exportieren …";
         hand_over: "Hand over directly", "Direkt übergeben";
         hands_over: "Hand over continuously", "Laufend übergeben";
         nobody_takes: "No program takes camera settings from this window",
             "Kein Programm nimmt von diesem Fenster Kameraeinstellungen entgegen";
 
-        colours: "Colours …", "Farbe …";
+        colours: "Colours …", "Farben …";
         display: "Display …", "Anzeige …";
-        load_setup: "Load setup …", "Lade Setup …";
-        save_setup: "Save setup …", "Speicher Setup …";
+        load_setup: "Load setup …", "Setup laden …";
+        save_setup: "Save setup …", "Setup speichern …";
         as_system: "As the system", "Wie das System";
         dark: "Dark", "Dunkel";
         light: "Light", "Hell";

@@ -4,6 +4,7 @@ use super::texts;
 
 texts! {
     MenuHints {
+        new: "Begin an empty path in place of this one", "Eine leere Bahn an Stelle dieser beginnen";
         load: "Open a path in place of this one", "Eine Bahn an Stelle dieser öffnen";
         import: "Take over a scene or recorded poses of another program; poses become a path",
             "Eine Szene oder aufgezeichnete Posen eines anderen Programms übernehmen; aus Posen wird eine Bahn";
@@ -25,26 +26,28 @@ texts! {
         close: "Lead the path from the last point back to the first",
             "Die Bahn vom letzten Punkt zum ersten zurückführen";
         open: "End the path at the last point", "Die Bahn am letzten Punkt enden lassen";
-        copy_orientation: "Keep this orientation to be pasted elsewhere",
-            "Diese Orientierung merken, um sie anderswo einzufügen";
+        copy_orientation: "Keep this view to be pasted elsewhere",
+            "Diesen Blick merken, um ihn anderswo einzufügen";
         copy_points: "Put the selected points into the clipboard, as the text of a .vid file",
             "Die gewählten Punkte in die Zwischenablage legen, als Text einer .vid-Datei";
         cut: "Put the selected points into the clipboard, and remove them",
             "Die gewählten Punkte in die Zwischenablage legen und hier löschen";
-        paste: "Put copied points behind this one, as they lie, or a copied orientation in place of this one",
-            "Kopierte Punkte hinter diesem einfügen, wie sie liegen, oder eine kopierte Orientierung an die Stelle dieser";
-        paste_orientation: "Put the copied orientation in place of this one",
-            "Die kopierte Orientierung an die Stelle dieser setzen";
+        paste: "Put copied points behind this one, as they lie, or a copied view in place of this one",
+            "Kopierte Punkte hinter diesem einfügen, wie sie liegen, oder einen kopierten Blick an die Stelle von diesem";
+        paste_orientation: "Put the copied view in place of this one",
+            "Den kopierten Blick an die Stelle von diesem setzen";
         select_all: "What is dragged, typed or deleted then changes all points at once",
             "Was dann gezogen, getippt oder gelöscht wird, ändert alle Punkte zugleich";
+        speeds: "Open the speed curve of this section, large",
+            "Die Zeitkurve dieses Abschnitts groß öffnen";
         space: "Where the path lies in the world: centre, size, unit, which axis stands upright",
             "Wo die Bahn in der Welt liegt: Mittelpunkt, Größe, Einheit, welche Achse senkrecht steht";
-        aim_here: "The current orientation becomes absolute and looks at this corner of the object",
-            "Die aktuelle Orientierung wird absolut und blickt auf diese Ecke des Objekts";
-        aim_all_here: "Every orientation of the path becomes absolute and looks at this corner of the object",
-            "Jede Orientierung der Bahn wird absolut und blickt auf diese Ecke des Objekts";
-        aim_all: "Every orientation of the path becomes absolute and looks where this one does",
-            "Jede Orientierung der Bahn wird absolut und blickt dorthin, wohin diese blickt";
+        aim_here: "The current view becomes absolute and looks at this corner of the object",
+            "Der aktuelle Blick wird absolut und geht auf diese Ecke des Objekts";
+        aim_all_here: "Every view of the path becomes absolute and looks at this corner of the object",
+            "Jeder Blick der Bahn wird absolut und geht auf diese Ecke des Objekts";
+        aim_all: "Every view of the path becomes absolute and goes where this one does",
+            "Jeder Blick der Bahn wird absolut und geht dorthin, wohin dieser geht";
 
         export: "Compute all camera settings and write them to a file: lines of ten numbers, CSV or JSON",
             "Alle Kameraeinstellungen berechnen und in eine Datei schreiben: Zeilen von zehn Zahlen, CSV oder JSON";
@@ -55,8 +58,7 @@ texts! {
 
         colours: "Choose the colour of each element of the movement window",
             "Die Farbe jedes Elements im Bewegungsfenster wählen";
-        display: "Choose what is shown, light or dark, and the language",
-            "Wählen, was zu sehen ist, hell oder dunkel, und die Sprache";
+        display: "Choose what is shown", "Wählen, was zu sehen ist";
         as_system: "Light or dark as the desktop is", "Hell oder dunkel, wie es die Arbeitsfläche ist";
         dark: "Light letters on a dark ground", "Helle Schrift auf dunklem Grund";
         light: "Dark letters on a light ground", "Dunkle Schrift auf hellem Grund";

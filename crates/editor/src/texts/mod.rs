@@ -42,10 +42,10 @@ mod scene;
 mod setup;
 mod space;
 mod space_window;
-mod speed;
 mod speed_window;
 mod steps;
 mod timeline;
+mod timing;
 mod tools;
 mod zoom;
 
@@ -173,8 +173,8 @@ parts! {
     setup: Setup;
     space: Space;
     space_window: SpaceWindow;
-    speed: Speed;
     speed_window: SpeedWindow;
+    timing: Timing;
     steps: Steps;
     timeline: Timeline;
     tools: Tools;

@@ -4,15 +4,15 @@ use super::texts;
 
 texts! {
     Orientation {
-        heading: "Orientation", "Orientierung";
+        heading: "View", "Blick";
         at_place: "looks at a place", "blickt auf einen Ort";
         in_direction: "looks in a direction", "blickt in eine Richtung";
         along_way: "looks along the way", "blickt den Weg entlang";
         add: "+ View", "+ Blick";
-        add_hint: "Insert a copy of this orientation after it (Ori.+)",
-            "Eine Kopie dieser Orientierung dahinter einfügen (Ori.+)";
+        add_hint: "Insert a copy of this view after it (Ori.+)",
+            "Eine Kopie dieses Blicks dahinter einfügen (Ori.+)";
         remove: "− View", "− Blick";
-        remove_hint: "Remove this orientation (Ori.-)", "Diese Orientierung löschen (Ori.-)";
+        remove_hint: "Remove this view (Ori.-)", "Diesen Blick löschen (Ori.-)";
         absolute: "Target", "Ziel";
         absolute_hint: "The camera looks at a place that stays when the point is moved (Abs.)",
             "Die Kamera blickt auf einen Ort, der beim Verschieben des Punktes bleibt (Abs.)";
@@ -29,11 +29,11 @@ texts! {
         distance_hint: "It looks at the place so far ahead on its way; 0: along the tangent",
             "Sie blickt auf den Ort so weit voraus auf ihrem Weg; 0: die Tangente entlang";
         previous: "‹ View", "‹ Blick";
-        previous_hint: "Go to the previous orientation of this point (<< Ori)",
-            "Zur vorherigen Orientierung dieses Punktes (<< Ori)";
+        previous_hint: "Go to the previous view of this point (<< Ori)",
+            "Zum vorigen Blick dieses Punktes (<< Ori)";
         next: "View ›", "Blick ›";
-        next_hint: "Go to the next orientation of this point (Ori >>)",
-            "Zur nächsten Orientierung dieses Punktes (Ori >>)";
+        next_hint: "Go to the next view of this point (Ori >>)",
+            "Zum nächsten Blick dieses Punktes (Ori >>)";
         count: "View {0} of {1}", "Blick {0} von {1}";
         target: "Target {0}", "Ziel {0}";
         target_hint: "The place that the camera looks at: drag, or click and type",
@@ -73,16 +73,12 @@ texts! {
         own_slope: "Own slope ×", "Steigung ×";
         own_slope_hint: "The zoom changes here at a rate of its own: give that back, and the views around shape the zoom again",
             "Der Zoom ändert sich hier in eigenem Maß: das zurückgeben, und die Blicke ringsum formen den Zoom wieder";
-        hold: "Hold", "Halt";
-        hold_unit: " fr.", " B.";
-        hold_hint: "Frames that the camera rests here before it goes on",
-            "Bilder, die die Kamera hier ruht, bevor sie weitergeht";
 
-        at_most: "A point has at most {0} orientations",
-            "Ein Punkt hat höchstens {0} Orientierungen";
-        one_remains: "One orientation always remains: this one cannot be removed",
-            "Eine Orientierung bleibt immer: Diese lässt sich nicht löschen";
-        only_one: "This point has only one orientation", "Dieser Punkt hat nur eine Orientierung";
+        at_most: "A point has at most {0} views",
+            "Ein Punkt hat höchstens {0} Blicke";
+        one_remains: "One view always remains: this one cannot be removed",
+            "Ein Blick bleibt immer: Dieser lässt sich nicht löschen";
+        only_one: "This point has only one view", "Dieser Punkt hat nur einen Blick";
         all_aimed: "All cameras look at this target", "Alle Kameras blicken auf dieses Ziel";
         on_position: "The camera must not look at its own position",
             "Die Kamera darf nicht auf ihren eigenen Ort blicken";

@@ -15,8 +15,8 @@ texts! {
         too_large: "{0} loaded; it is larger than the space, which can be fitted to it (Edit, Space …)",
             "{0} geladen; es ist größer als der Raum, der sich anpassen lässt (Bearbeiten, Raum …)";
         saved: "{0} saved", "{0} gespeichert";
-        copied: "Orientation copied", "Orientierung kopiert";
-        nothing_copied: "No orientation has been copied yet", "Es wurde noch keine Orientierung kopiert";
+        copied: "View copied", "Blick kopiert";
+        nothing_copied: "No view has been copied yet", "Es wurde noch kein Blick kopiert";
         points_copied: "{0} points copied", "{0} Punkte kopiert";
         points_pasted: "{0} points pasted", "{0} Punkte eingefügt";
         nothing_to_cut: "Only points that are selected together can be cut (with Shift, Ctrl or a box)",
@@ -26,8 +26,8 @@ texts! {
         not_pasted: "The copied points cannot be pasted: {0}",
             "Die kopierten Punkte lassen sich nicht einfügen: {0}";
         nothing_to_undo: "There is nothing to undo", "Es gibt nichts rückgängig zu machen";
-        half_turn: "From {0} to {1} it is half a turn: the camera may go either way. An orientation in between decides",
-            "Von {0} nach {1} ist es eine halbe Drehung: Beide Wege sind gleich lang. Eine Orientierung dazwischen entscheidet";
+        half_turn: "From {0} to {1} it is half a turn: the camera may go either way. A view in between decides",
+            "Von {0} nach {1} ist es eine halbe Drehung: Beide Richtungen sind gleich weit. Ein Blick dazwischen entscheidet";
         at_target: "Between {0} and {1} the camera comes to the place that it looks at: there it keeps its direction",
             "Zwischen {0} und {1} kommt die Kamera an den Ort, auf den sie blickt: Dort behält sie ihre Richtung";
         over_target: "Between {0} and {1} the camera comes to be straight above or below its target: its picture turns round there",

@@ -7,7 +7,7 @@ texts! {
         heading: "Position and curve", "Position und Kurve";
         add: "+ Point", "+ Punkt";
         add_hint: "Insert a point half-way to the next one; the flight stays as it is. With Shift: a copy of this point (Pos.+)",
-            "Einen Punkt auf halber Strecke zum nächsten einfügen; der Flug bleibt, wie er ist. Mit Umschalt: eine Kopie dieses Punkts (Pos.+)";
+            "Einen Punkt auf halbem Weg zum nächsten einfügen; der Flug bleibt, wie er ist. Mit Umschalt: eine Kopie dieses Punkts (Pos.+)";
         add_many: "+ Points …", "+ Punkte …";
         add_many_hint: "Insert 1 to 10 points at equal distances up to the next one; the flight stays as it is (Pos.++)",
             "1 bis 10 Punkte in gleichen Abständen bis zum nächsten einfügen; der Flug bleibt, wie er ist (Pos.++)";
@@ -25,9 +25,9 @@ texts! {
             "An diesem Punkt (b1, c1, t1): ziehen, oder klicken und tippen; er hat dann eigene Werte";
         next_shape_hint: "At the next point (b2, c2, t2)", "Am nächsten Punkt (b2, c2, t2)";
         add_here: "Add point here", "Punkt hier einfügen";
-        add_orientation_here: "Add orientation here", "Orientierung hier einfügen";
+        add_orientation_here: "Add view here", "Blick hier einfügen";
         add_here_hint: "Make a key of what the camera does in this frame",
-            "Aus dem, was die Kamera in diesem Bild tut, einen Punkt oder eine Orientierung machen";
+            "Aus dem, was die Kamera in diesem Bild tut, einen Punkt oder einen Blick machen";
         is_a_key: "The camera is at a point in this frame: there is nothing to add",
             "In diesem Bild ist die Kamera an einem Punkt: Es gibt nichts einzufügen";
         in_between: "In between: typing adds it", "Zwischenwerte: Tippen fügt ein";
@@ -82,10 +82,10 @@ texts! {
         two_remain: "Two points always remain: this one cannot be removed",
             "Zwei Punkte bleiben immer: Dieser lässt sich nicht löschen";
         too_many: "A path has at most {0} points", "Eine Bahn hat höchstens {0} Punkte";
-        too_many_orientations: "The points of a path have at most {0} orientations together",
-            "Die Punkte einer Bahn haben zusammen höchstens {0} Orientierungen";
-        on_target: "A point must not lie on the target of one of its orientations",
-            "Ein Punkt darf nicht auf dem Ziel einer seiner Orientierungen liegen";
+        too_many_orientations: "The points of a path have at most {0} views together",
+            "Die Punkte einer Bahn haben zusammen höchstens {0} Blicke";
+        on_target: "A point must not lie on the target of one of its views",
+            "Ein Punkt darf nicht auf dem Ziel eines seiner Blicke liegen";
         too_far: "A coordinate must lie between {0} and {1}",
             "Eine Koordinate muss zwischen {0} und {1} liegen";
         closed_has_no_ends: "A closed path has no ends to go on from",

@@ -7,8 +7,10 @@ texts! {
         unsaved: "Unsaved work", "Nicht gespeicherte Arbeit";
         before_close: "{0} has changes that are not saved. Save them before the window closes?",
             "{0} hat Änderungen, die nicht gespeichert sind. Vor dem Schließen speichern?";
-        before_load: "{0} has changes that are not saved. Save them before another curve is loaded?",
-            "{0} hat Änderungen, die nicht gespeichert sind. Vor dem Laden einer anderen Kurve speichern?";
+        before_load: "{0} has changes that are not saved. Save them before another path is opened?",
+            "{0} hat Änderungen, die nicht gespeichert sind. Vor dem Öffnen einer anderen Bahn speichern?";
+        before_new: "{0} has changes that are not saved. Save them before an empty path takes its place?",
+            "{0} hat Änderungen, die nicht gespeichert sind. Speichern, bevor eine leere Bahn an ihre Stelle tritt?";
         before_restore: "{0} has changes that are not saved. Save them before the work that was found takes its place?",
             "{0} hat Änderungen, die nicht gespeichert sind. Speichern, bevor die gefundene Arbeit an ihre Stelle tritt?";
         changed: "The file has changed", "Die Datei hat sich geändert";

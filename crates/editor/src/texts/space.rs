@@ -116,7 +116,7 @@ texts! {
         plot: "Graph", "Verlauf";
         plot_tip: "What is shown along the path, several over one another, with the values at the playhead; limits of the check are dashed red lines, what an open check has found is marked",
             "Was über der Bahn gezeigt wird, auch mehreres übereinander, mit den Werten am Abspielkopf; Grenzen der Prüfung sind rot gestrichelt, was eine offene Prüfung fand, ist markiert";
-        plot_distance: "Distance", "Strecke";
+        plot_distance: "Distance", "Weg";
         plot_clearance: "Clearance", "Abstand";
         plot_speed: "Speed", "Geschwindigkeit";
         plot_acceleration: "Acceleration", "Beschleunigung";
@@ -219,8 +219,8 @@ texts! {
         take_over_tip: "A new point behind this one, with the program's camera (Ctrl+Enter; with Shift: in place of this one)",
             "Ein neuer Punkt hinter diesem, mit der Kamera des Programms (Strg+Enter; mit Umschalt: an Stelle von diesem)";
         take_over_here: "Take over the view here", "Ansicht hierher übernehmen";
-        take_over_here_tip: "The program's camera in place of this point and orientation",
-            "Die Kamera des Programms an Stelle von diesem Punkt und dieser Orientierung";
+        take_over_here_tip: "The program's camera in place of this point and view",
+            "Die Kamera des Programms an Stelle von diesem Punkt und diesem Blick";
         begin_with: "Begin with: {0}", "Beginnen mit: {0}";
         begin_view: "From the view", "Aus der Ansicht";
         begin_open: "Open …", "Öffnen …";

@@ -29,7 +29,7 @@ texts! {
         distance: "Distance", "Weg";
         distance_hint: "The way over time is given by keys, which begin on the present one; the section gets its present number of frames",
             "Der Weg über der Zeit ist durch Schlüssel vorgegeben, die auf dem jetzigen liegen; der Abschnitt bekommt seine jetzige Zahl von Bildern";
-        graph: "Graph", "Kurve";
+        graph: "Graph", "Verlauf";
         graph_speed: "Speed", "Geschwindigkeit";
         graph_speed_hint: "The speed over the time of this section; 50 is that of the base frames",
             "Die Geschwindigkeit über der Zeit dieses Abschnitts; 50 ist die der Grundbilder";
@@ -53,7 +53,7 @@ texts! {
         fall_start: "Start of slowing down", "Beginn des Abbremsens";
         percent: "{0} %", "{0} %";
 
-        way_graph: "Way over time", "Weg über der Zeit";
+        way_graph: "Distance over time", "Weg über der Zeit";
         way_graph_hint: "Drag a key; a click on the curve adds one, a right click or Delete removes one; Shift: ten times finer",
             "Schlüssel ziehen; ein Klick auf die Kurve fügt einen ein, ein Rechtsklick oder Entf entfernt einen; Umschalt: zehnmal feiner";
         way_key: "Key {0}", "Schlüssel {0}";
@@ -62,7 +62,7 @@ texts! {
         key_time: "Time", "Zeit";
         key_time_hint: "When the key is reached: share of the section's time",
             "Wann der Schlüssel erreicht wird: Anteil an der Zeit des Abschnitts";
-        key_way: "Way", "Weg";
+        key_way: "Distance", "Weg";
         key_way_hint: "How far the camera has come then: share of the section's way",
             "Wie weit die Kamera dann gekommen ist: Anteil am Weg des Abschnitts";
         new_key: "New key", "Neuer";
@@ -98,8 +98,8 @@ texts! {
         base: "Base frames", "Grundbilder";
         base_hint: "Frames that a change takes at speed 50, for the whole path",
             "Bilder, die eine Änderung bei Geschwindigkeit 50 dauert, für die ganze Bahn";
-        base_move: "Way", "Weg";
-        base_move_hint: "Frames for a way of half the space's size", "Bilder für einen Weg von der halben Größe des Raumes";
+        base_move: "Distance", "Weg";
+        base_move_hint: "Frames for a distance of half the space's size", "Bilder für einen Weg von der halben Größe des Raumes";
         base_turn: "Turn", "Drehung";
         base_turn_hint: "Frames for half a turn", "Bilder für eine halbe Drehung";
         base_zoom: "Zoom", "Zoom";

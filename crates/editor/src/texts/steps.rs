@@ -19,15 +19,15 @@ texts! {
         tangents: "tangents", "Tangenten";
         curve: "shape of the curve", "Kurvenform";
         fit_frames: "length of the path", "Länge der Bahn";
-        insert_orientation: "new orientation", "Neue Orientierung";
-        remove_orientation: "removing an orientation", "Löschen einer Orientierung";
+        insert_orientation: "new view", "Neuer Blick";
+        remove_orientation: "removing a view", "Löschen eines Blicks";
         view: "view", "Blick";
         roll: "roll", "Winkel";
         zoom: "zoom", "Zoom";
         pace: "speed curve", "Zeitkurve";
         hold: "hold", "Halt";
         section_frames: "frames of a section", "Bilder eines Abschnitts";
-        orientation: "orientation", "Orientierung";
+        orientation: "view", "Blick";
         base_frames: "base frames", "Grundbilder";
         closed: "closing or opening the path", "Schließen oder Öffnen der Bahn";
         modes: "kind of turning", "Art der Drehung";

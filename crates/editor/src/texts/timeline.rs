@@ -9,6 +9,7 @@ texts! {
             "Das Lineal zählt Sekunden oder Bilder: Klick wechselt";
         seconds: "Seconds", "Sekunden";
         frames: "Frames", "Bilder";
+        all_sections: "Sections", "Abschnitte";
         keys: "Points and views", "Punkte und Blicke";
         key: "Time of {0}", "Zeitpunkt von {0}";
         key_tip: "Drag: the sections beside it get more frames and fewer · type a number: to that time; +, −: by so much · Shift: ten times finer · Ctrl: a copy · Esc: back",

@@ -8,8 +8,7 @@ texts! {
     Tools {
         menu: "Tools", "Werkzeuge";
         ok: "OK", "OK";
-        ok_hint: "Keep the path as it is shown now, as one step",
-            "Die Bahn so behalten, wie sie jetzt gezeigt wird, als ein Schritt";
+        ok_hint: "Keep all as it is shown now", "Alles so behalten, wie es jetzt gezeigt wird";
         write: "Write …", "Schreiben …";
         write_hint: "Choose a file for these points", "Eine Datei für diese Punkte wählen";
         cancel: "Cancel", "Abbrechen";

@@ -4,9 +4,9 @@
 //! The path is checked again as soon as nothing is held any more. Where that would take long, it
 //! waits until it is asked for. The tree over the object is kept as long as the object is the same.
 
-use egui::{Button, Context, Label, RichText, ScrollArea, Ui, vec2};
+use egui::{Button, Context, Label, RichText, Ui, vec2};
 
-use super::{SubWindow, Windows, sub_window};
+use super::{SubWindow, Windows, docked};
 use crate::action::Action;
 use crate::background::Background;
 use crate::document::{Edit, Note, StepName, is_planned};
@@ -18,14 +18,13 @@ use crate::texts::refusals::{of_edit, reason_of};
 use crate::theme;
 use crate::tools::check::{Finding, FindingKind, OFF};
 
-const WIDTH: f32 = 400.0;
-
-/// Width of the button with the frames.
+/// Width of the button with the frames, of that which mends, of a limit's number.
 const FRAMES: f32 = 116.0;
-
-/// Width of a limit's name, of its number.
-const LIMIT: f32 = 230.0;
+const MEND: f32 = 84.0;
 const NUMBER: f32 = 80.0;
+
+/// A limit's number stands below its name.
+const INDENT: f32 = 20.0;
 
 /// What a jerk is limited to when it is first looked for: gentle flights have less.
 const JERK: f64 = 100.0;
@@ -55,6 +54,7 @@ pub(crate) struct CheckWindow {
 
 impl SubWindow for CheckWindow {
     const ID: &'static str = "check";
+    const DOCKED: bool = true;
 
     fn slot(windows: &mut Windows) -> &mut Option<Self> {
         &mut windows.check
@@ -66,23 +66,16 @@ impl SubWindow for CheckWindow {
 
     fn show(&mut self, editor: &Editor, context: &Context, actions: &mut Vec<Action>) -> bool {
         let texts = &editor.texts().check;
-        let held = context.input(|input| input.pointer.any_down()) || editor.space.moves();
-        let current = self.checked == Some(editor.document.revision());
-        if !current && !held && (self.asked || is_quick(editor)) {
-            self.check(editor);
-        }
         let current = self.checked == Some(editor.document.revision());
         self.take_cure(editor, (context, current), actions);
-        let height = (context.content_rect().height() - 200.0).max(120.0);
-        sub_window(context, Self::ID, texts.title, |ui| {
-            ui.set_width(WIDTH);
+        let end = docked(editor, context, (Self::ID, texts.title), None, |ui| {
             let palette = theme::palette(ui);
             let count = match self.found.len() {
                 0 => texts.nothing.to_owned(),
                 1 => texts.one.to_owned(),
                 many => fill(texts.many, &[&many]),
             };
-            ui.horizontal(|ui| {
+            ui.horizontal_wrapped(|ui| {
                 match &self.trouble {
                     Some(trouble) => ui.colored_label(palette.error, trouble),
                     None if self.checked.is_none() => ui.colored_label(palette.weak, texts.large),
@@ -113,15 +106,14 @@ impl SubWindow for CheckWindow {
             let open = ui.selectable_label(self.limits, texts.limits);
             self.limits ^= open.on_hover_text(texts.limits_hint).clicked();
             let free = current && self.curing.is_none();
-            ScrollArea::vertical().max_height(height).show(ui, |ui| {
-                if self.limits {
-                    limits(editor, ui, actions);
-                }
-                for (at, (finding, mend)) in self.found.iter().zip(&self.mends).enumerate() {
-                    ui.push_id(at, |ui| row(editor, ui, (finding, mend), free, actions));
-                }
-            });
-        })
+            if self.limits {
+                limits(editor, ui, actions);
+            }
+            for (at, (finding, mend)) in self.found.iter().zip(&self.mends).enumerate() {
+                ui.push_id(at, |ui| row(editor, ui, (finding, mend), free, actions));
+            }
+        });
+        end.is_none()
     }
 }
 
@@ -138,22 +130,20 @@ fn limits(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     for kind in FindingKind::all() {
         let (known, limit) = (kind.limit(), info.limits.get(kind));
         let [name, unit] = language.limit(kind);
-        ui.horizontal(|ui| {
-            let mut on = limit != OFF;
-            let tick = ui.allocate_ui(vec2(LIMIT, theme::ROW), |ui| {
-                ui.set_width(LIMIT);
-                theme::tick(ui, &mut on, name)
-            });
-            if tick.inner.on_hover_text(texts.limit_hint).clicked() {
-                let usual = if known.default == OFF {
-                    JERK
-                } else {
-                    known.default
-                };
-                let entry = Entry::Set(if on { usual } else { OFF });
-                actions.push(Action::Enter(entry.try_map(|limit| with(kind, limit))));
-            }
-            if on && kind != FindingKind::Through {
+        let mut on = limit != OFF;
+        let tick = theme::tick(ui, &mut on, name);
+        if tick.on_hover_text(texts.limit_hint).clicked() {
+            let usual = if known.default == OFF {
+                JERK
+            } else {
+                known.default
+            };
+            let entry = Entry::Set(if on { usual } else { OFF });
+            actions.push(Action::Enter(entry.try_map(|limit| with(kind, limit))));
+        }
+        if on && kind != FindingKind::Through {
+            ui.horizontal(|ui| {
+                ui.add_space(INDENT);
                 let id = format!("check.limit.{}", known.name);
                 let entry = Number::new(name, limit)
                     .decimals(if limit < 10.0 { 2 } else { 0 })
@@ -162,8 +152,8 @@ fn limits(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
                     .show(ui, language, &id, NUMBER);
                 actions.push(Action::Enter(entry.try_map(|limit| with(kind, limit))));
                 ui.label(unit);
-            }
-        });
+            });
+        }
     }
     ui.separator();
 }
@@ -200,14 +190,9 @@ fn row(
         // What takes longer is computed when it is asked for.
         let planned = is_planned(finding.kind);
         let mends = planned || !mend.is_empty();
-        let room = if mends { 88.0 } else { 0.0 };
-        let width = (ui.available_width() - room).max(80.0);
-        ui.allocate_ui(vec2(width, theme::ROW), |ui| {
-            ui.set_width(width);
-            ui.add(Label::new(words).wrap()).on_hover_text(remedy);
-        });
         if mends {
-            let button = ui.add_enabled(free, Button::new(texts.mend));
+            let button = Button::new(texts.mend).min_size(vec2(MEND, theme::ROW));
+            let button = ui.add_enabled(free, button);
             if button.on_hover_text(remedy).clicked() {
                 actions.push(if planned {
                     Action::Cure(*finding)
@@ -217,6 +202,8 @@ fn row(
             }
         }
     });
+    ui.add(Label::new(words).wrap()).on_hover_text(remedy);
+    ui.add_space(theme::GAP);
 }
 
 /// Whether a check takes no noticeable time.
@@ -238,6 +225,16 @@ fn is_quick(editor: &Editor) -> bool {
 }
 
 impl CheckWindow {
+    /// Checks the path again, unless something is held; also behind another docked window, since
+    /// the ruler shows what was found.
+    pub(super) fn keep_up(&mut self, editor: &Editor, context: &Context) {
+        let held = context.input(|input| input.pointer.any_down()) || editor.space.moves();
+        let current = self.checked == Some(editor.document.revision());
+        if !current && !held && (self.asked || is_quick(editor)) {
+            self.check(editor);
+        }
+    }
+
     pub(crate) fn found(&self) -> &[Finding] {
         &self.found
     }

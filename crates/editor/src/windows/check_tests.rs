@@ -26,7 +26,7 @@ fn checked(language: Language, size: [f32; 2], theme: Theme) -> Window {
         ..options(language)
     };
     let mut window = window_of(options, size, 1.0, theme);
-    press(&mut window, Modifiers::ALT, Key::W);
+    open_menu(&mut window, 3);
     click(&mut window, language.texts().check.menu);
     window
 }
@@ -54,7 +54,9 @@ fn a_click_on_a_finding_leads_to_its_frame_and_key() {
             Language::German => "außerhalb des Raums",
         };
         let label = button(&window, word);
-        click(&mut window, &label);
+        // It may have to be scrolled to.
+        window.get_by_label(&label).click_accesskit();
+        window.run();
         let finding = found
             .iter()
             .find(|finding| finding.kind.name() == "space")
@@ -90,7 +92,9 @@ fn it_follows_each_change_but_not_while_something_is_dragged() {
     );
     let before = of(&window);
     // While a button is down nothing is checked.
-    let at = number(&window, "Hold").rect().center();
+    let at = number(&window, Language::English.texts().space.rate)
+        .rect()
+        .center();
     window.hover_at(at);
     window.run();
     window.drag_at(at);

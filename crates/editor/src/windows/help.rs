@@ -64,7 +64,7 @@ impl SubWindow for HelpWindow {
 type Row = (String, Cow<'static, str>);
 
 fn sections(language: Language) -> [(&'static str, Vec<Row>); 5] {
-    let (texts, in_menus) = (&language.texts().help, &language.texts().menu);
+    let texts = &language.texts().help;
     let row = |keys: &str, meaning: &'static str| (keys.to_owned(), meaning.into());
     let plain = |key| combination(language, Modifiers::NONE, key);
     let mut mouse = vec![
@@ -92,12 +92,9 @@ fn sections(language: Language) -> [(&'static str, Vec<Row>); 5] {
     let mut menus = vec![
         (plain(Key::F10), texts.first_menu.into()),
         row(texts.arrows, texts.arrows_meaning),
-        (
-            menu::in_menu(language, Key::A, Key::D),
-            fill(texts.d_meaning, &[&in_menus.output, &in_menus.export]).into(),
-        ),
+        row(texts.letter, texts.letter_meaning),
     ];
-    let opened = menu::letters(language.texts()).map(|(letter, title)| {
+    let opened = menu::letters(language).map(|(letter, title)| {
         let keys = combination(language, Modifiers::ALT, letter);
         (keys, fill(texts.open_menu, &[&title]).into())
     });
@@ -131,6 +128,7 @@ pub(crate) fn meaning(language: Language, action: &Action) -> Cow<'static, str> 
     let (position, orientation) = (&texts.position, &texts.orientation);
     let button = |name: &str, does: &str| format!("{name} · {does}").into();
     match action {
+        Action::New => menu.new.into(),
         Action::Load => menu.load.into(),
         Action::Save => menu.save.into(),
         Action::SaveAs => menu.save_as.into(),
@@ -158,7 +156,7 @@ pub(crate) fn meaning(language: Language, action: &Action) -> Cow<'static, str> 
         Action::TakeOver { replace: true } => space.take_over_here.into(),
         Action::SwitchHandsOver => menu.hands_over.into(),
         Action::Curve => button(texts.curve.title, position.change_hint),
-        Action::SpeedCurve => button(texts.speed_window.title, texts.speed.change_hint),
+        Action::SpeedCurve => menu.speeds.into(),
         Action::SwitchCameraView => space.camera_meaning.into(),
         Action::PlayOrPause => space.play_meaning.into(),
         Action::Copy => button(menu.copy_orientation, texts.help.copy),
@@ -185,7 +183,7 @@ mod tests {
             let texts = language.texts();
             let mut window = window(language);
             let mut entries = 0;
-            for (at, (letter, title)) in menu::letters(texts).into_iter().enumerate() {
+            for (at, (letter, title)) in menu::letters(language).into_iter().enumerate() {
                 let named = menu::names(window.state(), at);
                 for (action, name) in named {
                     let known = SHORTCUTS.iter().any(|(.., known)| *known == action);

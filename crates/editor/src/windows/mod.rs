@@ -1,4 +1,5 @@
-//! The sub-windows, one file each. Each may stay open while work goes on.
+//! The sub-windows, one file each. Each may stay open while work goes on; what changes path or
+//! looks is docked ([`docked`]), so that it lies over nothing.
 //!
 //! A sub-window is a struct with what is pending in it, a [`SubWindow`] with a slot in [`Windows`]:
 //! open if the slot is filled. It is taken out of the slot while it is shown and put back if it
@@ -7,6 +8,7 @@
 
 mod check;
 mod curve;
+mod dock;
 mod help;
 mod points;
 mod space;
@@ -15,10 +17,11 @@ mod tool;
 
 pub(super) use check::CheckWindow;
 pub(super) use curve::CurveWindow;
+pub(crate) use dock::{docked, place};
 pub(super) use help::HelpWindow;
 pub(super) use points::PointsWindow;
 pub(super) use space::SpaceWindow;
-pub(super) use speed::{SpeedWindow, goes_by_ten};
+pub(super) use speed::{SpeedWindow, goes_by_ten, shapes};
 pub(super) use tool::ToolWindow;
 
 use crate::action::Action;
@@ -31,6 +34,7 @@ use crate::state::Editor;
 /// Which of them are open, and what is pending in them.
 #[derive(Debug, Default)]
 pub(super) struct Windows {
+    dock: dock::Dock,
     /// How many paths were loaded in place of the first.
     pub(crate) paths: u64,
     pub(super) curve: Option<CurveWindow>,
@@ -95,13 +99,14 @@ const CROSS: f32 = 36.0;
 pub(super) trait SubWindow: Sized {
     /// Its name for egui, which remembers its place by it.
     const ID: &'static str;
+    const DOCKED: bool = false;
 
     /// Where it is kept while it is open.
     fn slot(windows: &mut Windows) -> &mut Option<Self>;
 
     fn new(editor: &Editor) -> Self;
 
-    /// Shows it by [`sub_window`] and pushes what it asks for. False: it closes.
+    /// Shows it by [`sub_window`] or [`docked`] and pushes what it asks for. False: it closes.
     fn show(&mut self, editor: &Editor, context: &egui::Context, actions: &mut Vec<Action>)
     -> bool;
 }
@@ -110,6 +115,9 @@ pub(super) fn open<W: SubWindow>(editor: &mut Editor, context: &egui::Context) {
     if W::slot(&mut editor.windows).is_none() {
         let window = W::new(editor);
         *W::slot(&mut editor.windows) = Some(window);
+    }
+    if W::DOCKED {
+        editor.windows.dock(W::ID);
     }
     context.move_to_top(layer(W::ID));
 }
@@ -122,10 +130,17 @@ pub(super) fn show(editor: &mut Editor, context: &egui::Context) {
     show_one::<PointsWindow>(editor, context);
     show_one::<SpaceWindow>(editor, context);
     show_one::<HelpWindow>(editor, context);
+    let keep_up = |window: &mut CheckWindow, editor: &_, context: &_, _: &mut _| {
+        window.keep_up(editor, context);
+        true
+    };
+    show_slot(editor, context, CheckWindow::slot, keep_up);
     show_one::<CheckWindow>(editor, context);
     if editor.windows.files.is_none() {
         // The file that it asked for was not chosen.
         editor.windows.tool.take_if(|window| window.waits());
+    }
+    if editor.windows.may_show(ToolWindow::ID) {
         show_slot(editor, context, |open| &mut open.tool, ToolWindow::show);
     }
     show_one::<RecoveryWindow>(editor, context);
@@ -205,13 +220,18 @@ impl Windows {
 }
 
 fn show_one<W: SubWindow>(editor: &mut Editor, context: &egui::Context) {
+    if !editor.windows.may_show(W::ID) {
+        return;
+    }
     show_slot(
         editor,
         context,
         W::slot,
         |window, editor, context, actions| {
             let stays = W::show(window, editor, context, actions);
-            name_cross(context, layer(W::ID), editor.texts().menu.close_window);
+            if !W::DOCKED {
+                name_cross(context, layer(W::ID), editor.texts().menu.close_window);
+            }
             stays
         },
     );
@@ -319,7 +339,8 @@ fn name_cross(context: &egui::Context, layer: egui::LayerId, name: &str) {
 fn topmost(context: &egui::Context) -> Option<egui::LayerId> {
     context.memory(|memory| {
         let shown = |layer: &egui::LayerId| {
-            layer.order == egui::Order::Middle && memory.areas().visible_last_frame(layer)
+            ALL.iter().any(|id| self::layer(id) == *layer)
+                && memory.areas().visible_last_frame(layer)
         };
         memory.layer_ids().filter(shown).last()
     })

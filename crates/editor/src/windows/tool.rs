@@ -1,17 +1,18 @@
 //! The window of a tool: fields for what its table asks for. The path is shown with the tool
-//! applied, in a step of the document that is open as long as the window: `OK` ends the step,
-//! `Cancel`, the cross and Escape take it back.
+//! applied, in a step of the document that is open as long as the window: `OK` and Enter end the
+//! step, `Cancel`, the cross and Escape take it back.
 //!
 //! Nothing else gets into that step: whatever else changes or saves the path first takes what is
 //! shown, as `OK` does; undo and another tool take it back, as `Cancel` does. Looking round,
 //! playing and choosing a point leave it alone.
 
+use std::ops::Range;
 use std::path::Path;
 
-use egui::{Align, Button, Context, Layout, Pos2, Ui, vec2};
+use egui::{Align, Context, Layout, Pos2, Ui, vec2};
 use glam::DVec3;
 
-use super::{name_cross, row_at_right, sub_window_as};
+use super::docked;
 use crate::action::Action;
 use crate::background::Background;
 use crate::document::tool::{Cage, Needs, Tool, ToolInput};
@@ -20,6 +21,7 @@ use crate::error::{EngineError, Error, OutOfRange, Result};
 use crate::files::Purpose;
 use crate::formats;
 use crate::number::{Entry, Number};
+use crate::panels::share;
 use crate::path::Pose;
 use crate::state::Editor;
 use crate::texts::refusals::of_edit;
@@ -27,11 +29,8 @@ use crate::texts::{Language, fill};
 use crate::theme;
 use crate::tools::{Parameter, Unit};
 
-/// Widths of a name, of a number, of a button.
-const NAME: f32 = 132.0;
+/// Width of a number beside its name.
 const NUMBER: f32 = 84.0;
-const FIELDS: f32 = 3.0 * NUMBER + 2.0 * theme::GAP;
-const BUTTON: f32 = 96.0;
 
 #[derive(Debug)]
 pub(crate) struct ToolWindow {
@@ -57,7 +56,6 @@ pub(crate) struct ToolWindow {
     work: Option<Background<Option<Edit>>>,
     /// Where the playhead stood.
     stood: (Option<f64>, Selection),
-    fresh: bool,
 }
 
 impl ToolWindow {
@@ -74,80 +72,34 @@ impl ToolWindow {
         let texts = &editor.texts().tools;
         let old = self.numbers.clone();
         let dragged = self.before.is_some();
-        // Beside what it changes, and below the camera's picture where that is drawn on.
-        let screen = context.content_rect();
-        let (pivot, corner) = if self.draws() {
-            let above_bar = vec2(super::OVER_PANELS.x, -148.0);
-            (
-                egui::Align2::RIGHT_BOTTOM,
-                screen.right_bottom() + above_bar,
-            )
-        } else {
-            (
-                egui::Align2::RIGHT_TOP,
-                screen.right_top() + super::OVER_PANELS,
-            )
+        let ok = match self.tool.needs() {
+            Needs::Output => [texts.write, texts.write_hint],
+            _ => [texts.ok, texts.ok_hint],
         };
-        let title = language.tool(self.tool.name);
-        let open = sub_window_as(
-            context,
-            Self::ID,
-            title,
-            |window| window.pivot(pivot).default_pos(corner),
-            |ui| {
-                ui.set_width(NAME + theme::GAP + FIELDS);
-                let palette = theme::palette(ui);
-                ui.colored_label(palette.weak, language.tool_hint(&self.tool));
-                self.fields(editor, ui, actions);
-                match (&self.work, &self.trouble) {
-                    (Some(work), _) => work.show(ui),
-                    (_, Some(trouble)) => ui.colored_label(palette.error, trouble),
-                    _ => ui.colored_label(palette.weak, self.result(editor)),
-                };
-                let (ok, hint) = match self.tool.needs() {
-                    Needs::Output => (texts.write, texts.write_hint),
-                    _ => (texts.ok, texts.ok_hint),
-                };
-                row_at_right(ui, &[texts.cancel, ok], BUTTON, |ui| {
-                    let button = |text| Button::new(text).min_size(vec2(BUTTON, theme::ROW));
-                    let cancel = ui.add(button(texts.cancel));
-                    if cancel.on_hover_text(texts.cancel_hint).clicked() {
-                        actions.push(Action::EndTool { keeps: false });
-                    }
-                    let able =
-                        self.trouble.is_none() && self.work.is_none() && !self.lacks_stroke();
-                    let ok = ui.add_enabled(able, button(ok)).on_hover_text(hint);
-                    if std::mem::take(&mut self.fresh) {
-                        ok.request_focus();
-                    }
-                    if ok.clicked() {
-                        actions.push(Action::EndTool { keeps: true });
-                    }
-                });
-            },
-        );
-        name_cross(
-            context,
-            super::layer(Self::ID),
-            editor.texts().menu.close_window,
-        );
+        let able = self.trouble.is_none() && self.work.is_none() && !self.lacks_stroke();
+        let named = (Self::ID, language.tool(self.tool.name));
+        let end = docked(editor, context, named, Some((ok, able)), |ui| {
+            let palette = theme::palette(ui);
+            ui.colored_label(palette.weak, language.tool_hint(&self.tool));
+            // Above the fields, which may have to be scrolled.
+            match (&self.work, &self.trouble) {
+                (Some(work), _) => work.show(ui),
+                (_, Some(trouble)) => ui.colored_label(palette.error, trouble),
+                _ => ui.colored_label(palette.weak, self.result(editor)),
+            };
+            self.fields(editor, ui, actions);
+        });
         let slow = self.tool.takes_long(&editor.document, &self.material);
         let waits = slow && self.before.is_some();
         let ended = dragged && self.before.is_none() && slow;
         if (old != self.numbers && !waits) || ended {
-            // Before a button's action, which goes by these numbers.
+            // Before what ends it, which goes by these numbers.
             actions.insert(0, Action::PreviewTool);
         } else if self.work.as_mut().is_some_and(|work| work.is_done(context)) {
             actions.push(Action::ToolMade);
         }
-        if !open {
-            actions.push(Action::EndTool { keeps: false });
-        }
+        actions.extend(end.map(|keeps| Action::EndTool { keeps }));
         true
-    }
-
-    pub(crate) fn to_top(context: &Context) {
-        context.move_to_top(super::layer(Self::ID));
     }
 
     /// Whether it waits for a file.
@@ -222,73 +174,75 @@ impl ToolWindow {
         for parameter in self.tool.parameters() {
             let hint = language.parameter_hint(parameter);
             let label = language.parameter(parameter.name);
-            ui.horizontal_top(|ui| {
-                let layout = Layout::left_to_right(Align::Center);
-                ui.allocate_ui_with_layout(vec2(NAME, theme::ROW), layout, |ui| {
-                    ui.set_min_size(vec2(NAME, theme::ROW));
+            match parameter.unit {
+                Unit::Switch => {
+                    let mut on = self.numbers.get(start).is_some_and(|value| *value != 0.0);
+                    let tick = theme::tick(ui, &mut on, label).on_hover_text(hint);
+                    if tick.clicked() {
+                        self.set(start, f64::from(u8::from(on)));
+                    }
+                }
+                Unit::Choice(names) => {
                     ui.label(label).on_hover_text(hint);
-                });
-                let below = Layout::top_down(Align::Min);
-                ui.allocate_ui_with_layout(vec2(FIELDS, theme::ROW), below, |ui| {
-                    ui.set_width(FIELDS);
-                    self.field(editor, ui, (parameter, start, hint), actions);
-                });
-            });
+                    for (at, name) in (0_u32..).map(f64::from).zip(names) {
+                        let chosen = self.numbers.get(start) == Some(&at);
+                        let choice = theme::choice(ui, chosen, language.choice(name));
+                        if choice.on_hover_text(hint).clicked() {
+                            self.set(start, at);
+                        }
+                    }
+                }
+                Unit::Lattice => {
+                    ui.label(label).on_hover_text(hint);
+                    ui.horizontal(|ui| {
+                        let width = share(ui, 3);
+                        for axis in 0..3 {
+                            let what = (parameter, hint, axis);
+                            self.place_in_lattice(editor, ui, what, width, actions);
+                        }
+                    });
+                    let parts = 3 * self.control..3 * self.control + 3;
+                    self.numbers(editor, ui, (parameter, start, parts), actions);
+                }
+                _ if parameter.width == 1 => {
+                    ui.horizontal_top(|ui| {
+                        let layout = Layout::left_to_right(Align::Center);
+                        let name = vec2(ui.available_width() - NUMBER - theme::GAP, theme::ROW);
+                        ui.allocate_ui_with_layout(name, layout, |ui| {
+                            ui.set_min_size(name);
+                            ui.add(egui::Label::new(label).wrap()).on_hover_text(hint);
+                        });
+                        let width = ui.available_width();
+                        self.number(editor, ui, (parameter, start, 0), width, actions);
+                    });
+                }
+                _ => {
+                    ui.label(label).on_hover_text(hint);
+                    let parts = 0..parameter.width;
+                    self.numbers(editor, ui, (parameter, start, parts), actions);
+                }
+            }
             start += parameter.width;
         }
     }
 
-    fn field(
+    /// Parts of a parameter side by side, unless the digits of such a space need more room.
+    fn numbers(
         &mut self,
         editor: &Editor,
         ui: &mut Ui,
-        (parameter, start, hint): (&'static Parameter, usize, &'static str),
+        (parameter, start, parts): (&'static Parameter, usize, Range<usize>),
         actions: &mut Vec<Action>,
     ) {
-        let language = editor.language();
-        match parameter.unit {
-            Unit::Choice(names) => {
-                let beside = if names.len() <= 3 { 3 } else { 2 };
-                for (row, names) in names.chunks(beside).enumerate() {
-                    ui.horizontal(|ui| {
-                        ui.spacing_mut().item_spacing.x = 12.0;
-                        for (column, name) in names.iter().enumerate() {
-                            let at = (row * beside + column) as f64;
-                            let chosen = self.numbers.get(start) == Some(&at);
-                            let choice = theme::choice(ui, chosen, language.choice(name));
-                            if choice.on_hover_text(hint).clicked() {
-                                self.set(start, at);
-                            }
-                        }
-                    });
-                }
+        let third = share(ui, 3);
+        let space = editor.document.path().space;
+        let beside = Number::room_in_space(ui, editor.language(), space) <= third;
+        let width = if beside { third } else { ui.available_width() };
+        ui.horizontal_wrapped(|ui| {
+            for part in parts {
+                self.number(editor, ui, (parameter, start, part), width, actions);
             }
-            Unit::Switch => {
-                let mut on = self.numbers.get(start).is_some_and(|value| *value != 0.0);
-                if theme::tick(ui, &mut on, hint).clicked() {
-                    self.set(start, f64::from(u8::from(on)));
-                }
-            }
-            Unit::Lattice => {
-                ui.horizontal(|ui| {
-                    for axis in 0..3 {
-                        self.place_in_lattice(editor, ui, (parameter, hint, axis), actions);
-                    }
-                });
-                ui.horizontal(|ui| {
-                    for part in 3 * self.control..3 * self.control + 3 {
-                        self.number(editor, ui, (parameter, start, part), actions);
-                    }
-                });
-            }
-            _ => {
-                ui.horizontal(|ui| {
-                    for part in 0..parameter.width {
-                        self.number(editor, ui, (parameter, start, part), actions);
-                    }
-                });
-            }
-        }
+        });
     }
 
     /// Chooses the control point that the fields show, from 1 along each axis.
@@ -297,6 +251,7 @@ impl ToolWindow {
         editor: &Editor,
         ui: &mut Ui,
         (parameter, hint, axis): (&'static Parameter, &'static str, usize),
+        width: f32,
         actions: &mut Vec<Action>,
     ) {
         let language = editor.language();
@@ -310,7 +265,7 @@ impl ToolWindow {
             .range(1.0..=4.0)
             .steps(1.0, 0.05);
         let id = format!("tool.{}.{}.{letter}", self.tool.name, parameter.name);
-        match number.show(ui, language, &id, NUMBER) {
+        match number.show(ui, language, &id, width) {
             Entry::Drag(value) | Entry::Set(value) => {
                 let chosen = (1..4).take_while(|&at| value > f64::from(at)).count();
                 self.control += chosen << (2 * axis);
@@ -332,6 +287,7 @@ impl ToolWindow {
         editor: &Editor,
         ui: &mut Ui,
         (parameter, start, part): (&'static Parameter, usize, usize),
+        width: f32,
         actions: &mut Vec<Action>,
     ) {
         let language = editor.language();
@@ -361,7 +317,7 @@ impl ToolWindow {
                 *number = value;
             }
         };
-        let entry = number.show(ui, language, &id, NUMBER);
+        let entry = number.show(ui, language, &id, width);
         entry.apply(&mut self.before, &mut self.numbers, set, actions);
     }
 
@@ -453,8 +409,8 @@ impl Editor {
             missed: None,
             work: None,
             stood: (self.playing.frame(), self.document.selection()),
-            fresh: true,
         });
+        self.windows.dock(ToolWindow::ID);
         true
     }
 
@@ -462,7 +418,6 @@ impl Editor {
     pub(crate) fn begin_tool_with(&mut self, material: ToolInput) {
         if let Some(window) = &mut self.windows.tool {
             window.material = material;
-            window.fresh = true;
         }
         self.preview_tool();
     }

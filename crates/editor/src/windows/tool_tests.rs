@@ -22,7 +22,7 @@ fn picked(language: Language, name: &'static str) -> Window {
 
 fn pick(window: &mut Window, name: &'static str) {
     let language = window.state().language();
-    press(window, Modifiers::ALT, Key::W);
+    open_menu(window, 3);
     let tool = tools().find(|tool| tool.name == name).expect("a tool");
     let more = if tool.has_numbers() || tool.needs() != Needs::Nothing {
         " …"
@@ -55,7 +55,7 @@ fn by_keys_alone_a_move_is_shown_and_kept_as_one_step_with_its_name() {
         let mut window = fresh(language);
         let before = path(&window);
         let state = window.state().document.state_number();
-        press(&mut window, Modifiers::ALT, Key::W);
+        open_menu(&mut window, 3);
         press(&mut window, Modifiers::NONE, Key::Enter);
         // Twelve points a turn, and the last one is where the first is.
         assert_eq!(path(&window).points.len(), 13);
@@ -66,12 +66,12 @@ fn by_keys_alone_a_move_is_shown_and_kept_as_one_step_with_its_name() {
         assert!(!window.state().document.is_modified());
         assert_eq!(undo_name(&window), None);
         assert!(window.state().windows.tool.is_none());
-        press(&mut window, Modifiers::ALT, Key::W);
+        open_menu(&mut window, 3);
         press(&mut window, Modifiers::NONE, Key::Enter);
         press(&mut window, Modifiers::NONE, Key::Enter);
         assert!(window.state().windows.tool.is_none());
         assert_eq!(undo_name(&window), Some("orbit"));
-        press(&mut window, Modifiers::ALT, Key::B);
+        open_menu(&mut window, 1);
         let [undo, redo] = match language {
             Language::English => ["Undo orbit", "Redo orbit"],
             Language::German => ["Umkreisen rückgängig", "Umkreisen wiederholen"],
@@ -79,7 +79,7 @@ fn by_keys_alone_a_move_is_shown_and_kept_as_one_step_with_its_name() {
         window.get_by_role_and_label(Role::MenuItem, undo).click();
         window.run();
         assert_eq!(path(&window), before);
-        press(&mut window, Modifiers::ALT, Key::B);
+        open_menu(&mut window, 1);
         assert!(window.query_by_label(redo).is_some());
     }
 }
@@ -363,7 +363,7 @@ fn every_tool_fits_into_the_window() {
         (Language::English, Theme::Light, LARGE),
     ] {
         let mut window = window_with_points(language, size, 1.0, theme);
-        press(&mut window, Modifiers::ALT, Key::W);
+        open_menu(&mut window, 3);
         let name = if language == Language::German {
             "de"
         } else {

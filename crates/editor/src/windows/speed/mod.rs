@@ -2,7 +2,7 @@
 //! down, the facing values of the sections before and after, the curve. Or an ease or a given
 //! distance in place of the ten speeds, and way or acceleration in place of the speed.
 
-use egui::{Align, Layout, Sense, Ui, vec2};
+use egui::{Rect, Sense, Ui, vec2};
 
 mod distance;
 mod ease;
@@ -12,13 +12,16 @@ mod pace;
 mod shapes;
 mod ten;
 
+pub(crate) use self::ten::shapes;
+
 use self::graph::{Axes, Held, Quantity};
-use super::{SubWindow, Windows, is_cramped, is_low, sub_window};
+use super::{SubWindow, Windows, docked, is_cramped, is_low};
 use crate::action::Action;
 use crate::document::{At, Edit, Info, Selection};
 use crate::limits::{MAX_FPS, MAX_FRAMES, MAX_HOLD, SPEEDS};
 use crate::number::{Entry, Number};
 use crate::panels::orientation::with;
+use crate::panels::share;
 use crate::path::{BaseFrames, Orientation, OrientationOverrides, Pace, Timing};
 use crate::state::Editor;
 use crate::texts::fill;
@@ -26,6 +29,13 @@ use crate::theme;
 
 /// Room for the values left of the picture.
 const SCALE: f32 = 32.0;
+
+/// Least width of what stands beside the picture, and the gap.
+const BESIDE: f32 = 236.0;
+const APART: f32 = 16.0;
+
+/// Height of all about the picture and its rows.
+const ABOUT: f32 = 64.0;
 
 #[derive(Debug)]
 pub(crate) struct SpeedWindow {
@@ -55,24 +65,24 @@ struct Size {
 impl Size {
     const ROOMY: Self = Self {
         step: 48.0,
-        height: 232.0,
+        height: 160.0,
         one_row: true,
     };
     const CRAMPED: Self = Self {
         step: 40.0,
-        height: 144.0,
+        height: 112.0,
         one_row: false,
     };
 
-    fn of(ui: &Ui) -> Self {
-        if is_low(ui.ctx()) {
+    fn of(context: &egui::Context) -> Self {
+        if is_low(context) {
             // The numbers below it matter more than its height.
             let height = 88.0;
             Self {
                 height,
                 ..Self::CRAMPED
             }
-        } else if is_cramped(ui.ctx()) {
+        } else if is_cramped(context) {
             Self::CRAMPED
         } else {
             Self::ROOMY
@@ -161,6 +171,7 @@ pub(crate) const fn goes_by_ten(pace: &Pace) -> bool {
 
 impl SubWindow for SpeedWindow {
     const ID: &'static str = "speed";
+    const DOCKED: bool = true;
 
     fn slot(windows: &mut Windows) -> &mut Option<Self> {
         &mut windows.speed
@@ -192,19 +203,33 @@ impl SubWindow for SpeedWindow {
         let Some(section) = Section::of(editor) else {
             return false;
         };
-        sub_window(context, Self::ID, texts.title, |ui| {
-            ui.set_width(Size::of(ui).width());
-            heading(editor, ui, &section, actions);
-            self.choices(editor, ui, &section, actions);
-            ui.add_space(theme::GAP);
-            self.picture(editor, ui, &section, actions);
-            self.values(editor, ui, &section, actions);
-            ui.add_space(theme::GAP);
-            numbers(editor, ui, &section, actions);
-            ui.separator();
-            base_speeds(editor, ui, actions);
-        })
+        let named = (Self::ID, texts.title);
+        let end = docked(editor, context, named, None, |ui| {
+            let width = Size::of(ui.ctx()).width();
+            if ui.available_width() < width + BESIDE {
+                self.course(editor, ui, &section, actions);
+                self.terms(editor, ui, &section, actions);
+                return;
+            }
+            ui.horizontal_top(|ui| {
+                ui.spacing_mut().item_spacing.x = APART;
+                ui.vertical(|ui| {
+                    ui.set_width(width);
+                    self.course(editor, ui, &section, actions);
+                });
+                ui.vertical(|ui| self.terms(editor, ui, &section, actions));
+            });
+        });
+        end.is_none()
     }
+}
+
+/// How high the window is in this room, of which it leaves the larger part.
+pub(super) fn height(context: &egui::Context, room: Rect) -> f32 {
+    let size = Size::of(context);
+    let rows = if size.one_row { 2.0 } else { 3.0 };
+    let all = ABOUT + size.height + rows * (theme::ROW + theme::GAP);
+    all.min(0.6 * room.height()).round()
 }
 
 /// Which section it is, and how long it takes.
@@ -213,27 +238,23 @@ fn heading(editor: &Editor, ui: &mut Ui, section: &Section, actions: &mut Vec<Ac
     let at = editor.document.selection();
     let palette = theme::palette(ui);
     let from = editor.name_of(at.point, at.orientation);
-    ui.horizontal(|ui| {
-        let text = match section.to {
-            Some((point, orientation)) => {
-                fill(texts.section, &[&from, &editor.name_of(point, orientation)])
-            }
-            None => fill(texts.end_of_path, &[&from]),
-        };
-        ui.label(text);
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            match section.frames {
-                None => {}
-                Some(0) => {
-                    ui.colored_label(palette.weak, texts.nothing_changes);
-                }
-                Some(frames) => length(editor, ui, section, frames, actions),
-            }
-        });
-    });
+    let text = match section.to {
+        Some((point, orientation)) => {
+            fill(texts.section, &[&from, &editor.name_of(point, orientation)])
+        }
+        None => fill(texts.end_of_path, &[&from]),
+    };
+    ui.label(text);
+    match section.frames {
+        None => {}
+        Some(0) => {
+            ui.colored_label(palette.weak, texts.nothing_changes);
+        }
+        Some(frames) => length(editor, ui, section, frames, actions),
+    }
 }
 
-/// Its length, from right to left: locked or not, seconds, frames.
+/// Its length: frames, seconds, locked or not.
 fn length(
     editor: &Editor,
     ui: &mut Ui,
@@ -242,30 +263,72 @@ fn length(
     actions: &mut Vec<Action>,
 ) {
     let texts = &editor.texts().speed_window;
+    let mut narrow = false;
+    ui.horizontal(|ui| {
+        ui.label(texts.frames).on_hover_text(texts.frames_hint);
+        let entry = Number::new(texts.frames, frames as f64)
+            .hint(texts.frames_hint)
+            .faint(section.fixed == 0)
+            .whole()
+            .range(0.0..=MAX_FRAMES as f64)
+            .steps(1.0, 0.5)
+            .show(ui, editor.language(), "speed.frames", 72.0);
+        // Whole, and within an u32.
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+        actions.extend(entered_own(editor, entry, |own, frames| {
+            own.frames = frames as u32
+        }));
+        let fps = editor.document.info().fps;
+        let seconds = editor.language().number(frames as f64 / fps, 2);
+        ui.colored_label(theme::palette(ui).weak, fill(texts.seconds, &[&seconds]));
+        if ui.available_width() > BESIDE / 2.0 {
+            lock(editor, ui, section, actions);
+        } else {
+            narrow = true;
+        }
+    });
+    if narrow {
+        lock(editor, ui, section, actions);
+    }
+}
+
+/// Whether it keeps its frames when the whole path gets others.
+fn lock(editor: &Editor, ui: &mut Ui, section: &Section, actions: &mut Vec<Action>) {
+    let texts = &editor.texts().speed_window;
     let mut locked = section.locked;
     let tick = theme::tick(ui, &mut locked, texts.locked);
     if tick.on_hover_text(texts.locked_hint).changed() {
         actions.extend(editor.own_action(|own| own.locked = locked));
     }
-    let fps = editor.document.info().fps;
-    let seconds = editor.language().number(frames as f64 / fps, 2);
-    ui.colored_label(theme::palette(ui).weak, fill(texts.seconds, &[&seconds]));
-    let entry = Number::new(texts.frames, frames as f64)
-        .hint(texts.frames_hint)
-        .faint(section.fixed == 0)
-        .whole()
-        .range(0.0..=MAX_FRAMES as f64)
-        .steps(1.0, 0.5)
-        .show(ui, editor.language(), "speed.frames", 72.0);
-    // Whole, and within an u32.
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-    actions.extend(entered_own(editor, entry, |own, frames| {
-        own.frames = frames as u32
-    }));
-    ui.label(texts.frames).on_hover_text(texts.frames_hint);
 }
 
 impl SpeedWindow {
+    /// The curve, and what belongs to it.
+    fn course(
+        &mut self,
+        editor: &Editor,
+        ui: &mut Ui,
+        section: &Section,
+        actions: &mut Vec<Action>,
+    ) {
+        self.picture(editor, ui, section, actions);
+        self.values(editor, ui, section, actions);
+    }
+
+    /// What else there is of the section and of the path.
+    fn terms(
+        &mut self,
+        editor: &Editor,
+        ui: &mut Ui,
+        section: &Section,
+        actions: &mut Vec<Action>,
+    ) {
+        heading(editor, ui, section, actions);
+        self.choices(editor, ui, section, actions);
+        numbers(editor, ui, section, actions);
+        base_speeds(editor, ui, actions);
+    }
+
     /// The curve with its handles.
     fn picture(
         &mut self,
@@ -274,7 +337,7 @@ impl SpeedWindow {
         section: &Section,
         actions: &mut Vec<Action>,
     ) {
-        let size = Size::of(ui);
+        let size = Size::of(ui.ctx());
         let (rect, _) = ui.allocate_exact_size(vec2(size.width(), size.height), Sense::hover());
         let axes = Axes::new(rect, size.step, self.shown, section);
         axes.paint(
@@ -321,7 +384,6 @@ impl SpeedWindow {
 fn numbers(editor: &Editor, ui: &mut Ui, section: &Section, actions: &mut Vec<Action>) {
     let texts = &editor.texts().speed_window;
     ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = theme::GAP * 2.0;
         ui.label(texts.hold).on_hover_text(texts.hold_hint);
         let number = Number::new(texts.hold, f64::from(section.hold))
             .hint(texts.hold_hint)
@@ -334,19 +396,19 @@ fn numbers(editor: &Editor, ui: &mut Ui, section: &Section, actions: &mut Vec<Ac
             // `Number` keeps it in range and whole.
             orientation.hold = value.round() as u32;
         }));
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            let fps = editor.document.info().fps;
-            let number = Number::new(texts.fps, fps)
-                .hint(texts.fps_hint)
-                .decimals(if fps.fract() == 0.0 { 0 } else { 3 })
-                .range(0.001..=MAX_FPS)
-                .steps(1.0, 0.5);
-            let entry = number.show(ui, editor.language(), "speed.fps", 80.0);
-            let info = editor.document.info().clone();
-            let entry = entry.map(|fps| Edit::SetInfo(Box::new(Info { fps, ..info })));
-            actions.push(Action::Enter(entry));
-            ui.label(texts.fps).on_hover_text(texts.fps_hint);
-        });
+    });
+    ui.horizontal(|ui| {
+        ui.label(texts.fps).on_hover_text(texts.fps_hint);
+        let fps = editor.document.info().fps;
+        let number = Number::new(texts.fps, fps)
+            .hint(texts.fps_hint)
+            .decimals(if fps.fract() == 0.0 { 0 } else { 3 })
+            .range(0.001..=MAX_FPS)
+            .steps(1.0, 0.5);
+        let entry = number.show(ui, editor.language(), "speed.fps", 72.0);
+        let info = editor.document.info().clone();
+        let entry = entry.map(|fps| Edit::SetInfo(Box::new(Info { fps, ..info })));
+        actions.push(Action::Enter(entry));
     });
 }
 
@@ -369,11 +431,14 @@ fn base_speeds(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
             &mut speeds.rolling
         }),
     ];
-    ui.horizontal(|ui| {
-        ui.spacing_mut().item_spacing.x = theme::GAP;
-        ui.label(texts.base).on_hover_text(texts.base_hint);
-        let gaps = theme::GAP * (parts.len() - 1) as f32;
-        let width = ((ui.available_width() - gaps) / parts.len() as f32).floor();
+    ui.label(texts.base).on_hover_text(texts.base_hint);
+    let beside = if ui.available_width() < 2.0 * BESIDE {
+        2
+    } else {
+        parts.len()
+    };
+    let width = share(ui, beside);
+    ui.horizontal_wrapped(|ui| {
         for (name, hint, part) in parts {
             let mut now = speeds;
             let frames = *part(&mut now);

@@ -137,7 +137,7 @@ fn one_of<T: Copy + PartialEq, const N: usize>(
     all: [(T, &str, &str); N],
 ) -> Option<T> {
     let mut clicked = None;
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.x = theme::GAP;
         theme::label(ui, 48.0, title);
         for (value, name, hint) in all {

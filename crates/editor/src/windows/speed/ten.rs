@@ -58,7 +58,7 @@ pub(super) fn squares(
         let handle = Handle {
             id: Id::unique(("speed square", at)),
             middle,
-            place: Rect::from_center_size(middle, vec2(Size::of(ui).step * 0.6, 28.0)),
+            place: Rect::from_center_size(middle, vec2(Size::of(ui.ctx()).step * 0.6, 28.0)),
             name: &name,
             value,
             words,
@@ -154,7 +154,7 @@ pub(super) fn typed(editor: &Editor, ui: &mut Ui, section: &Section, actions: &m
     let texts = &editor.texts().speed_window;
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = theme::GAP;
-        let step = Size::of(ui).step;
+        let step = Size::of(ui.ctx()).step;
         ui.add_space(SCALE + step);
         for at in 0..SPEEDS {
             let name = fill(texts.speed, &[&(at + 1)]);
@@ -185,11 +185,11 @@ pub(super) fn buttons(editor: &Editor, ui: &mut Ui, section: &Section, actions: 
     ui.horizontal(|ui| {
         ui.spacing_mut().item_spacing.x = theme::GAP;
         new = shapes(editor, ui);
-        if Size::of(ui).one_row {
+        if Size::of(ui.ctx()).one_row {
             new = new.or(exchange(editor, ui, section, actions));
         }
     });
-    if !Size::of(ui).one_row {
+    if !Size::of(ui.ctx()).one_row {
         ui.horizontal(|ui| new = new.or(exchange(editor, ui, section, actions)));
     }
     if let Some(speeds) = new {
@@ -198,7 +198,8 @@ pub(super) fn buttons(editor: &Editor, ui: &mut Ui, section: &Section, actions: 
     }
 }
 
-fn shapes(editor: &Editor, ui: &mut Ui) -> Option<[f64; SPEEDS]> {
+/// The ready paces as buttons; the one that was clicked, for the current section.
+pub(crate) fn shapes(editor: &Editor, ui: &mut Ui) -> Option<[f64; SPEEDS]> {
     let texts = &editor.texts().speed_window;
     let names = [
         (texts.constant, texts.constant_hint),

@@ -10,7 +10,9 @@ use crate::screenshots::screenshot;
 use crate::tests::*;
 
 pub(super) fn opened(language: Language) -> Window {
-    opened_with(language, language.texts().speed.change)
+    let mut window = window_with_points(language, LARGE, 1.0, Theme::Dark);
+    press(&mut window, Modifiers::NONE, Key::F3);
+    window
 }
 
 fn speeds(window: &Window) -> [f64; 10] {
@@ -289,7 +291,7 @@ fn base_frames_hold_for_the_whole_path() {
             ..options(language)
         };
         let mut window = window_of(options, LARGE, 1.0, Theme::Dark);
-        click(&mut window, language.texts().speed.change);
+        press(&mut window, Modifiers::NONE, Key::F3);
         let name = format!("{}: {}", texts.base, texts.base_move);
         let field = window.get_by_label(&name);
         assert!(field.accesskit_node().is_disabled());
@@ -358,7 +360,7 @@ fn pictures() {
         for point in [2, 5] {
             let mut window = window_with_points(language, SMALL, scale, theme);
             window.state_mut().select(point, 0);
-            click(&mut window, language.texts().speed.change);
+            press(&mut window, Modifiers::NONE, Key::F3);
             screenshot(&mut window, &format!("speed-{name}-{point}.png"));
         }
     }
