@@ -85,15 +85,16 @@ impl Surfaces {
             let long = at(long, y);
             let short = at(if y < b[1] { upper } else { lower }, y);
             let (from, to) = (first(long.min(short), wide), first(long.max(short), wide));
-            let mut near = a[2] + along * (from as f64 + 0.5 - a[0]) + down * (y - a[1]);
+            let begins = a[2] + along * (from as f64 + 0.5 - a[0]) + down * (y - a[1]);
+            let (begins, along) = (begins as f32, along as f32);
             let places = row * wide + from..row * wide + to.max(from);
             let known = self.nearness[places.clone()].iter_mut();
-            for (known, shown) in known.zip(&mut self.colors[places]) {
-                let inner = (near as f32).max(low).min(top);
-                if inner > *known {
-                    (*known, *shown) = (inner, color);
-                }
-                near += along;
+            // Written in any case, so that several are filled at once.
+            for (step, (known, shown)) in (0_i32..).zip(known.zip(&mut self.colors[places])) {
+                let near = (begins + along * step as f32).max(low).min(top);
+                let nearer = near > *known;
+                *known = if nearer { near } else { *known };
+                *shown = if nearer { color } else { *shown };
             }
         }
     }
@@ -151,18 +152,17 @@ impl Surfaces {
         }
         let [x, y] = place.map(|at| at as usize);
         let (wide, high) = (self.area.width as usize, self.area.height as usize);
-        // At the rim there is nothing beside.
-        if x == 0 || y == 0 || x + 1 == wide || y + 1 == high {
-            return false;
-        }
-        let at = y * wide + x;
-        let beside = [at, at - 1, at + 1, at - wide, at + wide];
+        // What lies beyond the area is not seen.
+        let columns = x.saturating_sub(1)..=(x + 1).min(wide - 1);
+        let rows = y.saturating_sub(1)..=(y + 1).min(high - 1);
+        let across = columns.map(|x| y * wide + x);
+        let along = rows.map(|y| y * wide + x);
         let hidden = |at: usize| {
             self.nearness
                 .get(at)
                 .is_some_and(|&known| f64::from(known) > near)
         };
-        beside.into_iter().all(hidden)
+        across.chain(along).all(hidden)
     }
 
     pub(super) fn bounds(&self) -> PixelRect {

@@ -220,3 +220,22 @@ fn what_is_no_number_or_has_no_area_does_no_harm() {
         primitive(&Arc::new(nothing)),
     ]);
 }
+
+/// Beyond the rim of what is seen, faces go on.
+#[test]
+fn a_face_hides_what_is_behind_it_up_to_the_rim() {
+    let area = Area {
+        width: 4,
+        height: 3,
+        ..Area::default()
+    };
+    let mut surfaces = Surfaces::new(area, false).unwrap();
+    let corners = [[-9.0, -9.0, 5.0], [40.0, -9.0, 5.0], [-9.0, 40.0, 5.0]];
+    surfaces.triangle(corners, Color32::WHITE);
+    surfaces.settle().unwrap();
+    for (x, y) in (0..4).flat_map(|x| (0..3).map(move |y| (x, y))) {
+        let [x, y] = [x, y].map(|at| f64::from(at) + 0.5);
+        assert!(surfaces.hides([x, y, 4.0]) && !surfaces.hides([x, y, 6.0]));
+    }
+    assert!(!surfaces.hides([4.5, 1.0, 4.0]) && !surfaces.hides([-0.5, 1.0, 4.0]));
+}
