@@ -46,7 +46,7 @@ fn some_triangles(random: &mut Random, count: usize) -> Vec<([Corner3; 3], Color
         0 => 5e4,
         _ => 60.0,
     };
-    let mut number = |random: &mut Random| {
+    let number = |random: &mut Random| {
         let reach = far(random);
         f64::from(random.between(-reach, reach + 70.0))
     };
