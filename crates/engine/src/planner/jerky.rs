@@ -46,7 +46,7 @@ const FASTER: f64 = 0.002;
 const WHOLE: f64 = 1e-6;
 
 /// Seconds of a section.
-fn lasts(section: &Vec<Knot>) -> f64 {
+fn lasts(section: &[Knot]) -> f64 {
     section.last().map_or(0.0, |knot| knot[0])
 }
 
@@ -160,7 +160,12 @@ impl Work<'_> {
             }
             sections.push(knots(xs, reach.ramps, takes)?);
         }
-        let times = |run: std::ops::Range<usize>| sections[run].iter().map(lasts).sum::<f64>();
+        let times = |run: std::ops::Range<usize>| {
+            sections[run]
+                .iter()
+                .map(|section| lasts(section))
+                .sum::<f64>()
+        };
         let most = most..WIDEST * self.runs().map(times).fold(0.0, f64::max);
         let rests = if self.ring { 0 } else { self.runs().count() };
         let mut window: Option<f64> = None;
