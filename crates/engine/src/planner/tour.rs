@@ -411,10 +411,13 @@ impl<'a> Work<'a> {
         let least = if self.request.start.is_some() { 1 } else { 3 };
         let place = |at: usize| self.places[self.views[at].at];
         taken.try_reserve(least)?;
-        for _ in 0..least {
+        let places = |taken: &[usize]| {
             // The first view from each place.
             let own = |k: &usize| taken[..*k].iter().all(|at| place(*at) != place(taken[*k]));
-            if (0..taken.len()).filter(own).count() >= least {
+            (0..taken.len()).filter(own).count()
+        };
+        for _ in 0..least {
+            if places(&taken) >= least {
                 break;
             }
             let apart = |at: usize| {
@@ -427,7 +430,7 @@ impl<'a> Work<'a> {
             let farthest = others.max_by(|a, b| apart(*a).total_cmp(&apart(*b)));
             taken.extend(farthest);
         }
-        if taken.is_empty() || (self.request.start.is_none() && taken.len() < 2) {
+        if places(&taken) < least.min(2) {
             return Err(Invalid::TourNothing.into());
         }
         let mut chosen = vec_with_room(taken.len())?;
