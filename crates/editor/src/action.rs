@@ -14,7 +14,7 @@ use crate::panels::orientation::OwnedMotion;
 use crate::path::UpVector;
 use crate::playing::{Pace, Retiming};
 use crate::selected::SelectionChange;
-use crate::setup::{CameraPlace, Setup, Theme, View};
+use crate::setup::{CameraPlace, Fold, Setup, Theme, View};
 use crate::space::{Camera, Gesture, Joint};
 use crate::texts::Language;
 use crate::tools::check::Finding;
@@ -188,6 +188,8 @@ pub(super) enum Action {
     GraphHeight(f32),
     /// Show the sliders around the space, or hide them.
     SwitchSliders,
+    /// Fold a panel, or unfold it.
+    Fold(Fold),
     Pace(Pace),
     Setup(Box<Setup>),
     /// A language of the window, or the environment's.
@@ -239,6 +241,7 @@ impl Action {
                 | Self::SwitchMovesAlong
                 | Self::Retime(_)
                 | Self::SwitchSliders
+                | Self::Fold(_)
                 | Self::RulerInFrames(_)
                 | Self::GraphHeight(_)
                 | Self::Pace(_)
@@ -292,6 +295,7 @@ impl Action {
                 | Self::SwitchKeepsLength
                 | Self::SwitchMovesAlong
                 | Self::SwitchSliders
+                | Self::Fold(_)
                 | Self::RulerInFrames(_)
                 | Self::GraphHeight(_)
                 | Self::Pace(_)

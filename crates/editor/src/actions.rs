@@ -222,6 +222,7 @@ impl Editor {
             Action::SwitchMovesAlong => self.switch_moves_along(),
             Action::Retime(retiming) => self.retime(retiming),
             Action::SwitchSliders => self.switch_sliders(),
+            Action::Fold(fold) => self.switch_fold(fold),
             Action::RulerInFrames(frames) => self.choose_ruler(frames),
             Action::GraphHeight(height) => self.set_graph_height(height),
             Action::Pace(pace) => self.set_pace(pace, context),

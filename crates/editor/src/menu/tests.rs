@@ -21,8 +21,8 @@ fn the_output_field_shows_position_and_orientation() {
 fn the_output_field_follows_at_once() {
     let mut window = window(Language::English);
     enter(&mut window, "Roll", "12.5");
-    click_button(&mut window, |texts| texts.position.next);
-    click_button(&mut window, |texts| texts.position.previous);
+    press(&mut window, Modifiers::CTRL, Key::PageDown);
+    press(&mut window, Modifiers::CTRL, Key::PageUp);
     let words =
         "Point 1 · Position −0.600 0.200 0.800 · View 0.000 0.000 −1.000 · Roll 12.5° · Zoom 24.0";
     assert!(window.query_by_label(words).is_some());

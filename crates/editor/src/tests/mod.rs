@@ -94,13 +94,6 @@ pub(crate) fn window_with_points(
     window_of(options, size, scale, theme)
 }
 
-/// A window with some points in which what has this label was clicked.
-pub(crate) fn opened_with(language: Language, label: &str) -> Window {
-    let mut window = window_with_points(language, LARGE, 1.0, Theme::Dark);
-    click(&mut window, label);
-    window
-}
-
 /// Presses a key with others held.
 pub(crate) fn press(window: &mut Window, modifiers: Modifiers, key: Key) {
     window.key_press_modifiers(modifiers, key);

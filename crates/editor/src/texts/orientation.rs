@@ -28,13 +28,11 @@ texts! {
         distance: "Ahead", "Voraus";
         distance_hint: "It looks at the place so far ahead on its way; 0: along the tangent",
             "Sie blickt auf den Ort so weit voraus auf ihrem Weg; 0: die Tangente entlang";
-        previous: "‹ View", "‹ Blick";
         previous_hint: "Go to the previous view of this point (<< Ori)",
             "Zum vorigen Blick dieses Punktes (<< Ori)";
-        next: "View ›", "Blick ›";
         next_hint: "Go to the next view of this point (Ori >>)",
             "Zum nächsten Blick dieses Punktes (Ori >>)";
-        count: "View {0} of {1}", "Blick {0} von {1}";
+        count: "{0} of {1}", "{0} von {1}";
         target: "Target {0}", "Ziel {0}";
         target_hint: "The place that the camera looks at: drag, or click and type",
             "Ort, auf den die Kamera blickt: ziehen, oder klicken und tippen";
