@@ -86,7 +86,12 @@ impl Editor {
             Action::AddHere => {
                 self.add_here();
             }
-            Action::RemovePoint => self.remove_selected(),
+            Action::RemovePoint => {
+                let count = self.all_selected().len();
+                if self.remove_selected() && count > 1 {
+                    self.say_done(fill(self.texts().output.points_removed, &[&count]));
+                }
+            }
             Action::PreviousPoint => self.go_by_points(false),
             Action::NextPoint => self.go_by_points(true),
             Action::AppendPoint => {
@@ -419,8 +424,9 @@ impl Editor {
             });
         match edits.collect::<Result<Vec<Edit>>>() {
             Ok(edits) => {
+                let count = edits.len();
                 if self.edit_all(edits) {
-                    self.say(self.texts().orientation.all_aimed);
+                    self.say_done(fill(self.texts().orientation.all_aimed, &[&count]));
                 }
             }
             Err(error) => self.complain_of(&error),

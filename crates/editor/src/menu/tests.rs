@@ -145,7 +145,15 @@ fn all_cameras_are_aimed_at_one_target_in_one_step() {
         window.run();
         press(&mut window, Modifiers::NONE, Key::F7);
         let told = said_besides_length(&window);
-        assert_eq!(told.as_deref(), Some(texts.orientation.all_aimed));
+        let views: usize = before.points.iter().map(|at| at.orientations.len()).sum();
+        let aimed = fill(texts.orientation.all_aimed, &[&views]);
+        assert_eq!(told, Some(aimed));
+        // The button beside it takes it back, and nothing else.
+        let steps = window.state().document.path().clone();
+        click(&mut window, texts.menu.undo);
+        assert_ne!(*window.state().document.path(), steps);
+        press(&mut window, Modifiers::CTRL, Key::Y);
+        assert_eq!(*window.state().document.path(), steps);
         for (point, was) in window
             .state()
             .document

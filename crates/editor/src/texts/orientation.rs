@@ -77,7 +77,7 @@ texts! {
         one_remains: "One view always remains: this one cannot be removed",
             "Ein Blick bleibt immer: Dieser lässt sich nicht löschen";
         only_one: "This point has only one view", "Dieser Punkt hat nur einen Blick";
-        all_aimed: "All cameras look at this target", "Alle Kameras blicken auf dieses Ziel";
+        all_aimed: "{0} views aimed at this target", "{0} Blicke auf dieses Ziel gerichtet";
         on_position: "The camera must not look at its own position",
             "Die Kamera darf nicht auf ihren eigenen Ort blicken";
     }
