@@ -5,17 +5,17 @@ import os
 import time
 
 from harness import check, wait
-from panel import PANEL
+from panel import timeline
 from run import test
 
-ADD_POINT = (50, 80)
-"""The button that adds a point, from the left edge of the panels."""
+ADD_POINT = (38, 44)
+"""The button that adds a point below the list, from the left and above the timeline."""
 
 
 def add_point(server, window):
     """A click on it."""
-    width = server.geometry(window)[2]
-    server.click(window, width - PANEL + ADD_POINT[0], ADD_POINT[1])
+    height = server.geometry(window)[3]
+    server.click(window, ADD_POINT[0], height - timeline(height) - ADD_POINT[1])
 
 
 def work(place):

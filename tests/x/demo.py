@@ -69,6 +69,11 @@ class Player:
         self.click(self.found(BUTTON, row, column))
         self.away()
 
+    def press(self, key):
+        """Presses a key in the window."""
+        self.server.press(self.window, key)
+        self.away()
+
     def number(self, row, column, value):
         """Types a number into a field in the panels."""
         self.click(self.found(FIELD, row, column))
@@ -89,7 +94,7 @@ class Player:
 def go_to(player, number):
     """Makes a point, counted from 0, the current one."""
     while player.current != number:
-        player.button(1, 1)
+        player.press("ctrl+Page_Down")
         player.current = (player.current + 1) % len(FLIGHT)
 
 
@@ -97,7 +102,7 @@ def place_points(player):
     """Abbildungen 7.3 and 7.4: four more points, then each to its place by the
     mouse: along the ground with the middle button, then up with the right one."""
     space = first_look(player.server.drawn(player.window))
-    player.button(0, 1)
+    player.press("ctrl+i")
     player.shot("how-many")
     player.server.xdotool("key", "4")
     player.away()
@@ -118,7 +123,7 @@ def place_points(player):
 def shape(player, at, preset):
     """Abbildung 7.5: gives a point a preset of the curve's shape."""
     go_to(player, at)
-    player.button(2, 0)
+    player.press("F2")
 
     def choices():
         picture = player.server.drawn(player.window)
@@ -129,7 +134,8 @@ def shape(player, at, preset):
     if preset == 5:
         player.shot("shape-of-the-curve")
     picture = player.server.drawn(player.window)
-    last = boxes(picture, BUTTON, 0, 34, picture.width - PANEL,
+    # Beside the list, which has buttons of its own.
+    last = boxes(picture, BUTTON, 150, 34, picture.width - PANEL,
                  picture.height - timeline(picture.height))[-1]
     player.click(last[-1])
     player.away()
@@ -139,8 +145,8 @@ def slow_start(player):
     """Abbildung 7.7: after the pan the camera sets off slowly."""
     go_to(player, CORNER)
     for _ in range(3):
-        player.button(4, 1)
-    player.server.press(player.window, "F3")
+        player.press("ctrl+shift+Page_Down")
+    player.press("F3")
 
     def shapes():
         picture = player.server.drawn(player.window)
@@ -164,11 +170,11 @@ def aim_all(player):
     """Abbildung 7.6: everything looks at the summit; at the corner the camera pans."""
     for number in range(len(FLIGHT)):
         go_to(player, number)
-        player.button(5, 0)
+        player.button(0, 0)
         aim(player, SUMMIT)
         if number == CORNER:
             for target in ((-0.3, 0.0, -0.3), (0.3, 0.0, 0.3), SUMMIT):
-                player.button(3, 0)
+                player.press("alt+Insert")
                 aim(player, target)
             player.shot("looking")
 

@@ -154,7 +154,7 @@ def look(hand):
     before = len(hand.poses())
     hand.keys("ctrl+Page_Up", "ctrl+Page_Up", "alt+Insert")
     hand.number(hand.panel(FIELD)[3][0], -0.4)
-    hand.number(hand.panel(FIELD)[5][0], 12)
+    hand.number(hand.panel(FIELD)[-1][0], 12)
     poses = hand.saved()
     check(len(poses) > before, "no frames for the look")
     rests = sum(distance(a, b) < 1e-9 for a, b in zip(poses, poses[1:]))
@@ -178,7 +178,7 @@ def slow_start(hand):
 def zoom(hand):
     """At the end the camera has zoomed in."""
     hand.keys("ctrl+Page_Up")
-    hand.number(hand.panel(FIELD)[-1][0], 48)
+    hand.number(hand.panel(FIELD)[-2][0], 48)
     poses = hand.saved()
     check(poses[-1][9] == 48 and poses[0][9] == 24, f"zoom {poses[0][9]}, {poses[-1][9]}")
 
@@ -277,7 +277,7 @@ def seconds(hand):
 
 def ahead(hand):
     """The camera looks along its way."""
-    hand.click(hand.panel(BUTTON)[5][-1])
+    hand.click(hand.panel(BUTTON)[0][-1])
     hand.saved()
     with open(hand.file, encoding="utf-8") as file:
         check("ahead" in file.read(), "nothing looks ahead")

@@ -14,7 +14,7 @@ use crate::panels::orientation::OwnedMotion;
 use crate::path::UpVector;
 use crate::playing::{Pace, Retiming};
 use crate::selected::SelectionChange;
-use crate::setup::{CameraPlace, Setup, Theme, View};
+use crate::setup::{CameraPlace, Fold, Setup, Theme, View};
 use crate::space::{Camera, Gesture, Joint};
 use crate::texts::Language;
 use crate::tools::check::Finding;
@@ -190,6 +190,8 @@ pub(super) enum Action {
     SwitchSliders,
     /// Show objects as lines, or shaded.
     SwitchWireframe,
+    /// Fold a panel, or unfold it.
+    Fold(Fold),
     Pace(Pace),
     Setup(Box<Setup>),
     /// A language of the window, or the environment's.
@@ -242,6 +244,7 @@ impl Action {
                 | Self::Retime(_)
                 | Self::SwitchSliders
                 | Self::SwitchWireframe
+                | Self::Fold(_)
                 | Self::RulerInFrames(_)
                 | Self::GraphHeight(_)
                 | Self::Pace(_)
@@ -296,6 +299,7 @@ impl Action {
                 | Self::SwitchMovesAlong
                 | Self::SwitchSliders
                 | Self::SwitchWireframe
+                | Self::Fold(_)
                 | Self::RulerInFrames(_)
                 | Self::GraphHeight(_)
                 | Self::Pace(_)

@@ -86,7 +86,12 @@ impl Editor {
             Action::AddHere => {
                 self.add_here();
             }
-            Action::RemovePoint => self.remove_selected(),
+            Action::RemovePoint => {
+                let count = self.all_selected().len();
+                if self.remove_selected() && count > 1 {
+                    self.say_done(fill(self.texts().output.points_removed, &[&count]));
+                }
+            }
             Action::PreviousPoint => self.go_by_points(false),
             Action::NextPoint => self.go_by_points(true),
             Action::AppendPoint => {
@@ -223,6 +228,7 @@ impl Editor {
             Action::Retime(retiming) => self.retime(retiming),
             Action::SwitchSliders => self.switch_sliders(),
             Action::SwitchWireframe => self.switch_wireframe(),
+            Action::Fold(fold) => self.switch_fold(fold),
             Action::RulerInFrames(frames) => self.choose_ruler(frames),
             Action::GraphHeight(height) => self.set_graph_height(height),
             Action::Pace(pace) => self.set_pace(pace, context),
@@ -419,8 +425,9 @@ impl Editor {
             });
         match edits.collect::<Result<Vec<Edit>>>() {
             Ok(edits) => {
+                let count = edits.len();
                 if self.edit_all(edits) {
-                    self.say(self.texts().orientation.all_aimed);
+                    self.say_done(fill(self.texts().orientation.all_aimed, &[&count]));
                 }
             }
             Err(error) => self.complain_of(&error),

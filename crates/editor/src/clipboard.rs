@@ -118,7 +118,7 @@ impl Editor {
         let first = self.document.selection().point;
         let count = self.document.path().points.len() - before;
         self.choose(SelectionChange::These((first..first + count).collect()));
-        self.say(fill(texts.points_pasted, &[&count]));
+        self.say_done(fill(self.texts().output.points_pasted, &[&count]));
     }
 
     /// Puts the view that was copied in place of the current one.

@@ -5,13 +5,13 @@
 
 use egui::{
     Align2, Color32, Context, CornerRadius, EventFilter, Id, Key, Modifiers, Painter, Rect,
-    Response, Role, ScrollArea, Sense, Shape, Stroke, TextEdit, Ui, UiBuilder, WidgetInfo, pos2,
-    vec2,
+    Response, Role, ScrollArea, Sense, Stroke, TextEdit, Ui, UiBuilder, WidgetInfo, pos2, vec2,
 };
 
 use crate::action::Action;
 use crate::document::{At, Document, Edit, Selection};
 use crate::keys;
+use crate::panels::{PanelButton, button_row};
 use crate::scene_view;
 use crate::selected::SelectionChange;
 use crate::state::Editor;
@@ -25,6 +25,9 @@ const FOLDED: f32 = 18.0;
 
 /// A narrower window shows it folded at first.
 const MIN_WIDTH_UNFOLDED: f32 = 1100.0;
+
+/// The room of the buttons below the rows.
+const BUTTONS: f32 = 2.0 * theme::ROW + 3.0 * theme::GAP;
 
 const HEADING: f32 = 40.0;
 const ROW: f32 = 22.0;
@@ -129,7 +132,12 @@ impl PointsList {
                     }
                 }
                 if edits_path {
-                    self.list(editor, ui, actions);
+                    let room = ui.available_rect_before_wrap();
+                    let (rows, below) = room.split_top_bottom_at_y(room.bottom() - BUTTONS);
+                    let inside = UiBuilder::new().max_rect(rows);
+                    ui.scope_builder(inside, |ui| self.list(editor, ui, actions));
+                    let inside = UiBuilder::new().max_rect(below.shrink(theme::GAP));
+                    ui.scope_builder(inside, |ui| buttons(editor, ui, actions));
                 }
             });
     }
@@ -148,13 +156,7 @@ impl PointsList {
             false => palette.weak,
         };
         let centre = pos2(rect.left() + FOLDED / 2.0, rect.top() + HEADING / 2.0);
-        let ways = match open {
-            true => [vec2(-4.0, -2.5), vec2(4.0, -2.5), vec2(0.0, 3.0)],
-            false => [vec2(-2.5, -4.0), vec2(-2.5, 4.0), vec2(3.0, 0.0)],
-        };
-        let corners = ways.map(|way| centre + way).to_vec();
-        ui.painter()
-            .add(Shape::convex_polygon(corners, color, Stroke::NONE));
+        ui.painter().add(theme::triangle(centre, open, color));
         if open {
             let edited = editor.document.edited_scene();
             let scene = edited.map(|_| editor.texts().scene.title);
@@ -368,6 +370,23 @@ impl PointsList {
         }
         self.dragged = None;
         actions.push(Action::MoveSelected(before));
+    }
+}
+
+/// What adds and removes points and views.
+fn buttons(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
+    let (point, view) = (&editor.texts().position, &editor.texts().orientation);
+    let points = [
+        PanelButton::new(point.add, point.add_hint, Action::AddPoint),
+        PanelButton::new(point.remove, point.remove_hint, Action::RemovePoint),
+    ];
+    let views = [
+        PanelButton::new(view.add, view.add_hint, Action::AddOrientation),
+        PanelButton::new(view.remove, view.remove_hint, Action::RemoveOrientation),
+    ];
+    ui.spacing_mut().item_spacing.y = theme::GAP;
+    for row in [points, views] {
+        button_row(editor, ui, &row, actions);
     }
 }
 

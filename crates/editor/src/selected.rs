@@ -135,9 +135,9 @@ impl Editor {
     }
 
     /// Removes all selected points in one step.
-    pub(crate) fn remove_selected(&mut self) {
+    pub(crate) fn remove_selected(&mut self) -> bool {
         let points = self.all_selected();
-        self.edit_all(points.into_iter().rev().map(|at| Edit::RemovePoint { at }));
+        self.edit_all(points.into_iter().rev().map(|at| Edit::RemovePoint { at }))
     }
 
     /// Moves all selected points, in their order, before the one that is number `before` now.

@@ -263,6 +263,15 @@ impl Editor {
         });
     }
 
+    /// Says what the last step has done, with a button that takes it back.
+    pub(super) fn say_done(&mut self, text: String) {
+        self.message = Some(Message {
+            text,
+            error: false,
+            undoes: Some(self.document.state_number()),
+        });
+    }
+
     /// Shows in the output field what could not be done.
     pub fn complain(&mut self, text: impl Into<String>) {
         let text = text.into();

@@ -112,7 +112,7 @@ fn nothing_waits_for_an_answer() {
     press(&mut window, Modifiers::ALT, Key::U);
     let request = window.state_mut().next_request();
     assert_eq!(request, Some(crate::Request::HandOver));
-    click_button(&mut window, |texts| texts.position.add);
+    press(&mut window, Modifiers::NONE, Key::Insert);
     assert_eq!(window.state().document.path().points.len(), 3);
     assert!(offers(&window));
     // It would take the place of work: that is asked about like any other.
@@ -167,7 +167,7 @@ fn a_file_that_changed_since_the_crash_is_not_overwritten_unasked() {
         let state = folder.path().join("state");
         let mut window = start(Language::English, &state);
         window.state_mut().load_path(&file).unwrap();
-        click_button(&mut window, |texts| texts.position.add);
+        press(&mut window, Modifiers::NONE, Key::Insert);
         drop(window);
         if changed {
             some_points().save(&file).unwrap();

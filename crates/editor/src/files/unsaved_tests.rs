@@ -19,10 +19,10 @@ fn overtaken(language: Language, folder: &Path) -> (Window, std::path::PathBuf) 
         window_of(options, SMALL, 1.0, Theme::Light)
     };
     let (mut first, mut second) = (open(), open());
-    click_button(&mut first, |texts| texts.position.add);
+    press(&mut first, Modifiers::NONE, Key::Insert);
     press(&mut first, Modifiers::CTRL, Key::S);
     assert!(!modified(&first), "{:?}", said(&first));
-    click_button(&mut second, |texts| texts.orientation.add);
+    press(&mut second, Modifiers::ALT, Key::Insert);
     press(&mut second, Modifiers::CTRL, Key::S);
     (second, file)
 }
@@ -89,7 +89,7 @@ fn a_file_that_changed_is_not_overwritten_unasked() {
         click(&mut window, texts.files.overwrite);
         assert!(!asks(&window) && !modified(&window));
         assert_eq!(points(&file), 2);
-        click_button(&mut window, |texts| texts.orientation.add);
+        press(&mut window, Modifiers::ALT, Key::Insert);
         press(&mut window, Modifiers::CTRL, Key::S);
         assert!(!asks(&window) && !modified(&window));
 
@@ -129,7 +129,7 @@ fn only_other_contents_are_a_change() {
     let mut first = options(Language::English);
     first.file = Some(file.clone());
     let mut window = window_of(first, SMALL, 1.0, Theme::Dark);
-    click_button(&mut window, |texts| texts.position.add);
+    press(&mut window, Modifiers::NONE, Key::Insert);
     Document::new().save(&file).expect("saved");
     press(&mut window, Modifiers::CTRL, Key::S);
     assert!(asks(&window));
@@ -143,7 +143,7 @@ fn only_other_contents_are_a_change() {
     let other = folder.path().join("other");
     std::fs::write(&other, &bytes).expect("written");
     std::fs::rename(&other, &file).expect("renamed");
-    click_button(&mut window, |texts| texts.position.add);
+    press(&mut window, Modifiers::NONE, Key::Insert);
     press(&mut window, Modifiers::CTRL, Key::S);
     assert!(!asks(&window) && !modified(&window));
     // As many bytes, at the same time, in the same file.
@@ -160,7 +160,7 @@ fn only_other_contents_are_a_change() {
         .open(&file)
         .expect("there");
     opened.set_modified(times).expect("set");
-    click_button(&mut window, |texts| texts.position.add);
+    press(&mut window, Modifiers::NONE, Key::Insert);
     press(&mut window, Modifiers::CTRL, Key::S);
     assert!(asks(&window));
     assert_eq!(std::fs::read(&file).expect("there"), bytes);
@@ -173,7 +173,7 @@ fn after_a_hand_over_nothing_is_unsaved_where_the_host_keeps_it() {
         let mut options = options(Language::English);
         options.program.hand_over_saves = saves;
         let mut window = window_of(options, SMALL, 1.0, Theme::Dark);
-        click_button(&mut window, |texts| texts.position.add);
+        press(&mut window, Modifiers::NONE, Key::Insert);
         let title = |window: &Window| window.state().window_title();
         assert_eq!(title(&window), "VIDES*");
         press(&mut window, Modifiers::ALT, Key::U);
@@ -187,7 +187,7 @@ fn after_a_hand_over_nothing_is_unsaved_where_the_host_keeps_it() {
             continue;
         }
         // What is done afterwards is unsaved again, what was taken back is not.
-        click_button(&mut window, |texts| texts.position.add);
+        press(&mut window, Modifiers::NONE, Key::Insert);
         assert!(window.state().is_unsaved());
         press(&mut window, Modifiers::CTRL, Key::Z);
         assert!(!window.state().is_unsaved());
@@ -197,7 +197,7 @@ fn after_a_hand_over_nothing_is_unsaved_where_the_host_keeps_it() {
         Document::new().save(&file).expect("saved");
         window.state_mut().load_path(&file).expect("loaded");
         window.run();
-        click_button(&mut window, |texts| texts.position.add);
+        press(&mut window, Modifiers::NONE, Key::Insert);
         assert!(window.state().is_unsaved());
     }
 }
@@ -212,7 +212,7 @@ fn unsaved_work_is_asked_about_before_the_window_closes() {
         window.state_mut().ask_to_close();
         assert_eq!(closes(&mut window), Some(Request::Close));
 
-        click_button(&mut window, |texts| texts.position.add);
+        press(&mut window, Modifiers::NONE, Key::Insert);
         window.state_mut().ask_to_close();
         window.run();
         assert_eq!(closes(&mut window), None);
@@ -240,7 +240,7 @@ fn unsaved_work_is_asked_about_before_another_path_is_loaded() {
     let texts = Language::German.texts();
     let folder = tempfile::tempdir().expect("a folder");
     let mut window = window_in(Language::German, folder.path());
-    click_button(&mut window, |texts| texts.position.add);
+    press(&mut window, Modifiers::NONE, Key::Insert);
     press(&mut window, Modifiers::CTRL, Key::O);
     assert!(window.query_by_label(texts.files.load_path).is_none());
     click(&mut window, texts.questions.save);

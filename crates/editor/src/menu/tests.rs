@@ -21,8 +21,8 @@ fn the_output_field_shows_position_and_orientation() {
 fn the_output_field_follows_at_once() {
     let mut window = window(Language::English);
     enter(&mut window, "Roll", "12.5");
-    click_button(&mut window, |texts| texts.position.next);
-    click_button(&mut window, |texts| texts.position.previous);
+    press(&mut window, Modifiers::CTRL, Key::PageDown);
+    press(&mut window, Modifiers::CTRL, Key::PageUp);
     let words =
         "Point 1 · Position −0.600 0.200 0.800 · View 0.000 0.000 −1.000 · Roll 12.5° · Zoom 24.0";
     assert!(window.query_by_label(words).is_some());
@@ -145,7 +145,15 @@ fn all_cameras_are_aimed_at_one_target_in_one_step() {
         window.run();
         press(&mut window, Modifiers::NONE, Key::F7);
         let told = said_besides_length(&window);
-        assert_eq!(told.as_deref(), Some(texts.orientation.all_aimed));
+        let views: usize = before.points.iter().map(|at| at.orientations.len()).sum();
+        let aimed = fill(texts.orientation.all_aimed, &[&views]);
+        assert_eq!(told, Some(aimed));
+        // The button beside it takes it back, and nothing else.
+        let steps = window.state().document.path().clone();
+        click(&mut window, texts.menu.undo);
+        assert_ne!(*window.state().document.path(), steps);
+        press(&mut window, Modifiers::CTRL, Key::Y);
+        assert_eq!(*window.state().document.path(), steps);
         for (point, was) in window
             .state()
             .document

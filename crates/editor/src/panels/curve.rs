@@ -1,25 +1,145 @@
-//! The row below the numbers of a point: their window, the kind of curve, the point's own tangents.
+//! The curve at the current point (thesis A.4.1): one menu of what shapes it, and below the numbers of
+//! this point and the next.
 
-use egui::{Button, Popup, Response, RichText, Role, Ui, WidgetInfo};
+use egui::{Align, Button, Layout, Popup, RichText, Ui, vec2};
 
-use super::{PanelButton, share};
+use super::{Heading, share};
 use crate::action::Action;
 use crate::document::{At, Edit};
-use crate::path::CurveKind;
+use crate::keys;
+use crate::limits::PRESETS;
+use crate::number::Number;
+use crate::path::{CurveKind, CurveParameters, Tcb};
+use crate::playing::playhead::Missing;
+use crate::setup::Fold;
 use crate::space::Joint;
 use crate::state::Editor;
+use crate::texts::fill;
 use crate::theme;
+
+/// Widths of the menu's columns.
+const PRESETS_WIDE: f32 = 240.0;
+const OTHERS_WIDE: f32 = 170.0;
 
 pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let texts = &editor.texts().position;
-    let width = share(ui, 3);
-    ui.horizontal(|ui| {
-        ui.spacing_mut().button_padding.x = 0.0;
-        let change = PanelButton::new(texts.change, texts.change_hint, Action::Curve);
-        change.show(editor, ui, width, actions);
-        kind(editor, ui, width, actions);
-        tangents(editor, ui, width, actions);
+    let Some(shown) = editor.shown() else {
+        return;
+    };
+    let heading = Heading {
+        editor,
+        fold: Fold::Curve,
+        text: texts.curve,
+        remark: &chosen(editor),
+    };
+    let (open, [_, choice]) = heading.choice(ui, texts.choice, actions);
+    Popup::menu(&choice).show(|ui| menu(editor, ui, actions));
+    choice.on_hover_text(texts.choice_hint);
+    if !open || shown.missing != Missing::Nothing {
+        return;
+    }
+    shape(editor, ui, false, actions);
+    shape(editor, ui, true, actions);
+}
+
+/// The presets; beside them the tangents, the kinds of curve, and the window with all numbers.
+fn menu(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
+    let column = Layout::top_down_justified(Align::LEFT);
+    ui.horizontal_top(|ui| {
+        ui.allocate_ui_with_layout(vec2(PRESETS_WIDE, 0.0), column, |ui| {
+            presets(editor, ui, actions);
+        });
+        ui.allocate_ui_with_layout(vec2(OTHERS_WIDE, 0.0), column, |ui| {
+            others(editor, ui, actions);
+        });
     });
+}
+
+fn others(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
+    let texts = &editor.texts().position;
+    let mut entry = |ui: &mut Ui, chosen, (word, hint): (&str, &str), action| {
+        let button = ui.add(Button::selectable(chosen, word));
+        if button.on_hover_text(hint).clicked() && !chosen {
+            actions.push(action);
+        }
+    };
+    let joint = editor.joint();
+    let owned = (texts.own_tangents, texts.own_tangents_hint);
+    entry(ui, joint.is_some(), owned, Action::OwnTangents(true));
+    if joint.is_some() {
+        for kind in Joint::ALL {
+            let words = match kind {
+                Joint::Smooth => (texts.smooth, texts.smooth_hint),
+                Joint::Mirrored => (texts.mirrored, texts.mirrored_hint),
+                Joint::Corner => (texts.corner, texts.corner_hint),
+            };
+            entry(ui, joint == Some(kind), words, Action::Join(kind));
+        }
+        let given = (texts.by_shape, texts.by_shape_hint);
+        entry(ui, false, given, Action::OwnTangents(false));
+    }
+    ui.separator();
+    ui.weak(texts.kind);
+    let now = editor.document.path().curve;
+    for kind in [CurveKind::Tcb, CurveKind::Cubic, CurveKind::Linear] {
+        let set = Action::Edit(Edit::set(At::Path, "curve", kind));
+        entry(ui, kind == now, words_of(editor, kind), set);
+    }
+    ui.separator();
+    let keys = keys::words(editor.language(), &Action::Curve).unwrap_or_default();
+    let button = ui.add(Button::new(texts.change).right_text(keys));
+    if button.on_hover_text(texts.change_hint).clicked() {
+        actions.push(Action::Curve);
+    }
+}
+
+fn presets(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
+    let texts = &editor.texts().position;
+    let palette = theme::palette(ui);
+    let now = editor.point().map(|point| point.curve);
+    let without = without_shape(editor);
+    for preset in (0_u8..).take(PRESETS) {
+        let chosen = now == Some(CurveParameters::Preset(preset)) && editor.joint().is_none();
+        let tcb = editor.document.path().presets[usize::from(preset)];
+        let shape = editor.texts().curve.shape(editor.language(), tcb);
+        let shape = RichText::new(shape).color(if chosen {
+            palette.on_accent
+        } else {
+            palette.weak
+        });
+        let button = Button::selectable(chosen, fill(texts.preset, &[&preset])).right_text(shape);
+        let button = ui.add_enabled(without.is_none(), button);
+        let button = button.on_disabled_hover_text(without.unwrap_or_default());
+        if button.clicked() {
+            let at = editor.document.selection().point;
+            actions.push(Action::Edit(Edit::set(
+                At::Point(at),
+                "preset",
+                usize::from(preset),
+            )));
+        }
+    }
+}
+
+/// Where the current point's shape comes from.
+fn chosen(editor: &Editor) -> String {
+    let texts = &editor.texts().position;
+    if editor.joint().is_some() {
+        return texts.tangents.to_owned();
+    }
+    match editor.document.path().curve {
+        CurveKind::Tcb => {}
+        kind => return words_of(editor, kind).0.to_owned(),
+    }
+    match editor.point().map(|point| point.curve) {
+        Some(CurveParameters::Preset(preset)) => {
+            let preset = usize::from(preset);
+            let tcb = editor.document.path().presets[preset];
+            editor.texts().curve.preset_name(preset, tcb)
+        }
+        Some(CurveParameters::Own(_)) => texts.own.to_owned(),
+        None => String::new(),
+    }
 }
 
 /// Why tension, continuity and bias have no effect, if they have none.
@@ -38,7 +158,7 @@ pub(crate) fn in_place_of_tangents(editor: &Editor, point: usize) -> Option<&'st
 }
 
 /// Name and hint of a kind of curve.
-pub(super) fn words_of(editor: &Editor, kind: CurveKind) -> (&'static str, &'static str) {
+fn words_of(editor: &Editor, kind: CurveKind) -> (&'static str, &'static str) {
     let texts = &editor.texts().position;
     match kind {
         CurveKind::Tcb => (texts.tcb, texts.tcb_hint),
@@ -47,67 +167,61 @@ pub(super) fn words_of(editor: &Editor, kind: CurveKind) -> (&'static str, &'sta
     }
 }
 
-fn kind(editor: &Editor, ui: &mut Ui, width: f32, actions: &mut Vec<Action>) {
-    let texts = &editor.texts().position;
-    let now = editor.document.path().curve;
-    let word = words_of(editor, now).0;
-    let response = choice(ui, width, word, texts.kind, word, false);
-    Popup::menu(&response).show(|ui| {
-        for kind in [CurveKind::Tcb, CurveKind::Cubic, CurveKind::Linear] {
-            let (word, hint) = words_of(editor, kind);
-            let button = ui.add(Button::selectable(kind == now, word));
-            if button.on_hover_text(hint).clicked() && kind != now {
-                actions.push(Action::Edit(Edit::set(At::Path, "curve", kind)));
-            }
-        }
-    });
-    response.on_hover_text(texts.kind_hint);
-}
-
-fn tangents(editor: &Editor, ui: &mut Ui, width: f32, actions: &mut Vec<Action>) {
-    let texts = &editor.texts().position;
-    let words_of = |joint| match joint {
-        Joint::Smooth => (texts.smooth, texts.smooth_hint),
-        Joint::Mirrored => (texts.mirrored, texts.mirrored_hint),
-        Joint::Corner => (texts.corner, texts.corner_hint),
+/// Tension, continuity and bias of the current point, or those of the `next` one to be read only.
+fn shape(editor: &Editor, ui: &mut Ui, next: bool, actions: &mut Vec<Action>) {
+    let texts = editor.texts();
+    let path = editor.document.path();
+    let at = editor.document.selection().point;
+    let point = match next {
+        false => Some(at),
+        true if at + 1 < path.points.len() => Some(at + 1),
+        true => path.closed.then_some(0),
     };
-    let now = editor.joint();
-    let value = now.map_or(texts.by_shape, |joint| words_of(joint).0);
-    let name = texts.tangents;
-    let response = choice(ui, width, name, name, value, now.is_some());
-    Popup::menu(&response).show(|ui| {
-        let mut entry = |ui: &mut Ui, chosen, (word, hint): (&str, &str), action| {
-            let button = ui.add(Button::selectable(chosen, word));
-            if button.on_hover_text(hint).clicked() {
-                actions.push(action);
-            }
-        };
-        let switch = (texts.own_tangents, texts.own_tangents_hint);
-        let owns = now.is_some();
-        entry(ui, owns, switch, Action::OwnTangents(!owns));
-        if owns {
-            ui.separator();
-            for joint in Joint::ALL {
-                let chosen = now == Some(joint);
-                entry(ui, chosen, words_of(joint), Action::Join(joint));
-            }
-        }
-    });
-    response.on_hover_text(texts.tangents_hint);
-}
-
-/// A button that opens a choice; `name` and `value` are for screen readers.
-fn choice(ui: &mut Ui, width: f32, text: &str, name: &str, value: &str, lit: bool) -> Response {
-    let palette = theme::palette(ui);
-    let button = if lit {
-        Button::new(RichText::new(text).color(palette.on_accent)).fill(palette.accent)
+    let tcb = point.map(|point| path.tcb(point));
+    let width = share(ui, 3);
+    let language = editor.language();
+    let without = without_shape(editor);
+    let owns = point.filter(|_| !next);
+    let owns = owns.and_then(|point| in_place_of_tangents(editor, point));
+    let hint = if let Some(why) = without.or(owns) {
+        why
+    } else if next {
+        texts.position.next_shape_hint
     } else {
-        Button::new(text)
+        texts.position.shape_hint
     };
-    let response = ui.add_sized([width, theme::ROW], button);
-    response.widget_info(|| WidgetInfo {
-        current_text_value: Some(value.to_owned()),
-        ..WidgetInfo::labeled(Role::ComboBox, true, name)
+    type Part = fn(&mut Tcb) -> &mut f64;
+    let parts: [(&str, &str, Part); 3] = [
+        ("T", texts.curve.tension, |tcb| &mut tcb.tension),
+        ("C", texts.curve.continuity, |tcb| &mut tcb.continuity),
+        ("B", texts.curve.bias, |tcb| &mut tcb.bias),
+    ];
+    ui.horizontal(|ui| {
+        for (letter, name, part) in parts {
+            let value = tcb.map(|mut tcb| *part(&mut tcb));
+            let label = if next {
+                format!("{letter} \u{203a}")
+            } else {
+                letter.to_owned()
+            };
+            // As the thesis calls it, so that no other number has the same name.
+            let name = format!("{name} ({}{})", letter.to_lowercase(), 1 + u8::from(next));
+            let number = Number::new(&name, value)
+                .label(&label)
+                .hint(hint)
+                .decimals(2)
+                .range(-1.0..=1.0)
+                .steps(0.01, 0.01)
+                .fixed_if(next || without.is_some());
+            let entry = number.show(ui, language, &format!("shape {label}"), width);
+            if let Some(tcb) = tcb.filter(|_| !next) {
+                let edit = |value| {
+                    let mut tcb = tcb;
+                    *part(&mut tcb) = value;
+                    Edit::set(At::Point(at), "own", tcb)
+                };
+                actions.push(Action::Enter(entry.map(edit)));
+            }
+        }
     });
-    response
 }

@@ -1,4 +1,5 @@
-//! The panels on the right, one file each (thesis A.4).
+//! The panels on the right (thesis A.4), one file each: what belongs to the selected point and view.
+//! A click on a heading folds its panel. What adds, removes and selects stands in the list and has keys.
 
 pub(crate) mod curve;
 pub(crate) mod orientation;
@@ -16,6 +17,7 @@ use egui::{
 
 use crate::action::Action;
 use crate::keys;
+use crate::setup::Fold;
 use crate::state::Editor;
 use crate::theme;
 
@@ -42,11 +44,13 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
         }
         panel(ui, &position::show);
         apart(ui);
+        panel(ui, &curve::show);
+        apart(ui);
         panel(ui, &orientation::show);
         apart(ui);
-        panel(ui, &timing::show);
-        apart(ui);
         panel(ui, &zoom::show);
+        apart(ui);
+        panel(ui, &timing::show);
     });
 }
 
@@ -65,84 +69,101 @@ fn apart(ui: &mut Ui) {
     );
 }
 
-/// A panel's heading, with a remark at the right.
-fn heading(ui: &mut Ui, text: &str, remark: &str) -> Response {
-    heading_with_room(ui, text, remark, 0.0)
-}
-
-fn heading_with_room(ui: &mut Ui, text: &str, remark: &str, room: f32) -> Response {
-    let palette = theme::palette(ui);
-    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), 20.0), Sense::hover());
-    let (left, right) = (rect.left_center(), rect.right_center() - vec2(room, 0.0));
-    let painter = ui.painter();
-    let title = painter.text(
-        left,
-        egui::Align2::LEFT_CENTER,
-        text,
-        theme::heading(),
-        palette.text,
-    );
-    // Without room for all of the remark, its first parts will do.
-    let mut shown = remark;
-    let laid_out = |words: &str| {
-        let galley = painter.layout_no_wrap(words.to_owned(), theme::text(), palette.weak);
-        (galley.size().x <= right.x - title.right() - APART, galley)
-    };
-    let mut galley = laid_out(shown);
-    while let (false, Some((first, _))) = (galley.0, shown.rsplit_once(" · ")) {
-        shown = first;
-        galley = laid_out(shown);
-    }
-    let (_, galley) = galley;
-    let at = egui::Align2::RIGHT_CENTER.anchor_size(right, galley.size());
-    painter.galley(at.min, galley, palette.weak);
-    response.widget_info(|| {
-        let words = if remark.is_empty() {
-            text.to_owned()
-        } else {
-            format!("{text}: {remark}")
-        };
-        WidgetInfo::labeled(egui::Role::Heading, true, words)
-    });
-    if shown == remark {
-        response
-    } else {
-        response.on_hover_text(remark)
-    }
-}
-
-/// Room for the arrow of [`heading_with_choice`].
+/// Room for the triangle before a heading, and for the arrow of [`Heading::choice`].
+const TRIANGLE: f32 = 14.0;
 const ARROW: f32 = 14.0;
 
-/// A panel's heading, with what is chosen at its right, to be clicked for a menu; the row, and that.
-fn heading_with_choice(ui: &mut Ui, text: &str, chosen: &str, name: &str) -> [Response; 2] {
-    let heading = heading_with_room(ui, text, chosen, ARROW);
-    let row = heading.rect;
-    let wide = ui.fonts_mut(|fonts| {
-        let galley = fonts.layout_no_wrap(chosen.to_owned(), theme::text(), Color32::PLACEHOLDER);
-        galley.size().x
-    });
-    let place = row.with_min_x(row.right() - ARROW - wide - 4.0);
-    let response = ui.interact(place, ui.scope_id().with(name), Sense::click());
-    response.widget_info(|| WidgetInfo {
-        current_text_value: Some(chosen.to_owned()),
-        ..WidgetInfo::labeled(egui::Role::ComboBox, true, name)
-    });
-    let palette = theme::palette(ui);
-    let colour = if response.hovered() {
-        palette.text
-    } else {
-        palette.weak
-    };
-    let at = |x: f32, y: f32| pos2(row.right() - 5.0 + x, row.center().y + 1.0 + y);
-    let arrow = vec![at(-3.5, -2.0), at(0.0, 2.0), at(3.5, -2.0)];
-    ui.painter()
-        .add(Shape::line(arrow, Stroke::new(1.5, colour)));
-    [heading, response]
+/// A panel's heading, which folds and unfolds it.
+struct Heading<'a> {
+    editor: &'a Editor,
+    fold: Fold,
+    text: &'a str,
+    /// At the right.
+    remark: &'a str,
+}
+
+impl Heading<'_> {
+    /// Whether the panel is open; and the row.
+    fn show(&self, ui: &mut Ui, actions: &mut Vec<Action>) -> (bool, Response) {
+        self.with_room(ui, 0.0, actions)
+    }
+
+    fn with_room(&self, ui: &mut Ui, room: f32, actions: &mut Vec<Action>) -> (bool, Response) {
+        let open = !self.editor.setup.folded[self.fold as usize];
+        let palette = theme::palette(ui);
+        let size = vec2(ui.available_width(), theme::ROW);
+        let (rect, response) = ui.allocate_exact_size(size, Sense::click());
+        let painter = ui.painter();
+        let lively = match response.hovered() || response.has_focus() {
+            true => palette.text,
+            false => palette.weak,
+        };
+        let centre = rect.left_center() + vec2(4.0, 0.0);
+        painter.add(theme::triangle(centre, open, lively));
+        let right = rect.right_center() - vec2(room, 0.0);
+        let left = rect.left_center() + vec2(TRIANGLE, 0.0);
+        let align = egui::Align2::LEFT_CENTER;
+        let title = painter.text(left, align, self.text, theme::heading(), palette.text);
+        // Without room for all of the remark, its first parts will do.
+        let mut shown = self.remark;
+        let laid_out = |words: &str| {
+            let galley = painter.layout_no_wrap(words.to_owned(), theme::text(), palette.weak);
+            (galley.size().x <= right.x - title.right() - APART, galley)
+        };
+        let mut galley = laid_out(shown);
+        while let (false, Some((first, _))) = (galley.0, shown.rsplit_once(" · ")) {
+            shown = first;
+            galley = laid_out(shown);
+        }
+        let (_, galley) = galley;
+        let at = egui::Align2::RIGHT_CENTER.anchor_size(right, galley.size());
+        painter.galley(at.min, galley, palette.weak);
+        let words = match self.remark {
+            "" => self.text.to_owned(),
+            remark => format!("{}: {remark}", self.text),
+        };
+        let role = egui::Role::DisclosureTriangle;
+        response.widget_info(|| WidgetInfo::selected(role, true, open, &words));
+        if response.clicked() {
+            actions.push(Action::Fold(self.fold));
+        }
+        let response = match shown == self.remark {
+            true => response,
+            false => response.on_hover_text(self.remark),
+        };
+        (open, response)
+    }
+
+    /// With the remark as what is chosen, to be clicked for a menu called `name`; whether the panel is
+    /// open, the row, and what is chosen.
+    fn choice(&self, ui: &mut Ui, name: &str, actions: &mut Vec<Action>) -> (bool, [Response; 2]) {
+        let (open, heading) = self.with_room(ui, ARROW, actions);
+        let (row, chosen) = (heading.rect, self.remark.to_owned());
+        let wide = ui.fonts_mut(|fonts| {
+            let galley = fonts.layout_no_wrap(chosen.clone(), theme::text(), Color32::PLACEHOLDER);
+            galley.size().x
+        });
+        let place = row.with_min_x(row.right() - ARROW - wide - 4.0);
+        let response = ui.interact(place, ui.scope_id().with(name), Sense::click());
+        response.widget_info(|| WidgetInfo {
+            current_text_value: Some(chosen.clone()),
+            ..WidgetInfo::labeled(egui::Role::ComboBox, true, name)
+        });
+        let palette = theme::palette(ui);
+        let colour = match response.hovered() {
+            true => palette.text,
+            false => palette.weak,
+        };
+        let at = |x: f32, y: f32| pos2(row.right() - 5.0 + x, row.center().y + 1.0 + y);
+        let arrow = vec![at(-3.5, -2.0), at(0.0, 2.0), at(3.5, -2.0)];
+        ui.painter()
+            .add(Shape::line(arrow, Stroke::new(1.5, colour)));
+        (open, [heading, response])
+    }
 }
 
 /// A button of a panel.
-struct PanelButton<'a> {
+pub(crate) struct PanelButton<'a> {
     text: &'a str,
     hint: &'a str,
     action: Action,
@@ -151,7 +172,7 @@ struct PanelButton<'a> {
 }
 
 impl<'a> PanelButton<'a> {
-    const fn new(text: &'a str, hint: &'a str, action: Action) -> Self {
+    pub(crate) const fn new(text: &'a str, hint: &'a str, action: Action) -> Self {
         Self {
             text,
             hint,
@@ -190,7 +211,7 @@ impl<'a> PanelButton<'a> {
 }
 
 /// Buttons of equal width that fill a row.
-fn button_row(
+pub(crate) fn button_row(
     editor: &Editor,
     ui: &mut Ui,
     buttons: &[PanelButton<'_>],
@@ -203,22 +224,6 @@ fn button_row(
         for button in buttons {
             button.show(editor, ui, width, actions);
         }
-    });
-}
-
-/// A button to go back, the current place, a button to go on.
-fn pager(
-    editor: &Editor,
-    ui: &mut Ui,
-    [back, on]: [&PanelButton<'_>; 2],
-    place: &str,
-    actions: &mut Vec<Action>,
-) {
-    let width = share(ui, 3);
-    ui.horizontal(|ui| {
-        back.show(editor, ui, width, actions);
-        words(ui, place, width, theme::palette(ui).text);
-        on.show(editor, ui, width, actions);
     });
 }
 

@@ -3,8 +3,8 @@
 use egui::{Button, Popup, Role, Ui, WidgetInfo};
 use glam::DVec3;
 
-use super::position::three_numbers;
-use super::{PanelButton, button_row, heading, pager, share};
+use super::position::{add_here, three_numbers};
+use super::{Heading, PanelButton, button_row, share};
 use crate::action::Action;
 use crate::document::{Edit, Selection};
 use crate::error::Result;
@@ -12,6 +12,7 @@ use crate::math::rotation_minimising::turned;
 use crate::number::Number;
 use crate::path::{CameraPath, Orientation, OrientationOverrides, Target, Up, UpVector, ahead};
 use crate::playing::playhead::Shown;
+use crate::setup::Fold;
 use crate::state::Editor;
 use crate::texts::fill;
 use crate::theme;
@@ -32,30 +33,19 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         (_, true) => texts.at_place,
         _ => texts.in_direction,
     };
-    heading(ui, texts.heading, how);
-    button_row(
+    let number = Editor::number_of(texts.count, here.orientation, count);
+    let heading = Heading {
         editor,
-        ui,
-        &[
-            PanelButton::new(texts.add, texts.add_hint, Action::AddOrientation),
-            PanelButton::new(texts.remove, texts.remove_hint, Action::RemoveOrientation),
-        ],
-        actions,
-    );
-    pager(
-        editor,
-        ui,
-        [
-            &PanelButton::new(
-                texts.previous,
-                texts.previous_hint,
-                Action::PreviousOrientation,
-            ),
-            &PanelButton::new(texts.next, texts.next_hint, Action::NextOrientation),
-        ],
-        &Editor::number_of(texts.count, here.orientation, count),
-        actions,
-    );
+        fold: Fold::View,
+        text: texts.heading,
+        remark: &format!("{number} · {how}"),
+    };
+    if !heading.show(ui, actions).0 {
+        return;
+    }
+    if missing && !shown.has_no_point() {
+        add_here(editor, ui, &shown, actions);
+    }
     button_row(
         editor,
         ui,

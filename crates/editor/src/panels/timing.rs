@@ -4,11 +4,12 @@
 use egui::Ui;
 
 use super::orientation::with;
-use super::{heading, share};
+use super::{Heading, share};
 use crate::action::Action;
 use crate::limits::{MAX_FRAMES, MAX_HOLD};
 use crate::number::Number;
 use crate::path::{Change, Section};
+use crate::setup::Fold;
 use crate::state::Editor;
 use crate::texts::fill;
 
@@ -17,7 +18,15 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let Some(shown) = editor.shown() else { return };
     let section = section(editor);
     let words = section.map_or_else(|| texts.end.to_owned(), |section| frames(editor, section));
-    heading(ui, texts.heading, &words);
+    let heading = Heading {
+        editor,
+        fold: Fold::Timing,
+        text: texts.heading,
+        remark: &words,
+    };
+    if !heading.show(ui, actions).0 {
+        return;
+    }
     let missing = shown.has_no_orientation();
     let (selection, current) = (shown.at, &shown.orientation);
     let language = editor.language();

@@ -2,13 +2,13 @@
 
 use egui::{Grid, Popup, PopupCloseBehavior, Response, Slider, SliderClamping, Ui};
 
-use super::heading_with_choice;
+use super::Heading;
 use super::orientation::{OwnedMotion, own, with};
 use crate::action::Action;
 use crate::limits::{MAX_LIST_ZOOM, MAX_ZOOM, MIN_ZOOM};
 use crate::math::view::HALF_FILM_HEIGHT;
 use crate::number::{Entry, Number};
-use crate::setup::{MAX_SENSOR, MIN_SENSOR};
+use crate::setup::{Fold, MAX_SENSOR, MIN_SENSOR};
 use crate::state::Editor;
 
 const FIELD: f32 = 56.0;
@@ -32,12 +32,21 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         words += &format!(" · {} mm", language.number(lens, 1));
     }
     let edit = |zoom| with(selection, &current, |new| new.zoom = zoom);
-    let [row, choice] = heading_with_choice(ui, texts.heading, &words, texts.sensor);
+    let heading = Heading {
+        editor,
+        fold: Fold::Lens,
+        text: texts.heading,
+        remark: &words,
+    };
+    let (open, [row, choice]) = heading.choice(ui, texts.sensor, actions);
     row.on_hover_text(texts.angle_hint);
     if let Some(entry) = sensor(editor, &choice, lens, actions) {
         actions.push(Action::enter(missing, entry.map(edit)));
     }
     choice.on_hover_text(texts.sensor_hint);
+    if !open {
+        return;
+    }
     ui.horizontal(|ui| {
         let gap = ui.spacing().item_spacing.x;
         let room = if owns { OWN + gap } else { 0.0 };

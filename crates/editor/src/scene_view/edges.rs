@@ -9,8 +9,8 @@ use crate::document::{Object, coarse, features, sharp_lines};
 /// Meshes of more triangles have a coarser one beside them for while things move.
 const MANY: usize = 30_000;
 
-/// Meshes of more triangles have no lines on their faces.
-const DENSE: usize = 100_000;
+/// Meshes of more triangles show by their faces alone what they are; lines on them would be noise.
+const DENSE: usize = 20_000;
 
 /// Made of a mesh when first asked for. Without memory nothing is drawn, which does no other harm.
 #[derive(Debug, Default)]

@@ -9,7 +9,7 @@ use std::path::Path;
 use egui::Color32;
 use toml::de::DeTable;
 
-use super::{Colours, Element, MAX_SENSOR, MIN_SENSOR, Setup, Shown, Theme, View};
+use super::{Colours, Element, Fold, MAX_SENSOR, MIN_SENSOR, Setup, Shown, Theme, View};
 use crate::document::save;
 use crate::document::vid::field::{Field, Source, fields};
 use crate::document::vid::read_text;
@@ -30,13 +30,16 @@ const SENSOR: &str = "sensor_height_mm";
 /// The key of what the ruler counts.
 const RULER: &str = "ruler_frames";
 
+/// The key of the panels that are folded.
+const FOLDED: &str = "folded";
+
 /// The key of the sliders.
 const SLIDERS: &str = "sliders";
 
 /// The key of objects as lines.
 const WIREFRAME: &str = "wireframe";
 
-const KEYS: [&str; 16] = [
+const KEYS: [&str; 17] = [
     "version",
     "theme",
     "language",
@@ -47,6 +50,7 @@ const KEYS: [&str; 16] = [
     "safe_frame",
     "speed_graph",
     RULER,
+    FOLDED,
     SLIDERS,
     WIREFRAME,
     "view",
@@ -103,6 +107,13 @@ const fn language_word(language: Option<Language>) -> &'static str {
     }
 }
 
+/// The names of what is folded.
+fn folded_words(setup: &Setup) -> String {
+    let folds = Fold::ALL.into_iter().zip(setup.folded);
+    let names = folds.filter_map(|(fold, folded)| folded.then_some(fold.name()));
+    format!("{:?}", names.collect::<Vec<_>>())
+}
+
 /// A setup file's text with another value for a top-level key, all else as it was.
 fn with_value(text: &str, key: &str, new: &str) -> Result<String> {
     // A file that is not understood is not touched.
@@ -134,6 +145,7 @@ fn write_setup(out: &mut String, setup: &Setup) -> std::fmt::Result {
     writeln!(out, "speed_graph = {}", setup.speed_graph)?;
     writeln!(out, "{RULER} = {}", setup.ruler_frames)?;
     writeln!(out, "{WIREFRAME} = {}", setup.wireframe)?;
+    writeln!(out, "{FOLDED} = {}", folded_words(setup))?;
     if let Some(sliders) = setup.sliders {
         writeln!(out, "{SLIDERS} = {sliders}")?;
     }
@@ -208,6 +220,11 @@ fn from_toml(text: &str) -> Result<Setup> {
             SLIDERS => setup.sliders = Some(field.boolean()?),
             RULER => setup.ruler_frames = field.boolean()?,
             WIREFRAME => setup.wireframe = field.boolean()?,
+            FOLDED => {
+                for name in field.elements()? {
+                    setup.folded[name.choice::<Fold>()? as usize] = true;
+                }
+            }
             "view" => setup.view = view(field)?,
             "shown" => read_shown(field, &mut setup.shown)?,
             "dark" => read_colours(field, &mut setup.dark)?,
@@ -330,6 +347,13 @@ impl Editor {
         self.keep(RULER, &frames.to_string());
     }
 
+    /// Folds a panel or unfolds it, also for the next start.
+    pub(crate) fn switch_fold(&mut self, fold: Fold) {
+        let folded = &mut self.setup.folded[fold as usize];
+        *folded = !*folded;
+        self.keep(FOLDED, &folded_words(&self.setup));
+    }
+
     /// Puts one value into the setup file that is read at start. Anything else that is set up in
     /// this window is kept only when the user saves the setup.
     fn keep(&mut self, key: &str, value: &str) {
@@ -400,6 +424,7 @@ mod tests {
             safe_frame: true,
             speed_graph: false,
             ruler_frames: true,
+            folded: [true, false, false, true, false],
             sliders: Some(true),
             wireframe: true,
             view: View {

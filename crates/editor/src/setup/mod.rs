@@ -232,6 +232,18 @@ impl Aspect {
     }
 }
 
+choices! {
+    /// A part of the panels that is folded to its heading.
+    pub(super) enum Fold {
+        #[default]
+        Position = "position",
+        Curve = "curve",
+        View = "view",
+        Lens = "lens",
+        Timing = "timing",
+    }
+}
+
 /// The least and the greatest height of a sensor, in mm: a telephone's and more than large format.
 pub(super) const MIN_SENSOR: f64 = 1.0;
 pub(super) const MAX_SENSOR: f64 = 500.0;
@@ -262,6 +274,7 @@ pub(super) struct Setup {
     pub(super) sliders: Option<bool>,
     /// The ruler counts frames, not seconds.
     pub(super) ruler_frames: bool,
+    pub(super) folded: [bool; Fold::ALL.len()],
     /// As it was chosen; `None`: that of the host or the environment.
     pub(super) language: Option<Language>,
 }
@@ -284,6 +297,7 @@ impl Default for Setup {
             speed_graph: true,
             sliders: None,
             ruler_frames: false,
+            folded: [false; Fold::ALL.len()],
             language: None,
         }
     }

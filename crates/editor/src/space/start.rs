@@ -19,6 +19,10 @@ use crate::theme;
 const BUTTON: Vec2 = vec2(84.0, 54.0);
 const GAP: f32 = 4.0;
 
+/// The least width of a recent file's button, and how many there are at most.
+const RECENT: f32 = 132.0;
+const MOST: usize = 4;
+
 /// Above the lower border; what the axes in the corner take, at the left and in height.
 const ABOVE: f32 = 10.0;
 const AXES: Vec2 = vec2(220.0, 88.0);
@@ -33,6 +37,8 @@ enum Begin {
     /// With the program's camera as the first point.
     View,
     Open,
+    /// A file that was open last, the newest first.
+    Recent(usize),
 }
 
 /// What is offered now, with its place.
@@ -68,7 +74,24 @@ fn offered(editor: &Editor, viewport: Rect) -> Vec<(Begin, Rect)> {
         let left = left + at as f32 * (BUTTON.x + GAP);
         Rect::from_min_size(egui::pos2(left, room.bottom() - BUTTON.y), BUTTON)
     });
-    all.clone().into_iter().zip(places).collect()
+    let mut found: Vec<(Begin, Rect)> = all.clone().into_iter().zip(places).collect();
+    found.extend(recent(editor, room));
+    found
+}
+
+/// The files that were open last, above what else is offered.
+fn recent(editor: &Editor, room: Rect) -> impl Iterator<Item = (Begin, Rect)> + use<> {
+    let fit = ((room.width() + GAP) / (RECENT + GAP)).max(0.0) as usize;
+    let high = room.height() >= 3.0 * BUTTON.y;
+    let count = fit.min(MOST).min(editor.recent.len() * usize::from(high));
+    let step = RECENT + GAP;
+    let left = room.center().x - (count as f32 * step - GAP) / 2.0;
+    let top = room.bottom() - BUTTON.y - GAP - theme::ROW;
+    (0..count).map(move |at| {
+        let corner = egui::pos2(left + at as f32 * step, top);
+        let place = Rect::from_min_size(corner, vec2(RECENT, theme::ROW));
+        (Begin::Recent(at), place)
+    })
 }
 
 /// A new path, in which nothing has been done.
@@ -134,7 +157,22 @@ pub(super) fn rooms(editor: &Editor, viewport: Rect) -> impl Iterator<Item = Rec
 /// Shows both.
 pub(super) fn show(editor: &Editor, ui: &mut Ui, viewport: Rect, actions: &mut Vec<Action>) {
     let texts = &editor.texts().space;
+    let names = editor.recent_names();
     for (begin, place) in offered(editor, viewport) {
+        if let Begin::Recent(at) = begin {
+            let name = names.get(at).map(String::as_str).unwrap_or_default();
+            let text = egui::RichText::new(name).font(theme::small());
+            let response = ui.put(place, Button::new(text).truncate());
+            let told = fill(texts.begin_with, &[&name]);
+            response.widget_info(|| WidgetInfo::labeled(Role::Button, true, told.as_str()));
+            let file = editor.recent.get(at).map(|file| file.display().to_string());
+            let hints = &editor.texts().menu_hints;
+            let hint = fill(hints.recent, &[&file.unwrap_or_default()]);
+            if response.on_hover_text(hint).clicked() {
+                actions.push(Action::Recent(at));
+            }
+            continue;
+        }
         let (name, hint, action) = match begin {
             Begin::Tool(tool) => (
                 editor.language().tool(tool.name),
@@ -146,7 +184,9 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, viewport: Rect, actions: &mut V
                 texts.take_over_here_tip,
                 Action::TakeOver { replace: true },
             ),
-            Begin::Open => (texts.begin_open, texts.begin_open_tip, Action::Load),
+            Begin::Open | Begin::Recent(_) => {
+                (texts.begin_open, texts.begin_open_tip, Action::Load)
+            }
         };
         let response = ui.put(place, Button::new("").frame_when_inactive(true));
         let told = fill(texts.begin_with, &[&name]);
@@ -203,6 +243,7 @@ fn picture(painter: &Painter, begin: Begin, at: Pos2, color: Color32) {
         line(&points);
     };
     match begin {
+        Begin::Recent(_) => {}
         Begin::Open => {
             line(&[
                 [-10.0, 7.0],
@@ -295,6 +336,55 @@ mod tests {
         // Where there is a path there is nothing to begin.
         let window = window_with_points(Language::English, LARGE, 1.0, Theme::Dark);
         assert_eq!(begins(&window), 0);
+    }
+
+    /// The files that were open last are offered too, and one click opens one of them.
+    #[test]
+    fn recent_files_are_offered() {
+        for language in BOTH {
+            let folder = tempfile::tempdir().unwrap();
+            let start = |size| {
+                let folders = crate::Folders {
+                    state: Some(folder.path().to_owned()),
+                    ..crate::Folders::default()
+                };
+                let options = Options {
+                    folders,
+                    ..options(language)
+                };
+                window_of(options, size, 1.0, Theme::Light)
+            };
+            let tools = begins(&start(LARGE));
+            let path = some_points();
+            let names = [
+                "first.vid",
+                "a rather long name of a flight past a house.vid",
+            ];
+            for name in names {
+                let file = folder.path().join(name);
+                path.save(&file).unwrap();
+                start(LARGE).state_mut().note_file(&file);
+            }
+            for size in [LARGE, SMALL, [700.0, 450.0]] {
+                let mut window = start(size);
+                let space = window.get_by_label(language.texts().space.name).rect();
+                let all = offered(window.state(), space);
+                assert!(size != LARGE || all.len() == tools + 2);
+                for (at, (_, place)) in all.iter().enumerate() {
+                    assert!(space.contains_rect(*place), "{size:?}: {place:?}");
+                    let apart = |(_, other): &(Begin, Rect)| !other.intersects(*place);
+                    assert!(all[at + 1..].iter().all(apart), "{size:?}");
+                }
+                screenshot(&mut window, &format!("recent-{language:?}-{}.png", size[0]));
+            }
+            let mut window = start(LARGE);
+            let first = fill(language.texts().space.begin_with, &[&names[0]]);
+            click(&mut window, &first);
+            let editor = window.state();
+            assert_eq!(editor.file, Some(folder.path().join(names[0])));
+            assert_eq!(editor.document.path(), path.path());
+            assert_eq!(begins(&window), 0);
+        }
     }
 
     /// They lie within the space, apart from one another, whatever its size.

@@ -81,11 +81,11 @@ fn a_point_owns_the_tangents_that_it_has_and_no_bit_of_the_curve_changes() {
         let texts = &language.texts().position;
         let mut harness = at_point(language);
         let (before, flight) = (text(&harness), places(&harness));
-        choose(&mut harness, texts.tangents, texts.own_tangents);
+        choose(&mut harness, texts.choice, texts.own_tangents);
         assert_eq!(places(&harness), flight);
         is_one_step(&mut harness, &before);
         harness.run();
-        let heading = format!("{}: {}", texts.heading, texts.tangents);
+        let heading = format!("{}: {}", texts.curve, texts.tangents);
         assert!(harness.query_by_label(&heading).is_some());
         // T, C and B take their place, which is told.
         let owning = text(&harness);
@@ -125,7 +125,7 @@ fn a_point_owns_the_tangents_that_it_has_and_no_bit_of_the_curve_changes() {
         assert!(harness.state_mut().document.undo());
         assert_eq!(text(&harness), owning);
         harness.run();
-        choose(&mut harness, texts.tangents, texts.own_tangents);
+        choose(&mut harness, texts.choice, texts.by_shape);
         assert_eq!(text(&harness), before);
         enter(&mut harness, &tension, value);
         assert_ne!(text(&harness), before);
@@ -142,7 +142,7 @@ fn several_points_own_their_tangents_at_once() {
         let context = harness.ctx.clone();
         let all = Action::Choose(crate::selected::SelectionChange::All);
         harness.state_mut().act(all, &context);
-        choose(&mut harness, texts.tangents, texts.own_tangents);
+        choose(&mut harness, texts.choice, texts.own_tangents);
         let all = |harness: &Window| -> Vec<Option<Tangents>> {
             let points = &harness.state().document.path().points;
             points.iter().map(|point| point.tangents).collect()
@@ -255,7 +255,7 @@ fn the_other_tangent_turns_along_or_becomes_the_same_or_stays() {
         for (joint, word) in Joint::ALL.into_iter().zip(words) {
             let mut harness = with_tangents(language);
             let (before, first) = (text(&harness), own(&harness));
-            choose(&mut harness, texts.tangents, word);
+            choose(&mut harness, texts.choice, word);
             assert_eq!(harness.state().joint(), Some(joint));
             // It is smooth already, and not yet mirrored.
             assert_eq!(text(&harness) != before, joint == Joint::Mirrored);
@@ -294,7 +294,7 @@ fn with_alt_one_tangent_is_dragged_alone_and_a_corner_becomes_smooth_again() {
         drag(&mut harness, Modifiers::NONE);
         assert_eq!(own(&harness).before, first.before);
         let old = own(&harness);
-        choose(&mut harness, texts.tangents, texts.smooth);
+        choose(&mut harness, texts.choice, texts.smooth);
         let now = own(&harness);
         assert!(now.before.angle_between(now.after) < 1e-7);
         // Both have turned by as much, and kept their lengths.
@@ -401,14 +401,14 @@ fn the_kind_of_curve_is_chosen_and_what_cannot_be_is_told() {
             (CurveKind::Linear, texts.linear),
             (CurveKind::Cubic, texts.cubic),
         ] {
-            choose(&mut harness, texts.kind, word);
+            choose(&mut harness, texts.choice, word);
             let path = harness.state().document.path();
             assert_eq!(path.curve, kind);
             let [p, q] = [AT - 1, AT].map(|at| path.points[at].position);
             let middle = curve::segment(path, AT - 1).point(0.5);
             let straight = middle.distance(p.midpoint(q)) < 1e-12;
             assert_eq!(straight, kind == CurveKind::Linear);
-            let heading = format!("{}: {word}", texts.heading);
+            let heading = format!("{}: {word}", texts.curve);
             assert!(harness.query_by_label(&heading).is_some());
             let chosen = text(&harness);
             let bias = format!("{} (b1)", language.texts().curve.bias);
@@ -421,14 +421,14 @@ fn the_kind_of_curve_is_chosen_and_what_cannot_be_is_told() {
             .act(Action::SetUp(UpVector::Frenet), &context);
         harness.run();
         let curved = text(&harness);
-        choose(&mut harness, texts.kind, texts.tcb);
+        choose(&mut harness, texts.choice, texts.tcb);
         let (said, error) = message(&harness).unwrap();
         let word = ["needs", "braucht"][usize::from(language == Language::German)];
         assert!(
             error && said.contains("frenet") && said.contains(word),
             "{said}"
         );
-        choose(&mut harness, texts.tangents, texts.own_tangents);
+        choose(&mut harness, texts.choice, texts.own_tangents);
         assert!(message(&harness).is_some_and(|(_, error)| error));
         assert_eq!(text(&harness), curved);
         for _ in 0..3 {
@@ -445,7 +445,7 @@ fn the_curve_window_says_what_its_numbers_do_to_tangents() {
     for language in BOTH {
         let texts = &language.texts().position;
         let mut harness = with_tangents(language);
-        harness.get_by_label(texts.change).click();
+        tap(&mut harness, Key::F2, Modifiers::NONE);
         harness.run();
         assert!(harness.query_by_label(texts.in_place_of_tangents).is_some());
         harness.state_mut().set_own_tangents(false);
@@ -513,7 +513,7 @@ fn pictures() {
         let mut harness = window(editor, size.into(), 1.0);
         let texts = &language.texts().position;
         screenshot(&mut harness, &format!("tangents-{name}-before.png"));
-        harness.get_by_label(texts.add).click();
+        tap(&mut harness, Key::Insert, Modifiers::NONE);
         harness.run();
         let edit = harness.state().orientation_edit(|key| {
             key.own = key.own.with(|own| own.zoom_slope = Some(0.5)).unwrap();
@@ -525,15 +525,11 @@ fn pictures() {
         motion(&mut harness, to + vec2(-25.0, 20.0));
         screenshot(&mut harness, &format!("tangents-{name}-drag.png"));
         release(&mut harness, to + vec2(-25.0, 20.0), PointerButton::Middle);
-        harness.get_by_label(texts.tangents).click();
+        harness.get_by_label(texts.choice).click();
         harness.run();
         screenshot(&mut harness, &format!("tangents-{name}-choice.png"));
         tap(&mut harness, Key::Escape, Modifiers::NONE);
-        harness.get_by_label(texts.kind).click();
-        harness.run();
-        screenshot(&mut harness, &format!("tangents-{name}-kind.png"));
-        tap(&mut harness, Key::Escape, Modifiers::NONE);
-        harness.get_by_label(texts.change).click();
+        tap(&mut harness, Key::F2, Modifiers::NONE);
         harness.run();
         screenshot(&mut harness, &format!("tangents-{name}-window.png"));
     }

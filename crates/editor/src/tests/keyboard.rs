@@ -206,6 +206,9 @@ fn the_panels_buttons_have_keys() {
     press(&mut window, Modifiers::NONE, Key::F3);
     assert!(window.state().windows.speed.is_some());
     // The tooltips say so.
+    press(&mut window, Modifiers::NONE, Key::Escape);
+    press(&mut window, Modifiers::NONE, Key::Escape);
+    press(&mut window, Modifiers::NONE, Key::Escape);
     let texts = &Language::English.texts().position;
     let at = window.get_by_label(texts.remove).rect().center();
     window.hover_at(at);
@@ -259,7 +262,7 @@ fn an_orientation_is_copied_and_pasted() {
         _ => None,
     });
     window.run();
-    click_button(&mut window, |texts| texts.position.next);
+    press(&mut window, Modifiers::CTRL, Key::PageDown);
     window.event(pressed(Key::V));
     window.step();
     let paste = |output: &egui::ViewportOutput| {
@@ -340,7 +343,7 @@ fn tab_goes_through_buttons_as_they_are_read() {
     for language in BOTH {
         let texts = language.texts();
         let mut window = window(language);
-        click(&mut window, texts.position.change);
+        press(&mut window, Modifiers::NONE, Key::F2);
         let names = [texts.curve.show, texts.curve.ok];
         assert_eq!(tabbed(&mut window, &names), names);
         press(&mut window, Modifiers::NONE, Key::Escape);

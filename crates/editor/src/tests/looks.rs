@@ -97,7 +97,7 @@ fn nothing_is_cut_off_in_the_smallest_window() {
         click(&mut window, texts.menu.edit);
         check_nothing_is_cut_off(&window, "edit");
         press(&mut window, Modifiers::NONE, Key::Escape);
-        click(&mut window, texts.position.add_many);
+        press(&mut window, Modifiers::CTRL, Key::I);
         check_nothing_is_cut_off(&window, "points");
         press(&mut window, Modifiers::NONE, Key::Escape);
         let context = window.ctx.clone();
@@ -318,10 +318,10 @@ fn no_text_is_in_the_other_language() {
             check(&window, key.name());
             press(&mut window, Modifiers::NONE, Key::Escape);
         }
-        click(&mut window, texts.position.add_many);
+        press(&mut window, Modifiers::CTRL, Key::I);
         check(&window, "how many");
         press(&mut window, Modifiers::NONE, Key::Escape);
-        click(&mut window, texts.position.remove);
+        press(&mut window, Modifiers::NONE, Key::Delete);
         window.state_mut().ask_to_close();
         window.run();
         check(&window, "question");
@@ -583,7 +583,7 @@ fn no_tooltip_covers_a_dialog() {
     };
     let mut window = window_with_points(Language::English, LARGE, 1.0, Theme::Dark);
     assert!(shown(&mut window));
-    click(&mut window, texts.position.change);
+    press(&mut window, Modifiers::NONE, Key::F2);
     assert!(!shown(&mut window));
     press(&mut window, Modifiers::NONE, Key::Escape);
     assert!(shown(&mut window));

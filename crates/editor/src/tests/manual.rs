@@ -43,12 +43,11 @@ fn the_parts_lie_around_the_movement_window() {
         );
         // The panels beside it, in this order.
         let panels = [
-            of(texts.position.add),
-            of(texts.orientation.add),
-            window
-                .get_by_role_and_label(Role::SpinButton, texts.timing.hold)
-                .rect(),
+            number(&window, &fill(texts.position.coordinate, &[&"x"])).rect(),
+            number(&window, &format!("{} (t1)", texts.curve.tension)).rect(),
+            of(texts.orientation.relative),
             slider(texts.zoom.slider),
+            number(&window, texts.timing.hold).rect(),
         ];
         for pair in panels.windows(2) {
             assert!(pair[0].bottom() < pair[1].top());
@@ -103,7 +102,11 @@ fn neighbouring_speeds_cannot_be_dragged() {
     for language in BOTH {
         let texts = language.texts();
         let mut window = window_with_points(language, LARGE, 1.0, Theme::Dark);
-        click(&mut window, texts.orientation.next);
+        press(
+            &mut window,
+            Modifiers::CTRL | Modifiers::SHIFT,
+            Key::PageDown,
+        );
         press(&mut window, Modifiers::NONE, Key::F3);
         let square = |window: &Window, at: usize| {
             let name = fill(texts.speed_window.speed, &[&at]);
@@ -146,7 +149,7 @@ fn the_closing_cross_has_a_name_in_the_windows_language() {
     for language in BOTH {
         let texts = language.texts();
         let mut window = window(language);
-        click(&mut window, texts.position.change);
+        press(&mut window, Modifiers::NONE, Key::F2);
         click(&mut window, texts.menu.close_window);
         assert!(window.query_by_label(texts.curve.title).is_none());
     }

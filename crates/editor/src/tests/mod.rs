@@ -94,13 +94,6 @@ pub(crate) fn window_with_points(
     window_of(options, size, scale, theme)
 }
 
-/// A window with some points in which what has this label was clicked.
-pub(crate) fn opened_with(language: Language, label: &str) -> Window {
-    let mut window = window_with_points(language, LARGE, 1.0, Theme::Dark);
-    click(&mut window, label);
-    window
-}
-
 /// Presses a key with others held.
 pub(crate) fn press(window: &mut Window, modifiers: Modifiers, key: Key) {
     window.key_press_modifiers(modifiers, key);
@@ -146,12 +139,12 @@ pub(crate) fn said(window: &Window) -> Option<String> {
 
 /// The same without how the length of the path has changed.
 pub(crate) fn said_besides_length(window: &Window) -> Option<String> {
-    let tells_length = window.state().message.as_ref()?.undoes.is_some();
+    let change = window.state().texts().output.length_changed;
+    let begins = change.split('{').next().unwrap_or_default();
     let text = said(window)?;
     match text.rsplit_once(" · ") {
-        _ if !tells_length => Some(text),
-        Some((text, _)) => Some(text.to_owned()),
-        None => None,
+        Some((text, change)) if change.starts_with(begins) => Some(text.to_owned()),
+        _ => Some(text).filter(|text| !text.starts_with(begins)),
     }
 }
 

@@ -38,21 +38,21 @@ fn menus_and_windows() {
         press(&mut window, Modifiers::NONE, Key::F1);
         screenshot(&mut window, &format!("help-{name}.png"));
         press(&mut window, Modifiers::NONE, Key::Escape);
-        click(&mut window, texts.position.add_many);
+        press(&mut window, Modifiers::CTRL, Key::I);
         screenshot(&mut window, &format!("points-{name}.png"));
         press(&mut window, Modifiers::NONE, Key::Escape);
         press(&mut window, Modifiers::ALT, Key::S);
         screenshot(&mut window, &format!("files-{name}.png"));
         press(&mut window, Modifiers::NONE, Key::Escape);
-        click(&mut window, texts.position.remove);
+        press(&mut window, Modifiers::NONE, Key::Delete);
         window.state_mut().ask_to_close();
         window.run();
         screenshot(&mut window, &format!("question-{name}.png"));
         press(&mut window, Modifiers::NONE, Key::Escape);
         for _ in 0..4 {
-            click(&mut window, texts.position.remove);
+            press(&mut window, Modifiers::NONE, Key::Delete);
         }
-        click(&mut window, texts.position.remove);
+        press(&mut window, Modifiers::NONE, Key::Delete);
         screenshot(&mut window, &format!("error-{name}.png"));
     }
 }

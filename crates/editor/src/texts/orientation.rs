@@ -28,13 +28,11 @@ texts! {
         distance: "Ahead", "Voraus";
         distance_hint: "It looks at the place so far ahead on its way; 0: along the tangent",
             "Sie blickt auf den Ort so weit voraus auf ihrem Weg; 0: die Tangente entlang";
-        previous: "‹ View", "‹ Blick";
         previous_hint: "Go to the previous view of this point (<< Ori)",
             "Zum vorigen Blick dieses Punktes (<< Ori)";
-        next: "View ›", "Blick ›";
         next_hint: "Go to the next view of this point (Ori >>)",
             "Zum nächsten Blick dieses Punktes (Ori >>)";
-        count: "View {0} of {1}", "Blick {0} von {1}";
+        count: "{0} of {1}", "{0} von {1}";
         target: "Target {0}", "Ziel {0}";
         target_hint: "The place that the camera looks at: drag, or click and type",
             "Ort, auf den die Kamera blickt: ziehen, oder klicken und tippen";
@@ -79,7 +77,7 @@ texts! {
         one_remains: "One view always remains: this one cannot be removed",
             "Ein Blick bleibt immer: Dieser lässt sich nicht löschen";
         only_one: "This point has only one view", "Dieser Punkt hat nur einen Blick";
-        all_aimed: "All cameras look at this target", "Alle Kameras blicken auf dieses Ziel";
+        all_aimed: "{0} views aimed at this target", "{0} Blicke auf dieses Ziel gerichtet";
         on_position: "The camera must not look at its own position",
             "Die Kamera darf nicht auf ihren eigenen Ort blicken";
     }

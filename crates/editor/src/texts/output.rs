@@ -19,6 +19,7 @@ texts! {
         nothing_copied: "No view has been copied yet", "Es wurde noch kein Blick kopiert";
         points_copied: "{0} points copied", "{0} Punkte kopiert";
         points_pasted: "{0} points pasted", "{0} Punkte eingefügt";
+        points_removed: "{0} points removed", "{0} Punkte gelöscht";
         nothing_to_cut: "Only points that are selected together can be cut (with Shift, Ctrl or a box)",
             "Ausschneiden lassen sich nur zusammen gewählte Punkte (mit Umschalt, Strg oder einem Rahmen)";
         no_points: "What was copied last is no point of a path: nothing was pasted",

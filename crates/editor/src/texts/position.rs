@@ -4,18 +4,16 @@ use super::texts;
 
 texts! {
     Position {
-        heading: "Position and curve", "Position und Kurve";
+        heading: "Position", "Position";
+        curve: "Curve", "Kurve";
         add: "+ Point", "+ Punkt";
         add_hint: "Insert a point half-way to the next one; the flight stays as it is. With Shift: a copy of this point (Pos.+)",
             "Einen Punkt auf halbem Weg zum nächsten einfügen; der Flug bleibt, wie er ist. Mit Umschalt: eine Kopie dieses Punkts (Pos.+)";
-        add_many: "+ Points …", "+ Punkte …";
         add_many_hint: "Insert 1 to 10 points at equal distances up to the next one; the flight stays as it is (Pos.++)",
             "1 bis 10 Punkte in gleichen Abständen bis zum nächsten einfügen; der Flug bleibt, wie er ist (Pos.++)";
         remove: "− Point", "− Punkt";
         remove_hint: "Remove this point (Pos.-)", "Diesen Punkt löschen (Pos.-)";
-        previous: "‹ Point", "‹ Punkt";
         previous_hint: "Go to the previous point (<< Pos.)", "Zum vorherigen Punkt (<< Pos.)";
-        next: "Point ›", "Punkt ›";
         next_hint: "Go to the next point (Pos. >>)", "Zum nächsten Punkt (Pos. >>)";
         count: "{0} of {1}", "{0} von {1}";
         coordinate: "Position {0}", "Position {0}";
@@ -34,25 +32,22 @@ texts! {
         preset: "Preset {0}", "Standard {0}";
         own: "Own values", "Eigendef.";
         choice: "Shape of the curve", "Form der Kurve";
-        choice_hint: "Choose a preset for this point", "Einen Standard für diesen Punkt wählen";
+        choice_hint: "Choose what shapes the curve at this point",
+            "Wählen, was die Kurve an diesem Punkt formt";
         change: "Change …", "Ändern …";
         change_hint: "Open the window with presets and numbers",
             "Das Fenster mit Standardwerten und Zahlen öffnen";
 
-        kind: "Kind of curve", "Art der Kurve";
-        kind_hint: "How the curve leads through all points of the path",
-            "Wie die Kurve durch alle Punkte der Bahn führt";
-        tcb: "Curve: TCB", "Kurve: TCB";
+        kind: "The whole path", "Die ganze Bahn";
+        tcb: "By T, C and B", "Nach T, C und B";
         tcb_hint: "By tension, continuity and bias at each point (Kochanek and Bartels)",
             "Nach Tension, Continuity und Bias an jedem Punkt (Kochanek und Bartels)";
-        cubic: "Curve: C2", "Kurve: C2";
+        cubic: "Spline (C2)", "Spline (C2)";
         cubic_hint: "Cubic spline: its curvature does not jump at the points",
             "Kubischer Spline: Die Krümmung springt an den Punkten nicht";
         linear: "Straight", "Gerade";
         linear_hint: "Straight from point to point", "Geradlinig von Punkt zu Punkt";
         tangents: "Tangents", "Tangenten";
-        tangents_hint: "Whether this point owns its tangents, which then are dragged in the space",
-            "Ob dieser Punkt eigene Tangenten hat, an denen man dann im Raum zieht";
         own_tangents: "Own tangents", "Eigene Tangenten";
         own_tangents_hint: "The point owns the tangents that it has: the curve stays, and their ends can be dragged",
             "Dem Punkt gehören die Tangenten, die er hat: Die Kurve bleibt, und an ihren Enden lässt sich ziehen";

@@ -10,8 +10,8 @@ mod fonts;
 use egui::style::{ScrollAnimation, ScrollStyle, Selection, TextCursorStyle, WidgetVisuals};
 use egui::text::{CCursor, CCursorRange};
 use egui::{
-    Align2, Color32, CornerRadius, FontFamily, FontId, Id, Margin, Mesh, Rect, Response, RichText,
-    Shadow, Shape, Stroke, Style, TextEdit, TextStyle, Ui, Visuals, vec2,
+    Align2, Color32, CornerRadius, FontFamily, FontId, Id, Margin, Mesh, Pos2, Rect, Response,
+    RichText, Shadow, Shape, Stroke, Style, TextEdit, TextStyle, Ui, Visuals, vec2,
 };
 
 use crate::setup::Theme;
@@ -215,6 +215,16 @@ pub(super) fn focus(palette: &Palette) -> Stroke {
 /// The font of all text; its digits are of equal width, so that numbers align.
 pub(super) fn text() -> FontId {
     FontId::new(TEXT, FontFamily::Proportional)
+}
+
+/// The sign before what is folded or unfolded.
+pub(super) fn triangle(centre: Pos2, open: bool, color: Color32) -> Shape {
+    let ways = match open {
+        true => [vec2(-4.0, -2.5), vec2(4.0, -2.5), vec2(0.0, 3.0)],
+        false => [vec2(-2.5, -4.0), vec2(-2.5, 4.0), vec2(3.0, 0.0)],
+    };
+    let corners = ways.map(|way| centre + way).to_vec();
+    Shape::convex_polygon(corners, color, Stroke::NONE)
 }
 
 pub(super) fn heading() -> FontId {

@@ -7,7 +7,9 @@ use crate::tests::*;
 
 /// A window at the third point with the curve window open.
 fn opened(language: Language) -> Window {
-    opened_with(language, language.texts().position.change)
+    let mut window = window_with_points(language, LARGE, 1.0, Theme::Dark);
+    press(&mut window, Modifiers::NONE, Key::F2);
+    window
 }
 
 /// The words at a preset's choice, as it is in the document.
@@ -152,7 +154,7 @@ fn escape_and_closing_discard() {
     press(&mut window, Modifiers::NONE, Key::Escape);
     assert!(window.query_by_label(texts.title).is_none());
     assert!(!window.state().document.is_modified());
-    click(&mut window, Language::German.texts().position.change);
+    press(&mut window, Modifiers::NONE, Key::F2);
     assert!(window.query_by_label(texts.waiting).is_none());
 }
 
@@ -160,10 +162,10 @@ fn escape_and_closing_discard() {
 fn another_point_or_orientation_discards_with_a_message() {
     for language in BOTH {
         let texts = language.texts();
-        for button in [texts.position.next, texts.orientation.next] {
+        for keys in [Modifiers::CTRL, Modifiers::CTRL | Modifiers::SHIFT] {
             let mut window = opened(language);
             choose(&mut window, 5);
-            click(&mut window, button);
+            press(&mut window, keys, Key::PageDown);
             assert_eq!(said(&window).as_deref(), Some(texts.curve.given_up));
             assert!(window.query_by_label(texts.curve.waiting).is_none());
             click(&mut window, texts.curve.show);
@@ -171,7 +173,7 @@ fn another_point_or_orientation_discards_with_a_message() {
         }
         // Nothing pending, nothing to say.
         let mut window = opened(language);
-        click(&mut window, texts.position.next);
+        press(&mut window, Modifiers::CTRL, Key::PageDown);
         assert_eq!(said(&window), None);
     }
 }
@@ -202,7 +204,7 @@ fn undo_and_loading_discard_with_a_message() {
             ..options(Language::English)
         };
         let mut window = window_of(options, LARGE, 1.0, Theme::Dark);
-        click(&mut window, texts.position.change);
+        press(&mut window, Modifiers::NONE, Key::F2);
         choose(&mut window, 5);
         let folder = tempfile::tempdir().unwrap();
         let file = folder.path().join("same.vid");
@@ -331,7 +333,7 @@ fn escape_breaks_a_drag_off() {
 fn pictures() {
     for (language, theme, scale, name) in LOOKS {
         let mut window = window_with_points(language, SMALL, scale, theme);
-        click(&mut window, language.texts().position.change);
+        press(&mut window, Modifiers::NONE, Key::F2);
         screenshot(&mut window, &format!("curve-{name}.png"));
         let texts = &language.texts().curve;
         click(&mut window, texts.own);
@@ -347,7 +349,7 @@ fn pictures() {
 fn the_window_keeps_its_size_whatever_is_chosen() {
     for language in BOTH {
         let texts = &language.texts().curve;
-        let mut window = opened_with(language, language.texts().position.change);
+        let mut window = opened(language);
         let area = |window: &Window| {
             let area = |memory: &egui::Memory| memory.area_rect(egui::Id::unique("curve"));
             window.ctx.memory(area).expect("an open window")

@@ -188,12 +188,16 @@ fn it_follows_the_current_point_and_orientation() {
             window.query_by_label(&text).is_some()
         };
         assert!(shown(&window, "3.1", "3.2"));
-        click(&mut window, texts.orientation.next);
+        press(
+            &mut window,
+            Modifiers::CTRL | Modifiers::SHIFT,
+            Key::PageDown,
+        );
         assert!(shown(&window, "3.2", "3.3"));
-        click(&mut window, texts.position.next);
+        press(&mut window, Modifiers::CTRL, Key::PageDown);
         assert!(shown(&window, "4", "5"));
         for _ in 0..2 {
-            click(&mut window, texts.position.next);
+            press(&mut window, Modifiers::CTRL, Key::PageDown);
         }
         let end = fill(texts.speed_window.end_of_path, &[&"6"]);
         assert!(window.query_by_label(&end).is_some());
@@ -250,7 +254,7 @@ fn ten_speeds_are_copied_to_another_section() {
     let mut window = opened(Language::English);
     let copied = speeds(&window);
     click(&mut window, texts.speed_window.copy);
-    click(&mut window, texts.position.next);
+    press(&mut window, Modifiers::CTRL, Key::PageDown);
     assert_eq!(speeds(&window), [50.0; 10]);
     click(&mut window, texts.speed_window.paste);
     assert_eq!(speeds(&window), copied);
