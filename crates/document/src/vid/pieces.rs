@@ -1,4 +1,4 @@
-//! Parsing piece by piece. A parsed tree takes some twenty times the memory of its text. With the
+//! Parsing piece by piece. A tree of the parser takes some twenty times the memory of its text. With the
 //! text cut before points or nodes, each tree stays small and in the cache, which is twice as fast.
 //!
 //! Cutting is sound: a piece ends just before a line that begins with `[[point]]` or `[[node]]`. If
@@ -9,6 +9,7 @@
 use toml::de::{DeTable, Error as ParseError};
 
 use super::field::Source;
+use super::tree::{self, Table};
 use super::weight;
 use crate::error::{Error, Result, can_allocate};
 use crate::limits::{MAX_COMMENT_BYTES, MAX_PARSE_BYTES};
@@ -22,7 +23,7 @@ const LONGEST_TEXT: usize = 6 * MAX_COMMENT_BYTES + 100;
 const CUTS: [&[u8]; 2] = [b"\n[[point]]", b"\n[[node]]"];
 
 /// Parses the piece that begins at `source.start`; returns its tree and end.
-pub(super) fn parse(source: Source<'_>) -> Result<(DeTable<'_>, usize)> {
+pub(super) fn parse(source: Source<'_>) -> Result<(Table<'_>, usize)> {
     let end = cut(source, PIECE);
     match parse_to(source, end)? {
         Ok(root) => Ok((root, end)),
@@ -52,13 +53,17 @@ fn cut(source: Source<'_>, least: usize) -> usize {
         .map_or(bytes.len(), |position| from + position + 1)
 }
 
-fn parse_to(source: Source<'_>, end: usize) -> Result<Result<DeTable<'_>, ParseError>> {
+fn parse_to(source: Source<'_>, end: usize) -> Result<Result<Table<'_>, ParseError>> {
     let piece = &source.text[source.start..end];
-    let memory = weight::memory(piece);
-    if memory > MAX_PARSE_BYTES {
+    // A short piece cannot weigh so much.
+    let long = piece.len() > MAX_PARSE_BYTES / weight::MOST;
+    if long && weight::memory(piece) > MAX_PARSE_BYTES {
         return Err(Error::PieceTooLarge(source.line(0)));
     }
+    if let Some(table) = tree::read(piece) {
+        return Ok(Ok(table));
+    }
     // The parser cannot handle running out of memory: check first, copies of its strings included.
-    can_allocate(memory + piece.len())?;
-    Ok(DeTable::parse(piece).map(toml::Spanned::into_inner))
+    can_allocate(weight::memory(piece) + piece.len())?;
+    Ok(DeTable::parse(piece).map(|table| table.into_inner().into()))
 }

@@ -16,6 +16,9 @@ const VALUE: usize = 220;
 /// Bytes for a table with one entry.
 const TABLE: usize = 1600;
 
+/// Bytes for a byte of the text and what memory takes at the least, at the most.
+pub(super) const MOST: usize = 4096 + TOKEN + 2 * TABLE;
+
 pub(super) fn memory(text: &str) -> usize {
     let bytes = text.as_bytes();
     let mut sum = 4096;

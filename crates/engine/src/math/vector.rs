@@ -2,8 +2,8 @@
 //!
 //! The sampling code is written once, over the trait [`Vector`], and compiled for each kind of
 //! processor (`path::dispatch` chooses): `f64` is the plain version that the others are tested
-//! against, [`Sse2`] is what every x86-64 processor has, [`Avx2`] adds fused multiplication. (Wider
-//! vectors gained nothing.) Everything is forced inline, since a function that is called would be
+//! against, [`Sse2`] is what every x86-64 processor has, [`Avx2`] adds fused multiplication,
+//! [`Neon`] is what every 64-bit ARM processor has. (Wider vectors gained nothing.) Everything is forced inline, since a function that is called would be
 //! compiled for the plainest processor. `fearless_simd` would not do: it has nothing between plain
 //! code and SSE 4.2, so plain x86-64 would lose its vectors, and cannot store rows of ten.
 
@@ -357,6 +357,83 @@ mod x86_64 {
     }
 }
 
+#[cfg(target_arch = "aarch64")]
+pub(crate) use aarch64::Neon;
+
+#[cfg(target_arch = "aarch64")]
+mod aarch64 {
+    use super::Vector;
+    use std::arch::aarch64::*;
+
+    /// Two numbers: every 64-bit ARM processor. (Whether these operations are unsafe depends on the
+    /// compiler.)
+    #[derive(Debug, Clone, Copy)]
+    pub(crate) struct Neon(float64x2_t);
+
+    macro_rules! lane_by_lane {
+        ($($name:ident($this:ident $(, $other:ident)*) => $value:expr;)*) => {$(
+            #[inline(always)]
+            #[allow(unused_unsafe)]
+            fn $name(self $(, $other: Self)*) -> Self {
+                let Self($this) = self;
+                $(let Self($other) = $other;)*
+                // SAFETY: NEON is part of 64-bit ARM.
+                Self(unsafe { $value })
+            }
+        )*};
+    }
+
+    impl Vector for Neon {
+        const LANES: usize = 2;
+        lane_by_lane! {
+            add(a, b) => vaddq_f64(a, b);
+            sub(a, b) => vsubq_f64(a, b);
+            mul(a, b) => vmulq_f64(a, b);
+            div(a, b) => vdivq_f64(a, b);
+            mul_add(a, b, c) => vfmaq_f64(c, a, b);
+            sqrt(a) => vsqrtq_f64(a);
+            min(a, b) => vbslq_f64(vcltq_f64(a, b), a, b);
+            max(a, b) => vbslq_f64(vcgtq_f64(a, b), a, b);
+        }
+        #[inline(always)]
+        #[allow(unused_unsafe)]
+        fn splat(value: f64) -> Self {
+            // SAFETY: NEON is part of 64-bit ARM.
+            Self(unsafe { vdupq_n_f64(value) })
+        }
+        #[inline(always)]
+        fn load(from: &[f64]) -> Self {
+            let from = &from[..2];
+            // SAFETY: the slice has just been found long enough.
+            Self(unsafe { vld1q_f64(from.as_ptr()) })
+        }
+        #[inline(always)]
+        fn store(self, to: &mut [f64]) {
+            let to = &mut to[..2];
+            // SAFETY: the slice has just been found long enough.
+            unsafe { vst1q_f64(to.as_mut_ptr(), self.0) }
+        }
+        #[inline(always)]
+        #[allow(unused_unsafe)]
+        fn store_records(rows: [Self; 10], to: &mut [f64]) {
+            let to = &mut to[..20];
+            for k in (0..10).step_by(2) {
+                let (Self(a), Self(b)) = (rows[k], rows[k + 1]);
+                // SAFETY: NEON is part of 64-bit ARM.
+                let (first, second) = unsafe { (vzip1q_f64(a, b), vzip2q_f64(a, b)) };
+                Self(first).store(&mut to[k..]);
+                Self(second).store(&mut to[10 + k..]);
+            }
+        }
+        #[inline(always)]
+        fn stream(from: &[f64], to: &mut [f64]) {
+            to.copy_from_slice(from);
+        }
+        #[inline(always)]
+        fn settle() {}
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -414,6 +491,12 @@ mod tests {
     #[test]
     fn the_plain_vector_computes() {
         check::<f64>();
+    }
+
+    #[cfg(target_arch = "aarch64")]
+    #[test]
+    fn two_numbers_at_once_compute_as_the_plain_one() {
+        check::<Neon>();
     }
 
     #[cfg(target_arch = "x86_64")]
