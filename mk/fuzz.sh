@@ -1,8 +1,8 @@
 #!/bin/bash
-# Fuzzes the readers of files, one after the other: fuzz.sh SECONDS [TARGET...]
+# Fuzzes the readers of files and the planner, one after the other: fuzz.sh SECONDS [TARGET...]
 #
-# A target is vid, setup, recovery, mesh, or formats/NAME for the reader of one format; formats
-# stands for those of all.
+# A target is vid, setup, recovery, mesh, planner (what is asked for of it), or formats/NAME for the
+# reader of one format; formats stands for those of all.
 #
 # What was tried and brought the fuzzer further stays in $CARGO_TARGET_DIR/fuzz/
 # corpus, so that the next run goes on from there; a file that does harm lies in
@@ -14,7 +14,7 @@ seconds=$1
 shift
 cd "$(dirname "$0")/.."
 place=$(realpath -m "${CARGO_TARGET_DIR:-target}")/fuzz
-[ $# -gt 0 ] || set -- vid setup recovery mesh formats
+[ $# -gt 0 ] || set -- vid setup recovery mesh planner formats
 
 # The sanitizer and the coverage are switched on by flags that a stable compiler
 # keeps to itself, unless it is told that its users build compilers.

@@ -4,6 +4,8 @@
 
 #[path = "hostile/mesh.rs"]
 mod mesh;
+#[path = "hostile/planner.rs"]
+mod planner;
 #[path = "hostile/vid.rs"]
 mod vid;
 
@@ -33,4 +35,36 @@ fn files_of_the_corpus_are_refused_or_in_order() {
         }
     }
     assert!(count > 50, "{count} files");
+}
+
+#[test]
+fn what_is_planned_in_the_corpus_is_in_order() {
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let files = std::fs::read_dir(root.join("tests/corpus/planner")).unwrap();
+    let mut count = 0;
+    for file in files.map(|file| file.unwrap().path()) {
+        println!("{}", file.display());
+        planner::check(&std::fs::read(&file).unwrap());
+        count += 1;
+    }
+    assert!(count >= 5, "{count} files");
+}
+
+/// What to plan, by pseudo-random bytes; `VIDES_PATHS` says how many.
+#[test]
+fn whatever_is_to_be_planned_is_refused_or_in_order() {
+    let count = std::env::var("VIDES_PATHS").map_or(120, |count| count.parse().unwrap());
+    let (mut state, mut made) = (7_u64, 0);
+    for case in 0..count {
+        let mut bytes = [0; 160];
+        for byte in &mut bytes {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            *byte = (state >> 56) as u8;
+        }
+        println!("case {case}: {bytes:?}");
+        made += usize::from(planner::check(&bytes));
+    }
+    assert!(made * 5 > count, "{made} of {count} were made");
 }

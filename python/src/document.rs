@@ -10,9 +10,11 @@ use vides::document::{self, Edit, Info};
 use vides::glam::DVec3;
 use vides::path::{CameraPath, Change, CurveKind, Space, Up};
 use vides::tools::check::Finding;
+use vides::tools::fit::Progress;
 
 use crate::arrays::{self, WIDTH, fill, rows_mut, table};
 use crate::error::{Failure, Result};
+use crate::interrupt::interruptible;
 use crate::scene::Scene;
 use crate::{edits, planning, values};
 
@@ -65,6 +67,31 @@ impl Document {
             let mut document = self.0.write().unwrap_or_else(PoisonError::into_inner);
             change(&mut document).map_err(Into::into)
         })
+    }
+
+    /// Plans an edit on a copy, so that handlers of signals may look at the path meanwhile, and
+    /// applies it; Ctrl-C ends it.
+    fn planned<R: Send>(
+        &self,
+        py: Python<'_>,
+        plan: impl FnOnce(&mut document::Document, Progress<'_>) -> Result<(Edit, R)> + Send,
+    ) -> PyResult<R> {
+        let mut copy = self.read(py, document::Document::try_clone)?;
+        let (copy, edit, told) = interruptible(py, |go_on| {
+            let before = copy.path().try_clone()?;
+            let (edit, told) = plan(&mut copy, go_on)?;
+            Ok((before, edit, told))
+        })?;
+        self.write(py, |document| {
+            if *document.path() != copy {
+                return Err(Failure::argument(
+                    "the path was changed while it was planned",
+                ));
+            }
+            document.apply(edit)?;
+            Ok(told)
+        })
+        .map_err(Into::into)
     }
 
     fn apply(&self, py: Python<'_>, edit: Edit) -> Result<()> {
@@ -401,12 +428,14 @@ impl Document {
         })
     }
 
-    fn fix(&self, py: Python<'_>) -> Result<Vec<Found>> {
-        self.write(py, |document| {
+    fn fix(&self, py: Python<'_>) -> PyResult<Vec<Found>> {
+        self.planned(py, |document, go_on| {
             let clearance = document.clearance(None)?;
             let mut fixed = Vec::new();
-            document.fix(clearance.as_ref(), &mut |finding| fixed.push(told(finding)))?;
-            Ok::<_, Failure>(fixed)
+            let mut tell = |finding: &Finding| fixed.push(told(finding));
+            document.fix(clearance.as_ref(), &mut tell, go_on)?;
+            let path = document.path().try_clone()?;
+            Ok((Edit::ReplacePath(Box::new(path)), fixed))
         })
     }
 
@@ -423,7 +452,9 @@ impl Document {
             Some(block) => Some(block.read(py, |block| block.path().try_clone())?),
             None => None,
         };
-        Ok(self.write(py, |document| edits::tool(document, name, &numbers, block))?)
+        self.planned(py, |document, go_on| {
+            Ok((edits::tool(document, name, &numbers, block, go_on)?, ()))
+        })
     }
 
     fn retime(
@@ -432,10 +463,10 @@ impl Document {
         seconds: f64,
         first: usize,
         last: usize,
-        given: Vec<(String, f64)>,
-    ) -> Result<(f64, planning::Rests)> {
-        self.write(py, |document| {
-            planning::retimed(document, seconds, [first, last], &given)
+        given: Vec<(String, Option<f64>)>,
+    ) -> PyResult<(f64, planning::Rests)> {
+        self.planned(py, |document, go_on| {
+            planning::retimed(document, seconds, [first, last], &given, go_on)
         })
     }
 
@@ -446,10 +477,10 @@ impl Document {
         clearance: f64,
         radius: f64,
         object: Option<planning::Given<'_>>,
-    ) -> Result<planning::Detours> {
+    ) -> PyResult<planning::Detours> {
         let object = object.map(planning::Given::source).transpose()?;
-        self.write(py, |document| {
-            planning::avoided(document, (clearance, radius), object)
+        self.planned(py, |document, go_on| {
+            planning::avoided(document, (clearance, radius), object, go_on)
         })
     }
 
@@ -460,15 +491,33 @@ impl Document {
         margin: f64,
         by: &str,
         object: Option<planning::Given<'_>>,
-    ) -> Result<(usize, f64, f64)> {
+    ) -> PyResult<(usize, f64, f64)> {
         let object = object.map(planning::Given::source).transpose()?;
-        self.write(py, |document| {
-            planning::framed(document, (margin, by), object)
+        self.planned(py, |document, go_on| {
+            planning::framed(document, (margin, by), object, go_on)
         })
     }
 
-    fn steady(&self, py: Python<'_>, seconds: f64, within: f64) -> Result<(f64, f64)> {
-        self.write(py, |document| planning::steadied(document, seconds, within))
+    fn steady(&self, py: Python<'_>, seconds: f64, within: f64) -> PyResult<(f64, f64)> {
+        self.planned(py, |document, go_on| {
+            planning::steadied(document, seconds, within, go_on)
+        })
+    }
+
+    fn limits(&self, py: Python<'_>) -> Result<Vec<(String, f64)>> {
+        self.read(py, |document| {
+            Ok::<_, Failure>(planning::named(&document.info().limits))
+        })
+    }
+
+    fn set_limits(&self, py: Python<'_>, given: Vec<(String, Option<f64>)>) -> Result<()> {
+        self.write(py, |document| {
+            let info = Info {
+                limits: planning::limits(document.info().limits, &given)?,
+                ..document.info().clone()
+            };
+            Ok::<_, Failure>(document.apply(Edit::SetInfo(Box::new(info)))?)
+        })
     }
 
     fn set_object(&self, py: Python<'_>, file: Option<PathBuf>) -> Result<()> {

@@ -7,6 +7,7 @@ use vides::document::tool::{ToolInput, tools};
 use vides::document::{Document, Edit};
 use vides::path::{CameraPath, SupportPoint};
 use vides::tools::Unit;
+use vides::tools::fit::Progress;
 
 use crate::document::upright;
 use crate::error::{Failure, Result};
@@ -133,13 +134,14 @@ pub(crate) fn tool_numbers(given: &Bound<'_, PyDict>) -> PyResult<Numbers> {
     given.iter().map(one).collect()
 }
 
-/// Does a tool, its numbers being the defaults but for those that are given.
+/// What a tool does, its numbers being the defaults but for those that are given.
 pub(crate) fn tool(
-    document: &mut Document,
+    document: &Document,
     name: &str,
     given: &Numbers,
     block: Option<CameraPath>,
-) -> Result<()> {
+    go_on: Progress<'_>,
+) -> Result<Edit> {
     let Some(tool) = tools().find(|tool| tool.name == name) else {
         let names: Vec<_> = tools().filter(usable).map(|tool| tool.name).collect();
         let names = names.join(", ");
@@ -190,11 +192,11 @@ pub(crate) fn tool(
         room.copy_from_slice(&wanted);
     }
     let material = block.map_or(ToolInput::None, |block| ToolInput::Block(Box::new(block)));
-    match tool.edit(document, &material, &numbers, &mut |_, _| true)? {
-        Some(edit) => Ok(document.apply(edit)?),
-        None => Err(Failure::argument(format!(
+    let edit = tool.edit(document, &material, &numbers, go_on)?;
+    edit.ok_or_else(|| {
+        Failure::argument(format!(
             "{} needs another path, or is not for Python",
             tool.name
-        ))),
-    }
+        ))
+    })
 }

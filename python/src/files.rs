@@ -1,7 +1,6 @@
 //! Other programs' files, and recorded poses that become a path.
 
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
 
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
@@ -13,6 +12,7 @@ use vides::tools::fit::{Options as FitOptions, Tolerance};
 use crate::arrays;
 use crate::document::{Document, upright};
 use crate::error::{Failure, Result};
+use crate::interrupt::interruptible;
 
 /// Options of the command, by their long names.
 pub(crate) type Choices = Vec<(String, String)>;
@@ -141,9 +141,6 @@ pub(crate) fn recording<'py>(
     ))
 }
 
-/// Signals are looked for so often.
-const SOMETIMES: Duration = Duration::from_millis(50);
-
 /// A path of few points near recorded poses, and the indices of those that were left out.
 #[pyfunction]
 #[pyo3(signature = (poses, seconds, fps, tolerance, angle, up, robust))]
@@ -161,8 +158,7 @@ pub(crate) fn fit(
     let poses = arrays::poses(&poses)?;
     let seconds = seconds.as_ref().map(arrays::numbers);
     let up = upright(up)?;
-    let mut stopped = None;
-    let made = py.detach(|| {
+    interruptible(py, |go_on| {
         let options = FitOptions {
             up,
             robust,
@@ -171,27 +167,12 @@ pub(crate) fn fit(
                 angle,
             })
         };
-        let mut looked = Instant::now();
-        let mut go_on = |_, _| {
-            if looked.elapsed() >= SOMETIMES {
-                looked = Instant::now();
-                stopped = Python::attach(|py| py.check_signals()).err();
-            }
-            stopped.is_none()
-        };
-        let fitted = vides::tools::fit::fit(&poses, seconds.as_deref(), fps, &options, &mut go_on)?;
+        let fitted = vides::tools::fit::fit(&poses, seconds.as_deref(), fps, &options, go_on)?;
         let info = Info {
             fps,
             ..Info::default()
         };
         let document = document::Document::from_parts(fitted.path, info)?;
-        Ok::<_, Failure>((document, fitted.left_out))
-    });
-    match stopped {
-        Some(stopped) => Err(stopped),
-        None => {
-            let (document, left_out) = made?;
-            Ok((document.into(), left_out))
-        }
-    }
+        Ok((document.into(), fitted.left_out))
+    })
 }

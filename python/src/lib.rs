@@ -9,6 +9,7 @@ mod document;
 mod edits;
 mod error;
 mod files;
+mod interrupt;
 mod listed;
 mod planning;
 mod scene;

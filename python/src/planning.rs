@@ -6,27 +6,48 @@ use numpy::PyReadonlyArray2;
 use pyo3::prelude::*;
 use vides::document::mesh::Format;
 use vides::document::{self, Document, Edit, Info, Object};
+use vides::path::CameraPath;
 use vides::planner::{
     AvoidRequest, Request, SteadyRequest, TourRequest, What, avoid_object, retime, steady,
 };
 use vides::scene::Mesh;
 use vides::tools::check::{FindingKind, Limits};
+use vides::tools::fit::Progress;
 
 use crate::arrays;
 use crate::document::upright;
 use crate::error::{Failure, Result};
+use crate::interrupt::interruptible;
 
-/// Those of the path's check, but for what is given by name.
-fn limits(of: Limits, given: &[(String, f64)]) -> Result<Limits> {
-    let mut limits = of;
+/// As a keyword of Python.
+fn keyword(kind: FindingKind) -> String {
+    kind.name().replace('-', "_")
+}
+
+/// Limits by their keywords.
+pub(crate) fn named(limits: &Limits) -> Vec<(String, f64)> {
+    let kinds = FindingKind::all();
+    kinds
+        .map(|kind| (keyword(kind), limits.get(kind)))
+        .collect()
+}
+
+/// These, but for what is given by keyword; none given: what a new path has.
+pub(crate) fn limits(mut of: Limits, given: &[(String, Option<f64>)]) -> Result<Limits> {
     for (name, limit) in given {
         let kind = FindingKind::all()
-            .into_iter()
-            .find(|kind| kind.name().replace('-', "_") == *name)
+            .find(|kind| keyword(*kind) == *name)
             .ok_or_else(|| Failure::argument(format!("there is no limit {name:?}")))?;
-        limits.set(kind, *limit)?;
+        of.set(kind, limit.unwrap_or(kind.limit().default))?;
     }
-    Ok(limits)
+    Ok(of)
+}
+
+/// The edit that is planned, and what is told.
+type Planned<T> = Result<(Edit, T)>;
+
+fn replacing(path: CameraPath) -> Edit {
+    Edit::ReplacePath(Box::new(path))
 }
 
 /// Where the pace rests: point, orientation, limit.
@@ -34,22 +55,23 @@ pub(crate) type Rests = Vec<(usize, usize, &'static str)>;
 
 /// Computes the pace of points anew: the seconds that they take, and where it rests.
 pub(crate) fn retimed(
-    document: &mut Document,
+    document: &Document,
     seconds: f64,
     points: [usize; 2],
-    given: &[(String, f64)],
-) -> Result<(f64, Rests)> {
+    given: &[(String, Option<f64>)],
+    go_on: Progress<'_>,
+) -> Planned<(f64, Rests)> {
     let request = Request {
         limits: limits(document.info().limits, given)?,
         fps: document.info().fps,
         points: Some(points),
         seconds,
     };
-    let made = retime(document.path(), &request, &mut |_, _| true)?;
-    document.apply(Edit::ReplacePath(Box::new(made.path)))?;
+    let made = retime(document.path(), &request, go_on)?;
     let rests = made.rests.iter();
     let rests = rests.map(|rest| (rest.point, rest.orientation, rest.limit.name()));
-    Ok((made.seconds, rests.collect()))
+    let told = (made.seconds, rests.collect());
+    Ok((replacing(made.path), told))
 }
 
 /// An object as Python gives it: a file's name, or points and triangles.
@@ -104,27 +126,29 @@ pub(crate) type Detours = Vec<(usize, usize, usize, usize, f64)>;
 
 /// Leads the way clear of an object, the path's own unless given.
 pub(crate) fn avoided(
-    document: &mut Document,
+    document: &Document,
     (clearance, radius): (f64, f64),
     object: Option<Source>,
-) -> Result<Detours> {
+    go_on: Progress<'_>,
+) -> Planned<Detours> {
     let object = object.map(Source::mesh).transpose()?;
     let object = document.solid(object.as_ref())?;
     let request = AvoidRequest { clearance, radius };
-    let made = avoid_object(document.path(), &object, &request, &mut |_, _| true)?;
-    document.apply(Edit::ReplacePath(Box::new(made.path)))?;
+    let made = avoid_object(document.path(), &object, &request, go_on)?;
     let parts = made.parts.iter();
-    Ok(parts
+    let told = parts
         .map(|part| (part.from, part.to, part.moved, part.inserted, part.furthest))
-        .collect())
+        .collect();
+    Ok((replacing(made.path), told))
 }
 
 /// Keeps an object in the picture: points added, the greatest and the least share of the room.
 pub(crate) fn framed(
-    document: &mut Document,
+    document: &Document,
     (margin, by): (f64, &str),
     object: Option<Source>,
-) -> Result<(usize, f64, f64)> {
+    go_on: Progress<'_>,
+) -> Planned<(usize, f64, f64)> {
     let what = What::named(by).ok_or_else(|| {
         Failure::argument(format!(
             "by is \"zoom\", \"distance\" or \"view\", not {by:?}"
@@ -133,30 +157,36 @@ pub(crate) fn framed(
     let object = object.map(Source::mesh).transpose()?;
     let object = document.solid(object.as_ref())?;
     let limits = document.info().limits;
-    let made = document.framed(&object, (margin, what), limits, &mut |_, _| true)?;
-    document.apply(Edit::ReplacePath(Box::new(made.path)))?;
-    Ok((made.added, made.tightest, made.loosest))
+    let made = document.framed(&object, (margin, what), limits, go_on)?;
+    Ok((
+        replacing(made.path),
+        (made.added, made.tightest, made.loosest),
+    ))
 }
 
 /// Takes out the shaking of a hand: how far a place went, and degrees that a view turned.
-pub(crate) fn steadied(document: &mut Document, seconds: f64, within: f64) -> Result<(f64, f64)> {
+pub(crate) fn steadied(
+    document: &Document,
+    seconds: f64,
+    within: f64,
+    go_on: Progress<'_>,
+) -> Planned<(f64, f64)> {
     let request = SteadyRequest {
         seconds,
         within,
         fps: document.info().fps,
     };
-    let made = steady(document.path(), &request, &mut |_, _| true)?;
-    document.apply(Edit::ReplacePath(Box::new(made.path)))?;
-    Ok((made.furthest, made.turned))
+    let made = steady(document.path(), &request, go_on)?;
+    Ok((replacing(made.path), (made.furthest, made.turned)))
 }
 
 /// Coverage, share of the surface, places, distance, length, seconds, and shares of the surface
 /// that are left out, narrow and hidden.
 type Told = (f64, f64, usize, f64, f64, f64, f64, f64, f64);
 
-/// A flight that shows an object. Ctrl-C ends it.
+/// A flight that shows an object.
 #[pyfunction]
-#[pyo3(signature = (object, seconds, coverage, distance, inside, start, up))]
+#[pyo3(signature = (object, seconds, coverage, distance, inside, start, up, stills))]
 #[expect(clippy::too_many_arguments)]
 pub(crate) fn tour(
     py: Python<'_>,
@@ -167,6 +197,7 @@ pub(crate) fn tour(
     inside: bool,
     start: Option<[f64; 3]>,
     up: &str,
+    stills: bool,
 ) -> PyResult<(crate::document::Document, Told)> {
     let request = TourRequest {
         seconds,
@@ -175,17 +206,13 @@ pub(crate) fn tour(
         inside,
         start: start.map(Into::into),
         up: upright(up)?,
+        stills,
         ..TourRequest::default()
     };
     let source = object.source()?;
-    let mut raised = None;
-    let made = py.detach(|| {
+    interruptible(py, |go_on| {
         let object = source.object()?;
-        let mesh = object.to_mesh()?;
-        let made = vides::planner::tour(&mesh, &request, &mut |_, _| {
-            raised = Python::attach(|py| py.check_signals()).err();
-            raised.is_none()
-        })?;
+        let made = vides::planner::tour(&object.to_mesh()?, &request, go_on)?;
         let told = (
             made.coverage,
             made.surface,
@@ -201,7 +228,6 @@ pub(crate) fn tour(
             object,
             ..Info::default()
         };
-        Ok::<_, Failure>((Document::from_parts(made.path, info)?.into(), told))
-    });
-    raised.map_or_else(|| Ok(made?), Err)
+        Ok((Document::from_parts(made.path, info)?.into(), told))
+    })
 }

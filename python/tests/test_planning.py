@@ -202,3 +202,43 @@ def test_bad_plans_are_refused_and_change_nothing() -> None:
     with pytest.raises(TypeError):
         path.avoid("far", object=ball)  # type: ignore[arg-type]
     assert path == before
+
+
+def test_limits_are_the_paths_own() -> None:
+    path = line()
+    fresh = path.limits
+    assert fresh["speed"] == math.inf and fresh["turning"] == 60 and fresh["turning_acceleration"] == 300
+    path.set_limits(speed=0.5, acceleration=1, turning=math.inf, turning_acceleration=math.inf, zoom=math.inf)
+    assert path.limits == {**fresh, "speed": 0.5, "acceleration": 1, **OFF}
+    # What is planned keeps them, and so does the file.
+    assert 4.5 - 1e-9 <= path.retime().seconds <= 4.5 + 1 / path.fps
+    assert vides.Path.from_str(path.to_str()).limits == path.limits
+    assert "speed" not in {found.kind for found in path.check()}
+    path.set_limits(speed=0.01)
+    assert any(found.kind == "speed" for found in path.check())
+    path.undo()
+    path.set_limits(speed=None, acceleration=None, turning=None, turning_acceleration=None, zoom=None)
+    assert path.limits == fresh
+    for wrong in ({"speed": math.nan}, {"zoom": -1}, {"none": 1}, {"turning-acceleration": 1}):
+        with pytest.raises(vides.Error):
+            path.set_limits(**wrong)
+    assert path.limits == fresh
+
+
+def test_stills_are_the_views_of_a_tour() -> None:
+    shown = vides.tour((BALL, FACES), stills=True)
+    views = sum(len(point.orientations) for point in shown.path.points)
+    assert shown.path.frame_count == views and shown.coverage >= 0.95
+    assert shown.seconds == pytest.approx(views / shown.path.fps)
+    assert outside(shown.path.sample().positions).min() > 0
+
+
+def test_a_cure_is_one_step() -> None:
+    path = vides.Path(np.array([[-4, 0.1, 0.05], [4, 0, 0]]), look_at=(0, 0, -9), frames=201)
+    path.set_object(written())
+    path.points[0].zoom = 30
+    before = path.copy()
+    assert "through" in {found.kind for found in path.check()} and path.fix()
+    assert "through" not in {found.kind for found in path.check()}
+    assert path.undo() and path == before
+    assert path.undo() and path.points[0].zoom != 30

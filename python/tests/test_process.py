@@ -128,6 +128,64 @@ except KeyboardInterrupt:
     assert done.stdout == "interrupted True\n", done
 
 
+PLANS = {
+    "retime": "path.retime(turning=30)",
+    "avoid": "path.avoid(0.2, object=ball)",
+    "picture": "path.keep_in_picture(object=ball)",
+    "steady": "path.steady(3)",
+    "tool": "path.tool('steady', period=3)",
+    "tour": "vides.tour(ball)",
+    "fix": "path.fix()",
+}
+
+
+@pytest.mark.parametrize("plan", PLANS)
+def test_a_signal_ends_what_is_planned(plan: str) -> None:
+    program = f"""
+import signal
+import numpy as np, vides
+path = vides.Path(np.random.default_rng(1).uniform(-1, 1, (400, 3)), look_at=(0, 0, 0), frames=20_000)
+turns = np.linspace(0, 2 * np.pi, 160)
+heights = np.linspace(-1, 1, 160)
+ball = np.array([[np.cos(a) * np.sqrt(1 - y * y), y, np.sin(a) * np.sqrt(1 - y * y)]
+                 for y in heights for a in turns])
+corners = [i * 160 + j for i in range(159) for j in range(159)]
+ball = 0.4 * ball, [[i, i + 1, i + 160] for i in corners] + [[i + 1, i + 161, i + 160] for i in corners]
+before = path.copy()
+called = []
+def handler(*_):
+    called.append(path.frame_count)
+    raise KeyboardInterrupt
+signal.signal(signal.SIGALRM, handler)
+signal.setitimer(signal.ITIMER_REAL, 0.1)
+try:
+    {PLANS[plan]}
+except KeyboardInterrupt:
+    print("interrupted", called, path == before, path.undo())
+"""
+    done = run(program)
+    assert done.stdout == "interrupted [20000] True False\n", done
+
+
+def test_a_path_that_changes_while_it_is_planned_keeps_its_change() -> None:
+    path = vides.Path(np.random.default_rng(1).uniform(-1, 1, (400, 3)), frames=20_000)
+    refused = []
+
+    def plan() -> None:
+        try:
+            path.steady(3)
+        except vides.Error as error:
+            refused.append(str(error))
+
+    thread = threading.Thread(target=plan)
+    thread.start()
+    time.sleep(0.05)
+    path.points[0].zoom = 70
+    thread.join()
+    assert refused == ["the path was changed while it was planned"]
+    assert path.points[0].zoom == 70 and path.frame_count == 20_000
+
+
 def test_a_forked_child_goes_on() -> None:
     program = """
 import os, sys, vides

@@ -406,6 +406,32 @@ class Path(Planned):
         """Mends what :meth:`check` finds, as far as that helps. Returns what was mended."""
         return [Finding(*row) for row in self._native.fix()]
 
+    @property
+    def limits(self) -> dict[str, float]:
+        """Beyond which :meth:`check` finds something, by name; ``math.inf``: it is not looked for.
+
+        A copy; :meth:`set_limits` sets them. They are kept in the file. Lengths are half sizes of
+        the space, angles degrees, times seconds, and zooms mm.
+
+        >>> Path().limits["turning"]
+        60.0
+        """
+        return dict(self._native.limits())
+
+    def set_limits(self, **limits: float | None) -> None:
+        """Sets limits of :meth:`check`, within which what is planned stays, too; as one step.
+
+        ``math.inf``: there is none. ``None``: that of a new path.
+
+        >>> path = Path()
+        >>> path.set_limits(turning=20, speed=0.5)
+        >>> path.limits["turning"], path.limits["speed"]
+        (20.0, 0.5)
+        """
+        self._native.set_limits(
+            [(name, None if limit is None else number(limit, name)) for name, limit in limits.items()]
+        )
+
     def tool(self, name: str, path: Path | None = None, **numbers: float | str | Sequence[float]) -> None:
         """Does what the tool of this name does, as one step; :func:`tools` lists them.
 

@@ -31,7 +31,7 @@ def _given(object: Object) -> str | tuple[Array, list[list[int]]]:
 
 
 class Planned(Keyed):
-    """A path for which something is planned; each is one step of its history."""
+    """A path for which something is planned; each is one step of its history. Ctrl-C ends it."""
 
     __slots__ = ()
 
@@ -54,8 +54,8 @@ class Planned(Keyed):
         """Computes the pace anew, from point ``first`` to point ``last``; curve and views stay.
 
         As short as the limits allow, or in exactly so many ``seconds`` with the lowest peaks. It
-        begins and ends at rest, unless the path is closed. Limits that are not given are those
-        of :meth:`check`; ``math.inf``: none. They count for a second: ``speed``, ``acceleration``
+        begins and ends at rest, unless the path is closed. Limits that are not given are the
+        path's own (:meth:`Path.set_limits`); ``math.inf``: none. They count for a second: ``speed``, ``acceleration``
         and ``jerk`` of the camera's place in half sizes of the space, ``turning`` and
         ``turning_acceleration`` in degrees, ``zoom`` in mm; ``crossing`` is the least time in
         which a thing may cross the picture's width.
@@ -186,6 +186,7 @@ def tour(
     inside: bool = False,
     start: Vector | None = None,
     up: Axis = "y",
+    stills: bool = False,
 ) -> Tour:
     """A flight that shows an object for which nobody has planned one.
 
@@ -193,6 +194,7 @@ def tour(
     (m, 3). ``coverage`` is the share, by area, of what can be seen that is shown; ``distance``, a
     length, how far the camera is from what it shows, found unless given. ``inside`` flies in the
     object's free space, not around it. It is a closed round, unless it has a ``start`` (3,).
+    ``stills`` gives only the views that show it, one a frame, for pictures. Ctrl-C ends it.
 
     >>> corners = [[1, 1, 1], [-1, -1, 1], [-1, 1, -1], [1, -1, -1]]
     >>> shown = tour((corners, [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]), seconds=30)
@@ -209,5 +211,6 @@ def tour(
         bool(inside),
         None if start is None else vector(start, "start"),
         up,
+        bool(stills),
     )
     return Tour(Path._of(native), *told)

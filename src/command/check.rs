@@ -69,7 +69,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
                 "--fix needs a file for --output, and not -".to_owned(),
             ));
         }
-        Some(_) => document.fix(clearance.as_ref(), &mut |finding| fixed.push(*finding)),
+        Some(_) => document.fix(
+            clearance.as_ref(),
+            &mut |finding| fixed.push(*finding),
+            &mut |_, _| true,
+        ),
         None => document.check_against(clearance.as_ref()),
     };
     let found = found.map_err(at_file)?;

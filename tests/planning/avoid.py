@@ -3,9 +3,10 @@
 VIDES is the command. Random paths (tcb, cubic and linear, open and closed, 2 to 6 points) lead through
 bunny, teapot and dragon (npm), airplane, ant and nut (pyvista), hills of VTK's generator and a furnished
 room. Each is led clear; the way is then held against VTK's locator at 20 places a frame, and against
-`vides check`. Points that were clear have to stay to the last bit, unless no way leads to them
-(cells are flooded from them, with VTK's distances); frames are as many as they were, and what is
-refused has such points at an end. Ends with status 1 for any that is not so, and if a closed box is not refused with its frame.
+`vides check`. Frames are as many as they were. Points that were clear have to stay to the last bit,
+unless no way leads to them, and a path is refused only where none joins its ends: cells are flooded
+from either, with SciPy's distances to samples of the surface. Ends with status 1 for any that is not
+so, and if a closed box is not refused with its frame.
 """
 
 import gzip
@@ -22,6 +23,7 @@ import numpy as np
 import pyvista
 import vtk
 from pyvista import examples
+from scipy.spatial import cKDTree
 
 vides, folder = sys.argv[1], pathlib.Path(sys.argv[2])
 count = int(sys.argv[3]) if len(sys.argv) > 3 else 200
@@ -69,6 +71,13 @@ def meshes():
     yield "room", room()
 
 
+def spread(corners, step):
+    """Places on a triangle, as far apart as a step at most."""
+    count = max(1, int(np.ceil(np.linalg.norm(corners - np.roll(corners, 1, axis=0), axis=1).max() / step)))
+    a, b = np.array([(i, j) for i in range(count + 1) for j in range(count + 1 - i)]).T[:, :, None] / count
+    return corners[0] + a * (corners[1] - corners[0]) + b * (corners[2] - corners[0])
+
+
 class Object:
     def __init__(self, name, mesh):
         self.name, self.inside = name, name == "room"
@@ -85,6 +94,7 @@ class Object:
         self.low, self.high = points.min(0), points.max(0)
         self.middle, self.half = (self.low + self.high) / 2, float((self.high - self.low).max() / 2)
         self.far = 8 * self.half
+        self.samples = cKDTree(np.concatenate([spread(points[face], self.half / 250) for face in faces]))
 
     def distance(self, place):
         near, cell, sub, square = [0.0] * 3, vtk.reference(0), vtk.reference(0), vtk.reference(0.0)
@@ -106,29 +116,38 @@ class Object:
         return any(not self.crossed(place, place + self.far * (w - 1)) for w in ways)
 
 
-def is_shut(of, place, clear):
-    """Whether no way leads out from a place that keeps clear: cells that may be free are flooded."""
-    step = clear / 4
-    low, high = of.low - 2 * clear, of.high + 2 * clear
-    known, left = {(0, 0, 0)}, [(0, 0, 0)]
-    ways = [(x - 1, y - 1, z - 1) for x, y, z in np.ndindex(3, 3, 3) if (x, y, z) != (1, 1, 1)]
-    while left:
-        x, y, z = left.pop()
-        for i, j, k in ways:
-            cell = (x + i, y + j, z + k)
-            if cell in known:
-                continue
-            known.add(cell)
-            there = (place[0] + step * cell[0], place[1] + step * cell[1], place[2] + step * cell[2])
-            # A way through a cell comes within half its diagonal of its middle.
-            if of.distance(there) < clear - step * 0.87:
-                continue
-            if any(not l <= t <= h for l, t, h in zip(low, there, high)):
-                return False
-            left.append(cell)
-        if len(known) > 300_000:
+# Cells as whole numbers, and the steps to those around one.
+AXES = 1 << np.array([40, 20, 0])
+WAYS = (np.array([way for way in np.ndindex(3, 3, 3) if way != (1, 1, 1)]) - 1) @ AXES
+MIDDLE = 1 << 19
+
+
+def is_apart(of, one, other, clear):
+    """Whether surely no way that keeps clear joins two places: cells through which one may lead are
+    flooded from either, until no more are reached, or the other place or the outside is."""
+    # Half of the distance does where the surface is closed, fewer cells than a quarter.
+    return any(is_shut(of, *ends, clear, step) for step in (clear / 2, clear / 4) for ends in ((one, other), (other, one)))
+
+
+def is_shut(of, place, goal, clear, step):
+    goal = np.rint((goal - place) / step)
+    # What is next to a layer lies in it, in the one before or in the one to come.
+    before, layer, number = np.zeros(0, dtype=int), np.array([MIDDLE * AXES.sum()]), 0
+    while len(layer) and number < 8_000_000:
+        number += len(layer)
+        cells = (layer[:, None] // AXES) % (2 * MIDDLE) - MIDDLE
+        there = place + step * cells
+        if ((there < of.low - 2 * clear) | (there > of.high + 2 * clear)).any():
             return False
-    return True
+        # A sample is not nearer than the surface; a way through a cell comes within half its
+        # diagonal of its middle.
+        near, _ = of.samples.query(there, distance_upper_bound=clear)
+        free = near >= clear - 0.8661 * step
+        if (np.abs(cells[free] - goal) <= 1).all(1).any():
+            return False
+        around = np.unique(layer[free][:, None] + WAYS)
+        before, layer = layer, np.setdiff1d(around, np.concatenate([before, layer]))
+    return len(layer) == 0
 
 
 def path_text(space, points, curve, closed, target):
@@ -180,9 +199,9 @@ def tried(of, number, random):
     took = time.perf_counter() - begin
     if done.returncode:
         told = done.stderr.strip()
-        shut = [k + 1 for k, point in enumerate(points) if of.distance(point) > clear and is_shut(of, point, clear)]
-        said = "at frame" in told and not out.exists() and (shut or of.inside)
-        told = f"refused: {told.split(': ', 2)[-1]}; points {shut} are shut in"
+        apart = is_apart(of, points[0], points[-1], clear)
+        told = f"refused: {told.split(': ', 2)[-1]}; {'no' if apart else 'maybe a'} way joins the ends"
+        said = "at frame" in told and not out.exists() and apart
         return (0 if said else fault(of, number, told)), told, 0, 0, 0, took
     faults = 0
     fine = places(out, FINE)
@@ -202,7 +221,7 @@ def tried(of, number, random):
     kept = {tuple(map(float, point["position"])) for point in made}
     for point in points:
         stays = tuple(point.tolist()) in kept
-        if not stays and of.distance(point) > clear * (1 + 1e-9) and of.is_outside(point) and not is_shut(of, point, clear):
+        if not stays and of.distance(point) > clear * (1 + 1e-9) and not is_apart(of, points[0], point, clear):
             faults += fault(of, number, f"the clear point {point} was moved")
     parts = re.findall(r"(\d+) points? moved, (\d+) points? put in", done.stderr)
     moved, new = [sum(int(part[k]) for part in parts) for k in (0, 1)]

@@ -1,6 +1,7 @@
 """The tools of the window: chosen, shown live, taken or left, by keyboard and mouse."""
 
 import math
+import os
 
 from cases_window import opened
 from harness import check, wait
@@ -58,4 +59,73 @@ def findings_are_listed_and_lead_to_their_frame(place):
     server.click(window, x + width / 2, y + height / 2)
     wait(lambda: server.picture(window).differs(before), "the playhead to go there")
     server.press(window, "Escape")
+    host.leave()
+
+
+def ball(file, rings):
+    """A mesh of some 2 × rings² triangles."""
+    with open(file, "w") as out:
+        for i in range(rings + 1):
+            for j in range(rings):
+                down, round = math.pi * i / rings, 2 * math.pi * j / rings
+                out.write(f"v {math.sin(down) * math.cos(round):.6f} {math.cos(down):.6f} "
+                          f"{math.sin(down) * math.sin(round):.6f}\n")
+        for i in range(rings):
+            for j in range(rings):
+                a, b = i * rings + j, i * rings + (j + 1) % rings
+                out.write(f"f {a + 1} {a + rings + 1} {b + 1}\nf {b + 1} {a + rings + 1} {b + rings + 1}\n")
+
+
+def workers(host):
+    """The signals that are blocked in each thread that works beside the window."""
+    found = []
+    for task in os.listdir(f"/proc/{host.pid}/task"):
+        try:
+            with open(f"/proc/{host.pid}/task/{task}/status") as file:
+                said = dict(line.rstrip("\n").split(":\t", 1) for line in file if ":\t" in line)
+        except (FileNotFoundError, ProcessLookupError):  # it has ended meanwhile
+            continue
+        if said["Name"] == "vides work":
+            found.append(int(said["SigBlk"], 16))
+    return found
+
+
+@test()
+def a_tour_is_planned_beside_a_host(place):
+    """The host is served meanwhile and takes its signals; closing the window ends the work."""
+    ball(place.path("ball.obj"), 500)
+    with open(place.path("ball.vid"), "w") as file:
+        file.write("""version = 1
+[space]
+half_size = 2.0
+[object]
+file = "ball.obj"
+[[point]]
+position = [-1.9, 0, 0]
+orientation = [{ target = [0, 0, 0] }]
+[[point]]
+position = [0, 1.9, 0]
+orientation = [{ target = [0, 0, 0] }]
+""")
+    server = place.server()
+    host = place.told(server, LC_ALL="en_GB.UTF-8")
+    host.tell("objectless 1")
+    host.edit(0, "ball.vid")
+    window = server.new_window()
+    before = host.path()
+    check(not workers(host), "a thread before there is work")
+    for way in ("Escape", "close"):
+        server.press(window, "alt+w", *["Up"] * 3, "Return")
+        blocked = wait(lambda: workers(host), "a thread")
+        # All but those that cannot be blocked and the C library's own two.
+        for signal in (1, 2, 3, 10, 12, 13, 14, 15, 17, 20, 28):
+            check(blocked[0] >> (signal - 1) & 1, f"signal {signal} would go to the thread")
+        host.live(1)
+        if way == "Escape":
+            server.press(window, "Escape")
+            wait(lambda: not workers(host), "the thread to end")
+            check(host.path() == before, "it was left, and changed the path")
+        else:
+            host.tell("close 0", "closed 0", 5)
+            wait(lambda: not workers(host), "the thread to end")
     host.leave()

@@ -159,6 +159,9 @@ static void process(void)
         (unsigned)fcntl(0, F_GETFL), (unsigned)fcntl(1, F_GETFL), (unsigned)fcntl(2, F_GETFL));
 }
 
+/* Whether windows are given no object. */
+static int objectless;
+
 static void open_editor(int which, const char *file, const char *display, const char *language)
 {
     V_EDITOR_OPTIONS options;
@@ -170,7 +173,7 @@ static void open_editor(int which, const char *file, const char *display, const 
     options.file = file;
     options.display = display;
     options.language = language;
-    options.object = &pyramid_mesh;
+    options.object = objectless ? NULL : &pyramid_mesh;
     options.on_poses = on_poses;
     options.on_close = on_close;
     options.user = (void *)(size_t)which;
@@ -317,6 +320,9 @@ static void command(char *line)
         say("freed %d %s", list->number, v_last_error());
     } else if (strcmp(name, "edit") == 0) { /* NUMBER [FILE] */
         open_editor(a, more[0] != '\0' ? more : NULL, NULL, NULL);
+    } else if (strcmp(name, "objectless") == 0) { /* NUMBER */
+        objectless = a;
+        say("objectless");
     } else if (strcmp(name, "edit-on") == 0) { /* NUMBER DISPLAY */
         open_editor(a, NULL, more, NULL);
     } else if (strcmp(name, "edit-in") == 0) { /* NUMBER LANGUAGE */

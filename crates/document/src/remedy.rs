@@ -3,6 +3,7 @@
 pub(crate) mod planned;
 
 use glam::DVec3;
+use vides_engine::error::Invalid;
 use vides_engine::path::{Ease, EaseKind, Section, Timing, timing};
 use vides_engine::tools::check::{Finding, FindingKind};
 use vides_engine::tools::clearance::Clearance;
@@ -200,11 +201,13 @@ impl Document {
     /// gets each finding that was cured. What is left is the answer.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Limit`], [`vides_engine::Error::Memory`].
+    /// [`vides_engine::Error::Limit`], [`vides_engine::Error::Memory`]; [`vides_engine::Error::Argument`]
+    /// where `progress` ends it.
     pub fn fix(
         &mut self,
         object: Option<&Clearance>,
         tell: &mut dyn FnMut(&Finding),
+        progress: Progress<'_>,
     ) -> Result<Vec<Finding>> {
         let mut found = self.check_against(object)?;
         let mut tried: Vec<(FindingKind, usize, usize)> = Vec::new();
@@ -214,7 +217,10 @@ impl Document {
                 if tried.iter().filter(|known| **known == place).count() >= TIMES {
                     continue;
                 }
-                let edits = match self.remedy(finding, object, &mut |_, _| true) {
+                if !progress(tried.len(), TIMES * found.len()) {
+                    return Err(vides_engine::Error::from(Invalid::Cancelled).into());
+                }
+                let edits = match self.remedy(finding, object, progress) {
                     // No way round.
                     Err(error) if error.kind() == ErrorKind::Argument => Vec::new(),
                     edits => edits?,

@@ -265,7 +265,9 @@ fn all_that_can_be_is_fixed_and_the_rest_is_left() {
     let before = document.check(None).unwrap();
     let mut told = Vec::new();
     let left = document
-        .fix(None, &mut |finding| told.push(finding.kind))
+        .fix(None, &mut |finding| told.push(finding.kind), &mut |_, _| {
+            true
+        })
         .unwrap();
     assert_eq!(left, document.check(None).unwrap());
     assert!(
@@ -279,7 +281,10 @@ fn all_that_can_be_is_fixed_and_the_rest_is_left() {
     }
     // Nothing more helps.
     let path = document.path().clone();
-    assert_eq!(document.fix(None, &mut |_| ()).unwrap(), left);
+    assert_eq!(
+        document.fix(None, &mut |_| (), &mut |_, _| true).unwrap(),
+        left
+    );
     assert_eq!(*document.path(), path);
 }
 
@@ -343,7 +348,11 @@ fn what_is_in_the_way_is_gone_round() {
     }
     assert!(near(&mended).is_none());
     let mut told = Vec::new();
-    let left = document.fix(Some(&object), &mut |finding| told.push(finding.kind));
+    let left = document.fix(
+        Some(&object),
+        &mut |finding| told.push(finding.kind),
+        &mut |_, _| true,
+    );
     assert!(told.contains(&FindingKind::Clearance));
     assert!(!left.unwrap().iter().any(|finding| is_led(finding.kind)));
 }
@@ -365,7 +374,9 @@ fn where_nothing_is_to_be_seen_views_turn_to_the_object() {
             |found: &[Finding]| found.iter().map(|finding| finding.kind).collect::<Vec<_>>();
         let found = document.check_against(Some(&object)).unwrap();
         assert!(kinds(&found).contains(&FindingKind::NothingToSee));
-        let left = document.fix(Some(&object), &mut |_| ()).unwrap();
+        let left = document
+            .fix(Some(&object), &mut |_| (), &mut |_, _| true)
+            .unwrap();
         assert!(
             !kinds(&left).contains(&FindingKind::NothingToSee),
             "{left:?}"

@@ -1,5 +1,6 @@
 //! Work that takes long, done beside the window by a thread that its program starts.
 
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
@@ -23,7 +24,7 @@ const AGAIN: Duration = Duration::from_millis(50);
 #[derive(Debug)]
 pub(crate) struct Background<T> {
     how_far: Arc<HowFar>,
-    answer: Receiver<Result<T>>,
+    answer: Receiver<std::thread::Result<Result<T>>>,
     known: Option<Result<T>>,
     /// A forked child has no thread to wait for.
     process: u32,
@@ -47,11 +48,12 @@ impl<T: Send + 'static> Background<T> {
         let (sender, answer) = channel();
         let told = how_far.clone();
         let all = move || {
-            let made = work(&mut |done, all| {
+            let go_on = &mut |done, all| {
                 told.done.store(done, Ordering::Relaxed);
                 told.all.store(all, Ordering::Relaxed);
                 !told.cancelled.load(Ordering::Relaxed)
-            });
+            };
+            let made = catch_unwind(AssertUnwindSafe(|| work(go_on)));
             // Who has given it up does not listen.
             let _ = sender.send(made);
         };
@@ -71,12 +73,13 @@ impl<T: Send + 'static> Background<T> {
         begun
     }
 
-    /// What it made; `None` as long as it is under way.
+    /// What it made; `None` as long as it is under way. Its panic is the window's.
     fn wait(&self, time: Duration) -> Option<Result<T>> {
         match self.answer.recv_timeout(time) {
-            Ok(made) => Some(made),
+            Ok(Ok(made)) => Some(made),
+            Ok(Err(panic)) => resume_unwind(panic),
             Err(RecvTimeoutError::Timeout) => None,
-            // It could not be started, or has panicked.
+            // It could not be started.
             Err(RecvTimeoutError::Disconnected) => Some(Err(Invalid::Cancelled.into())),
         }
     }

@@ -1,5 +1,6 @@
 use std::time::{Duration, Instant};
 
+use egui::Context;
 use egui_kittest::kittest::NodeT;
 use glam::DVec3;
 use vides_engine::scene::Mesh;
@@ -147,5 +148,16 @@ fn a_finding_is_cured_while_the_window_goes_on() {
             let left = window.state().document.check(None).unwrap();
             assert!(!left.iter().any(|left| left.kind == kind));
         }
+    }
+}
+
+#[test]
+fn a_panic_of_the_work_is_the_windows() {
+    for start in [None, Some(late as super::Start)] {
+        let begun = std::panic::catch_unwind(|| {
+            let mut begun = super::Background::<()>::begin(start, |_| panic!("a fault"));
+            while !begun.is_done(&Context::default()) {}
+        });
+        assert_eq!(begun.unwrap_err().downcast_ref(), Some(&"a fault"));
     }
 }

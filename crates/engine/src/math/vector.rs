@@ -48,7 +48,7 @@ pub(crate) fn fetch<T>(values: &[T]) {
 
 /// An array of the values of an expression, as `[0, 1, 2].map(|i| …)` gives it. A closure is a
 /// function of its own, compiled for the plainest processor, and what it does with vectors becomes
-/// a call for each operation. This is written out where it stands: scenes are twice as fast.
+/// a call for each operation. This is written out where it stands.
 macro_rules! each {
     ($name:ident in [$($each:expr),*] => $value:expr) => {
         [$({ let $name = $each; $value }),*]

@@ -6,10 +6,10 @@ use std::fmt;
 use glam::DVec3;
 
 use self::apply::Bent;
-use self::bend::{Bend, Detour, Knot};
+use self::bend::{Detour, Knot};
 use self::field::Field;
 use self::route::Router;
-use crate::error::{Error, Invalid, OutOfRange, Result, vec_with_room};
+use crate::error::{Error, Invalid, Result, vec_with_room};
 use crate::path::hermite::Cubic;
 use crate::path::{CameraPath, Change, CurveKind, Sampler, Timeline};
 use crate::scene::Mesh;
@@ -21,6 +21,7 @@ mod apply;
 mod bend;
 mod field;
 mod route;
+mod stretch;
 
 /// What is asked for, in the path's units.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -77,16 +78,9 @@ pub struct Avoided {
 /// Shares of the distance kept beyond it on the way round, so that a smooth curve follows it.
 const ROOM: [f64; 2] = [0.06, 0.002];
 
-/// Share of the distance by which a new curve keeps more than it must, for what is left between
-/// two places.
-const SURE: f64 = 1e-5;
-
 /// Rounds in which the distance grows, where frames are so far apart that the straight lines
 /// between them meet the object.
 const ROUNDS: usize = 4;
-
-/// A stretch is widened so often by a point on either side, less one.
-const WIDER: usize = 3;
 
 /// A way round is at most so many times as long as the part of the curve that it stands for, where
 /// there is room beside it; and places of the curve that are added on either side.
@@ -494,94 +488,6 @@ impl<'a> Work<'a> {
     fn moves(&self, u: f64, detours: &[Detour]) -> bool {
         let passed = |detour: &Detour| detour.from < u && u < detour.to;
         detours.iter().any(passed) || self.field.far(self.place(u), self.need) < self.need
-    }
-
-    /// Ranges of places in `points` between which the way is another.
-    fn stretches(&self, detours: &[Detour]) -> Result<Vec<[usize; 2]>> {
-        let mut all: Vec<[usize; 2]> = vec_with_room(detours.len())?;
-        let last = self.points.len() - 1;
-        for detour in detours {
-            let stays = |at: &usize| !self.moves(self.points[*at].1, detours);
-            let before = |at: &usize| self.points[*at].1 <= detour.from && stays(at);
-            let behind = |at: &usize| self.points[*at].1 >= detour.to && stays(at);
-            let from = (0..=last).rev().find(before).unwrap_or(0);
-            let to = (0..=last).find(behind).unwrap_or(last);
-            match all.last_mut() {
-                Some(before) if before[1] > from => before[1] = before[1].max(to),
-                _ => all.push([from, to]),
-            }
-        }
-        Ok(all)
-    }
-
-    /// A stretch that is clear; where it cannot be smooth within it, with the points beside, whose
-    /// tangents turn, and with the stretch before, if that is among them.
-    fn bent<'b>(
-        &'b self,
-        mut range: [usize; 2],
-        detours: &'b [Detour],
-        before: &mut Vec<Bent<'b>>,
-        progress: Progress<'_>,
-    ) -> Result<Bent<'b>> {
-        let (mut left, mut short) = (0.0, None);
-        for _ in 0..WIDER {
-            while let Some(last) = before.pop_if(|last| last.range[1] > range[0]) {
-                range = [range[0].min(last.range[0]), range[1].max(last.range[1])];
-            }
-            let mut bend = self.bend(range, detours)?;
-            let Some(at) = bend.bend(progress)? else {
-                return Ok(Bent { bend, range });
-            };
-            (left, short) = (at, short.or(bend.short));
-            range = [
-                range[0].saturating_sub(1),
-                (range[1] + 1).min(self.points.len() - 1),
-            ];
-        }
-        Err(match short {
-            Some(leg) => OutOfRange::FewerFrames(self.segments[leg]).into(),
-            None => no_way(self.frame(left), self.place(left), self.need),
-        })
-    }
-
-    fn bend<'b>(&'b self, range: [usize; 2], detours: &'b [Detour]) -> Result<Bend<'b>> {
-        let mut knots: Vec<Knot> = vec_with_room(range[1] - range[0] + 1)?;
-        let mut need = self.need * (1.0 + SURE);
-        for at in range[0]..=range[1] {
-            let u = self.points[at].1;
-            if knots.last().is_some_and(|last| last.u == u) {
-                continue;
-            }
-            let ends = u == self.points[range[0]].1 || u == self.points[range[1]].1;
-            let moves = self.moves(u, detours);
-            let mut delta = DVec3::ZERO;
-            if moves {
-                let inside = |detour: &&Detour| (detour.from..=detour.to).contains(&u);
-                if let Some(detour) = detours.iter().find(inside) {
-                    delta = detour.place(u) - self.place(u);
-                }
-            } else {
-                need = need.min(self.field.far(self.place(u), need));
-            }
-            knots.push(Knot {
-                u,
-                delta,
-                fixed: ends || !moves,
-                still: ends,
-                new: false,
-            });
-        }
-        let plain = |at: usize| self.path.points[self.points[at].0].tangents.is_none();
-        Ok(Bend {
-            field: self.field,
-            legs: &self.legs,
-            frames: &self.frames,
-            detours,
-            need: need.max(self.need),
-            linear: self.path.curve == CurveKind::Linear && (range[0]..=range[1]).all(plain),
-            knots,
-            short: None,
-        })
     }
 
     /// The section of a leg.

@@ -7,6 +7,9 @@
 use super::reach::{Ramps, Reach, mixed, seconds};
 use crate::error::{Result, vec_with_room};
 
+/// Asked before each section whether to go on.
+pub(super) type GoOn<'a> = &'a mut dyn FnMut() -> Result<()>;
+
 /// How two sections meet.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Joint {
@@ -106,8 +109,8 @@ impl Row<'_> {
         Ok(paces)
     }
 
-    /// The fewest frames for all, never fewer than `least` for a section.
-    pub(super) fn plan(&self) -> Result<Vec<Paced>> {
+    /// The fewest frames for all.
+    pub(super) fn plan(&self, go_on: GoOn<'_>) -> Result<Vec<Paced>> {
         let count = self.reaches.len();
         let controllable = self.controllable()?;
         let tops = self.tops(&controllable)?;
@@ -124,6 +127,7 @@ impl Row<'_> {
         // Frames from each level of a joint to each of the next.
         let mut tables: Vec<[[f64; LEVELS.len()]; LEVELS.len()]> = vec_with_room(count)?;
         for k in 0..count {
+            go_on()?;
             let mut table = [[f64::INFINITY; LEVELS.len()]; LEVELS.len()];
             for (a, row) in table.iter_mut().enumerate().take(levels(k)) {
                 let ahead = self.reaches[k].fastest(start(k, a), &controllable[k])?;

@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::course::{Bounds, Course};
-use super::frames::{Joint, Paced};
+use super::frames::{GoOn, Joint, Paced};
 use super::reach::{Margin, Reach};
 use super::track::{Knot, Miss, Track, track};
 use crate::error::{Error, Invalid, OutOfRange, Result, vec_with_room};
@@ -118,14 +118,15 @@ pub fn retime(path: &CameraPath, request: &Request, progress: Progress<'_>) -> R
     }
     work.start_smooth()?;
     for round in 0..ROUNDS {
-        if !progress(round, ROUNDS) {
-            return Err(Invalid::Cancelled.into());
-        }
         // What does not come to whole frames is not smoothed.
         if round == SMOOTHED && work.smoothing.take().is_some() {
             work.start_plain();
         }
-        let (paces, slower) = match work.paces() {
+        let mut go_on = || match progress(round, ROUNDS) {
+            true => Ok(()),
+            false => Err(Error::from(Invalid::Cancelled)),
+        };
+        let (paces, slower) = match work.paces(&mut go_on) {
             // What was found is the least of a pace without whole frames and keys.
             Err(Error::Argument(Invalid::PaceSeconds { seconds, .. })) => {
                 let fastest = Request {
@@ -143,7 +144,7 @@ pub fn retime(path: &CameraPath, request: &Request, progress: Progress<'_>) -> R
         let Some(flown) = work.flown(&paces, slower)? else {
             continue;
         };
-        if !work.tracks(flown)? {
+        if !work.tracks(flown, &mut go_on)? {
             continue;
         }
         let made = work.apply(path, &timeline, &paces)?;
@@ -416,16 +417,16 @@ impl<'a> Work<'a> {
     }
 
     /// Paces of all sections with these limits, made slower all alike.
-    fn planned(&self, slower: f64) -> Result<(Vec<Reach>, Vec<Paced>)> {
+    fn planned(&self, slower: f64, go_on: GoOn<'_>) -> Result<(Vec<Reach>, Vec<Paced>)> {
         let reaches = self.reaches(&self.slower_bounds(slower))?;
-        let paces = self.row(&reaches, slower).plan()?;
+        let paces = self.row(&reaches, slower).plan(go_on)?;
         Ok((reaches, paces))
     }
 
     /// Paces, and how much slower than the fastest their limits were.
-    fn paces(&self) -> Result<(Vec<Paced>, f64)> {
+    fn paces(&self, go_on: GoOn<'_>) -> Result<(Vec<Paced>, f64)> {
         let all = |paces: &[Paced]| paces.iter().map(|pace| pace.frames).sum::<usize>();
-        let (_, fastest) = self.planned(1.0)?;
+        let (_, fastest) = self.planned(1.0, go_on)?;
         if fastest.len() < self.courses.len() {
             return Err(self.not_held());
         }
@@ -452,10 +453,10 @@ impl<'a> Work<'a> {
             1.0,
             1.5 * (wanted + self.courses.len()) as f64 / least as f64,
         ];
-        let (mut best, mut pace) = (self.planned(1.0)?, 1.0);
+        let (mut best, mut pace) = (self.planned(1.0, go_on)?, 1.0);
         for _ in 0..20 {
             let slower = 0.5 * (ends[0] + ends[1]);
-            let found = self.planned(slower)?;
+            let found = self.planned(slower, go_on)?;
             let fits = found.1.len() == self.courses.len() && all(&found.1) <= wanted;
             ends[usize::from(!fits)] = slower;
             if fits {
@@ -488,10 +489,11 @@ impl<'a> Work<'a> {
     }
 
     /// Keys for all paces; where they do not hold the limits, its margin grows.
-    fn tracks(&mut self, flown: Vec<Vec<Knot>>) -> Result<bool> {
+    fn tracks(&mut self, flown: Vec<Vec<Knot>>, go_on: GoOn<'_>) -> Result<bool> {
         let mut hold = true;
         let mut before = std::mem::take(&mut self.tracks).into_iter();
         for (k, knots) in flown.into_iter().enumerate() {
+            go_on()?;
             let fps = self.request.fps;
             // Most sections have the pace that they had.
             let same = before.next().filter(|track| track.knots == knots);

@@ -40,6 +40,28 @@ fn sampler(path: &CameraPath) -> Sampler {
     Sampler::new(path, &Timeline::new(path).unwrap()).unwrap()
 }
 
+#[test]
+fn it_ends_when_it_is_told_at_any_section() {
+    let path = random_path(&mut Random(3), 1);
+    let wanted = request(&[(FindingKind::Speed, 1.0), (FindingKind::Acceleration, 1.0)]);
+    let mut all = 0;
+    retime(&path, &wanted, &mut |_, _| {
+        all += 1;
+        true
+    })
+    .unwrap();
+    assert!(all >= 2 * path.points.len() - 2, "{all}");
+    for last in 1..=all {
+        let mut asked = 0;
+        let ended = retime(&path, &wanted, &mut |_, _| {
+            asked += 1;
+            asked < last
+        });
+        assert_eq!(ended.unwrap_err(), Invalid::Cancelled.into());
+        assert_eq!(asked, last);
+    }
+}
+
 /// From rest to rest with speed v and acceleration a: L/v + v/a, or 2√(L/a), to a frame.
 #[test]
 fn a_straight_line_takes_the_trapezoid() {

@@ -96,7 +96,7 @@ pub fn tour(object: &Mesh, request: &TourRequest, progress: Progress<'_>) -> Res
     made.seconds = if request.stills {
         chosen.len() as f64 / request.fps
     } else {
-        work.pace(&mut made)?
+        work.pace(&mut made, progress)?
     };
     Ok(made)
 }
@@ -577,22 +577,25 @@ impl<'a> Work<'a> {
     }
 
     /// Gives a tour's path a pace, as even as the limits allow; returns the seconds.
-    fn pace(&self, tour: &mut Tour) -> Result<f64> {
+    fn pace(&self, tour: &mut Tour, progress: Progress<'_>) -> Result<f64> {
         let mut limits = self.request.limits;
         let mean = tour.length / tour.path.space.half_size / self.request.seconds;
         let speed = limits.get(FindingKind::Speed).min(EVEN * mean);
         limits.set(FindingKind::Speed, speed)?;
-        let paced = |limits: Limits| {
+        let views = self.views.len();
+        let mut paced = |limits: Limits| {
             let request = Request {
                 limits,
                 fps: self.request.fps,
                 points: None,
                 seconds: self.request.seconds,
             };
-            retime(&tour.path, &request, &mut |_, _| true)
+            retime(&tour.path, &request, &mut |_, _| progress(views, views))
         };
         let made = match paced(limits) {
-            Err(Error::Argument(_)) => paced(self.request.limits)?,
+            Err(Error::Argument(cause)) if cause != Invalid::Cancelled => {
+                paced(self.request.limits)?
+            }
             made => made?,
         };
         tour.path = made.path;

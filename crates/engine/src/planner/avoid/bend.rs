@@ -19,8 +19,8 @@ const ROUNDS: usize = 16;
 /// Knots put into a stretch, at most.
 const KNOTS: usize = 48;
 
-/// Share of a leg between two knots.
-const APART: f64 = 0.02;
+/// Share of a leg between two knots, at least; the lesser ones where a way is too winding for it.
+pub(super) const APART: [f64; 3] = [0.02, 0.005, 0.001];
 
 /// Beyond the place that is just clear.
 const BEYOND: f64 = 1.04;
@@ -88,6 +88,8 @@ pub(super) struct Bend<'a> {
     pub frames: &'a [usize],
     pub detours: &'a [Detour],
     pub need: f64,
+    /// Share of a leg between two knots, at least.
+    pub apart: f64,
     /// Straight from knot to knot.
     pub linear: bool,
     pub knots: Vec<Knot>,
@@ -231,7 +233,7 @@ impl Bend<'_> {
         let inside = |knot: &&Knot| knot.new && (knot.u as usize) == leg;
         let known = self.knots.iter().filter(inside).count();
         let new = self.knots.iter().filter(|knot| knot.new).count();
-        let least = if self.linear { 1e-4 } else { 2.0 * APART };
+        let least = if self.linear { 1e-4 } else { 2.0 * self.apart };
         if known + 2 > self.frames[leg] {
             self.short = Some(leg);
             return Ok(false);

@@ -20,6 +20,9 @@ const LINE: f64 = 0.03;
 /// 3e-6 of the distance then), and where one is not.
 const CURVE: [f64; 2] = [5e-3, 1e-3];
 
+/// By which share of the distance a curve may bulge there.
+const DIP: f64 = 3e-6;
+
 /// No way is cut into more parts.
 const PARTS: [f64; 2] = [1e-4, 1e-5];
 
@@ -112,7 +115,10 @@ impl Field<'_> {
             let near = [a.far < need, b.far < need];
             let split = match near {
                 [false, false] if is_clear([a.far, b.far], step, bulge, need) => continue,
-                [false, false] => step > (CURVE[0] * need).max(PARTS[1] * length),
+                [false, false] => {
+                    let done = step <= CURVE[0] * need && bulge <= DIP * need;
+                    !done && step > PARTS[1] * length
+                }
                 [true, true] => step > (0.5 * need).max(PARTS[1] * length),
                 _ => step > (CURVE[1] * need).max(PARTS[1] * length),
             };

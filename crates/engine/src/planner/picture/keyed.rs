@@ -4,6 +4,7 @@ use glam::{DQuat, DVec3};
 
 use super::below::Course;
 use super::film::{Film, Spot};
+use super::outline::Camera;
 use super::{Framed, SPARE, TIGHT, What, Work};
 use crate::error::{Error, Invalid, Result, vec_with_room};
 use crate::math::orientation::unit;
@@ -20,14 +21,21 @@ const ROUNDS: usize = 60;
 /// An excess between keys up to which these take less of the room instead of a point being added.
 const NEAR: f64 = 1.04;
 
+/// Where keys have given way so far and it is still too much, it is not theirs.
+const GIVEN: f64 = 0.97;
+
 /// Frames between two keys at least.
 const APART: f64 = 3.0;
 
 /// The least share of the room that a key may come to take.
 const LEAST_AIM: f64 = 0.3;
 
-/// Turns of a view at one key, each by what is missing.
+/// Turns of a view at one key, each by what is missing; halvings of one that goes too far.
 const TURNS: usize = 100;
+const HALVINGS: usize = 30;
+
+/// The share of what a key may take that it takes where it was turned.
+const TURNED: f64 = 0.999;
 
 /// The share of the way to a target that the camera may go.
 const TO_TARGET: f64 = 0.95;
@@ -125,7 +133,12 @@ impl Work<'_> {
             };
             let begin = film.spots[piece.from].frame;
             let room = piece.frames as f64 >= 2.0 * APART;
-            if share > NEAR && piece.divides && room {
+            // Points that were put in before this section have moved its number.
+            let first = piece.point + inserted;
+            let same = piece.orientation + 1 < base.points[first].orientations.len();
+            let ends = [first, (first + usize::from(!same)) % base.points.len()];
+            let given = ends.iter().all(|end| aims[*end] < GIVEN);
+            if (share > NEAR || given) && piece.divides && room {
                 let inside = [begin + APART, begin + piece.frames as f64 - APART];
                 let frame = frame.round().clamp(inside[0].ceil(), inside[1].floor());
                 match on_curve(base, frame) {
@@ -133,7 +146,7 @@ impl Work<'_> {
                         *base = divided.path;
                         let aim = aims[divided.at - 1];
                         aims.try_reserve(1)?;
-                        aims.insert(divided.at, aim);
+                        aims.insert(divided.at, if given { AIM } else { aim });
                         inserted += 1;
                         continue;
                     }
@@ -141,10 +154,6 @@ impl Work<'_> {
                     Err(error) => return Err(error),
                 }
             }
-            // Points that were put in before this section have moved its number.
-            let first = piece.point + inserted;
-            let same = piece.orientation + 1 < base.points[first].orientations.len();
-            let ends = [first, (first + usize::from(!same)) % base.points.len()];
             let less = (1.0 - 10.0 * SPARE) / share.min(1.25);
             for end in ends {
                 aims[end] *= less;
@@ -277,6 +286,24 @@ impl Work<'_> {
         }
         if !turned {
             return Ok(());
+        }
+        // Turned both ways at once, or to the middle, it may have gone too far.
+        let old = spot.camera.view;
+        let whole = DQuat::from_rotation_arc(old, camera.view);
+        let part_of = |part: f64| {
+            let view = unit(DQuat::IDENTITY.slerp(whole, part) * old);
+            let up = axis.up_from_roll(view, roll);
+            Camera { view, up, ..camera }
+        };
+        let mut ends = [0.0, 1.0];
+        if self.share(&Spot { camera, ..*spot }) < TURNED * aim {
+            for _ in 0..HALVINGS {
+                let part = 0.5 * (ends[0] + ends[1]);
+                let camera = part_of(part);
+                let fits = self.share(&Spot { camera, ..*spot }) <= aim;
+                ends[usize::from(fits)] = part;
+            }
+            camera = part_of(ends[1]);
         }
         let far = one.target.offset_from(position).length();
         let offset = camera.view * far;
