@@ -1,5 +1,6 @@
-//! Parsing piece by piece. A tree of the parser takes some twenty times the memory of its text. With the
-//! text cut before points or nodes, each tree stays small and in the cache, which is twice as fast.
+//! Parsing piece by piece. A tree of the parser takes some twenty times the memory of its text.
+//! With the text cut before points or nodes, each tree stays small and in the cache, which is twice
+//! as fast.
 //!
 //! Cutting is sound: a piece ends just before a line that begins with `[[point]]` or `[[node]]`. If
 //! that line were within an array or a multi-line string, parsing the piece would fail as
@@ -21,6 +22,9 @@ const PIECE: usize = if cfg!(fuzzing) { 256 } else { 128 << 10 };
 const LONGEST_TEXT: usize = 6 * MAX_COMMENT_BYTES + 100;
 
 const CUTS: [&[u8]; 2] = [b"\n[[point]]", b"\n[[node]]"];
+
+/// No byte of a text takes more than this, with what memory takes at the least.
+const MOST: usize = 4096 + weight::TOKEN + 2 * weight::TABLE;
 
 /// Parses the piece that begins at `source.start`; returns its tree and end.
 pub(super) fn parse(source: Source<'_>) -> Result<(Table<'_>, usize)> {
@@ -56,7 +60,7 @@ fn cut(source: Source<'_>, least: usize) -> usize {
 fn parse_to(source: Source<'_>, end: usize) -> Result<Result<Table<'_>, ParseError>> {
     let piece = &source.text[source.start..end];
     // A short piece cannot weigh so much.
-    let long = piece.len() > MAX_PARSE_BYTES / weight::MOST;
+    let long = piece.len() > MAX_PARSE_BYTES / MOST;
     if long && weight::memory(piece) > MAX_PARSE_BYTES {
         return Err(Error::PieceTooLarge(source.line(0)));
     }

@@ -21,14 +21,8 @@ pub struct Table<'a> {
     open: bool,
 }
 
-/// However it was made.
-impl PartialEq for Table<'_> {
-    fn eq(&self, other: &Self) -> bool {
-        self.entries == other.entries
-    }
-}
-
-#[derive(Debug, PartialEq)]
+#[derive(Debug)]
+#[cfg_attr(test, derive(PartialEq))]
 pub(super) enum Value<'a> {
     Text(Cow<'a, str>),
     Float(f64),
@@ -112,9 +106,13 @@ impl<'a> Table<'a> {
 
     /// Puts what follows a header where it says; None if something else is there.
     fn attach(&mut self, header: &Header<'a>, mut table: Table<'a>) -> Option<()> {
-        let (&last, before) = header.keys[..header.count].split_last()?;
-        let mut parent = self;
-        for &key in before {
+        let last = header.name.rfind('.').map_or(0, |dot| dot + 1);
+        let (before, name) = header.name.split_at(last);
+        let last = (header.at + last, name);
+        let (mut parent, mut at) = (self, header.at);
+        for name in before.split_terminator('.') {
+            let key = (at, name);
+            at += name.len() + 1;
             if parent.get(key).is_none() {
                 let open = true;
                 let entries = Vec::new();
@@ -161,12 +159,13 @@ type Key<'a> = (usize, &'a str);
 /// `[a.b]` or `[[a.b]]`.
 struct Header<'a> {
     offset: usize,
-    keys: [Key<'a>; 4],
-    count: usize,
+    /// Byte offset of the name.
+    at: usize,
+    name: &'a str,
     repeated: bool,
 }
 
-/// Arrays within arrays, at the most.
+/// Arrays within arrays and tables within tables, at the most.
 const DEPTH: usize = 8;
 
 /// Keys of a table, at the most: more than there are.
@@ -198,6 +197,10 @@ pub(super) fn read(text: &str) -> Option<Table<'_>> {
         header = Some(plain.header()?);
         plain.end_of_line()?;
     }
+}
+
+fn bare(byte: u8) -> bool {
+    byte.is_ascii_alphanumeric() || matches!(byte, b'_' | b'-')
 }
 
 struct Plain<'a> {
@@ -236,18 +239,14 @@ impl<'a> Plain<'a> {
         if self.take(b'#') {
             self.while_in(|byte| byte == b'\t' || (byte >= b' ' && byte != 0x7f));
         }
-        let ended = match self.take(b'\r') {
-            true => self.take(b'\n'),
-            false => self.take(b'\n') || self.at == self.text.len(),
-        };
-        ended.then_some(())
+        (self.take(b'\n') || self.at == self.text.len()).then_some(())
     }
 
     /// Passes blanks, ends of lines and comments.
     fn blank(&mut self) -> Option<()> {
         loop {
             self.spaces();
-            if !matches!(self.peek(), Some(b'\n' | b'\r' | b'#')) {
+            if !matches!(self.peek(), Some(b'\n' | b'#')) {
                 return Some(());
             }
             self.end_of_line()?;
@@ -256,28 +255,25 @@ impl<'a> Plain<'a> {
 
     fn key(&mut self) -> Option<Key<'a>> {
         let offset = self.at;
-        let bare = |byte: u8| byte.is_ascii_alphanumeric() || matches!(byte, b'_' | b'-');
         let key = self.while_in(bare);
         (!key.is_empty()).then_some((offset, key))
     }
 
     fn header(&mut self) -> Option<Header<'a>> {
-        let mut header = Header {
-            offset: self.at,
-            keys: [(0, ""); 4],
-            count: 0,
-            repeated: false,
-        };
+        let offset = self.at;
         self.at += 1;
-        header.repeated = self.take(b'[');
-        loop {
-            *header.keys.get_mut(header.count)? = self.key()?;
-            header.count += 1;
-            if !self.take(b'.') {
-                break;
-            }
-        }
-        (self.take(b']') && (!header.repeated || self.take(b']'))).then_some(header)
+        let repeated = self.take(b'[');
+        let at = self.at;
+        let name = self.while_in(|byte| bare(byte) || byte == b'.');
+        let depth = name.split('.').count();
+        let plain = depth <= DEPTH && !name.split('.').any(str::is_empty);
+        let closed = self.take(b']') && (!repeated || self.take(b']'));
+        (plain && closed).then_some(Header {
+            offset,
+            at,
+            name,
+            repeated,
+        })
     }
 
     fn pair(&mut self, depth: usize) -> Option<(Key<'a>, Value<'a>)> {
@@ -346,39 +342,22 @@ impl<'a> Plain<'a> {
         }
     }
 
+    /// As TOML has it, which asks for more than Rust does.
     fn number(&mut self) -> Option<Value<'a>> {
-        let start = self.at;
-        self.take(b'-');
-        let first = self.peek();
-        let digits = self.while_in(|byte| byte.is_ascii_digit()).len();
-        if digits == 0 || (digits > 1 && first == Some(b'0')) {
+        let text = self.while_in(|byte| byte.is_ascii_digit() || b"+-.eE".contains(&byte));
+        let body = text.strip_prefix('-').unwrap_or(text);
+        let (mantissa, exponent) = body.split_once(['e', 'E']).unwrap_or((body, "0"));
+        let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, "0"));
+        let exponent = exponent.strip_prefix(['+', '-']).unwrap_or(exponent);
+        let digits = |part: &str| !part.is_empty() && part.bytes().all(|b| b.is_ascii_digit());
+        let plain = [whole, fraction, exponent].into_iter().all(digits);
+        if !plain || (whole.len() > 1 && whole.starts_with('0')) {
             return None;
         }
-        let mut whole = true;
-        if self.take(b'.') {
-            whole = false;
-            if self.while_in(|byte| byte.is_ascii_digit()).is_empty() {
-                return None;
-            }
-        }
-        if self.take(b'e') || self.take(b'E') {
-            whole = false;
-            let _ = self.take(b'-') || self.take(b'+');
-            if self.while_in(|byte| byte.is_ascii_digit()).is_empty() {
-                return None;
-            }
-        }
-        // A date, say, or a number with underscores.
-        let ends = [None, Some(b','), Some(b']'), Some(b'}')].contains(&self.peek());
-        if !ends && !matches!(self.peek(), Some(b' ' | b'\t' | b'\n' | b'\r' | b'#')) {
-            return None;
-        }
-        let text = &self.text[start..self.at];
         let number = text.parse().ok()?;
-        Some(if whole {
-            Value::Integer(number, text.parse().ok())
-        } else {
-            Value::Float(number)
+        Some(match whole.len() == body.len() {
+            true => Value::Integer(number, text.parse().ok()),
+            false => Value::Float(number),
         })
     }
 }

@@ -1,13 +1,20 @@
 use super::*;
 
+/// However it was made.
+impl PartialEq for Table<'_> {
+    fn eq(&self, other: &Self) -> bool {
+        self.entries == other.entries
+    }
+}
+
 /// Texts with all that is written plainly, and with what is not.
 const TEXTS: [&str; 4] = [
-    "version = 1 # one\ntitle = \"Zwölf\"\nclosed = true\r\n\n[base_speeds]\nmove_frames = 100.0\n\n\
+    "version = 1 # one\ntitle = \"Zwölf\"\nclosed = true\n\n[base_speeds]\nmove_frames = 100.0\n\n\
      [[point]]\nposition = [-0.6, 0.2,\n  0.8e-3, ] # here\nown = { tension = 0.2, bias = -1 }\n\
      [[point.orientation]]\nspeed_curve = [1, 2.5, [3]]\n[[point.orientation]]\nroll = 0\n\
      [[point]]\n[point.up.deep]\nway = [[0.1, 1E+2], [2, 3]]\n",
     "[a]\nb = 1\n[a.c]\n[[a.d]]\n[[a.d.e]]\n[[a.d]]\nf = [{ g = 1 }]\n",
-    "a.b = 1\n'c' = 0x1f\nd = 1_000\ne = 1979-05-27\nf = inf\ng = '''\n'''\nh = \"\\t\"\n",
+    "a.b = 1\ni = 1\r\n'c' = 0x1f\nd = 1_000\ne = 1979-05-27\nf = inf\ng = '''\n'''\nh = \"\\t\"\n",
     "x = 99999999999999999999\ny = 1e999\nz = -0.0\nw = -0\nv = 00\n[[x]]\n[z]\n",
 ];
 

@@ -30,7 +30,14 @@ pub(crate) trait Vector: Copy {
     /// vector while the next ones are computed. [`Self::settle`] must follow the last one.
     fn store_records<const PAST: bool>(rows: [Self; 10], to: &mut [f64]);
     /// Makes what was streamed visible like any other store.
-    fn settle();
+    #[inline(always)]
+    fn settle() {
+        // SAFETY: SSE is part of x86-64.
+        #[cfg(all(target_arch = "x86_64", not(miri)))]
+        unsafe {
+            std::arch::x86_64::_mm_sfence();
+        }
+    }
 }
 
 /// Bytes of two numbers, which are streamed at a time.
@@ -144,8 +151,44 @@ impl Vector for f64 {
     fn store_records<const PAST: bool>(rows: [Self; 10], to: &mut [f64]) {
         to[..10].copy_from_slice(&rows);
     }
-    #[inline(always)]
-    fn settle() {}
+}
+
+/// What a kind of vector has an instruction for, named with what it is given. (Whether one is unsafe
+/// depends on it and on the compiler.)
+#[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+macro_rules! lane_by_lane {
+    ($lanes:literal, $splat:ident, $load:ident, $store:ident;
+     $($name:ident($this:ident $(, $other:ident)*) => $value:expr;)*) => {
+        const LANES: usize = $lanes;
+        #[inline(always)]
+        #[allow(unused_unsafe)]
+        fn splat(value: f64) -> Self {
+            // SAFETY: the type's owner promises the instruction set.
+            Self(unsafe { $splat(value) })
+        }
+        #[inline(always)]
+        fn load(from: &[f64]) -> Self {
+            let from = &from[..$lanes];
+            // SAFETY: the slice has just been found long enough.
+            Self(unsafe { $load(from.as_ptr()) })
+        }
+        #[inline(always)]
+        fn store(self, to: &mut [f64]) {
+            let to = &mut to[..$lanes];
+            // SAFETY: the slice has just been found long enough.
+            unsafe { $store(to.as_mut_ptr(), self.0) }
+        }
+        $(
+            #[inline(always)]
+            #[allow(unused_unsafe)]
+            fn $name(self $(, $other: Self)*) -> Self {
+                let Self($this) = self;
+                $(let Self($other) = $other;)*
+                // SAFETY: the type's owner promises the instruction set.
+                Self(unsafe { $value })
+            }
+        )*
+    };
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -181,89 +224,17 @@ mod x86_64 {
         }
     }
 
-    macro_rules! lane_by_lane {
-        ($lanes:literal, $set1:ident, $loadu:ident, $storeu:ident, $add:ident, $sub:ident,
-         $mul:ident, $div:ident, $sqrt:ident, $min:ident, $max:ident) => {
-            const LANES: usize = $lanes;
-            #[inline(always)]
-            fn splat(value: f64) -> Self {
-                // SAFETY: the type's owner promises the instruction set.
-                Self(unsafe { $set1(value) })
-            }
-            #[inline(always)]
-            fn load(from: &[f64]) -> Self {
-                let from = &from[..$lanes];
-                // SAFETY: the slice has just been found long enough.
-                Self(unsafe { $loadu(from.as_ptr()) })
-            }
-            #[inline(always)]
-            fn store(self, to: &mut [f64]) {
-                let to = &mut to[..$lanes];
-                // SAFETY: the slice has just been found long enough.
-                unsafe { $storeu(to.as_mut_ptr(), self.0) }
-            }
-            #[inline(always)]
-            fn add(self, other: Self) -> Self {
-                // SAFETY: the type's owner promises the instruction set.
-                Self(unsafe { $add(self.0, other.0) })
-            }
-            #[inline(always)]
-            fn sub(self, other: Self) -> Self {
-                // SAFETY: the type's owner promises the instruction set.
-                Self(unsafe { $sub(self.0, other.0) })
-            }
-            #[inline(always)]
-            fn mul(self, other: Self) -> Self {
-                // SAFETY: the type's owner promises the instruction set.
-                Self(unsafe { $mul(self.0, other.0) })
-            }
-            #[inline(always)]
-            fn div(self, other: Self) -> Self {
-                // SAFETY: the type's owner promises the instruction set.
-                Self(unsafe { $div(self.0, other.0) })
-            }
-            #[inline(always)]
-            fn sqrt(self) -> Self {
-                // SAFETY: the type's owner promises the instruction set.
-                Self(unsafe { $sqrt(self.0) })
-            }
-            #[inline(always)]
-            fn min(self, other: Self) -> Self {
-                // SAFETY: the type's owner promises the instruction set.
-                Self(unsafe { $min(self.0, other.0) })
-            }
-            #[inline(always)]
-            fn max(self, other: Self) -> Self {
-                // SAFETY: the type's owner promises the instruction set.
-                Self(unsafe { $max(self.0, other.0) })
-            }
-            #[inline(always)]
-            fn settle() {
-                if !cfg!(miri) {
-                    // SAFETY: SSE is part of x86-64.
-                    unsafe { _mm_sfence() }
-                }
-            }
-        };
-    }
-
     impl Vector for Sse2 {
-        lane_by_lane!(
-            2,
-            _mm_set1_pd,
-            _mm_loadu_pd,
-            _mm_storeu_pd,
-            _mm_add_pd,
-            _mm_sub_pd,
-            _mm_mul_pd,
-            _mm_div_pd,
-            _mm_sqrt_pd,
-            _mm_min_pd,
-            _mm_max_pd
-        );
-        #[inline(always)]
-        fn mul_add(self, b: Self, c: Self) -> Self {
-            self.mul(b).add(c)
+        lane_by_lane! {
+            2, _mm_set1_pd, _mm_loadu_pd, _mm_storeu_pd;
+            add(a, b) => _mm_add_pd(a, b);
+            sub(a, b) => _mm_sub_pd(a, b);
+            mul(a, b) => _mm_mul_pd(a, b);
+            div(a, b) => _mm_div_pd(a, b);
+            mul_add(a, b, c) => _mm_add_pd(_mm_mul_pd(a, b), c);
+            sqrt(a) => _mm_sqrt_pd(a);
+            min(a, b) => _mm_min_pd(a, b);
+            max(a, b) => _mm_max_pd(a, b);
         }
         #[inline(always)]
         fn store_records<const PAST: bool>(rows: [Self; 10], to: &mut [f64]) {
@@ -282,23 +253,16 @@ mod x86_64 {
     }
 
     impl Vector for Avx2 {
-        lane_by_lane!(
-            4,
-            _mm256_set1_pd,
-            _mm256_loadu_pd,
-            _mm256_storeu_pd,
-            _mm256_add_pd,
-            _mm256_sub_pd,
-            _mm256_mul_pd,
-            _mm256_div_pd,
-            _mm256_sqrt_pd,
-            _mm256_min_pd,
-            _mm256_max_pd
-        );
-        #[inline(always)]
-        fn mul_add(self, b: Self, c: Self) -> Self {
-            // SAFETY: the type's owner promises the instruction set.
-            Self(unsafe { _mm256_fmadd_pd(self.0, b.0, c.0) })
+        lane_by_lane! {
+            4, _mm256_set1_pd, _mm256_loadu_pd, _mm256_storeu_pd;
+            add(a, b) => _mm256_add_pd(a, b);
+            sub(a, b) => _mm256_sub_pd(a, b);
+            mul(a, b) => _mm256_mul_pd(a, b);
+            div(a, b) => _mm256_div_pd(a, b);
+            mul_add(a, b, c) => _mm256_fmadd_pd(a, b, c);
+            sqrt(a) => _mm256_sqrt_pd(a);
+            min(a, b) => _mm256_min_pd(a, b);
+            max(a, b) => _mm256_max_pd(a, b);
         }
         #[inline(always)]
         fn store_records<const PAST: bool>(rows: [Self; 10], to: &mut [f64]) {
@@ -339,27 +303,13 @@ mod aarch64 {
     use super::Vector;
     use std::arch::aarch64::*;
 
-    /// Two numbers: every 64-bit ARM processor. (Whether these operations are unsafe depends on the
-    /// compiler.)
+    /// Two numbers: every 64-bit ARM processor.
     #[derive(Debug, Clone, Copy)]
     pub(crate) struct Neon(float64x2_t);
 
-    macro_rules! lane_by_lane {
-        ($($name:ident($this:ident $(, $other:ident)*) => $value:expr;)*) => {$(
-            #[inline(always)]
-            #[allow(unused_unsafe)]
-            fn $name(self $(, $other: Self)*) -> Self {
-                let Self($this) = self;
-                $(let Self($other) = $other;)*
-                // SAFETY: NEON is part of 64-bit ARM.
-                Self(unsafe { $value })
-            }
-        )*};
-    }
-
     impl Vector for Neon {
-        const LANES: usize = 2;
         lane_by_lane! {
+            2, vdupq_n_f64, vld1q_f64, vst1q_f64;
             add(a, b) => vaddq_f64(a, b);
             sub(a, b) => vsubq_f64(a, b);
             mul(a, b) => vmulq_f64(a, b);
@@ -368,24 +318,6 @@ mod aarch64 {
             sqrt(a) => vsqrtq_f64(a);
             min(a, b) => vbslq_f64(vcltq_f64(a, b), a, b);
             max(a, b) => vbslq_f64(vcgtq_f64(a, b), a, b);
-        }
-        #[inline(always)]
-        #[allow(unused_unsafe)]
-        fn splat(value: f64) -> Self {
-            // SAFETY: NEON is part of 64-bit ARM.
-            Self(unsafe { vdupq_n_f64(value) })
-        }
-        #[inline(always)]
-        fn load(from: &[f64]) -> Self {
-            let from = &from[..2];
-            // SAFETY: the slice has just been found long enough.
-            Self(unsafe { vld1q_f64(from.as_ptr()) })
-        }
-        #[inline(always)]
-        fn store(self, to: &mut [f64]) {
-            let to = &mut to[..2];
-            // SAFETY: the slice has just been found long enough.
-            unsafe { vst1q_f64(to.as_mut_ptr(), self.0) }
         }
         #[inline(always)]
         #[allow(unused_unsafe)]
@@ -399,8 +331,6 @@ mod aarch64 {
                 Self(second).store(&mut to[10 + k..]);
             }
         }
-        #[inline(always)]
-        fn settle() {}
     }
 }
 
