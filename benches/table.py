@@ -124,7 +124,7 @@ def draw(results, file):
         costs = [1e9 * results[f"growth/{name}_{count}"][0] / count for count in counts]
         line = " ".join(f"{x(count):.1f},{y(ns):.1f}" for count, ns in zip(counts, costs))
         parts.append(f'<polyline points="{line}" fill="none" stroke="{colour}" stroke-width="2"/>'
-                     f'<text x="580" y="{y(costs[-1]) - 8:.0f}" text-anchor="end" fill="{colour}">{text}</text>')  # fmt: skip
+                     f'<text x="580" y="{y(costs[-1]) + (18 if name == "prepare" else -8):.0f}" text-anchor="end" fill="{colour}">{text}</text>')  # fmt: skip
         print(f"{text}: " + ", ".join(f"{ns:.0f} ns" for ns in costs), file=sys.stderr)
     file.write_text("\n".join([*parts, "</svg>"]) + "\n")
 

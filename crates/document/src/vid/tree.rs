@@ -342,22 +342,35 @@ impl<'a> Plain<'a> {
         }
     }
 
-    /// As TOML has it, which asks for more than Rust does.
+    /// As TOML has it, which asks for more than Rust does; most of a file is this.
     fn number(&mut self) -> Option<Value<'a>> {
-        let text = self.while_in(|byte| byte.is_ascii_digit() || b"+-.eE".contains(&byte));
-        let body = text.strip_prefix('-').unwrap_or(text);
-        let (mantissa, exponent) = body.split_once(['e', 'E']).unwrap_or((body, "0"));
-        let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, "0"));
-        let exponent = exponent.strip_prefix(['+', '-']).unwrap_or(exponent);
-        let digits = |part: &str| !part.is_empty() && part.bytes().all(|b| b.is_ascii_digit());
-        let plain = [whole, fraction, exponent].into_iter().all(digits);
-        if !plain || (whole.len() > 1 && whole.starts_with('0')) {
+        let start = self.at;
+        self.take(b'-');
+        let first = self.peek();
+        let digits = self.while_in(|byte| byte.is_ascii_digit()).len();
+        if digits == 0 || (digits > 1 && first == Some(b'0')) {
             return None;
         }
+        let mut whole = true;
+        if self.take(b'.') {
+            whole = false;
+            if self.while_in(|byte| byte.is_ascii_digit()).is_empty() {
+                return None;
+            }
+        }
+        if self.take(b'e') || self.take(b'E') {
+            whole = false;
+            let _ = self.take(b'-') || self.take(b'+');
+            if self.while_in(|byte| byte.is_ascii_digit()).is_empty() {
+                return None;
+            }
+        }
+        let text = &self.text[start..self.at];
         let number = text.parse().ok()?;
-        Some(match whole.len() == body.len() {
-            true => Value::Integer(number, text.parse().ok()),
-            false => Value::Float(number),
+        Some(if whole {
+            Value::Integer(number, text.parse().ok())
+        } else {
+            Value::Float(number)
         })
     }
 }
