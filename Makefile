@@ -305,6 +305,7 @@ soak: toolchain libs fuzz
 	@mk/locale.sh
 	VIDES_KILLS=200 VIDES_DRAGS=10000 VIDES_PATHS=200 PROPTEST_CASES=$(SOAK_CASES) $(CARGO) test --locked --workspace --all-features
 	VIDES_SAVE_KILLS=1000 tests/c/run.sh $(LIB) saving
+	mk/arm.sh
 	$(MAKE) soak-calls soak-x soak-hosts
 
 # Other calls each time; the seeds are said.

@@ -10,12 +10,12 @@ use std::time::Duration;
 
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
 use glam::DVec3;
-use vides::document::{Document, Info};
+use vides::document::{Document, Info, SceneDocument};
 use vides::path::{
     CameraPath, CurveParameters, Orientation, Plan, Pose, Sampler, SupportPoint, Target, Tcb,
     Timeline,
 };
-use vides::scene::{Channel, Interpolation, Kind, Node, NodeState, Scene, Track, Warnings};
+use vides::scene::{Camera, Channel, Interpolation, Kind, Node, NodeState, Scene, Track, Warnings};
 
 /// About so many poses, whatever the number of points.
 const POSES: f64 = 1e6;
@@ -89,6 +89,17 @@ fn sample(c: &mut Criterion) {
         group.bench_function(format!("{points}_prepared"), |b| {
             b.iter(|| sampler.sample(1, black_box(&mut poses)).expect("poses"));
         });
+        // A half each; table.py divides.
+        group.bench_function(format!("{points}_two_threads"), |b| {
+            let half = poses.len() / 2;
+            b.iter(|| {
+                let (first, second) = black_box(&mut poses).split_at_mut(half);
+                std::thread::scope(|scope| {
+                    scope.spawn(|| sampler.sample(half + 1, second).expect("poses"));
+                    sampler.sample(1, first).expect("poses");
+                });
+            });
+        });
         group.bench_function(format!("{points}_with_preparation"), |b| {
             b.iter(|| {
                 let sampler = prepare(black_box(&path));
@@ -144,7 +155,7 @@ fn change(c: &mut Criterion) {
     group.finish();
 }
 
-/// A file of 10,000 points: read, and written with both fsyncs.
+/// A file of 10,000 points: read, and written with both fsyncs; a scene's text of a million keys.
 fn files(c: &mut Criterion) {
     let folder = tempfile::tempdir().expect("a folder");
     let mut group = c.benchmark_group("file");
@@ -163,7 +174,25 @@ fn files(c: &mut Criterion) {
             );
         });
     }
+    let text = keys();
+    group.bench_function("load_keys", |b| {
+        b.iter(|| SceneDocument::from_toml(&text).expect("loaded"))
+    });
     group.finish();
+}
+
+/// The file of a scene with one track of a million keys.
+fn keys() -> String {
+    let frames: Vec<f64> = (0..1_000_000).map(f64::from).collect();
+    let values = frames.iter().map(|frame| (0.1 * frame).sin()).collect();
+    let track = Track::new(Channel::Roll, Interpolation::Linear, frames, values, vec![]);
+    let mut camera = Node::new("eye", Kind::Camera(Camera::default()));
+    camera
+        .set_track(track.expect("a track"))
+        .expect("a channel");
+    let mut document = SceneDocument::try_new().expect("a scene");
+    document.scene.add(camera).expect("a node");
+    document.to_toml().expect("a text")
 }
 
 /// Nodes of a tree with three tracks of six keys each, as in `benches/scene.c`.

@@ -39,6 +39,7 @@ def engine(target, flags, only=""):
     if flags:
         environment["RUSTFLAGS"] = f"{os.environ.get('RUSTFLAGS', '')} {flags}".strip()
     run(CARGO, "bench", "--locked", "--bench", "engine", "--", "--noplot", *([only] if only else []), **environment)
+    check_inlined(target)
     results = {}
     for file in (target / "criterion").glob("*/*/new/sample.json"):
         name = "/".join(file.parts[-4:-2])
@@ -49,6 +50,14 @@ def engine(target, flags, only=""):
         about = json.loads((file.parent / "benchmark.json").read_text())
         results[name] = seconds, (about["throughput"] or {}).get("Elements")
     return results
+
+
+def check_inlined(target):
+    """An operation of a vector that is a function to be called costs ten times as much."""
+    program = max((target / "release" / "deps").glob("engine-*[0-9a-f]"), key=lambda file: file.stat().st_mtime)
+    called = [line for line in run("nm", "-C", program).splitlines() if "core_arch" in line and "::_mm" in line]
+    if called:
+        sys.exit("Operations of vectors are called:\n" + "\n".join(called))
 
 
 def list_figures():
@@ -115,7 +124,7 @@ def draw(results, file):
         costs = [1e9 * results[f"growth/{name}_{count}"][0] / count for count in counts]
         line = " ".join(f"{x(count):.1f},{y(ns):.1f}" for count, ns in zip(counts, costs))
         parts.append(f'<polyline points="{line}" fill="none" stroke="{colour}" stroke-width="2"/>'
-                     f'<text x="580" y="{y(costs[-1]) - 8:.0f}" text-anchor="end" fill="{colour}">{text}</text>')  # fmt: skip
+                     f'<text x="580" y="{y(costs[-1]) + (18 if name == "prepare" else -8):.0f}" text-anchor="end" fill="{colour}">{text}</text>')  # fmt: skip
         print(f"{text}: " + ", ".join(f"{ns:.0f} ns" for ns in costs), file=sys.stderr)
     file.write_text("\n".join([*parts, "</svg>"]) + "\n")
 
@@ -175,10 +184,14 @@ def main():
         ("change/orientation", "one orientation of 10,000 changed, frame count asked again", "µs", 1e6),
         ("file/load_1000", "loading a `.vid` of 1,000 points", "ms", 1e3),
         ("file/load_10000", "loading a `.vid` of 10,000 points", "ms", 1e3),
+        ("file/load_keys", "loading a scene of 1,000,000 keys", "ms", 1e3),
         ("file/save_1000", "saving it, 1,000 points, both fsyncs", "ms", 1e3),
         ("file/save_10000", "saving it, 10,000 points, both fsyncs", "ms", 1e3),
     ):
         print(f"| {text} | {dispatched[name][0] * scale:.1f} {unit} |")
+    for points in (100, 10_000):
+        one, two = (dispatched[f"sample/{points}_{how}"][0] for how in ("prepared", "two_threads"))
+        print(f"| two threads on one path of {points:,} points, ÷ one | {one / two:.2f}× |")
 
 
 if __name__ == "__main__":

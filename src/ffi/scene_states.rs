@@ -127,18 +127,23 @@ pub unsafe extern "C" fn v_scene_sample(
             check(states, "states")?;
         }
         read(scene, |document| {
-            document.scene.node(node)?;
-            document.scene.prepare(first)?;
-            let mut made = vec_with_room(count)?;
-            made.resize(count, NodeState::default());
+            let scene = &document.scene;
+            scene.node(node)?;
+            scene.prepare(first)?;
             let mut warnings = Warnings::default();
-            document
-                .scene
-                .sample(node, first, frame_step, &mut made, &mut warnings)?;
-            if count > 0 {
-                // SAFETY: room for so many states, as the header says; the layouts are one (see
-                // `scene_types`), and any bits make a state.
-                unsafe { slice_mut(states.cast(), count, "states") }?.copy_from_slice(&made);
+            // SAFETY: room for so many states, as the header says; the layouts are one (see
+            // `scene_types`), and any bits make a state.
+            let out = || unsafe { slice_mut(states.cast(), count, "states") };
+            if scene.is_plain() && count > 0 {
+                // As in `v_scene_evaluate`: memory that is touched for the first time costs as much.
+                scene.sample(node, first, frame_step, out()?, &mut warnings)?;
+            } else {
+                let mut made = vec_with_room(count)?;
+                made.resize(count, NodeState::default());
+                scene.sample(node, first, frame_step, &mut made, &mut warnings)?;
+                if count > 0 {
+                    out()?.copy_from_slice(&made);
+                }
             }
             report(document, &warnings);
             Ok(())

@@ -1,9 +1,9 @@
 //! Typed access to the `key = value` fields of a file, with errors that give line and reason.
 
 use glam::DVec3;
-use toml::Spanned;
-use toml::de::{DeString, DeTable, DeValue, Error as ParseError};
+use toml::de::Error as ParseError;
 
+use super::tree::{Placed, Table, Value as Node};
 use crate::error::{EngineError, Error, Key, Malformed, Quantity, Result, Value};
 use crate::path::camera_path::check_shape;
 use crate::path::{Space, Tcb};
@@ -55,28 +55,22 @@ pub struct Field<'a> {
     pub key: &'a str,
     /// Where errors are reported: byte offset of the key, or of the element.
     offset: usize,
-    value: &'a DeValue<'a>,
+    value: &'a Node<'a>,
 }
 
 /// The fields of a table, in alphabetical order.
-pub fn fields<'a>(source: Source<'a>, table: &'a DeTable<'a>) -> impl Iterator<Item = Field<'a>> {
-    table
-        .iter()
-        .map(move |(key, value)| Field::new(source, key, value))
+pub fn fields<'a>(source: Source<'a>, table: &'a Table<'a>) -> impl Iterator<Item = Field<'a>> {
+    let entries = table.entries.iter();
+    entries.map(move |(key, placed)| Field::new(source, key, placed))
 }
 
 impl<'a> Field<'a> {
-    fn new(
-        source: Source<'a>,
-        key: &'a Spanned<DeString<'a>>,
-        value: &'a Spanned<DeValue<'a>>,
-    ) -> Self {
-        // The key's line says more than that of the bracket of an array over several lines.
+    fn new(source: Source<'a>, key: &'a str, (offset, value): &'a Placed<'a>) -> Self {
         Self {
             source,
-            key: key.get_ref(),
-            offset: key.span().start,
-            value: value.get_ref(),
+            key,
+            offset: *offset,
+            value,
         }
     }
 
@@ -92,7 +86,7 @@ impl<'a> Field<'a> {
 
     /// Whether it is an array.
     pub fn is_array(&self) -> bool {
-        matches!(self.value, DeValue::Array(_))
+        matches!(self.value, Node::Array(_))
     }
 
     /// The field of a table with this key.
@@ -130,38 +124,31 @@ impl<'a> Field<'a> {
 
     fn mismatch(&self, wanted: Value) -> Error {
         let found = match self.value {
-            DeValue::String(_) => Value::Text,
-            DeValue::Integer(_) => Value::WholeNumber,
-            DeValue::Float(_) => Value::DecimalNumber,
-            DeValue::Boolean(_) => Value::Boolean,
-            DeValue::Datetime(_) => Value::DateOrTime,
-            DeValue::Array(_) => Value::Array,
-            DeValue::Table(_) => Value::Table,
+            Node::Text(_) => Value::Text,
+            Node::Integer(..) => Value::WholeNumber,
+            Node::Float(_) => Value::DecimalNumber,
+            Node::Boolean(_) => Value::Boolean,
+            Node::Date => Value::DateOrTime,
+            Node::Array(_) => Value::Array,
+            Node::Table(_) => Value::Table,
         };
         self.error(Malformed::Expected { wanted, found })
     }
 
     /// A finite number, with or without a decimal point.
     pub fn number(&self) -> Result<f64> {
-        let number = match self.value {
-            DeValue::Float(float) => float.as_str().parse().ok(),
-            DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().parse().ok(),
-            DeValue::Integer(integer) => i64::from_str_radix(integer.as_str(), integer.radix())
-                .ok()
-                .map(|integer| integer as f64),
-            _ => return Err(self.mismatch(Value::Number)),
-        };
-        match number {
-            Some(number) if f64::is_finite(number) => Ok(number),
-            _ => Err(self.error(Malformed::NotFinite)),
+        match self.value {
+            Node::Float(number) | Node::Integer(number, _) if number.is_finite() => Ok(*number),
+            Node::Float(_) | Node::Integer(..) => Err(self.error(Malformed::NotFinite)),
+            _ => Err(self.mismatch(Value::Number)),
         }
     }
 
     /// An integer.
     pub fn integer(&self) -> Result<i64> {
         match self.value {
-            DeValue::Integer(integer) => i64::from_str_radix(integer.as_str(), integer.radix())
-                .map_err(|_| self.error(Malformed::TooLarge)),
+            Node::Integer(_, Some(whole)) => Ok(*whole),
+            Node::Integer(..) => Err(self.error(Malformed::TooLarge)),
             _ => Err(self.mismatch(Value::WholeNumber)),
         }
     }
@@ -230,7 +217,7 @@ impl<'a> Field<'a> {
     /// `true` or `false`.
     pub fn boolean(&self) -> Result<bool> {
         match self.value {
-            DeValue::Boolean(boolean) => Ok(*boolean),
+            Node::Boolean(boolean) => Ok(*boolean),
             _ => Err(self.mismatch(Value::Boolean)),
         }
     }
@@ -238,7 +225,7 @@ impl<'a> Field<'a> {
     /// A string.
     pub fn text(&self) -> Result<&'a str> {
         match self.value {
-            DeValue::String(text) => Ok(text),
+            Node::Text(text) => Ok(text),
             _ => Err(self.mismatch(Value::TextInQuotes)),
         }
     }
@@ -273,23 +260,20 @@ impl<'a> Field<'a> {
     /// The fields of a table.
     pub fn fields(&self) -> Result<impl Iterator<Item = Field<'a>> + use<'a>> {
         match self.value {
-            DeValue::Table(table) => Ok(fields(self.source, table)),
+            Node::Table(table) => Ok(fields(self.source, table)),
             _ => Err(self.mismatch(Value::Table)),
         }
     }
 
     /// The elements of an array.
     pub fn elements(&self) -> Result<impl ExactSizeIterator<Item = Field<'a>> + use<'a>> {
-        let DeValue::Array(array) = self.value else {
+        let Node::Array(array) = self.value else {
             return Err(self.mismatch(Value::Array));
         };
         let (source, key) = (self.source, self.key);
-        Ok(array.iter().map(move |element| Field {
-            source,
-            key,
-            offset: element.span().start,
-            value: element.get_ref(),
-        }))
+        Ok(array
+            .iter()
+            .map(move |element| Field::new(source, key, element)))
     }
 
     /// An array of exactly `N` numbers.

@@ -1,5 +1,6 @@
-//! Parsing piece by piece. A parsed tree takes some twenty times the memory of its text. With the
-//! text cut before points or nodes, each tree stays small and in the cache, which is twice as fast.
+//! Parsing piece by piece. A tree of the parser takes some twenty times the memory of its text.
+//! With the text cut before points or nodes, each tree stays small and in the cache, which is twice
+//! as fast.
 //!
 //! Cutting is sound: a piece ends just before a line that begins with `[[point]]` or `[[node]]`. If
 //! that line were within an array or a multi-line string, parsing the piece would fail as
@@ -9,6 +10,7 @@
 use toml::de::{DeTable, Error as ParseError};
 
 use super::field::Source;
+use super::tree::{self, Table};
 use super::weight;
 use crate::error::{Error, Result, can_allocate};
 use crate::limits::{MAX_COMMENT_BYTES, MAX_PARSE_BYTES};
@@ -21,8 +23,11 @@ const LONGEST_TEXT: usize = 6 * MAX_COMMENT_BYTES + 100;
 
 const CUTS: [&[u8]; 2] = [b"\n[[point]]", b"\n[[node]]"];
 
+/// No byte of a text takes more than this, with what memory takes at the least.
+const MOST: usize = 4096 + weight::TOKEN + 2 * weight::TABLE;
+
 /// Parses the piece that begins at `source.start`; returns its tree and end.
-pub(super) fn parse(source: Source<'_>) -> Result<(DeTable<'_>, usize)> {
+pub(super) fn parse(source: Source<'_>) -> Result<(Table<'_>, usize)> {
     let end = cut(source, PIECE);
     match parse_to(source, end)? {
         Ok(root) => Ok((root, end)),
@@ -52,13 +57,17 @@ fn cut(source: Source<'_>, least: usize) -> usize {
         .map_or(bytes.len(), |position| from + position + 1)
 }
 
-fn parse_to(source: Source<'_>, end: usize) -> Result<Result<DeTable<'_>, ParseError>> {
+fn parse_to(source: Source<'_>, end: usize) -> Result<Result<Table<'_>, ParseError>> {
     let piece = &source.text[source.start..end];
-    let memory = weight::memory(piece);
-    if memory > MAX_PARSE_BYTES {
+    // A short piece cannot weigh so much.
+    let long = piece.len() > MAX_PARSE_BYTES / MOST;
+    if long && weight::memory(piece) > MAX_PARSE_BYTES {
         return Err(Error::PieceTooLarge(source.line(0)));
     }
+    if let Some(table) = tree::read(piece) {
+        return Ok(Ok(table));
+    }
     // The parser cannot handle running out of memory: check first, copies of its strings included.
-    can_allocate(memory + piece.len())?;
-    Ok(DeTable::parse(piece).map(toml::Spanned::into_inner))
+    can_allocate(weight::memory(piece) + piece.len())?;
+    Ok(DeTable::parse(piece).map(|table| table.into_inner().into()))
 }

@@ -3,13 +3,12 @@
 use std::iter::once;
 
 use glam::DVec3;
-use toml::de::DeTable;
 
 use super::field::{Field, Source, fields};
 use super::own::{self, ReadContext, Rows};
 use super::pieces;
 use super::scene_read::{Drafts, MESH_KEYS, take_mesh};
-use super::{OFF_NAME, VERSION, mesh_source};
+use super::{OFF_NAME, VERSION, mesh_source, tree};
 use crate::error::{Invalid, Malformed, Refused, Result, TooMany, vec_with_room};
 use crate::info::{Info, Object, ObjectPoint};
 use crate::limits;
@@ -157,7 +156,7 @@ impl Reader {
         Ok((self.path, self.info))
     }
 
-    fn read(&mut self, source: Source<'_>, root: &DeTable<'_>) -> Result<()> {
+    fn read(&mut self, source: Source<'_>, root: &tree::Table<'_>) -> Result<()> {
         if source.start == 0 {
             check_version(source, root)?;
         }
@@ -196,7 +195,7 @@ impl Reader {
 }
 
 /// Before anything else, since a newer version may have unknown keys.
-fn check_version(source: Source<'_>, root: &DeTable<'_>) -> Result<()> {
+fn check_version(source: Source<'_>, root: &tree::Table<'_>) -> Result<()> {
     let Some(field) = fields(source, root).find(|field| field.key == "version") else {
         return Err(source.complain(0, Malformed::NoVersion));
     };

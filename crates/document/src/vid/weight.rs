@@ -8,13 +8,13 @@
 //! the token list, which must be bounded first.)
 
 /// Bytes for a token, including the list's doubling.
-const TOKEN: usize = 60;
+pub(super) const TOKEN: usize = 60;
 
 /// Bytes for a value in an array or a table, including doubling.
 const VALUE: usize = 220;
 
 /// Bytes for a table with one entry.
-const TABLE: usize = 1600;
+pub(super) const TABLE: usize = 1600;
 
 pub(super) fn memory(text: &str) -> usize {
     let bytes = text.as_bytes();

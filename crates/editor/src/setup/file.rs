@@ -172,7 +172,7 @@ fn write_setup(out: &mut String, setup: &Setup) -> std::fmt::Result {
 fn from_toml(text: &str) -> Result<Setup> {
     let source = Source { text, start: 0 };
     let root = DeTable::parse(text).map_err(|error| source.not_toml(&error))?;
-    let root = root.get_ref();
+    let root = &root.into_inner().into();
     // First of all: what a newer version means by its keys is not known here.
     for field in fields(source, root).filter(|field| field.key == "version") {
         let version = field.integer()?;

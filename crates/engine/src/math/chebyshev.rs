@@ -9,6 +9,9 @@ use super::vector::Vector;
 /// Nodes of a fit; its degree is one less.
 pub(crate) const NODES: usize = 16;
 
+/// Terms of a fit whose last ones amount to nothing.
+pub(crate) const SHORT: usize = 12;
+
 const HALF: usize = NODES / 2;
 
 /// cos(mπ/32), m = 0…16.
@@ -152,6 +155,15 @@ pub(crate) fn series<V: Vector>(values: &[f64; NODES]) -> [f64; NODES] {
 #[must_use]
 pub(crate) fn tail(series: &[f64; NODES]) -> f64 {
     series[NODES - 1].abs().max(series[NODES - 2].abs())
+}
+
+/// Leaves out the terms beyond [`SHORT`] where they amount to no more than `tolerance`.
+#[inline(always)]
+pub(crate) fn shorten(series: &mut [f64; NODES], tolerance: f64) {
+    let beyond = &mut series[SHORT..];
+    if beyond.iter().fold(0.0, |sum, term| sum + term.abs()) <= tolerance {
+        beyond.fill(0.0);
+    }
 }
 
 /// The same polynomial in powers of x, lowest first.

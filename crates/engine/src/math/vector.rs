@@ -2,9 +2,9 @@
 //!
 //! The sampling code is written once, over the trait [`Vector`], and compiled for each kind of
 //! processor (`path::dispatch` chooses): `f64` is the plain version that the others are tested
-//! against, [`Sse2`] is what every x86-64 processor has, [`Avx2`] adds fused multiplication. (Wider
-//! vectors gained nothing.) Everything is forced inline, since a function that is called would be
-//! compiled for the plainest processor. `fearless_simd` would not do: it has nothing between plain
+//! against, [`Sse2`] is what every x86-64 processor has, [`Avx2`] adds fused multiplication,
+//! [`Neon`] is what every 64-bit ARM processor has. (Wider vectors gained nothing.) Everything is
+//! forced inline, since a function that is called would be compiled for the plainest processor. `fearless_simd` would not do: it has nothing between plain
 //! code and SSE 4.2, so plain x86-64 would lose its vectors, and cannot store rows of ten.
 
 #![allow(unsafe_code)]
@@ -24,14 +24,24 @@ pub(crate) trait Vector: Copy {
     fn sqrt(self) -> Self;
     fn min(self, other: Self) -> Self;
     fn max(self, other: Self) -> Self;
-    /// Writes [`Self::LANES`] records of ten numbers, row k holding the k-th number of each.
-    fn store_records(rows: [Self; 10], to: &mut [f64]);
-    /// Copies past the caches, where the processor can, to memory that will not be read soon:
-    /// nothing is fetched only to be overwritten. [`Self::settle`] must follow the last copy.
-    fn stream(from: &[f64], to: &mut [f64]);
+    /// Writes [`Self::LANES`] records of ten numbers, row k holding the k-th number of each. `PAST`:
+    /// past the caches, where the processor can, to memory that will not be read soon and begins at
+    /// a multiple of [`PAIR`]; nothing is fetched only to be overwritten, and memory writes one
+    /// vector while the next ones are computed. [`Self::settle`] must follow the last one.
+    fn store_records<const PAST: bool>(rows: [Self; 10], to: &mut [f64]);
     /// Makes what was streamed visible like any other store.
-    fn settle();
+    #[inline(always)]
+    fn settle() {
+        // SAFETY: SSE is part of x86-64.
+        #[cfg(all(target_arch = "x86_64", not(miri)))]
+        unsafe {
+            std::arch::x86_64::_mm_sfence();
+        }
+    }
 }
+
+/// Bytes of two numbers, which are streamed at a time.
+pub(crate) const PAIR: usize = 16;
 
 /// Has the processor fetch values that will be read soon, where it can be told so.
 #[inline(always)]
@@ -138,15 +148,47 @@ impl Vector for f64 {
         if self > other { self } else { other }
     }
     #[inline(always)]
-    fn store_records(rows: [Self; 10], to: &mut [f64]) {
+    fn store_records<const PAST: bool>(rows: [Self; 10], to: &mut [f64]) {
         to[..10].copy_from_slice(&rows);
     }
-    #[inline(always)]
-    fn stream(from: &[f64], to: &mut [f64]) {
-        to.copy_from_slice(from);
-    }
-    #[inline(always)]
-    fn settle() {}
+}
+
+/// What a kind of vector has an instruction for, named with what it is given. (Whether one is unsafe
+/// depends on it and on the compiler.)
+#[cfg(any(target_arch = "x86_64", target_arch = "aarch64"))]
+macro_rules! lane_by_lane {
+    ($lanes:literal, $splat:ident, $load:ident, $store:ident;
+     $($name:ident($this:ident $(, $other:ident)*) => $value:expr;)*) => {
+        const LANES: usize = $lanes;
+        #[inline(always)]
+        #[allow(unused_unsafe)]
+        fn splat(value: f64) -> Self {
+            // SAFETY: the type's owner promises the instruction set.
+            Self(unsafe { $splat(value) })
+        }
+        #[inline(always)]
+        fn load(from: &[f64]) -> Self {
+            let from = &from[..$lanes];
+            // SAFETY: the slice has just been found long enough.
+            Self(unsafe { $load(from.as_ptr()) })
+        }
+        #[inline(always)]
+        fn store(self, to: &mut [f64]) {
+            let to = &mut to[..$lanes];
+            // SAFETY: the slice has just been found long enough.
+            unsafe { $store(to.as_mut_ptr(), self.0) }
+        }
+        $(
+            #[inline(always)]
+            #[allow(unused_unsafe)]
+            fn $name(self $(, $other: Self)*) -> Self {
+                let Self($this) = self;
+                $(let Self($other) = $other;)*
+                // SAFETY: the type's owner promises the instruction set.
+                Self(unsafe { $value })
+            }
+        )*
+    };
 }
 
 #[cfg(target_arch = "x86_64")]
@@ -154,7 +196,7 @@ pub(crate) use x86_64::{Avx2, Sse2};
 
 #[cfg(target_arch = "x86_64")]
 mod x86_64 {
-    use super::Vector;
+    use super::{PAIR, Vector};
     use std::arch::x86_64::*;
 
     /// Two numbers: every x86-64 processor.
@@ -166,192 +208,127 @@ mod x86_64 {
     #[derive(Debug, Clone, Copy)]
     pub(crate) struct Avx2(__m256d);
 
-    /// Doubles in a cache line.
-    const LINE: usize = 8;
-
-    macro_rules! lane_by_lane {
-        ($lanes:literal, $set1:ident, $loadu:ident, $storeu:ident, $add:ident, $sub:ident,
-         $mul:ident, $div:ident, $sqrt:ident, $min:ident, $max:ident, $stream:ident,
-         $aligned:ident) => {
-            const LANES: usize = $lanes;
-            #[inline(always)]
-            fn splat(value: f64) -> Self {
-                // SAFETY: the type's owner promises the instruction set.
-                Self(unsafe { $set1(value) })
+    /// Writes two numbers, which `PAST` asks to lie at a multiple of their size.
+    #[inline(always)]
+    unsafe fn put<const PAST: bool>(to: *mut f64, pair: __m128d) {
+        // SAFETY: as the caller promises.
+        unsafe {
+            if !PAST {
+                _mm_storeu_pd(to, pair);
+            } else if cfg!(miri) {
+                // Miri has no streaming store; an aligned one asks the same of the address.
+                _mm_store_pd(to, pair);
+            } else {
+                _mm_stream_pd(to, pair);
             }
-            #[inline(always)]
-            fn load(from: &[f64]) -> Self {
-                let from = &from[..$lanes];
-                // SAFETY: the slice has just been found long enough.
-                Self(unsafe { $loadu(from.as_ptr()) })
-            }
-            #[inline(always)]
-            fn store(self, to: &mut [f64]) {
-                let to = &mut to[..$lanes];
-                // SAFETY: the slice has just been found long enough.
-                unsafe { $storeu(to.as_mut_ptr(), self.0) }
-            }
-            #[inline(always)]
-            fn add(self, other: Self) -> Self {
-                // SAFETY: the type's owner promises the instruction set.
-                Self(unsafe { $add(self.0, other.0) })
-            }
-            #[inline(always)]
-            fn sub(self, other: Self) -> Self {
-                // SAFETY: the type's owner promises the instruction set.
-                Self(unsafe { $sub(self.0, other.0) })
-            }
-            #[inline(always)]
-            fn mul(self, other: Self) -> Self {
-                // SAFETY: the type's owner promises the instruction set.
-                Self(unsafe { $mul(self.0, other.0) })
-            }
-            #[inline(always)]
-            fn div(self, other: Self) -> Self {
-                // SAFETY: the type's owner promises the instruction set.
-                Self(unsafe { $div(self.0, other.0) })
-            }
-            #[inline(always)]
-            fn sqrt(self) -> Self {
-                // SAFETY: the type's owner promises the instruction set.
-                Self(unsafe { $sqrt(self.0) })
-            }
-            #[inline(always)]
-            fn min(self, other: Self) -> Self {
-                // SAFETY: the type's owner promises the instruction set.
-                Self(unsafe { $min(self.0, other.0) })
-            }
-            #[inline(always)]
-            fn max(self, other: Self) -> Self {
-                // SAFETY: the type's owner promises the instruction set.
-                Self(unsafe { $max(self.0, other.0) })
-            }
-            #[inline(always)]
-            fn stream(from: &[f64], to: &mut [f64]) {
-                // Whole cache lines go past the caches, what is left at both ends does not.
-                let head = to.as_ptr().align_offset(LINE * size_of::<f64>());
-                let head = head.min(to.len());
-                let (first, from) = from.split_at(head);
-                let (start, to) = to.split_at_mut(head);
-                start.copy_from_slice(first);
-                let (lines, end) = to.as_chunks_mut::<LINE>();
-                let (values, last) = from.as_chunks::<LINE>();
-                end.copy_from_slice(last);
-                for (line, values) in lines.iter_mut().zip(values) {
-                    let mut k = 0;
-                    while k < LINE {
-                        let value = Self::load(&values[k..]);
-                        // Miri has no streaming store; an aligned one asks the same of the address.
-                        // SAFETY: the line begins at a multiple of its size, and
-                        // k is a multiple of the number of lanes below it.
-                        unsafe {
-                            let to = line.as_mut_ptr().add(k);
-                            if cfg!(miri) {
-                                $aligned(to, value.0);
-                            } else {
-                                $stream(to, value.0);
-                            }
-                        }
-                        k += $lanes;
-                    }
-                }
-            }
-            #[inline(always)]
-            fn settle() {
-                if !cfg!(miri) {
-                    // SAFETY: SSE is part of x86-64.
-                    unsafe { _mm_sfence() }
-                }
-            }
-        };
+        }
     }
 
     impl Vector for Sse2 {
-        lane_by_lane!(
-            2,
-            _mm_set1_pd,
-            _mm_loadu_pd,
-            _mm_storeu_pd,
-            _mm_add_pd,
-            _mm_sub_pd,
-            _mm_mul_pd,
-            _mm_div_pd,
-            _mm_sqrt_pd,
-            _mm_min_pd,
-            _mm_max_pd,
-            _mm_stream_pd,
-            _mm_store_pd
-        );
-        #[inline(always)]
-        fn mul_add(self, b: Self, c: Self) -> Self {
-            self.mul(b).add(c)
+        lane_by_lane! {
+            2, _mm_set1_pd, _mm_loadu_pd, _mm_storeu_pd;
+            add(a, b) => _mm_add_pd(a, b);
+            sub(a, b) => _mm_sub_pd(a, b);
+            mul(a, b) => _mm_mul_pd(a, b);
+            div(a, b) => _mm_div_pd(a, b);
+            mul_add(a, b, c) => _mm_add_pd(_mm_mul_pd(a, b), c);
+            sqrt(a) => _mm_sqrt_pd(a);
+            min(a, b) => _mm_min_pd(a, b);
+            max(a, b) => _mm_max_pd(a, b);
         }
         #[inline(always)]
-        fn store_records(rows: [Self; 10], to: &mut [f64]) {
+        fn store_records<const PAST: bool>(rows: [Self; 10], to: &mut [f64]) {
             let to = &mut to[..20];
-            let mut k = 0;
-            while k < 10 {
+            assert!(!PAST || to.as_ptr().addr().is_multiple_of(PAIR));
+            let p = to.as_mut_ptr();
+            for k in (0..10).step_by(2) {
                 let (a, b) = (rows[k].0, rows[k + 1].0);
-                // SAFETY: SSE2 is part of x86-64; k + 1 ≤ 9 and 10 + k + 1 ≤ 19.
+                // SAFETY: SSE2 is part of x86-64; 10 + k + 1 ≤ 19, and each pair is even.
                 unsafe {
-                    _mm_storeu_pd(to.as_mut_ptr().add(k), _mm_unpacklo_pd(a, b));
-                    _mm_storeu_pd(to.as_mut_ptr().add(10 + k), _mm_unpackhi_pd(a, b));
+                    put::<PAST>(p.add(k), _mm_unpacklo_pd(a, b));
+                    put::<PAST>(p.add(10 + k), _mm_unpackhi_pd(a, b));
                 }
-                k += 2;
             }
         }
     }
 
     impl Vector for Avx2 {
-        lane_by_lane!(
-            4,
-            _mm256_set1_pd,
-            _mm256_loadu_pd,
-            _mm256_storeu_pd,
-            _mm256_add_pd,
-            _mm256_sub_pd,
-            _mm256_mul_pd,
-            _mm256_div_pd,
-            _mm256_sqrt_pd,
-            _mm256_min_pd,
-            _mm256_max_pd,
-            _mm256_stream_pd,
-            _mm256_store_pd
-        );
-        #[inline(always)]
-        fn mul_add(self, b: Self, c: Self) -> Self {
-            // SAFETY: the type's owner promises the instruction set.
-            Self(unsafe { _mm256_fmadd_pd(self.0, b.0, c.0) })
+        lane_by_lane! {
+            4, _mm256_set1_pd, _mm256_loadu_pd, _mm256_storeu_pd;
+            add(a, b) => _mm256_add_pd(a, b);
+            sub(a, b) => _mm256_sub_pd(a, b);
+            mul(a, b) => _mm256_mul_pd(a, b);
+            div(a, b) => _mm256_div_pd(a, b);
+            mul_add(a, b, c) => _mm256_fmadd_pd(a, b, c);
+            sqrt(a) => _mm256_sqrt_pd(a);
+            min(a, b) => _mm256_min_pd(a, b);
+            max(a, b) => _mm256_max_pd(a, b);
         }
         #[inline(always)]
-        fn store_records(rows: [Self; 10], to: &mut [f64]) {
+        fn store_records<const PAST: bool>(rows: [Self; 10], to: &mut [f64]) {
             let to = &mut to[..40];
+            assert!(!PAST || to.as_ptr().addr().is_multiple_of(PAIR));
             let p = to.as_mut_ptr();
-            let mut k = 0;
-            // Two blocks of four by four, then the two rows left.
-            while k < 8 {
-                // SAFETY: the type's owner promises the instruction set; the last
-                // number written is 30 + k + 3 ≤ 37.
-                unsafe {
-                    let ab = _mm256_unpacklo_pd(rows[k].0, rows[k + 1].0);
-                    let cd = _mm256_unpacklo_pd(rows[k + 2].0, rows[k + 3].0);
-                    let ef = _mm256_unpackhi_pd(rows[k].0, rows[k + 1].0);
-                    let gh = _mm256_unpackhi_pd(rows[k + 2].0, rows[k + 3].0);
-                    _mm256_storeu_pd(p.add(k), _mm256_permute2f128_pd::<0x20>(ab, cd));
-                    _mm256_storeu_pd(p.add(10 + k), _mm256_permute2f128_pd::<0x20>(ef, gh));
-                    _mm256_storeu_pd(p.add(20 + k), _mm256_permute2f128_pd::<0x31>(ab, cd));
-                    _mm256_storeu_pd(p.add(30 + k), _mm256_permute2f128_pd::<0x31>(ef, gh));
-                }
-                k += 4;
-            }
-            // SAFETY: the type's owner promises the instruction set; the last number written is 39.
+            // SAFETY: the type's owner promises the instruction set; 30 + 2·4 + 1 = 39, and each pair
+            // is even.
             unsafe {
-                let low = _mm256_unpacklo_pd(rows[8].0, rows[9].0);
-                let high = _mm256_unpackhi_pd(rows[8].0, rows[9].0);
-                _mm_storeu_pd(p.add(8), _mm256_castpd256_pd128(low));
-                _mm_storeu_pd(p.add(18), _mm256_castpd256_pd128(high));
-                _mm_storeu_pd(p.add(28), _mm256_extractf128_pd::<1>(low));
-                _mm_storeu_pd(p.add(38), _mm256_extractf128_pd::<1>(high));
+                let (mut low, mut high) = ([rows[0].0; 5], [rows[0].0; 5]);
+                for k in 0..5 {
+                    low[k] = _mm256_unpacklo_pd(rows[2 * k].0, rows[2 * k + 1].0);
+                    high[k] = _mm256_unpackhi_pd(rows[2 * k].0, rows[2 * k + 1].0);
+                }
+                // One record after the other, as memory takes them best.
+                for k in 0..5 {
+                    put::<PAST>(p.add(2 * k), _mm256_castpd256_pd128(low[k]));
+                }
+                for k in 0..5 {
+                    put::<PAST>(p.add(10 + 2 * k), _mm256_castpd256_pd128(high[k]));
+                }
+                for k in 0..5 {
+                    put::<PAST>(p.add(20 + 2 * k), _mm256_extractf128_pd::<1>(low[k]));
+                }
+                for k in 0..5 {
+                    put::<PAST>(p.add(30 + 2 * k), _mm256_extractf128_pd::<1>(high[k]));
+                }
+            }
+        }
+    }
+}
+
+#[cfg(target_arch = "aarch64")]
+pub(crate) use aarch64::Neon;
+
+#[cfg(target_arch = "aarch64")]
+mod aarch64 {
+    use super::Vector;
+    use std::arch::aarch64::*;
+
+    /// Two numbers: every 64-bit ARM processor.
+    #[derive(Debug, Clone, Copy)]
+    pub(crate) struct Neon(float64x2_t);
+
+    impl Vector for Neon {
+        lane_by_lane! {
+            2, vdupq_n_f64, vld1q_f64, vst1q_f64;
+            add(a, b) => vaddq_f64(a, b);
+            sub(a, b) => vsubq_f64(a, b);
+            mul(a, b) => vmulq_f64(a, b);
+            div(a, b) => vdivq_f64(a, b);
+            mul_add(a, b, c) => vfmaq_f64(c, a, b);
+            sqrt(a) => vsqrtq_f64(a);
+            min(a, b) => vbslq_f64(vcltq_f64(a, b), a, b);
+            max(a, b) => vbslq_f64(vcgtq_f64(a, b), a, b);
+        }
+        #[inline(always)]
+        #[allow(unused_unsafe)]
+        fn store_records<const PAST: bool>(rows: [Self; 10], to: &mut [f64]) {
+            let to = &mut to[..20];
+            for k in (0..10).step_by(2) {
+                let (Self(a), Self(b)) = (rows[k], rows[k + 1]);
+                // SAFETY: NEON is part of 64-bit ARM.
+                let (first, second) = unsafe { (vzip1q_f64(a, b), vzip2q_f64(a, b)) };
+                Self(first).store(&mut to[k..]);
+                Self(second).store(&mut to[10 + k..]);
             }
         }
     }
@@ -394,26 +371,33 @@ mod tests {
             let lanes: Vec<f64> = (0..V::LANES).map(|k| (10 * k + r) as f64).collect();
             *row = V::load(&lanes);
         }
-        let mut records = vec![0.0; 10 * V::LANES];
-        V::store_records(rows, &mut records);
-        for (k, number) in records.into_iter().enumerate() {
-            assert_eq!(number, k as f64);
-        }
-        let from: Vec<f64> = (0..100).map(f64::from).collect();
-        for (start, end) in [(0, 100), (1, 99), (3, 20), (5, 6), (7, 7), (8, 72)] {
-            let mut to = vec![-1.0; 100];
-            V::stream(&from[start..end], &mut to[start..end]);
-            V::settle();
-            for (k, number) in to.into_iter().enumerate() {
-                let inside = (start..end).contains(&k);
-                assert_eq!(number, if inside { k as f64 } else { -1.0 });
+        let mut room = vec![-1.0; 10 * V::LANES + 3];
+        let even = usize::from(!room.as_ptr().addr().is_multiple_of(PAIR));
+        for (past, from) in [(false, 1), (false, 2), (true, even), (true, 2 + even)] {
+            room.fill(-1.0);
+            let to = &mut room[from..][..10 * V::LANES];
+            if past {
+                V::store_records::<true>(rows, to);
+                V::settle();
+            } else {
+                V::store_records::<false>(rows, to);
             }
+            for (k, number) in to.iter().enumerate() {
+                assert_eq!(*number, k as f64);
+            }
+            assert_eq!(room.iter().filter(|number| **number == -1.0).count(), 3);
         }
     }
 
     #[test]
     fn the_plain_vector_computes() {
         check::<f64>();
+    }
+
+    #[cfg(target_arch = "aarch64")]
+    #[test]
+    fn two_numbers_at_once_compute_as_the_plain_one() {
+        check::<Neon>();
     }
 
     #[cfg(target_arch = "x86_64")]

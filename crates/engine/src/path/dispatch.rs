@@ -1,7 +1,8 @@
 //! The choice of vectors: code over [`vector::Vector`] is compiled once for every processor and
-//! once for those with AVX2 and fused multiplication; the two agree to rounding. All that is called
-//! from here must be forced inline, since a function of its own would be compiled for the plainest
-//! processor. `--cfg vides_no_simd` leaves only the first, to measure and to test it.
+//! once for those with AVX2 and fused multiplication (every 64-bit ARM has that); they agree to
+//! rounding. All that is called from here must be forced inline, since a function of its own would
+//! be compiled for the plainest processor. `--cfg vides_no_simd` leaves only the first, to measure
+//! and to test it.
 
 use super::arc_length;
 use super::fill::{self, Scratch};
@@ -27,7 +28,9 @@ macro_rules! widest {
         }
         #[cfg(target_arch = "x86_64")]
         return $module::$function::<vector::Sse2>($($name),*);
-        #[cfg(not(target_arch = "x86_64"))]
+        #[cfg(all(target_arch = "aarch64", not(vides_no_simd)))]
+        return $module::$function::<vector::Neon>($($name),*);
+        #[cfg(not(any(target_arch = "x86_64", all(target_arch = "aarch64", not(vides_no_simd)))))]
         return $module::$function::<f64>($($name),*);
     }};
 }

@@ -18,7 +18,7 @@ use super::timing::Timing;
 use super::turning::{AT_TARGET, Turning};
 use crate::error::Result;
 use crate::math::orientation::POLE;
-use crate::math::vector::{Vector, horner, horner_each};
+use crate::math::vector::{PAIR, Vector, horner};
 
 /// Frames of a block, whose numbers all stay in the first-level cache.
 const BLOCK: usize = 128;
@@ -45,7 +45,7 @@ struct Block {
 
 /// The poses of a block, where they are put together before they are written.
 #[repr(align(64))]
-struct Records([f64; 10 * (BLOCK + STRIDE)]);
+struct Records([f64; 10 * STRIDE]);
 
 /// From this many poses on, more than the caches hold, they are written past them.
 const MANY: usize = 50_000;
@@ -77,7 +77,7 @@ impl Scratch {
             kept: None,
             once: false,
             block,
-            records: Records([0.0; 10 * (BLOCK + STRIDE)]),
+            records: Records([0.0; 10 * STRIDE]),
             past_caches: poses >= MANY,
         }
     }
@@ -256,7 +256,7 @@ fn parameters<V: Vector>(way: &ArcLengthCurve, tables: &Tables, count: usize, bl
         if let Some([powers]) = &fit.powers {
             for k in (from..to).step_by(AT_ONCE * V::LANES) {
                 let x = arguments::<V, 1>(fit, &phi[k..]);
-                let mut found = horner_each(powers, &x);
+                let mut found = fit.at(powers, &x);
                 if let Some(piece) = fit.polish {
                     let mut lengths = x;
                     for u in 0..AT_ONCE {
@@ -294,7 +294,7 @@ fn turned<V: Vector>(turning: &Turning, tables: &Tables, count: usize, block: &m
             for k in (from..to).step_by(AT_ONCE * V::LANES) {
                 let x = arguments::<V, 4>(fit, &phi[k..]);
                 for component in 0..4 {
-                    store_each(horner_each(&powers[component], &x), &mut q[component][k..]);
+                    store_each(fit.at(&powers[component], &x), &mut q[component][k..]);
                 }
             }
         } else {
@@ -362,24 +362,17 @@ fn write<V: Vector>(
 ) {
     let count = poses.len();
     let numbers = Pose::as_numbers(poses);
-    if past_caches {
-        for k in (0..count).step_by(V::LANES) {
-            V::store_records(
-                write_vector::<V>(section, block, k),
-                &mut records.0[10 * k..],
-            );
-        }
-        V::stream(&records.0[..10 * count], numbers);
-        return;
-    }
+    let past_caches = past_caches && numbers.as_ptr().addr().is_multiple_of(PAIR);
     for k in (0..count).step_by(V::LANES) {
         let row = write_vector::<V>(section, block, k);
-        if k + V::LANES <= count {
-            V::store_records(row, &mut numbers[10 * k..]);
-        } else {
-            V::store_records(row, &mut records.0);
+        if k + V::LANES > count {
+            V::store_records::<false>(row, &mut records.0);
             let left = &mut numbers[10 * k..];
             left.copy_from_slice(&records.0[..left.len()]);
+        } else if past_caches {
+            V::store_records::<true>(row, &mut numbers[10 * k..]);
+        } else {
+            V::store_records::<false>(row, &mut numbers[10 * k..]);
         }
     }
 }

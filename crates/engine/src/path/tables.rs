@@ -7,8 +7,8 @@ use super::arcs::ShortBezier;
 use super::section_sampler::{ArcLengthCurve, SectionSampler};
 use super::turning::Turning;
 use crate::error::{Result, vec_with_room};
-use crate::math::chebyshev::{self, NODES};
-use crate::math::vector::{Vector, fetch};
+use crate::math::chebyshev::{self, NODES, SHORT};
+use crate::math::vector::{Vector, fetch, horner_each};
 
 /// Frames that a fitted piece must serve: about what its nodes cost.
 const WORTH: f64 = 32.0;
@@ -22,6 +22,10 @@ const PLACE_TOLERANCE: f64 = 2e-15;
 /// What a component of a fitted quaternion may be wrong by.
 const TURN_TOLERANCE: f64 = 4e-15;
 
+/// Frames of half a piece that is worth halving so that [`SHORT`] powers are enough: each frame of
+/// a long section costs a quarter less, and the pieces little, since they are few.
+const LONG: f64 = 512.0;
+
 /// Powers of x on a piece of φ, or None where frames are computed directly.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Fit<const COMPONENTS: usize> {
@@ -31,6 +35,7 @@ pub(super) struct Fit<const COMPONENTS: usize> {
     scale: f64,
     /// The piece of the arc length whose Newton's step the value still needs.
     pub polish: Option<usize>,
+    short: bool,
     pub powers: Option<[[f64; NODES]; COMPONENTS]>,
 }
 
@@ -39,6 +44,19 @@ impl<const COMPONENTS: usize> Fit<COMPONENTS> {
     #[inline(always)]
     pub(super) fn x<V: Vector>(&self, phi: V) -> V {
         phi.sub(V::splat(self.middle)).mul(V::splat(self.scale))
+    }
+
+    /// The polynomial with these of its `powers` at several x.
+    #[inline(always)]
+    pub(super) fn at<V: Vector, const U: usize>(
+        &self,
+        powers: &[f64; NODES],
+        x: &[V; U],
+    ) -> [V; U] {
+        match powers.first_chunk::<SHORT>() {
+            Some(powers) if self.short => horner_each(powers, x),
+            _ => horner_each(powers, x),
+        }
     }
 }
 
@@ -68,7 +86,7 @@ impl Tables {
             self.fit_place::<V>(way, frames)?;
         }
         if section.turning.is_quaternion() {
-            self.fit_turning::<V>(&section.turning, 0.5 * WORTH / frames)?;
+            self.fit_turning::<V>(&section.turning, frames)?;
         }
         Ok(())
     }
@@ -113,6 +131,9 @@ impl Tables {
                 if half >= least {
                     let (fit, tail, error) = self.fit_parameter::<V>(way, middle, half);
                     let piece = &self.arc[index];
+                    if !short(&fit) && half > LONG / frames && halving.halve(middle, half) {
+                        continue;
+                    }
                     if error <= PLACE_TOLERANCE * way.length {
                         powers = Some(fit);
                     } else if half < coarse && piece.settles(tail) {
@@ -144,17 +165,19 @@ impl Tables {
             s[k] = (middle + half * chebyshev::POINTS[k]) * way.length;
         }
         arc_length::invert::<V>(&self.arc, &s, &mut t);
-        let series = chebyshev::series::<V>(&t);
+        let mut series = chebyshev::series::<V>(&t);
         let mut fastest = 0.0f64;
         for t in t {
             fastest = fastest.max(way.curve.derivative(t).length());
         }
         let tail = chebyshev::tail(&series);
+        chebyshev::shorten(&mut series, 0.5 * PLACE_TOLERANCE * way.length / fastest);
         ([chebyshev::powers::<V>(&series)], tail, tail * fastest)
     }
 
     #[inline(always)]
-    fn fit_turning<V: Vector>(&mut self, turning: &Turning, least: f64) -> Result<()> {
+    fn fit_turning<V: Vector>(&mut self, turning: &Turning, frames: f64) -> Result<()> {
+        let least = 0.5 * WORTH / frames;
         let mut halving = Halving::new(0.0, 1.0, least);
         while let Some((middle, half)) = halving.next() {
             let mut powers = None;
@@ -165,22 +188,20 @@ impl Tables {
                 }
                 let mut values = [[0.0; NODES]; 4];
                 quaternions::<V, NODES>(turning, self.bezier.as_ref(), &phi, &mut values);
-                let mut series = [[0.0; NODES]; 4];
+                let mut fitted = [[0.0; NODES]; 4];
                 let mut tail = 0.0f64;
                 for k in 0..4 {
-                    series[k] = chebyshev::series::<V>(&values[k]);
-                    tail = tail.max(chebyshev::tail(&series[k]));
+                    let mut series = chebyshev::series::<V>(&values[k]);
+                    tail = tail.max(chebyshev::tail(&series));
+                    chebyshev::shorten(&mut series, TURN_TOLERANCE / 4.0);
+                    fitted[k] = chebyshev::powers::<V>(&series);
                 }
-                if tail > TURN_TOLERANCE && halving.halve(middle, half) {
+                let good = tail <= TURN_TOLERANCE;
+                let enough = good && (half <= LONG / frames || short(&fitted));
+                if !enough && halving.halve(middle, half) {
                     continue;
                 }
-                if tail <= TURN_TOLERANCE {
-                    let mut fitted = [[0.0; NODES]; 4];
-                    for k in 0..4 {
-                        fitted[k] = chebyshev::powers::<V>(&series[k]);
-                    }
-                    powers = Some(fitted);
-                }
+                powers = good.then_some(fitted);
             }
             push(&mut self.turn, middle, half, powers, None)?;
         }
@@ -214,6 +235,12 @@ pub(super) fn quaternions<V: Vector, const N: usize>(
     }
 }
 
+/// Whether the first [`SHORT`] powers of each polynomial are all.
+fn short<const C: usize>(powers: &[[f64; NODES]; C]) -> bool {
+    let nothing = |powers: &[f64; NODES]| powers[SHORT..].iter().all(|power| *power == 0.0);
+    powers.iter().all(nothing)
+}
+
 fn push<const C: usize>(
     fits: &mut Vec<Fit<C>>,
     middle: f64,
@@ -234,6 +261,7 @@ fn push<const C: usize>(
         middle,
         scale: 1.0 / half,
         polish,
+        short: powers.as_ref().is_some_and(short),
         powers,
     });
     Ok(())

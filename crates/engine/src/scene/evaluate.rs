@@ -9,7 +9,7 @@ use super::keys::wxyz;
 use super::motion::{Motion, check_frame};
 use super::node::{Kind, Node, Values};
 use super::scene::Scene;
-use super::side_by_side::{GROUP, Group};
+use super::side_by_side::{GROUP, Group, Pack};
 use super::state::{NodeState, Warnings};
 use super::track::Track;
 use super::vertices::Form;
@@ -62,7 +62,8 @@ impl Scene {
             }
             .into());
         }
-        self.run(&self.order, frame, states, warnings, Search::Back)
+        let packs = self.nodes.packs(&self.order, self.numbers);
+        self.run(&self.order, packs, frame, states, warnings, Search::Back)
     }
 
     /// Whether no host's function interpolates and nobody aims: once prepared, it needs no memory.
@@ -117,10 +118,11 @@ impl Scene {
         let aims = chain.iter().filter_map(|&at| self.nodes[at].aim);
         let mut asked = vec_with_room(chain.len())?;
         asked.extend(aims.filter(asks));
+        let packs = Pack::all(&self.nodes, &chain, states.len()).unwrap_or_default();
         let mut scratch = self.scratch()?;
         for (at, state) in states.iter_mut().enumerate() {
             let frame = first + step * at as f64;
-            self.run(&chain, frame, &mut scratch, warnings, Search::Back)?;
+            self.run(&chain, &packs, frame, &mut scratch, warnings, Search::Back)?;
             // Of a node that is only aimed at nothing else tells what went wrong.
             for &aim in &asked {
                 warnings.node = aim;
@@ -254,7 +256,7 @@ impl Scene {
     }
 
     /// A node and all that its state depends on, in their order.
-    fn chain(&self, node: usize) -> Result<Vec<usize>> {
+    pub(super) fn chain(&self, node: usize) -> Result<Vec<usize>> {
         let mut wanted = vec_with_room(self.nodes.len())?;
         wanted.resize(self.nodes.len(), false);
         let mut open = vec_with_room(self.nodes.len())?;
@@ -283,16 +285,12 @@ impl Scene {
     fn run(
         &self,
         order: &[usize],
+        packs: &[Option<Pack>],
         frame: f64,
         states: &mut [NodeState],
         warnings: &mut Warnings,
         search: Search,
     ) -> Result<()> {
-        let packs = if std::ptr::eq(order, self.order.as_slice()) {
-            self.nodes.packs(order, self.numbers)
-        } else {
-            &[]
-        };
         let mut group = Group::NONE;
         for (at, nodes) in order.chunks(GROUP).enumerate() {
             if let Some(Some(pack)) = packs.get(at)
@@ -409,7 +407,7 @@ impl Scene {
         let mut scratch = self.scratch()?;
         let mut look = |frame: f64| -> Result<Option<DVec3>> {
             let none = &mut Warnings::default();
-            self.run(&chain, frame, &mut scratch, none, Search::Own)?;
+            self.run(&chain, &[], frame, &mut scratch, none, Search::Own)?;
             let eye = self.pivot(at, frame, &scratch)?;
             let pivot = self.pivot(target, frame, &scratch)?;
             let view = aim::direction(eye, pivot, self.space());

@@ -343,8 +343,17 @@ pub(super) struct Pack {
 }
 
 impl Pack {
+    /// A pack for each [`GROUP`] in this order that can have one, to be asked for so many `frames`.
+    pub(super) fn all(nodes: &[Node], order: &[usize], frames: usize) -> Result<Vec<Option<Self>>> {
+        let mut packs = vec_with_room(order.len().div_ceil(GROUP))?;
+        for group in order.chunks(GROUP) {
+            packs.push(Self::new(nodes, group, frames)?);
+        }
+        Ok(packs)
+    }
+
     /// Nodes that come one after the other; none if they are not that simple.
-    fn new(nodes: &[Node], group: &[usize]) -> Result<Option<Self>> {
+    fn new(nodes: &[Node], group: &[usize], frames: usize) -> Result<Option<Self>> {
         let mut clock: Option<(usize, &Track)> = None;
         for &at in group {
             let node = &nodes[at];
@@ -364,8 +373,9 @@ impl Pack {
         }
         let count = clock.map_or(1, |(_, track)| track.frames().len());
         let numbers: usize = group.iter().map(|&at| nodes[at].keys.numbers()).sum();
-        // Rows of nodes that do not move are not to take many times the room of the keys.
-        if 4 * GROUP * (count - 1) > numbers {
+        // Rows of nodes that do not move are not to take many times the room of the keys, nor more
+        // than what is asked for.
+        if 4 * GROUP * (count - 1) > numbers.max(8 * frames) {
             return Ok(None);
         }
         let mut pack = Self {
@@ -458,15 +468,8 @@ impl Nodes {
         if asked.saturating_mul(PACKING * self.all.len()) < numbers {
             return &[];
         }
-        let all = || {
-            let groups = order.chunks(GROUP);
-            let mut packs = vec_with_room(groups.len())?;
-            for group in groups {
-                packs.push(Pack::new(&self.all, group)?);
-            }
-            Ok::<_, crate::Error>(packs)
-        };
-        self.packs.get_or_init(|| all().unwrap_or_default())
+        let all = || Pack::all(&self.all, order, 0).unwrap_or_default();
+        self.packs.get_or_init(all)
     }
 }
 

@@ -106,3 +106,20 @@ fn what_is_packed_follows_changes() {
     assert_ne!(before[100], after[100]);
     assert_eq!(after, states(&scene.clone(), 3.0));
 }
+
+#[test]
+fn many_frames_of_one_node_as_each_by_itself() {
+    for (apart, packs) in [(0.0, 1), (1.0, 0)] {
+        let scene = scene(&mut Random(13), apart);
+        let chain = scene.chain(199).unwrap();
+        let packed = Pack::all(scene.nodes(), &chain, 300).unwrap();
+        assert!(chain.len() > 3 && packed.iter().flatten().count() == packs);
+        let mut many = vec![NodeState::default(); 300];
+        let none = &mut Warnings::default();
+        scene.sample(199, -20.0, 0.5, &mut many, none).unwrap();
+        for (k, state) in many.iter().enumerate() {
+            let frame = -20.0 + 0.5 * k as f64;
+            assert!(*state == states(&scene, frame)[199], "at {frame}");
+        }
+    }
+}
