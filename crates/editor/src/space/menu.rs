@@ -82,7 +82,11 @@ pub(super) fn show(
 }
 
 /// The corner of the object at a place on the screen, the front one of several.
-fn corner_at(editor: &Editor, projection: &super::Projection, at: Pos2) -> Option<DVec3> {
+pub(super) fn corner_at(
+    editor: &Editor,
+    projection: &super::Projection,
+    at: Pos2,
+) -> Option<DVec3> {
     if !editor.setup.shown.has(Element::Object) {
         return None;
     }

@@ -161,6 +161,41 @@ fn cameras_are_aimed_at_a_corner_of_the_object() {
     assert!(!offers(&mut harness, place));
 }
 
+/// Which corner a right click would take is seen before; where none would be, nothing lights up.
+#[test]
+fn the_corner_under_the_pointer_lights_up() {
+    let summit = DVec3::new(0.0, 0.5, 0.0);
+    let mut harness = pyramid_window();
+    harness.state_mut().document.select(1, 0).unwrap();
+    harness.state_mut().edit(Edit::SetOrientation {
+        point: 1,
+        at: 0,
+        orientation: Orientation::default(),
+    });
+    harness.run();
+    let place = image(&harness, summit);
+    let elsewhere = empty(&harness);
+    let mut seen = |at, shown: bool| {
+        harness.state_mut().setup.shown.set(Element::Object, shown);
+        motion(&mut harness, at);
+        harness.run();
+        let picture = harness.render().unwrap();
+        let (x, y) = (place.x as u32 - 14, place.y as u32 - 14);
+        // The pointer is painted, too, but in no colour.
+        let part = image::imageops::crop_imm(&picture, x, y, 28, 28);
+        let part = part.to_image();
+        let blue = part
+            .pixels()
+            .filter(|pixel| pixel[2] > 130 && pixel[0] < 100);
+        blue.count()
+    };
+    assert_eq!(seen(elsewhere, true), 0);
+    let lit = seen(place + vec2(3.0, -2.0), true);
+    assert!(lit > 30, "{lit}");
+    assert_eq!(seen(elsewhere, true), 0, "it stays lit");
+    assert_eq!(seen(place, false), 0, "what is not shown lights up");
+}
+
 /// Whoever comes near something that can be dragged is told what the buttons do.
 #[test]
 fn the_buttons_are_told_where_they_work() {

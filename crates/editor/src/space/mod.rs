@@ -211,6 +211,9 @@ pub(super) fn thumbnail_of_scene(document: &Document, size: Vec2) -> Option<Vec<
     )
 }
 
+/// An object of more points shows its corners at a click only: each motion of the pointer looks at all.
+const MOST_LIT: usize = 100_000;
+
 /// Most lines of a scene in a thumbnail.
 const THUMBNAIL_LINES: usize = 2_000;
 
@@ -282,8 +285,9 @@ impl MovementWindow {
                 actions.extend(host::button(editor, &context, viewport, place));
             }
         });
+        let corner = self.corner(editor, &surface);
         editor.part(&context, |editor, actions| {
-            if let Err(error) = self.draw(editor, &ui.painter_at(viewport), viewport) {
+            if let Err(error) = self.draw(editor, &ui.painter_at(viewport), viewport, corner) {
                 actions.push(Action::Complain(reason_of(editor.language(), &error)));
             }
         });
@@ -294,7 +298,26 @@ impl MovementWindow {
         });
     }
 
-    fn draw(&mut self, editor: &Editor, painter: &Painter, viewport: Rect) -> Result<()> {
+    /// The corner of the object that a right click would take now.
+    fn corner(&self, editor: &Editor, surface: &PointerContext<'_>) -> Option<DVec3> {
+        let context = surface.context;
+        let busy = self.pointer.hover.is_some()
+            || editor.windows.tool.is_some()
+            || editor.document.info().object.len() > MOST_LIT
+            || egui::Popup::is_any_open(context)
+            || context.input(|input| input.pointer.any_down());
+        let at = context.input(|input| input.pointer.latest_pos());
+        let at = at.filter(|&at| !busy && (surface.mine)(at))?;
+        menu::corner_at(editor, &projection_of(editor, surface.viewport), at)
+    }
+
+    fn draw(
+        &mut self,
+        editor: &Editor,
+        painter: &Painter,
+        viewport: Rect,
+        corner: Option<DVec3>,
+    ) -> Result<()> {
         let projection = projection_of(editor, viewport);
         let pixels_per_point = f64::from(painter.pixels_per_point());
         let eye = Eye {
@@ -369,6 +392,9 @@ impl MovementWindow {
             }
         }
         let palette = editor.setup.theme().palette();
+        if let Some(corner) = corner {
+            add(overlay::ring(&look, corner, palette.accent, false));
+        }
         if let Some(window) = &editor.windows.tool
             && let Some(cage) = window.cage()
         {
