@@ -51,6 +51,9 @@ const LEVELS: [f64; 11] = [1.0, 0.98, 0.95, 0.9, 0.84, 0.75, 0.6, 0.45, 0.25, 0.
 /// Frames for which one section less at its share is given up.
 const LOWER: f64 = 1e-3;
 
+/// How much worse a share of a section's time is that is spent within it.
+const WITHIN: f64 = 5.0;
+
 /// Laps after which a ring has settled.
 const LAPS: usize = 4;
 
@@ -135,9 +138,10 @@ impl Row<'_> {
                     let Some((fewest, _, _)) = self.pair(k, &ahead, level(k + 1, b))? else {
                         continue;
                     };
-                    let spare = fewest.0 - fewest.1;
-                    // Rather a joint slower than one section that slows down within.
-                    *cost = fewest.0 + LOWER * (spare * spare + (1.0 - LEVELS[b]));
+                    // Rather a joint a little slower than a short section that slows down within;
+                    // in a long one nobody sees it.
+                    let within = WITHIN * (fewest.0 - fewest.1) / fewest.0;
+                    *cost = fewest.0 + LOWER * (within * within + (1.0 - LEVELS[b]));
                 }
             }
             tables.push(table);
