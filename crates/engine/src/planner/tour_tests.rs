@@ -4,7 +4,7 @@ use super::seen::LEAST;
 use super::*;
 use crate::path::Up;
 use crate::path::test_support::Random;
-use crate::path::{Sampler, Target};
+use crate::path::{Pose, Sampler, Target};
 use crate::tools::check::{CheckContext, check};
 
 /// A grid of u × v places made a surface; either way round.
@@ -124,6 +124,33 @@ fn a_ring_is_shown_by_a_clean_flight() {
         assert!((all - 1.0).abs() < 1e-9, "{all}");
         let again = made(&mesh, &request).unwrap();
         assert_eq!(tour.path, again.path);
+    }
+}
+
+/// Whole frames make no place slower that anybody would see.
+#[test]
+fn a_tour_is_even_whatever_time_it_takes() {
+    let mesh = torus(false);
+    for seconds in [28.0, 28.1, 28.2, 30.0, 31.7, 44.1, 57.0] {
+        let request = TourRequest {
+            seconds,
+            ..TourRequest::default()
+        };
+        let path = made(&mesh, &request).unwrap().path;
+        let timeline = Timeline::new(&path).unwrap();
+        let sampler = Sampler::new(&path, &timeline).unwrap();
+        let mut poses = vec![Pose::default(); timeline.frame_count().unwrap()];
+        sampler.sample(1, &mut poses).unwrap();
+        let steps = poses.windows(2);
+        let steps: Vec<f64> = steps
+            .map(|pair| DVec3::from_array(pair[0].vrp).distance(pair[1].vrp.into()))
+            .collect();
+        let mean = steps.iter().sum::<f64>() / steps.len() as f64;
+        let least = steps[3..steps.len() - 3]
+            .iter()
+            .copied()
+            .fold(f64::INFINITY, f64::min);
+        assert!(least > 0.9 * mean, "{seconds} s: {}", least / mean);
     }
 }
 
