@@ -3,6 +3,8 @@
 
 pub(crate) mod curve;
 pub(crate) mod orientation;
+#[cfg(test)]
+mod orientation_tests;
 pub(crate) mod output;
 mod position;
 mod timing;

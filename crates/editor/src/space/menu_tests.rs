@@ -106,6 +106,17 @@ fn the_menu_comes_by_keyboard_and_goes_by_escape() {
     assert!(harness.query_by_label("Remove this point").is_none());
 }
 
+/// Turned so that no camera's arrow ends at a corner on the screen.
+fn look_aside(harness: &mut Harness<'_, Editor>) {
+    harness.state_mut().document.select(1, 0).unwrap();
+    harness.state_mut().edit(Edit::SetOrientation {
+        point: 1,
+        at: 0,
+        orientation: Orientation::default(),
+    });
+    harness.run();
+}
+
 /// What the cameras are to look at needs no numbers: a corner of the object is
 /// there to be pointed at. The summit lies in front of nothing.
 #[test]
@@ -117,14 +128,7 @@ fn cameras_are_aimed_at_a_corner_of_the_object() {
         let orientations = points.flat_map(|point| &point.orientations);
         orientations.map(|orientation| orientation.target).collect()
     };
-    // Turned so that no camera's arrow ends there on the screen.
-    harness.state_mut().document.select(1, 0).unwrap();
-    harness.state_mut().edit(Edit::SetOrientation {
-        point: 1,
-        at: 0,
-        orientation: Orientation::default(),
-    });
-    harness.run();
+    look_aside(&mut harness);
     let before = targets(&harness);
     let pick = |harness: &mut Harness<'_, Editor>, entry: &str| {
         let place = image(harness, summit) + vec2(3.0, -2.0);
@@ -166,13 +170,7 @@ fn cameras_are_aimed_at_a_corner_of_the_object() {
 fn the_corner_under_the_pointer_lights_up() {
     let summit = DVec3::new(0.0, 0.5, 0.0);
     let mut harness = pyramid_window();
-    harness.state_mut().document.select(1, 0).unwrap();
-    harness.state_mut().edit(Edit::SetOrientation {
-        point: 1,
-        at: 0,
-        orientation: Orientation::default(),
-    });
-    harness.run();
+    look_aside(&mut harness);
     let place = image(&harness, summit);
     let elsewhere = empty(&harness);
     let mut seen = |at, shown: bool| {
