@@ -158,7 +158,7 @@ demo: all
 	        python3 tests/x/demo.py $(DEMO)/pyramid_motif $(DEMO)/glut_flight \
 	        $(DEMO)/glut_scene examples/pyramid.vid $(DEMO) && \
 	    echo 'What a new user does, by mouse and keyboard in vides edit:' && \
-	    PYTHONDONTWRITEBYTECODE=1 python3 tests/x/tasks.py $(RELEASE)/vides $(DEMO)/tasks; \
+	    PYTHONDONTWRITEBYTECODE=1 python3 tests/x/tasks.py $(RELEASE)/vides $(DEMO)/tasks $(SPIDER); \
 	fi
 
 # ---- Checks, the cheap ones first -----------------------------------------------

@@ -96,13 +96,7 @@ pub(super) fn around(file: &Path) -> Result<Document, Failure> {
     if Format::of(file).is_none() {
         return load(file);
     }
-    let mut document = Document::new().without_history();
-    let mut info = document.info().clone();
-    info.object = load_object(file)?;
-    document.apply(Edit::SetInfo(Box::new(info)))?;
-    let space = document.space_around_object()?;
-    document.apply(Edit::SetSpace { space, fit: true })?;
-    Ok(document)
+    Ok(Document::around(load_object(file)?)?)
 }
 
 /// Loads a scene; a file with just a path is one, too.

@@ -114,7 +114,8 @@ def retimed(points, limits):
     out.write_text(finer)
     poses = subprocess.run([vides, "sample", "--digits", "14", out], capture_output=True, text=True, check=True).stdout
     place = np.array([line.split()[:3] for line in poses.splitlines()], dtype=float)
-    return float(done.stderr.split()[-2]), place, took
+    # From rest to rest: without the frame of the last pose.
+    return float(done.stderr.split()[-2]) - 1 / FPS, place, took
 
 
 def peaks(place):

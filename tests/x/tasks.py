@@ -1,6 +1,6 @@
 """What a new user does in an hour, played by mouse and keyboard in `vides edit`; each
 task with a picture, its number of actions, and a look at the file that came of it:
-tasks.py VIDES FOLDER
+tasks.py VIDES FOLDER MESH
 
 An action is a click, a drag, a key with what is held, or a number typed with Enter.
 """
@@ -13,6 +13,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 
 from harness import Failure, Program, Server, check, wait
 from panel import BUTTON, FIELD, PANEL, boxes, graph, middle, panel_boxes, rail_of, timeline
@@ -298,10 +299,100 @@ TASKS = (points, look, slow_start, zoom, play, camera, save, poses, undo, closed
          copy, seconds, ahead, move)
 
 
+def pause(words):
+    """A drag's words with a frame's time before each of them."""
+    slow = []
+    for word in words:
+        slow += ["sleep", "0.05"] * (word in ("mousemove", "mouseup")) + [word]
+    return slow
+
+
+def tour(hand):
+    """From the file of an object to a flight of 30 seconds around it, by mouse alone."""
+    server, window = hand.server, hand.window
+
+    def panel(colour, row):
+        picture = server.picture(window)
+        found = panel_boxes(picture, colour)
+        return found[row][-1] if len(found) > max(row, 0) else None
+
+    def words():
+        # What the tool's panel says of the flight, above its fields.
+        return [row[-4 * PANEL:] for row in server.picture(window).rows[60:106]]
+
+    def flies():
+        # The playhead moves, and the words stay.
+        def now():
+            picture = server.picture(window)
+            return words(), picture.rows[picture.height - 60:]
+
+        seen = [now()]
+        for _ in range(3):
+            time.sleep(0.3)
+            seen.append(now())
+        return (seen[0][0] == seen[-1][0]
+                and all(a[1] != b[1] for a, b in zip(seen, seen[1:])))
+
+    picture = server.drawn(window)
+    bottom = picture.height - timeline(picture.height)
+    ways = boxes(picture, BUTTON, 160, bottom - 90, picture.width - PANEL, bottom, (80, 50))
+    hand.click(ways[-1][3])
+    server.drawn(window)
+    # The list is the largest field, the object its first row.
+    picture = server.drawn(window)
+    fields = boxes(picture, FIELD, 300, 150, picture.width - 300, bottom, (300, 200))
+    x, y = fields[0][0][:2]
+    hand.actions += 1
+    server.xdotool("mousemove", "--window", window, x + 40, y + 16,
+                   "click", "--repeat", 2, "--delay", 80, 1)
+    wait(flies, "a tour", 120)
+    server.picture().save(os.path.join(hand.folder, "tour-60.png"))
+    before = words()
+    x, y = middle(panel(FIELD, 0))
+    # A twentieth of a second for each pixel, the first that are moved but lift the number.
+    hand.actions += 1
+    words_of_drag = server.drag_words(window, (x, y), (x - 625, y), 1, 25)
+    server.xdotool(*pause(words_of_drag))
+    wait(lambda: words() != before and flies(), "a tour of another length", 120)
+    server.picture().save(os.path.join(hand.folder, "tour-30.png"))
+    hand.click(panel(BUTTON, -1))
+    check(hand.actions <= 5, f"{hand.actions} actions")
+    server.press(window, "F5", "ctrl+s")
+    server.drawn(window)
+    server.xdotool("key", "--delay", "20", "ctrl+a")
+    server.type(hand.file)
+    server.xdotool("key", "Return")
+    wait(lambda: os.path.exists(hand.file), "the path")
+    count = len(hand.poses())
+    check(abs(count - 30 * 25) <= 40, f"{count} poses")
+    told = subprocess.run([hand.vides, "check", hand.file], capture_output=True, text=True)
+    check(told.returncode == 0, f"{told.stdout}{told.stderr}")
+
+
+def by_mouse(vides, folder, mesh):
+    """The tour, in a window that begins with nothing."""
+    with tempfile.TemporaryDirectory(prefix="vides-tour-") as work:
+        server = Server(work, screen="1300x900x24")
+        server.env["LC_ALL"] = "C.UTF-8"
+        place = os.path.join(work, "objects")
+        os.makedirs(place)
+        shutil.copy(mesh, place)
+        program = Program(place, [vides, "edit"], server.env)
+        try:
+            hand = Hand(server, server.new_window(), folder, vides)
+            hand.file = os.path.join(folder, "tour.vid")
+            tour(hand)
+            print(f"  tour-30.png: {hand.actions} actions. {tour.__doc__}", flush=True)
+        except (Failure, IndexError):
+            server.picture().save(os.path.join(folder, "failed.png"))
+            raise
+        finally:
+            program.kill()
+            server.end()
+
+
 def tasks(vides, folder):
     """All of them."""
-    shutil.rmtree(folder, ignore_errors=True)
-    os.makedirs(folder)
     shape = os.path.join(folder, "pyramid.obj")
     with open(shape, "w", encoding="ascii") as out:
         out.write(OBJECT)
@@ -332,6 +423,10 @@ def tasks(vides, folder):
 
 if __name__ == "__main__":
     try:
-        tasks(os.path.abspath(sys.argv[1]), os.path.abspath(sys.argv[2]))
+        vides, folder, mesh = map(os.path.abspath, sys.argv[1:4])
+        shutil.rmtree(folder, ignore_errors=True)
+        os.makedirs(folder)
+        by_mouse(vides, folder, mesh)
+        tasks(vides, folder)
     except Failure as failure:
         sys.exit(f"tasks: {failure}")

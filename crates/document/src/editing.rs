@@ -6,7 +6,7 @@ use super::change::State;
 use super::edit::Edit;
 use super::fingerprint::Fingerprint;
 use super::history::{History, Step};
-use super::info::Info;
+use super::info::{Info, Object};
 use super::prepare;
 use super::step_name::StepName;
 use crate::error::Result;
@@ -79,6 +79,20 @@ impl Document {
     /// `ErrorKind::Memory`.
     pub fn try_new() -> Result<Self> {
         Ok(Self::with(CameraPath::try_new()?, Info::default()))
+    }
+
+    /// A new path in a space around an object, which is no change of the user's.
+    ///
+    /// # Errors
+    /// As [`Space::around`]; `ErrorKind::Memory`.
+    pub fn around(object: Object) -> Result<Self> {
+        let mut document = Self::try_new()?.without_history();
+        let mut info = document.info().clone();
+        info.object = object;
+        document.apply(Edit::SetInfo(Box::new(info)))?;
+        let space = document.space_around_object()?;
+        document.apply(Edit::SetSpace { space, fit: true })?;
+        Ok(document.as_opened())
     }
 
     /// A document of this path.

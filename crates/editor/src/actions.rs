@@ -146,7 +146,7 @@ impl Editor {
             Action::Pasted(text) => self.pasted(&text),
             Action::PasteOrientation => self.paste_view(),
             Action::Dropped(files) => self.dropped(&files, context),
-            Action::LoadObject => self.choose_file(Purpose::LoadObject),
+            Action::LoadObject => self.choose_file(Purpose::LoadObject(None)),
             Action::Export => self.choose_file(Purpose::Export),
             Action::Import => self.choose_file(Purpose::Import),
             Action::WriteAs(file, format) => {

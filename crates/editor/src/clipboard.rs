@@ -8,7 +8,7 @@ use std::path::PathBuf;
 use egui::{Context, ViewportCommand};
 
 use crate::action::Action;
-use crate::document::{Document, Edit, StepName};
+use crate::document::{Document, Edit, StepName, mesh};
 use crate::files::{AfterSave, Purpose, readable, short};
 use crate::limits::MIN_POINTS;
 use crate::path::Orientation;
@@ -24,9 +24,6 @@ pub(crate) struct Copied {
     view: Orientation,
     text: String,
 }
-
-/// The endings of files that become the object.
-const MESHES: [&str; 5] = ["obj", "ply", "stl", "gltf", "glb"];
 
 impl Editor {
     /// Copies the points that are selected together, else the current orientation.
@@ -143,8 +140,8 @@ impl Editor {
         if ending == "vid" {
             self.windows.dropped = Some(file.clone());
             self.ask_before(AfterSave::Dropped);
-        } else if MESHES.iter().any(|known| ending == *known) {
-            let chosen = Action::FileChosen(Purpose::LoadObject, file.clone());
+        } else if mesh::Format::of(file).is_some() {
+            let chosen = Action::FileChosen(Purpose::LoadObject(None), file.clone());
             self.act(chosen, context);
         } else {
             self.complain(fill(texts.unknown_file, &[&short(file)]));

@@ -50,18 +50,17 @@ fn beginning(
     file: Option<&Path>,
     object: Option<&Path>,
 ) -> Result<(Document, Vec<document::Error>)> {
-    let (mut document, warnings) = match file {
-        Some(file) => document_of(file)?,
-        None => (Document::try_new()?, Vec::new()),
+    let object = object.map(load_object).transpose()?;
+    let (mut document, warnings) = match (file, &object) {
+        (Some(file), None) => document_of(file)?,
+        (Some(file), Some(_)) if file.exists() => document_of(file)?,
+        (_, Some(object)) => return Ok((Document::around(object.clone())?, Vec::new())),
+        (None, None) => (Document::try_new()?, Vec::new()),
     };
     if let Some(object) = object {
         let mut info = document.info().clone();
-        info.object = load_object(object)?;
+        info.object = object;
         document.apply(Edit::SetInfo(Box::new(info)))?;
-        if file.is_none_or(|file| !file.exists()) {
-            let space = document.space_around_object()?;
-            document.apply(Edit::SetSpace { space, fit: true })?;
-        }
     }
     Ok((document.as_opened(), warnings))
 }

@@ -24,7 +24,7 @@ use crate::texts::fill;
 use crate::texts::formats::title_of;
 use crate::texts::refusals::of_system;
 use crate::theme;
-use crate::windows::modal;
+use crate::windows::{modal, takes_keyboard};
 
 const WIDTH: f32 = 520.0;
 /// Rows seen at once, in a window that is high enough.
@@ -33,6 +33,10 @@ const ROWS: f32 = 12.0;
 const LABELS: f32 = 88.0;
 /// Size of the picture of a path.
 const PICTURE: egui::Vec2 = vec2(148.0, 112.0);
+
+/// Files that become the object, and all that a path is begun with.
+const OBJECTS: &str = "*.obj *.ply *.stl *.gltf *.glb";
+const OPENED: &str = "*.vid *.obj *.ply *.stl *.gltf *.glb";
 
 #[derive(Debug)]
 pub(crate) struct FileWindow {
@@ -69,11 +73,12 @@ impl FileWindow {
         let importable = filter_of(|row| row.reads);
         let exported = filter_of(is_export);
         let (name, filter) = match purpose {
-            Purpose::LoadPath | Purpose::LoadBlock => (String::new(), "*.vid"),
+            Purpose::LoadPath => (String::new(), OPENED),
+            Purpose::LoadBlock => (String::new(), "*.vid"),
             Purpose::SaveBlock => (format!("{}.vid", texts.block), "*.vid"),
             Purpose::Import => (String::new(), importable.as_str()),
             Purpose::SavePath(_) => (editor.proposal(texts.proposal, "vid"), "*.vid"),
-            Purpose::LoadObject => (String::new(), "*.obj *.ply *.stl *.gltf *.glb"),
+            Purpose::LoadObject(_) => (String::new(), OBJECTS),
             Purpose::Export => (editor.proposal(texts.poses, "txt"), exported.as_str()),
             Purpose::LoadSetup => (String::new(), "*.toml"),
             Purpose::SaveSetup => (folders::SETUP_NAME.to_owned(), "*.toml"),
@@ -112,7 +117,7 @@ impl FileWindow {
         let title = match self.purpose {
             Purpose::LoadPath => texts.load_path,
             Purpose::SavePath(_) => texts.save_path,
-            Purpose::LoadObject => texts.load_object,
+            Purpose::LoadObject(_) => texts.load_object,
             Purpose::Export => texts.export,
             Purpose::LoadSetup => texts.load_setup,
             Purpose::SaveSetup => texts.save_setup,
@@ -181,7 +186,7 @@ impl FileWindow {
         matches!(
             self.purpose,
             Purpose::LoadPath
-                | Purpose::LoadObject
+                | Purpose::LoadObject(_)
                 | Purpose::LoadSetup
                 | Purpose::LoadBlock
                 | Purpose::Import
@@ -286,9 +291,7 @@ impl FileWindow {
             field(ui, texts.name);
             let (width, words) = (ui.available_width(), (texts.name, texts.name_hint));
             let response = theme::line_edit(ui, &mut self.name, "files.name", width, words);
-            if self.fresh {
-                self.fresh = false;
-                response.request_focus();
+            if takes_keyboard(ui, &response, &mut self.fresh) {
                 // Without the ending, so that typing replaces the rest of a proposed name.
                 let end = self.name.rfind('.').unwrap_or(self.name.len());
                 theme::select(ui, response.id, &self.name[..end]);
@@ -500,7 +503,8 @@ impl FileWindow {
                 ui.add(button)
             })
             .inner;
-        if response.double_clicked() {
+        // The third click in a row, too, where the first one opened this window.
+        if response.double_clicked() || response.triple_clicked() {
             if is_folder {
                 done.go = Some(path);
             } else {
@@ -518,10 +522,7 @@ impl FileWindow {
         ui.label(fill(texts.exists, &[&name]));
         ui.add_space(8.0);
         let [cancel, overwrite] = buttons(ui, [texts.cancel, texts.overwrite]);
-        if self.fresh {
-            self.fresh = false;
-            cancel.request_focus();
-        }
+        takes_keyboard(ui, &cancel, &mut self.fresh);
         done.cancel = cancel.on_hover_text(texts.cancel_hint).clicked();
         done.take = overwrite.on_hover_text(texts.overwrite_hint).clicked();
     }

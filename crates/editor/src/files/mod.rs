@@ -33,7 +33,8 @@ pub(crate) use recovery_window::RecoveryWindow;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
-use crate::document::tool::ToolInput;
+use crate::document::mesh::Format;
+use crate::document::tool::{Tool, ToolInput};
 use crate::document::{At, Document, Edit, Fingerprint, load_object, save};
 use crate::error::{EngineError, Error, Result, TooMany};
 use crate::host::Warnings;
@@ -43,13 +44,13 @@ use crate::texts::fill;
 use crate::texts::refusals::reason_of;
 
 /// What a file is chosen for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Purpose {
     LoadPath,
     /// And what is to be done after that.
     SavePath(Option<AfterSave>),
-    /// A mesh or a point cloud to be shown.
-    LoadObject,
+    /// A mesh or a point cloud to be shown, and the tool that waits for it.
+    LoadObject(Option<Tool>),
     Export,
     LoadSetup,
     SaveSetup,
@@ -181,7 +182,11 @@ impl Editor {
                     self.go_on(then);
                 }
             }),
-            Purpose::LoadObject => self.load_object(file),
+            Purpose::LoadObject(waits) => self.load_object(file).map(|()| {
+                if let Some(tool) = waits {
+                    self.open_tool(tool);
+                }
+            }),
             Purpose::Export => {
                 let chosen = window.as_ref().and_then(FileWindow::format);
                 self.export(file, chosen)
@@ -214,7 +219,9 @@ impl Editor {
         let loaded = self.loaded(file);
         let (document, warnings) =
             loaded.map_err(|error| self.refusal(texts.errors.cannot_load, file, &error))?;
-        self.take_up(document, Some(file));
+        // What is begun around an object has no file yet.
+        let is_path = Format::of(file).is_none();
+        self.take_up(document, is_path.then_some(file));
         self.note_file(file);
         self.say(fill(texts.output.loaded, &[&short(file)]));
         let mut meshes = Warnings::default();
@@ -241,7 +248,10 @@ impl Editor {
     }
 
     fn loaded(&self, file: &Path) -> Result<(Document, Vec<Error>)> {
-        let (loaded, warnings) = Document::load_scene(file)?;
+        let (loaded, warnings) = match Format::of(file) {
+            Some(_) => (Document::around(load_object(file)?)?, Vec::new()),
+            None => Document::load_scene(file)?,
+        };
         Ok((self.of_host(loaded)?, warnings))
     }
 
@@ -291,12 +301,26 @@ impl Editor {
         Ok(true)
     }
 
-    /// Shows the mesh of a file as the object, in an undoable step.
+    /// Shows the mesh of a file as the object, in an undoable step; a path in which nothing is done
+    /// yet gets a space around it.
     fn load_object(&mut self, file: &Path) -> Result<(), String> {
         let texts = self.texts();
-        let done = load_object(file).and_then(|object| self.set_object(object));
-        done.map_err(|error| self.refusal(texts.errors.cannot_load, file, &error))?;
+        let object = load_object(file);
+        let object =
+            object.map_err(|error| self.refusal(texts.errors.cannot_load, file, &error))?;
+        self.take_tool();
+        self.document.begin_step();
+        let done = self.set_object(object);
         let whole = self.document.space_around_object();
+        if self.begins()
+            && let Ok(space) = whole
+        {
+            let fit = Edit::SetSpace { space, fit: true };
+            // Else it is told that the space is too small.
+            let _ = self.document.apply(fit);
+        }
+        self.document.end_step();
+        done.map_err(|error| self.refusal(texts.errors.cannot_load, file, &error))?;
         let space = self.document.path().space;
         let text = match whole {
             Ok(whole) if whole.half_size > 1.2 * space.half_size => texts.output.too_large,

@@ -33,6 +33,13 @@ fn an_object_is_loaded_shown_and_taken_back() {
             assert_eq!(said(&window), Some(fill(said_then, &[&file])));
             assert_eq!(drawn(&window), 3);
             assert!(modified(&window));
+            // A path in which nothing is done yet lies around it, another stays where it is.
+            let document = &window.state().document;
+            let space = document.path().space;
+            let around = document.space_around_object().expect("a space");
+            assert_eq!(space == around, file == "small.obj");
+            assert_eq!(window.state().begins(), file == "small.obj");
+            press(&mut window, Modifiers::NONE, Key::Insert);
         }
         click(&mut window, texts.menu.file);
         click(&mut window, texts.menu.load_object);
@@ -42,9 +49,48 @@ fn an_object_is_loaded_shown_and_taken_back() {
         assert!(window.state().windows.files.is_some());
         press(&mut window, Modifiers::NONE, Key::Escape);
         assert_eq!(drawn(&window), 3);
-        for _ in 0..2 {
+        for _ in 0..4 {
             press(&mut window, Modifiers::CTRL, Key::Z);
         }
         assert_eq!(drawn(&window), before);
+        let path = crate::path::CameraPath::default();
+        assert_eq!(*window.state().document.path(), path);
+    }
+}
+
+/// *Open* begins a path around an object, and a tour asks for the object that it is to show.
+#[test]
+fn a_path_begins_with_an_object() {
+    for language in BOTH {
+        let texts = language.texts();
+        let folder = tempfile::tempdir().expect("a folder");
+        let shape =
+            "v -30 0 0\nv 30 0 0\nv 0 40 0\nv 0 10 30\nf 1 2 3\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+        std::fs::write(folder.path().join("shape.obj"), shape).expect("written");
+        let begin = |window: &mut Window, with: &str| {
+            click(window, &fill(texts.space.begin_with, &[&with]));
+        };
+
+        let mut window = window_in(language, folder.path());
+        begin(&mut window, texts.space.begin_open);
+        name(&mut window, "shape.obj");
+        let editor = window.state();
+        let path = editor.document.path();
+        assert!(editor.windows.files.is_none(), "{:?}", said(&window));
+        assert_eq!(editor.document.space_around_object().ok(), Some(path.space));
+        // No change of the user's, and no file yet; the beginnings are still there.
+        assert!(editor.file.is_none() && !modified(&window));
+        begin(&mut window, language.tool("orbit"));
+
+        let mut window = window_in(language, folder.path());
+        begin(&mut window, language.tool("tour"));
+        name(&mut window, "shape.obj");
+        let editor = window.state();
+        let tool = editor.windows.tool.as_ref().expect("a tool");
+        assert!(tool.shows_tour(), "{:?}", said(&window));
+        press(&mut window, Modifiers::NONE, Key::Enter);
+        let document = &window.state().document;
+        assert!(document.path().points.len() > 2);
+        assert_eq!(document.sampler().expect("poses").frame_count(), 60 * 25);
     }
 }

@@ -9,7 +9,7 @@ use crate::files::{AfterSave, short};
 use crate::keys;
 use crate::state::Editor;
 use crate::texts::fill;
-use crate::windows::{modal, row_at_right};
+use crate::windows::{modal, row_at_right, takes_keyboard};
 
 #[derive(Debug)]
 pub(crate) struct Question {
@@ -168,8 +168,8 @@ impl Question {
                 for (number, (text, hint, action)) in parts.answers.into_iter().enumerate() {
                     let button = Button::new(text).min_size(vec2(least, 28.0));
                     let response = ui.add(button).on_hover_text(hint);
-                    if number == parts.safe && std::mem::take(&mut self.fresh) {
-                        response.request_focus();
+                    if number == parts.safe {
+                        takes_keyboard(ui, &response, &mut self.fresh);
                     }
                     if response.clicked() {
                         open = false;

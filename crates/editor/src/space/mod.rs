@@ -242,7 +242,8 @@ impl MovementWindow {
                 && context.memory(|memory| memory.top_modal_layer().is_none())
         };
         if response.is_pointer_button_down_on()
-            || context.memory(|memory| memory.focused().is_none())
+            || context
+                .memory(|memory| memory.focused().is_none() && memory.top_modal_layer().is_none())
             || is_meant_by_letters(&context, &mine)
         {
             response.request_focus();

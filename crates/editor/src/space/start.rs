@@ -43,7 +43,8 @@ enum Begin {
 
 /// What is offered now, with its place.
 fn offered(editor: &Editor, viewport: Rect) -> Vec<(Begin, Rect)> {
-    if !is_empty(editor) {
+    let is_open = editor.windows.tool.is_some() || editor.windows.has_modal();
+    if is_open || !editor.begins() {
         return Vec::new();
     }
     let tools = TOOLS.iter().filter_map(|name| {
@@ -94,21 +95,14 @@ fn recent(editor: &Editor, room: Rect) -> impl Iterator<Item = (Begin, Rect)> + 
     })
 }
 
-/// A new path, in which nothing has been done.
-fn is_empty(editor: &Editor) -> bool {
-    let document = &editor.document;
-    let path = document.path();
-    let untouched = !document.can_undo() && !document.can_redo() && !document.is_modified();
-    let of_none = editor.file.is_none() && document.edited_scene().is_none();
-    let one_view = |point: &crate::path::SupportPoint| {
-        point.name.is_none() && point.orientations.len() == 1 && point.tangents.is_none()
-    };
-    untouched
-        && of_none
-        && editor.windows.tool.is_none()
-        && !editor.windows.has_modal()
-        && path.points.len() == 2
-        && path.points.iter().all(one_view)
+impl Editor {
+    /// Whether nothing has been done to the path yet: it can be begun with a tool, or around an
+    /// object.
+    pub(crate) fn begins(&self) -> bool {
+        let document = &self.document;
+        let of_none = self.file.is_none() && document.edited_scene().is_none();
+        of_none && document.path().is_new()
+    }
 }
 
 /// How many points lie outside the space, where nothing is dragged.

@@ -224,7 +224,7 @@ texts! {
         begin_with: "Begin with: {0}", "Beginnen mit: {0}";
         begin_view: "From the view", "Aus der Ansicht";
         begin_open: "Open …", "Öffnen …";
-        begin_open_tip: "Open a path or a scene from a file", "Eine Bahn oder eine Szene aus einer Datei öffnen";
+        begin_open_tip: "Open a path, a scene or an object from a file", "Eine Bahn, eine Szene oder ein Objekt aus einer Datei öffnen";
         one_outside: "1 point is outside: Around the path", "1 Punkt liegt außerhalb: Um die Bahn";
         some_outside: "{0} points are outside: Around the path", "{0} Punkte liegen außerhalb: Um die Bahn";
         outside_tip: "A space that has all of the path in it; the path stays where it is",

@@ -365,6 +365,17 @@ pub(crate) fn modal(
         });
 }
 
+/// Gives the keyboard to what a window has for it when it opens; true when done. In the pass in
+/// which egui finds the window's size nothing keeps it.
+pub(crate) fn takes_keyboard(ui: &egui::Ui, response: &egui::Response, fresh: &mut bool) -> bool {
+    let takes = *fresh && !ui.is_sizing_pass();
+    if takes {
+        *fresh = false;
+        response.request_focus();
+    }
+    takes
+}
+
 /// Buttons that end where the row ends, with these words and at least this wide. They are made from
 /// left to right, since Tab follows the order in which they are made.
 pub(crate) fn row_at_right(

@@ -2,7 +2,7 @@
 
 use egui::{Button, Key, Modifiers, vec2};
 
-use super::{SubWindow, Windows, sub_window};
+use super::{SubWindow, Windows, sub_window, takes_keyboard};
 use crate::action::Action;
 use crate::keys;
 use crate::limits::MAX_DIVISION;
@@ -63,10 +63,7 @@ impl SubWindow for PointsWindow {
                         let count = row * MAX_DIVISION / 2 + column;
                         let button = Button::new(count.to_string()).min_size(size);
                         let response = ui.add(button);
-                        if self.fresh {
-                            self.fresh = false;
-                            response.request_focus();
-                        }
+                        takes_keyboard(ui, &response, &mut self.fresh);
                         if response.clicked() {
                             picked = Some(count);
                         }

@@ -366,6 +366,10 @@ fn missed(document: &Document, poses: &[Pose], seconds: Option<&[f64]>) -> Optio
 impl Editor {
     /// Begins with a tool, or first asks for the file that it needs.
     pub(crate) fn open_tool(&mut self, tool: Tool) {
+        if tool.makes_flight() && !self.has_object() {
+            self.choose_file(Purpose::LoadObject(Some(tool)));
+            return;
+        }
         if !self.prepare_tool(tool) {
             return;
         }

@@ -2,7 +2,7 @@ use egui_kittest::kittest::NodeT;
 use glam::DVec3;
 
 use crate::document::tool::{Needs, tools};
-use crate::document::{At, Edit};
+use crate::document::{At, Edit, Object, ObjectPoint};
 use crate::files::Purpose;
 use crate::path::CameraPath;
 use crate::screenshots::screenshot;
@@ -373,6 +373,13 @@ fn every_tool_fits_into_the_window() {
         press(&mut window, Modifiers::NONE, Key::Escape);
         let whole = egui::Rect::from_min_size(egui::Pos2::ZERO, size.into());
         for tool in tools().filter(|tool| matches!(tool.needs(), Needs::Nothing | Needs::Output)) {
+            if tool.makes_flight() {
+                let object = Object::from(vec![ObjectPoint {
+                    position: DVec3::ZERO,
+                    draw: false,
+                }]);
+                window.state_mut().set_object(object).unwrap();
+            }
             pick(&mut window, tool.name);
             let texts = &language.texts().tools;
             screenshot(&mut window, &format!("tool-{}-{name}.png", tool.name));

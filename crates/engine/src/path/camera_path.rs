@@ -415,6 +415,34 @@ impl CameraPath {
         Ok(Self::of_points(points))
     }
 
+    /// Whether it lies in its space as a new path does, and looks so.
+    #[must_use]
+    pub fn is_new(&self) -> bool {
+        let first = Orientation::new_in(self.space).target;
+        let is_new = |point: &SupportPoint, place: DVec3| {
+            let views = &point.orientations;
+            point.name.is_none()
+                && point.tangents.is_none()
+                && views.len() == 1
+                && views.iter().all(|view| match (view.target, first) {
+                    (Target::Relative(seen), Target::Relative(first)) => self.is_at(seen, first),
+                    _ => false,
+                })
+                && self.is_at(point.position, self.space.place(place))
+        };
+        self.points.len() == FIRST_POSITIONS.len()
+            && self
+                .points
+                .iter()
+                .zip(FIRST_POSITIONS)
+                .all(|(point, place)| is_new(point, place))
+    }
+
+    /// The same but for the rounding of fitting into a space.
+    fn is_at(&self, place: DVec3, known: DVec3) -> bool {
+        place.distance(known) <= 1e-6 * self.space.half_size
+    }
+
     pub(super) fn of_points(points: Vec<SupportPoint>) -> Self {
         Self {
             points,

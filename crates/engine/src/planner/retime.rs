@@ -24,7 +24,8 @@ pub struct Request {
     pub fps: f64,
     /// From the first orientation of one point to the last of another; none: all.
     pub points: Option<[usize; 2]>,
-    /// Exactly so many seconds, holds included; 0: as few as the limits allow.
+    /// Exactly so many seconds, holds included; 0: as few as the limits allow. A path's seconds are
+    /// those of its poses: where it ends, its last pose has a frame, too.
     pub seconds: f64,
 }
 
@@ -61,7 +62,7 @@ impl fmt::Display for Rest {
 pub struct Retimed {
     /// The path.
     pub path: CameraPath,
-    /// Seconds of the part that was retimed, holds included.
+    /// Seconds of the part that was retimed, holds included, and where the path ends its last pose.
     pub seconds: f64,
     /// Where the pace rests at a kink.
     pub rests: Vec<Rest>,
@@ -166,7 +167,7 @@ struct Work<'a> {
     courses: Vec<Course>,
     joints: Vec<Joint>,
     ring: bool,
-    /// Frames in which keys of the range rest.
+    /// Frames in which keys of the range rest, and where the path ends that of its last pose.
     holds: usize,
     rests: Vec<Rest>,
     /// Shares of the limits of rates and of changes that are left free, for each cell of each
@@ -253,13 +254,13 @@ impl<'a> Work<'a> {
         let hold =
             |course: &Course| path.points[course.point].orientations[course.orientation].hold;
         let mut holds: usize = courses.iter().map(|course| hold(course) as usize).sum();
-        let end = request
-            .points
-            .map_or(path.points.len() - 1, |points| points[1]);
-        let end = path.points[end].orientations.last();
+        let last = path.points.len() - 1;
+        let end = request.points.map_or(last, |points| points[1]);
         if !(whole && path.closed) {
-            holds += end.map_or(0, |end| end.hold as usize);
+            let view = path.points[end].orientations.last();
+            holds += view.map_or(0, |view| view.hold as usize);
         }
+        holds += usize::from(if path.closed { whole } else { end == last });
         let count = courses.len();
         let mut work = Self {
             request,
