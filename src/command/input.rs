@@ -6,7 +6,7 @@ use std::os::unix::fs::{FileTypeExt, MetadataExt};
 use std::path::Path;
 
 use vides::document::mesh::Format;
-use vides::document::{Document, Edit, Object, SceneDocument, load_object};
+use vides::document::{Document, Object, SceneDocument, load_object};
 use vides::error::reason;
 use vides::formats::{Source, formats};
 use vides::limits::MAX_FILE_BYTES;

@@ -89,7 +89,8 @@ pub unsafe extern "C" fn v_limits_init_sized(limits: *mut V_LIMITS, size: usize)
 /// first_point, last_point  0 and the last: all, closed paths with the way back to
 ///     the first point; on a closed path first_point may lie behind last_point
 /// seconds  0: as few as the limits allow; else exactly so many, to a whole frame, with
-///     the lowest peaks
+///     the lowest peaks; as everywhere those of the poses: at the path's end the last
+///     one has a frame, too
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
 /// V_ERR_ARGUMENT (no limit, one that is not positive, too few seconds: v_last_error()
 /// names the least), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.

@@ -186,6 +186,8 @@ pub(super) enum Action {
     /// The ruler counts frames, or seconds.
     RulerInFrames(bool),
     GraphHeight(f32),
+    /// How much of the space's room the camera's picture beside it takes.
+    CameraShare(f32),
     /// Show the sliders around the space, or hide them.
     SwitchSliders,
     /// Show objects as lines, or shaded.
@@ -247,6 +249,7 @@ impl Action {
                 | Self::Fold(_)
                 | Self::RulerInFrames(_)
                 | Self::GraphHeight(_)
+                | Self::CameraShare(_)
                 | Self::Pace(_)
                 | Self::Setup(_)
                 | Self::Language(_)
@@ -302,6 +305,7 @@ impl Action {
                 | Self::Fold(_)
                 | Self::RulerInFrames(_)
                 | Self::GraphHeight(_)
+                | Self::CameraShare(_)
                 | Self::Pace(_)
                 | Self::Plot(_)
                 | Self::Fly(_)

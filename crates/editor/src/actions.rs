@@ -10,6 +10,7 @@ use crate::error::{Invalid, Result};
 use crate::files::{AfterSave, Purpose};
 use crate::path::{CameraPath, Tangents, Target, insertion};
 use crate::setup::{ColourWindow, DisplayWindow};
+use crate::space::LEAST_SHARE;
 use crate::state::{Editor, Request};
 use crate::texts::fill;
 use crate::texts::refusals::of_edit;
@@ -231,6 +232,9 @@ impl Editor {
             Action::Fold(fold) => self.switch_fold(fold),
             Action::RulerInFrames(frames) => self.choose_ruler(frames),
             Action::GraphHeight(height) => self.set_graph_height(height),
+            Action::CameraShare(share) => {
+                self.camera_share = share.clamp(LEAST_SHARE, 1.0 - LEAST_SHARE);
+            }
             Action::Pace(pace) => self.set_pace(pace, context),
             Action::Setup(setup) => {
                 self.setup = *setup;

@@ -363,6 +363,10 @@ impl<'a> Number<'a> {
                 .desired_width(rect.width())
                 .min_size(rect.size()),
         );
+        // All of it, not the digits before the point alone.
+        if response.double_clicked() {
+            theme::select(ui, id, &typing.text);
+        }
         ui.ctx().accesskit_node_builder(response.id, |node| {
             node.set_label(self.name);
         });

@@ -109,6 +109,8 @@ pub struct Editor {
     /// Poses are handed over after each change.
     pub(super) auto_hand_over: bool,
     pub(super) host_pane: Option<HostPane>,
+    /// How much of the space's room the camera's picture beside it takes.
+    pub(super) camera_share: f32,
     /// What the file contained when it was last read or written here, if there was one.
     pub(super) known: Option<Fingerprint>,
     /// The file's time and length when it was last looked at.
@@ -142,6 +144,7 @@ pub struct Editor {
     pub(super) points_list: points_list::PointsList,
     pub(super) windows: windows::Windows,
     pub(super) recent: Vec<PathBuf>,
+    pub(super) recent_pictures: crate::files::Pictures,
     pub(super) autosave: Option<Autosave>,
     /// Closing was asked for, and nothing has happened since.
     pub(super) closing: bool,
@@ -181,6 +184,7 @@ impl Editor {
             flown: None,
             auto_hand_over: false,
             host_pane: None,
+            camera_share: 0.5,
             obstacles: Obstacles::default(),
             copied: None,
             selected: Selected::default(),
@@ -200,6 +204,7 @@ impl Editor {
             points_list: points_list::PointsList::default(),
             windows: windows::Windows::default(),
             recent: Vec::new(),
+            recent_pictures: crate::files::Pictures::default(),
             autosave: None,
             closing: false,
         };

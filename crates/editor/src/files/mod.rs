@@ -28,6 +28,7 @@ mod unsaved_tests;
 pub(crate) use chooser::FileWindow;
 pub use folders::Folders;
 pub(crate) use question::Question;
+pub(crate) use recent::{PICTURE, Pictures};
 pub(crate) use recovery_window::RecoveryWindow;
 
 use std::ffi::OsStr;
@@ -370,15 +371,20 @@ impl Editor {
         }
     }
 
-    /// The name to propose for a file with this ending.
+    /// The name to propose for a file with this ending: its own, its title, that of its object.
     pub(crate) fn proposal(&self, stem: &str, ending: &str) -> String {
+        let object = self.document.info().object.source();
+        let object = object.map(|source| Path::new(&source.file));
         let known = self.file.as_deref().and_then(Path::file_stem);
         let title = self.document.info().title.trim();
         let plain = |letter: char| !letter.is_control() && !matches!(letter, '/' | '\\');
         let stem = match known {
             Some(known) => known.to_string_lossy().into_owned(),
             None if !title.is_empty() => title.chars().filter(|&letter| plain(letter)).collect(),
-            None => stem.to_owned(),
+            None => match object.and_then(Path::file_stem) {
+                Some(object) => object.to_string_lossy().into_owned(),
+                None => stem.to_owned(),
+            },
         };
         format!("{stem}.{ending}")
     }

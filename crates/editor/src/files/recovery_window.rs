@@ -21,8 +21,9 @@ const SEEN: usize = 2;
 const WIDTH: f32 = 420.0;
 const PICTURE: Vec2 = vec2(84.0, 64.0);
 const BUTTON: Vec2 = vec2(120.0, 28.0);
-/// Its lower left corner from the window's at first: above the bar, right of the list of points.
-const CORNER: Vec2 = vec2(272.0, -64.0);
+/// Its upper left corner from the window's at first: below the bar, right of the list of points,
+/// where nothing to begin with lies.
+const CORNER: Vec2 = vec2(156.0, 64.0);
 
 #[derive(Debug)]
 pub(crate) struct RecoveryWindow {
@@ -34,6 +35,8 @@ struct Offered {
     found: Found,
     /// `None` if it is broken.
     picture: Option<Picture>,
+    /// A click more, and it is gone for good.
+    goes: bool,
 }
 
 /// An action, or `None`: nothing before the next start.
@@ -48,6 +51,7 @@ impl RecoveryWindow {
                 .ok()
                 .map(|document| Picture::of(&document, PICTURE)),
             found,
+            goes: false,
         });
         Self {
             offered: offered.collect(),
@@ -64,10 +68,11 @@ impl RecoveryWindow {
         self.offered.is_empty()
     }
 
-    fn show_list(&self, editor: &Editor, ui: &mut Ui) -> Option<Answer> {
+    fn show_list(&mut self, editor: &Editor, ui: &mut Ui) -> Option<Answer> {
         let texts = &editor.texts().recovery;
+        let palette = theme::palette(ui);
         let mut answer = None;
-        for (index, offered) in self.offered.iter().enumerate() {
+        for (index, offered) in self.offered.iter_mut().enumerate() {
             ui.horizontal(|ui| {
                 picture::show(editor, ui, PICTURE, offered.picture.as_ref());
                 ui.vertical(|ui| {
@@ -82,9 +87,14 @@ impl RecoveryWindow {
                     if restore.on_hover_text(texts.restore_hint).clicked() {
                         answer = Some(Some(Action::Restore(index)));
                     }
-                    let discard = ui.add(button(texts.discard));
+                    let words = match offered.goes {
+                        true => egui::RichText::new(texts.discard_now).color(palette.error),
+                        false => egui::RichText::new(texts.discard),
+                    };
+                    let discard = ui.add(Button::new(words).min_size(BUTTON));
                     if discard.on_hover_text(texts.discard_hint).clicked() {
-                        answer = Some(Some(Action::Discard(index)));
+                        let goes = std::mem::replace(&mut offered.goes, true);
+                        answer = goes.then_some(Some(Action::Discard(index)));
                     }
                 });
             });
@@ -112,18 +122,13 @@ impl SubWindow for RecoveryWindow {
     ) -> bool {
         let texts = &editor.texts().recovery;
         let mut answer = None;
-        let corner = context.content_rect().left_bottom() + CORNER;
+        let corner = context.content_rect().left_top() + CORNER;
         let stays = sub_window_as(
             context,
             Self::ID,
             texts.title,
             // Without a size it opens so wide that it is moved from its place.
-            |window| {
-                window
-                    .pivot(egui::Align2::LEFT_BOTTOM)
-                    .default_pos(corner)
-                    .default_size([WIDTH, PICTURE.y])
-            },
+            |window| window.default_pos(corner).default_size([WIDTH, PICTURE.y]),
             |ui| {
                 ui.set_width(WIDTH);
                 ui.label(texts.question);

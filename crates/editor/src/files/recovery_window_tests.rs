@@ -92,6 +92,8 @@ fn it_is_discarded_or_left_for_later() {
         }
         let mut window = start(language, folder.path());
         click(&mut window, texts.discard);
+        assert_eq!(files(folder.path()), 1);
+        click(&mut window, texts.discard_now);
         assert!(window.query_by_label(texts.title).is_none());
         drop(window);
         assert_eq!(files(folder.path()), 0);

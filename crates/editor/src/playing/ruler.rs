@@ -252,9 +252,10 @@ fn findings(
         let [from, to] = [finding.first_frame, finding.last_frame].map(|frame| axis.x_of(frame));
         let place = Rect::from_x_y_ranges(
             from - 1.0..=to.max(from) + 1.0,
-            rect.top()..=rect.bottom() - 10.0,
+            // Below the numbers.
+            rect.bottom() - 16.0..=rect.bottom() - 10.0,
         );
-        painter.rect_filled(place, 1.0, colour.gamma_multiply(0.3));
+        painter.rect_filled(place, 1.0, colour.gamma_multiply(0.5));
         let tip = pos2(from, rect.bottom() - 10.0);
         let sign = [tip, tip + vec2(3.5, -6.0), tip + vec2(-3.5, -6.0)];
         painter.add(Shape::convex_polygon(sign.to_vec(), colour, Stroke::NONE));

@@ -4,8 +4,8 @@
 use std::sync::Arc;
 
 use egui::{
-    Align, Align2, Button, Color32, Context, FontId, Key, Label, Layout, Painter, PointerButton,
-    Pos2, Rect, Response, RichText, Sense, Ui, UiBuilder, Vec2, vec2,
+    Align, Align2, Button, Color32, Context, CursorIcon, FontId, Id, Key, Label, Layout, Painter,
+    PointerButton, Pos2, Rect, Response, RichText, Sense, Ui, UiBuilder, Vec2, vec2,
 };
 use glam::{DMat4, DVec2, DVec3, DVec4};
 
@@ -19,7 +19,7 @@ use crate::keys;
 use crate::math::view::View;
 use crate::raster::{Line, Lines, Surfaces};
 use crate::scene_view::wires;
-use crate::setup::{CameraPlace, Element, Setup};
+use crate::setup::{CameraPlace, Element};
 use crate::state::Editor;
 use crate::texts::fill;
 use crate::theme;
@@ -39,21 +39,72 @@ const MIN_WIDTH_FOR_OPTIONS: f32 = 330.0;
 /// Distance of the front plane, in half sizes of the movement space.
 const FRONT: f64 = 1e-3;
 
+/// The least share of the room that space and picture have side by side.
+pub(crate) const LEAST_SHARE: f32 = 0.25;
+
+/// Width of the border between them by which it is dragged.
+const BORDER: f32 = 6.0;
+
 /// Divides the movement window into the part for the space and that for a docked picture, if any.
-pub(super) fn divided(setup: &Setup, viewport: Rect) -> (Rect, Option<Rect>) {
-    let middle = viewport.center();
-    match setup.camera_place {
-        _ if !setup.camera_view => (viewport, None),
+pub(super) fn divided(editor: &Editor, viewport: Rect) -> (Rect, Option<Rect>) {
+    let share = editor.camera_share;
+    match editor.setup.camera_place {
+        _ if !editor.setup.camera_view => (viewport, None),
         CameraPlace::Corner => (viewport, None),
         CameraPlace::Whole => (viewport, Some(viewport)),
-        CameraPlace::Beside if viewport.width() > viewport.height() => {
-            let (space, picture) = viewport.split_left_right_at_x(middle.x);
+        CameraPlace::Beside if is_wide(viewport) => {
+            let border = viewport.right() - share * viewport.width();
+            let (space, picture) = viewport.split_left_right_at_x(border.round());
             (space, Some(picture))
         }
         CameraPlace::Beside => {
-            let (picture, space) = viewport.split_top_bottom_at_y(middle.y);
+            let border = viewport.top() + share * viewport.height();
+            let (picture, space) = viewport.split_top_bottom_at_y(border.round());
             (space, Some(picture))
         }
+    }
+}
+
+/// Whether the picture lies at the right of the space, not above it.
+fn is_wide(viewport: Rect) -> bool {
+    viewport.width() > viewport.height()
+}
+
+/// The border between space and picture, by which either is made larger.
+pub(super) fn dragged_border(
+    editor: &Editor,
+    ui: &Ui,
+    (viewport, picture): (Rect, Rect),
+    actions: &mut Vec<Action>,
+) {
+    if viewport == picture {
+        return;
+    }
+    let wide = is_wide(viewport);
+    let (place, cursor) = match wide {
+        true => (
+            picture.with_max_x(picture.left() + BORDER),
+            CursorIcon::ResizeHorizontal,
+        ),
+        false => (
+            picture.with_min_y(picture.bottom() - BORDER),
+            CursorIcon::ResizeVertical,
+        ),
+    };
+    let response = ui.interact(place, Id::unique("border of the camera"), Sense::DRAG);
+    let (name, share) = (editor.texts().space.camera_border, editor.camera_share);
+    response.widget_info(|| egui::WidgetInfo::slider(true, f64::from(share), name));
+    if response.hovered() || response.dragged() {
+        ui.set_cursor_icon(cursor);
+        ui.painter()
+            .rect_filled(place, 0.0, theme::palette(ui).focus.gamma_multiply(0.5));
+    }
+    if let (true, Some(at)) = (response.dragged(), response.interact_pointer_pos()) {
+        let share = match wide {
+            true => (viewport.right() - at.x) / viewport.width(),
+            false => (at.y - viewport.top()) / viewport.height(),
+        };
+        actions.push(Action::CameraShare(share));
     }
 }
 

@@ -220,6 +220,39 @@ fn a_key_puts_the_picture_beside_the_space_in_its_place_and_back() {
 }
 
 #[test]
+fn the_border_beside_the_space_is_dragged() {
+    let mut harness = pyramid_window();
+    let space = |harness: &Harness| harness.get_by_label("Movement window").rect();
+    tap(&mut harness, Key::B, Modifiers::NONE);
+    harness.step();
+    let path = harness.state().document.path().clone();
+    for (by, known) in [
+        (-100.0, Some(100.0)),
+        (-2000.0, None),
+        (120.0, Some(-120.0)),
+    ] {
+        let before = space(&harness);
+        let border = harness
+            .get_by_label("Border of the camera's picture")
+            .rect();
+        let at = border.center();
+        motion(&mut harness, at);
+        press(&mut harness, at, PointerButton::Primary);
+        motion(&mut harness, at + vec2(by / 2.0, 0.0));
+        motion(&mut harness, at + vec2(by, 0.0));
+        release(&mut harness, at + vec2(by, 0.0), PointerButton::Primary);
+        harness.step();
+        let (left, right) = (space(&harness), picture(&harness));
+        assert!(left.right() <= right.left() && left.width() > 0.24 * before.width());
+        if let Some(known) = known {
+            assert!((before.width() - left.width() - known).abs() <= 4.0, "{by}");
+        }
+    }
+    screenshot(&mut harness, "camera-border.png");
+    assert_eq!(*harness.state().document.path(), path);
+}
+
+#[test]
 fn what_was_flown_to_is_taken_over_as_a_point() {
     let mut harness = pyramid_window();
     tap(&mut harness, Key::B, Modifiers::NONE);

@@ -35,6 +35,7 @@ use std::sync::Arc;
 use egui::{Context, EventFilter, Painter, Pos2, Rect, Sense, Ui, Vec2};
 use glam::DVec3;
 
+pub(crate) use self::camera_view::LEAST_SHARE;
 pub(super) use self::cameras::Camera;
 use self::cameras::KeyCameras;
 use self::drag::Handle;
@@ -109,11 +110,16 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
             all
         }
     };
-    let (viewport, docked) = camera_view::divided(&editor.setup, viewport);
+    let whole = viewport;
+    let (viewport, docked) = camera_view::divided(editor, whole);
     space.show(editor, ui, viewport, docked);
     let solid = &mut space.seen_solid;
     editor.host_pane = editor.part(&context, |editor, actions| match docked {
-        Some(rect) => camera_view::docked(editor, solid, ui, rect, actions),
+        Some(rect) => {
+            let pane = camera_view::docked(editor, solid, ui, rect, actions);
+            camera_view::dragged_border(editor, ui, (whole, rect), actions);
+            pane
+        }
         None => camera_view::show(editor, solid, &context, viewport, actions),
     });
     editor.space = space;
@@ -209,6 +215,20 @@ pub(super) fn thumbnail_of_scene(document: &Document, size: Vec2) -> Option<Vec<
         seen.map(|ends| ends.map(|end| projection.pos(end)))
             .collect(),
     )
+}
+
+/// The same for the object around a path.
+pub(super) fn thumbnail_of_object(document: &Document, size: Vec2) -> Vec<[Pos2; 2]> {
+    let viewport = Rect::from_min_size(Pos2::ZERO, size);
+    let projection = Projection::of(&View::default(), viewport, document.path().space);
+    let points = &document.info().object;
+    let every = points.len().div_ceil(THUMBNAIL_LINES).max(1);
+    let lines = points.windows(2).step_by(every);
+    let drawn = lines.filter_map(|ends| match ends {
+        [from, to] if to.draw => Some([from, to].map(|end| projection.pos(end.position))),
+        _ => None,
+    });
+    drawn.collect()
 }
 
 /// An object of more points shows its corners at a click only: each motion of the pointer looks at all.

@@ -1,6 +1,8 @@
 //! What the space itself offers: how to begin with an empty document, and a space for points that
 //! lie outside.
 
+use std::time::Duration;
+
 use egui::{
     Align2, Button, Color32, FontId, Painter, Pos2, Rect, Role, Shape, Stroke, Ui, Vec2,
     WidgetInfo, vec2,
@@ -9,6 +11,7 @@ use egui::{
 use crate::action::Action;
 use crate::document::Edit;
 use crate::document::tool::{self, Tool};
+use crate::files::PICTURE;
 use crate::path::Space;
 use crate::state::Editor;
 use crate::texts::fill;
@@ -19,8 +22,13 @@ use crate::theme;
 const BUTTON: Vec2 = vec2(84.0, 54.0);
 const GAP: f32 = 4.0;
 
-/// The least width of a recent file's button, and how many there are at most.
+/// Seconds in which a camera flies through a beginning's sign.
+const ROUND: f64 = 2.0;
+const FRAME: Duration = Duration::from_millis(33);
+
+/// A recent file's button: its picture above its name; and how many there are at most.
 const RECENT: f32 = 132.0;
+const PICTURED: f32 = PICTURE.y + theme::ROW;
 const MOST: usize = 4;
 
 /// Above the lower border; what the axes in the corner take, at the left and in height.
@@ -87,10 +95,15 @@ fn recent(editor: &Editor, room: Rect) -> impl Iterator<Item = (Begin, Rect)> + 
     let count = fit.min(MOST).min(editor.recent.len() * usize::from(high));
     let step = RECENT + GAP;
     let left = room.center().x - (count as f32 * step - GAP) / 2.0;
-    let top = room.bottom() - BUTTON.y - GAP - theme::ROW;
+    // Where pictures would cover the path there are the names alone.
+    let height = match room.height() < 5.0 * PICTURED {
+        true => theme::ROW,
+        false => PICTURED,
+    };
+    let top = room.bottom() - BUTTON.y - GAP - height;
     (0..count).map(move |at| {
         let corner = egui::pos2(left + at as f32 * step, top);
-        let place = Rect::from_min_size(corner, vec2(RECENT, theme::ROW));
+        let place = Rect::from_min_size(corner, vec2(RECENT, height));
         (Begin::Recent(at), place)
     })
 }
@@ -155,8 +168,18 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, viewport: Rect, actions: &mut V
     for (begin, place) in offered(editor, viewport) {
         if let Begin::Recent(at) = begin {
             let name = names.get(at).map(String::as_str).unwrap_or_default();
-            let text = egui::RichText::new(name).font(theme::small());
-            let response = ui.put(place, Button::new(text).truncate());
+            let response = ui.put(place, Button::new("").frame_when_inactive(true));
+            let (above, foot) = place.split_top_bottom_at_y(place.bottom() - theme::ROW);
+            if above.height() > 0.0 {
+                editor.paint_recent(ui, at, Rect::from_center_size(above.center(), PICTURE));
+            }
+            let text = egui::WidgetText::from(egui::RichText::new(name).font(theme::small()));
+            let room = foot.width() - 12.0;
+            let wrap = Some(egui::TextWrapMode::Truncate);
+            let galley = text.into_galley(ui, wrap, room, egui::TextStyle::Small);
+            let color = ui.style().interact(&response).fg_stroke.color;
+            let corner = foot.center() - galley.size() / 2.0;
+            ui.painter().galley(corner, galley, color);
             let told = fill(texts.begin_with, &[&name]);
             response.widget_info(|| WidgetInfo::labeled(Role::Button, true, told.as_str()));
             let file = editor.recent.get(at).map(|file| file.display().to_string());
@@ -183,11 +206,15 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, viewport: Rect, actions: &mut V
             }
         };
         let response = ui.put(place, Button::new("").frame_when_inactive(true));
+        let way = response.hovered().then(|| {
+            ui.ctx().request_repaint_after(FRAME);
+            (ui.input(|input| input.time) / ROUND).fract() as f32
+        });
         let told = fill(texts.begin_with, &[&name]);
         response.widget_info(|| WidgetInfo::labeled(Role::Button, true, told.as_str()));
         let color = ui.style().interact(&response).fg_stroke.color;
         let painter = ui.painter_at(place);
-        picture(&painter, begin, place.center() - vec2(0.0, 9.0), color);
+        picture(&painter, begin, place.center() - vec2(0.0, 9.0), color, way);
         let foot = place.center_bottom() - vec2(0.0, 4.0);
         let font = FontId::proportional(11.5);
         painter.text(foot, Align2::CENTER_BOTTOM, name, font, color);
@@ -214,12 +241,22 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, viewport: Rect, actions: &mut V
     }
 }
 
-/// A small sign of a beginning around `at`.
-fn picture(painter: &Painter, begin: Begin, at: Pos2, color: Color32) {
+/// A small sign of a beginning around `at`; a camera is so far on its way.
+fn picture(painter: &Painter, begin: Begin, at: Pos2, color: Color32, way: Option<f32>) {
     let stroke = Stroke::new(1.5, color);
     let line = |points: &[[f32; 2]]| {
         let points = points.iter().map(|&[x, y]| at + vec2(x, y)).collect();
         painter.add(Shape::line(points, stroke));
+    };
+    let flown = |points: &[[f32; 2]]| {
+        line(points);
+        if let (Some(way), Some(last)) = (way, points.len().checked_sub(1)) {
+            let along = way * last as f32;
+            let from = points[(along as usize).min(last)];
+            let to = points[(along as usize + 1).min(last)];
+            let [x, y] = [0, 1].map(|k| from[k] + along.fract() * (to[k] - from[k]));
+            painter.circle_filled(at + vec2(x, y), 3.0, color);
+        }
     };
     let thing = |x: f32, y: f32| {
         let corners = [vec2(0.0, -4.5), vec2(4.5, 4.0), vec2(-4.5, 4.0)];
@@ -234,7 +271,7 @@ fn picture(painter: &Painter, begin: Begin, at: Pos2, color: Color32) {
                 [wide * cosine, high * sine]
             })
             .collect();
-        line(&points);
+        flown(&points);
     };
     match begin {
         Begin::Recent(_) => {}
@@ -268,7 +305,7 @@ fn picture(painter: &Painter, begin: Begin, at: Pos2, color: Color32) {
         Begin::Tool(tool) => match tool.name {
             "flyby" => {
                 thing(0.0, 3.0);
-                line(&[[-16.0, -8.0], [14.0, -8.0]]);
+                flown(&[[-16.0, -8.0], [14.0, -8.0]]);
                 line(&[[10.0, -11.0], [15.0, -8.0], [10.0, -5.0]]);
             }
             "draw" => {
@@ -278,7 +315,7 @@ fn picture(painter: &Painter, begin: Begin, at: Pos2, color: Color32) {
                         [x, 6.0 * (x / 5.0).sin()]
                     })
                     .collect();
-                line(&wave);
+                flown(&wave);
             }
             "tour" => {
                 thing(-6.0, 1.0);

@@ -16,6 +16,7 @@ texts! {
         date: "{0}-{1}-{2}, {3}:{4}", "{2}.{1}.{0}, {3}:{4}";
         restore: "Restore", "Wiederherstellen";
         discard: "Discard", "Verwerfen";
+        discard_now: "Really discard", "Wirklich verwerfen";
         later: "Later", "Später";
         later_hint: "Keep it and ask again at the next start",
             "Aufheben und beim nächsten Start wieder fragen";

@@ -32,6 +32,9 @@ use crate::tools::{Parameter, Unit};
 /// Width of a number beside its name.
 const NUMBER: f32 = 84.0;
 
+/// Height of what is said above the fields: two lines.
+const WORDS: f32 = 32.0;
+
 #[derive(Debug)]
 pub(crate) struct ToolWindow {
     tool: Tool,
@@ -81,12 +84,16 @@ impl ToolWindow {
         let end = docked(editor, context, named, Some((ok, able)), |ui| {
             let palette = theme::palette(ui);
             ui.colored_label(palette.weak, language.tool_hint(&self.tool));
-            // Above the fields, which may have to be scrolled.
-            match (&self.work, &self.trouble) {
-                (Some(work), _) => work.show(ui),
-                (_, Some(trouble)) => ui.colored_label(palette.error, trouble),
-                _ => ui.colored_label(palette.weak, self.result(editor)),
-            };
+            // Above the fields, which may have to be scrolled, and which stay where they are when
+            // the words change.
+            ui.scope(|ui| {
+                ui.set_min_height(WORDS);
+                match (&self.work, &self.trouble) {
+                    (Some(work), _) => work.show(ui),
+                    (_, Some(trouble)) => ui.colored_label(palette.error, trouble),
+                    _ => ui.colored_label(palette.weak, self.result(editor)),
+                };
+            });
             self.fields(editor, ui, actions);
         });
         let slow = self.tool.takes_long(&editor.document, &self.material);
