@@ -5,7 +5,8 @@ use std::sync::Arc;
 
 use egui::{
     Align, Align2, Button, Color32, Context, CursorIcon, FontId, Id, Key, Label, Layout, Painter,
-    PointerButton, Pos2, Rect, Response, RichText, Sense, Ui, UiBuilder, Vec2, vec2,
+    PointerButton, Popup, PopupCloseBehavior, Pos2, Rect, Response, RichText, Sense, Ui, UiBuilder,
+    Vec2, vec2,
 };
 use glam::{DMat4, DVec2, DVec3, DVec4};
 
@@ -19,7 +20,7 @@ use crate::keys;
 use crate::math::view::View;
 use crate::raster::{Line, Lines, Surfaces};
 use crate::scene_view::wires;
-use crate::setup::{CameraPlace, Element};
+use crate::setup::{Aspect, CameraPlace, Element};
 use crate::state::Editor;
 use crate::texts::fill;
 use crate::theme;
@@ -435,7 +436,14 @@ fn caption(editor: &Editor, ui: &mut Ui, size: Vec2, camera: &Camera, actions: &
             .max_rect(ui.available_rect_before_wrap())
             .layout(Layout::left_to_right(Align::Center));
         ui.scope_builder(left, |ui| {
-            ui.add_space(5.0);
+            let (button, painter) = icon(ui, texts.camera_menu, texts.camera_menu, false);
+            let centre = button.rect.center();
+            let chevron = [vec2(-3.5, -2.0), vec2(0.0, 2.0), vec2(3.5, -2.0)];
+            let line = chevron.map(|corner| centre + corner).to_vec();
+            painter.line(line, stroke_of(ui, &button, false));
+            Popup::menu(&button)
+                .close_behavior(PopupCloseBehavior::CloseOnClickOutside)
+                .show(|ui| menu(editor, ui, actions));
             // As much of it as there is room for: at last the number of the frame or the key.
             let room = ui.available_width();
             let part = what.rsplit(" \u{b7} ").next().unwrap_or_default();
@@ -459,6 +467,40 @@ fn caption(editor: &Editor, ui: &mut Ui, size: Vec2, camera: &Camera, actions: &
             }
         });
     });
+}
+
+/// What a narrow caption has no room for, too.
+fn menu(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
+    let texts = &editor.texts().space;
+    let mut changed = editor.setup.clone();
+    for (place, name) in [
+        (CameraPlace::Corner, texts.camera_corner),
+        (CameraPlace::Beside, texts.camera_beside),
+        (CameraPlace::Whole, texts.camera_whole),
+    ] {
+        if theme::choice(ui, changed.camera_place == place, name).clicked() {
+            changed.camera_place = place;
+        }
+    }
+    ui.separator();
+    ui.label(texts.camera_aspect);
+    for aspect in Aspect::ALL {
+        if theme::choice(ui, changed.camera_aspect == aspect, aspect.name()).clicked() {
+            changed.camera_aspect = aspect;
+        }
+    }
+    ui.separator();
+    let safe = theme::tick(ui, &mut changed.safe_frame, texts.safe_frame);
+    safe.on_hover_text(texts.safe_frame_tip);
+    if changed != editor.setup {
+        actions.push(Action::Setup(Box::new(changed)));
+    }
+    let views = editor.host_view.captures || editor.ghost.is_some() || editor.flown().is_some();
+    let take = ui.add_enabled(views, Button::new(texts.take_over));
+    if take.on_hover_text(texts.take_over_tip).clicked() {
+        ui.close();
+        actions.push(Action::TakeOver { replace: false });
+    }
 }
 
 /// A small button whose icon the caller paints.

@@ -182,6 +182,7 @@ fn the_pane_goes_along_with_the_window() {
 
 use crate::document::Selection;
 use crate::screenshots::screenshot;
+use crate::setup::{Aspect, CameraPlace};
 use crate::space::tests::{motion, press, pyramid_window, release, tap};
 
 type Harness = egui_kittest::Harness<'static, Editor>;
@@ -217,6 +218,34 @@ fn a_key_puts_the_picture_beside_the_space_in_its_place_and_back() {
     tap(&mut harness, Key::C, Modifiers::SHIFT);
     harness.step();
     assert_eq!((space(&harness), picture(&harness)), (whole, small));
+}
+
+#[test]
+fn the_picture_has_a_menu_of_its_own() {
+    let mut harness = pyramid_window();
+    harness
+        .get_by_label("Options of the camera's picture")
+        .click();
+    harness.run();
+    screenshot(&mut harness, "camera-menu.png");
+    for (name, place, aspect, safe) in [
+        ("16:9", CameraPlace::Corner, Aspect::Wide, false),
+        ("Safe frame", CameraPlace::Corner, Aspect::Wide, true),
+        (
+            "Camera beside the space",
+            CameraPlace::Beside,
+            Aspect::Wide,
+            true,
+        ),
+    ] {
+        let entries = harness.query_all_by_label(name);
+        // The menu lies above the caption's own buttons.
+        entries.last().expect(name).click();
+        harness.run();
+        let setup = &harness.state().setup;
+        assert_eq!(setup.camera_place, place, "{name}");
+        assert_eq!((setup.camera_aspect, setup.safe_frame), (aspect, safe));
+    }
 }
 
 #[test]

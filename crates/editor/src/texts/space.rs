@@ -148,6 +148,8 @@ texts! {
         camera_whole: "Camera only", "Nur Kamera";
         camera_whole_tip: "The camera's picture in place of the space, and back (Shift+C)",
             "Das Kamerabild an Stelle des Raumes, und zurück (Umschalt+C)";
+        camera_menu: "Options of the camera's picture", "Optionen des Kamerabilds";
+        camera_corner: "Camera in the corner", "Kamera in der Ecke";
         camera_border: "Border of the camera's picture", "Rand des Kamerabilds";
         camera_beside: "Camera beside the space", "Kamera neben dem Raum";
         camera_beside_tip: "Space and camera side by side, and back (B)",

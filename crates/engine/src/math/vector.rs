@@ -3,7 +3,7 @@
 //! The sampling code is written once, over the trait [`Vector`], and compiled for each kind of
 //! processor (`path::dispatch` chooses): `f64` is the plain version that the others are tested
 //! against, [`Sse2`] is what every x86-64 processor has, [`Avx2`] adds fused multiplication,
-//! `Neon` is what every 64-bit ARM processor has. (Wider vectors gained nothing.) Everything is
+//! `Neon` is what every 64-bit ARM processor has. (AVX-512 was slower than AVX2.) Everything is
 //! forced inline, since a function that is called would be compiled for the plainest processor.
 //! `fearless_simd` would not do: it has nothing between plain code and SSE 4.2, so plain x86-64
 //! would lose its vectors, and cannot store rows of ten.
