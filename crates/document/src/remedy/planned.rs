@@ -45,7 +45,9 @@ impl Document {
                 None => sampler.frame_count(),
             };
             let end = first(to, path.points[to].orientations.len() - 1);
-            end.saturating_sub(first(finding.point, 0))
+            // Where the path ends the last pose counts, too.
+            let ends = usize::from(to == last && !path.closed);
+            end.saturating_sub(first(finding.point, 0)) + ends
         })?;
         let (mut made, mut refused) = (None, None);
         for (points, frames) in [
