@@ -1,6 +1,7 @@
 """What the tests share."""
 
 import os
+import signal
 from collections.abc import Iterator
 from pathlib import Path as File
 
@@ -8,6 +9,12 @@ import pytest
 
 MANY = bool(os.environ.get("VIDES_MANY"))
 """Whether the tests take their time: `make check-packages`."""
+
+
+@pytest.fixture(autouse=True, scope="session")
+def _ctrl_c() -> None:
+    """What a shell begins in the background ignores Ctrl-C, and so would Python."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
 @pytest.fixture(autouse=True)
