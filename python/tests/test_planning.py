@@ -151,7 +151,7 @@ def test_a_shaken_flight_is_steady_and_its_ends_stay() -> None:
 
 def test_a_tour_shows_what_it_says() -> None:
     told = vides.tour((BALL, FACES), seconds=30, coverage=0.9)
-    assert told.seconds == 30 == (told.path.frame_count - 1) / told.path.fps
+    assert told.seconds == 30 == told.path.frame_count / told.path.fps
     assert told.path.closed and told.length == pytest.approx(told.path.length)
     assert 0.9 <= told.coverage <= 1 and told.hidden == pytest.approx(0, abs=1e-9)
     assert told.surface + told.left_out + told.narrow + told.hidden == pytest.approx(1)

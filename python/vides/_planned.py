@@ -63,14 +63,14 @@ class Planned(Keyed):
         >>> path = Path([[-1, 0, 0], [1, 0, 0]])
         >>> path.set_space((0, 0, 0), 1)
         >>> path.retime(speed=0.5, acceleration=1)
-        Retimed(seconds=4.52, rests=())
+        Retimed(seconds=4.56, rests=())
         >>> path.retime(6).seconds
         6.0
         >>> try:
         ...     path.retime(1, speed=0.5)
         ... except Error as error:
         ...     print(error)
-        1 s are too short: the limits allow it in 4.080 s
+        1 s are too short: the limits allow it in 4.120 s
         """
         points = self._native.point_count()
         limits = {
