@@ -5,6 +5,7 @@ tasks.py VIDES FOLDER MESH
 An action is a click, a drag, a key with what is held, or a number typed with Enter.
 """
 
+import contextlib
 import csv
 import io
 import math
@@ -369,26 +370,33 @@ def tour(hand):
     check(told.returncode == 0, f"{told.stdout}{told.stderr}")
 
 
-def by_mouse(vides, folder, mesh):
-    """The tour, in a window that begins with nothing."""
-    with tempfile.TemporaryDirectory(prefix="vides-tour-") as work:
+@contextlib.contextmanager
+def window_for(vides, folder, *arguments, beside=()):
+    """Hands at a window of its own, which begins in a folder with copies of these files alone."""
+    with tempfile.TemporaryDirectory(prefix="vides-tasks-") as work:
         server = Server(work, screen="1300x900x24")
         server.env["LC_ALL"] = "C.UTF-8"
-        place = os.path.join(work, "objects")
+        place = os.path.join(work, "beside")
         os.makedirs(place)
-        shutil.copy(mesh, place)
-        program = Program(place, [vides, "edit"], server.env)
+        for file in beside:
+            shutil.copy(file, place)
+        program = Program(place, [vides, "edit", *arguments], server.env)
         try:
-            hand = Hand(server, server.new_window(), folder, vides)
-            hand.file = os.path.join(folder, "tour.vid")
-            tour(hand)
-            print(f"  tour-30.png: {hand.actions} actions. {tour.__doc__}", flush=True)
+            yield Hand(server, server.new_window(), folder, vides)
         except (Failure, IndexError):
             server.picture().save(os.path.join(folder, "failed.png"))
             raise
         finally:
             program.kill()
             server.end()
+
+
+def by_mouse(vides, folder, mesh):
+    """The tour, in a window that begins with nothing."""
+    with window_for(vides, folder, beside=[mesh]) as hand:
+        hand.file = os.path.join(folder, "tour.vid")
+        tour(hand)
+        print(f"  tour-30.png: {hand.actions} actions. {tour.__doc__}", flush=True)
 
 
 def tasks(vides, folder):
@@ -396,29 +404,17 @@ def tasks(vides, folder):
     shape = os.path.join(folder, "pyramid.obj")
     with open(shape, "w", encoding="ascii") as out:
         out.write(OBJECT)
-    with tempfile.TemporaryDirectory(prefix="vides-tasks-") as work:
-        server = Server(work, screen="1300x900x24")
-        server.env["LC_ALL"] = "C.UTF-8"
-        program = Program(work, [vides, "edit", "--object", shape], server.env)
-        try:
-            window = server.new_window()
-            hand = Hand(server, window, folder, vides)
-            for number, task in enumerate(TASKS, 1):
-                hand.actions = 0
-                task(hand)
-                hand.away()
-                server.drawn(window)
-                server.picture().save(os.path.join(folder, f"{number}-{task.__name__}.png"))
-                print(f"  {number}-{task.__name__}.png: {hand.actions} actions. "
-                      f"{task.__doc__}", flush=True)
-                if task is camera:
-                    server.press(window, "b")
-        except (Failure, IndexError):
-            server.picture().save(os.path.join(folder, "failed.png"))
-            raise
-        finally:
-            program.kill()
-            server.end()
+    with window_for(vides, folder, "--object", shape) as hand:
+        for number, task in enumerate(TASKS, 1):
+            hand.actions = 0
+            task(hand)
+            hand.away()
+            hand.server.drawn(hand.window)
+            name = f"{number}-{task.__name__}.png"
+            hand.server.picture().save(os.path.join(folder, name))
+            print(f"  {name}: {hand.actions} actions. {task.__doc__}", flush=True)
+            if task is camera:
+                hand.server.press(hand.window, "b")
 
 
 if __name__ == "__main__":

@@ -40,6 +40,7 @@ use crate::document::{At, Document, Edit, Fingerprint, load_object, save};
 use crate::error::{EngineError, Error, Result, TooMany};
 use crate::host::Warnings;
 use crate::limits;
+use crate::path::Space;
 use crate::state::{Editor, Request};
 use crate::texts::fill;
 use crate::texts::refusals::reason_of;
@@ -302,21 +303,29 @@ impl Editor {
         Ok(true)
     }
 
-    /// Shows the mesh of a file as the object, in an undoable step; a path in which nothing is done
-    /// yet gets a space around it.
+    /// Shows the mesh of a file as the object, in an undoable step. A path in which nothing is done
+    /// yet gets a space around it, unless its own is somebody's choice.
     fn load_object(&mut self, file: &Path) -> Result<(), String> {
         let texts = self.texts();
         let object = load_object(file);
         let object =
             object.map_err(|error| self.refusal(texts.errors.cannot_load, file, &error))?;
         self.take_tool();
+        let space = self.document.path().space;
+        let unchosen = Space {
+            up: space.up,
+            ..Space::default()
+        };
+        let around = self.document.space_around_object();
+        let fits = self.begins() && (space == unchosen || around.is_ok_and(|own| own == space));
         self.document.begin_step();
         let done = self.set_object(object);
         let whole = self.document.space_around_object();
-        if self.begins()
-            && let Ok(space) = whole
-        {
-            let fit = Edit::SetSpace { space, fit: true };
+        if let (true, Ok(_), Ok(space)) = (fits, &done, &whole) {
+            let fit = Edit::SetSpace {
+                space: *space,
+                fit: true,
+            };
             // Else it is told that the space is too small.
             let _ = self.document.apply(fit);
         }

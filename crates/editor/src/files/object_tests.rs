@@ -94,3 +94,35 @@ fn a_path_begins_with_an_object() {
         assert_eq!(document.sampler().expect("poses").frame_count(), 60 * 25);
     }
 }
+
+/// A space that somebody chose stays, and a path in which anything is done is no beginning.
+#[test]
+fn a_chosen_space_stays_and_what_is_done_is_no_beginning() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let shape = "v 0 0 0\nv 9 0 0\nv 0 9 0\nf 1 2 3\n";
+    std::fs::write(folder.path().join("shape.obj"), shape).expect("written");
+    let mut window = window_in(Language::English, folder.path());
+    let space = crate::path::Space {
+        half_size: 3.0,
+        ..crate::path::Space::default()
+    };
+    let editor = window.state_mut();
+    editor
+        .document
+        .apply(Edit::SetSpace { space, fit: true })
+        .expect("a space");
+    assert!(editor.begins());
+    let menu = &Language::English.texts().menu;
+    click(&mut window, menu.file);
+    click(&mut window, menu.load_object);
+    name(&mut window, "shape.obj");
+    let document = &mut window.state_mut().document;
+    assert!(!document.info().object.is_empty() && document.path().space == space);
+    for (key, value) in [("roll_degrees", 1.0), ("zoom_mm", 30.0)] {
+        let at = At::View(0, 0);
+        document.apply(Edit::set(at, key, value)).expect("a number");
+        assert!(!document.path().is_new(), "{key}");
+        document.undo();
+        assert!(document.path().is_new());
+    }
+}

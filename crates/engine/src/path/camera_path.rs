@@ -415,32 +415,37 @@ impl CameraPath {
         Ok(Self::of_points(points))
     }
 
-    /// Whether it lies in its space as a new path does, and looks so.
+    /// Whether nothing distinguishes it from a new path but its space and base speeds.
     #[must_use]
     pub fn is_new(&self) -> bool {
-        let first = Orientation::new_in(self.space).target;
-        let is_new = |point: &SupportPoint, place: DVec3| {
-            let views = &point.orientations;
-            point.name.is_none()
-                && point.tangents.is_none()
-                && views.len() == 1
-                && views.iter().all(|view| match (view.target, first) {
-                    (Target::Relative(seen), Target::Relative(first)) => self.is_at(seen, first),
-                    _ => false,
-                })
-                && self.is_at(point.position, self.space.place(place))
+        let Ok(mut new) = Self::try_new() else {
+            return false;
         };
-        self.points.len() == FIRST_POSITIONS.len()
-            && self
-                .points
-                .iter()
-                .zip(FIRST_POSITIONS)
-                .all(|(point, place)| is_new(point, place))
-    }
-
-    /// The same but for the rounding of fitting into a space.
-    fn is_at(&self, place: DVec3, known: DVec3) -> bool {
-        place.distance(known) <= 1e-6 * self.space.half_size
+        (new.space, new.base_frames) = (self.space, self.base_frames);
+        // The same but for the rounding of fitting into a space.
+        let near = |a: DVec3, b: DVec3| a.distance(b) <= 1e-6 * self.space.half_size;
+        for (point, own) in new.points.iter_mut().zip(&self.points) {
+            let place = self.space.place(point.position);
+            point.position = if near(place, own.position) {
+                own.position
+            } else {
+                place
+            };
+            let view = Orientation::new_in(self.space);
+            point.orientations[0] = match (
+                view.target,
+                own.orientations.first().map(|view| view.target),
+            ) {
+                (Target::Relative(seen), Some(Target::Relative(now))) if near(seen, now) => {
+                    Orientation {
+                        target: Target::Relative(now),
+                        ..view
+                    }
+                }
+                _ => view,
+            };
+        }
+        new == *self
     }
 
     pub(super) fn of_points(points: Vec<SupportPoint>) -> Self {
