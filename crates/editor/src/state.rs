@@ -137,6 +137,8 @@ pub struct Editor {
     pub(super) requests: Vec<Request>,
     /// How threads are started; none: all is done at once.
     pub(super) start: Option<Start>,
+    /// The desktop asks that nothing moves by itself.
+    pub(super) still: bool,
     pub(super) setup: Setup,
     pub(super) space: space::MovementWindow,
     pub(super) scene_view: scene_view::SceneView,
@@ -144,7 +146,8 @@ pub struct Editor {
     pub(super) points_list: points_list::PointsList,
     pub(super) windows: windows::Windows,
     pub(super) recent: Vec<PathBuf>,
-    pub(super) recent_pictures: crate::files::Pictures,
+    pub(super) recent_pictures: crate::files::Pictures<Vec<PathBuf>>,
+    pub(super) begin_pictures: crate::files::Pictures<space::Around>,
     pub(super) autosave: Option<Autosave>,
     /// Closing was asked for, and nothing has happened since.
     pub(super) closing: bool,
@@ -197,6 +200,7 @@ impl Editor {
             length: Length::default(),
             requests: Vec::new(),
             start: None,
+            still: false,
             setup: Setup::default(),
             space: space::MovementWindow::default(),
             scene_view: scene_view::SceneView::default(),
@@ -204,7 +208,8 @@ impl Editor {
             points_list: points_list::PointsList::default(),
             windows: windows::Windows::default(),
             recent: Vec::new(),
-            recent_pictures: crate::files::Pictures::default(),
+            recent_pictures: Default::default(),
+            begin_pictures: Default::default(),
             autosave: None,
             closing: false,
         };
@@ -290,6 +295,11 @@ impl Editor {
     /// Lets work that takes long be done by threads, while the window goes on.
     pub fn work_beside(&mut self, start: Start) {
         self.start = Some(start);
+    }
+
+    /// Whether nothing is to move by itself, as some desktops ask.
+    pub const fn keep_still(&mut self, still: bool) {
+        self.still = still;
     }
 
     /// Shows in the output field what was wrong with what the host gave.

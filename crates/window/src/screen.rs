@@ -14,6 +14,7 @@ pub(super) trait Screen {
     fn socket(&self) -> BorrowedFd<'_>;
     fn poll(&mut self) -> Result<PollResult>;
     fn deadline(&self) -> Option<Instant>;
+    fn still(&self) -> bool;
     fn take_input(&mut self) -> RawInput;
     fn target(&mut self) -> Option<Target<'_>>;
     fn present(&mut self, areas: &[Area]) -> Result<()>;
@@ -41,6 +42,10 @@ impl Screen for Window {
 
     fn deadline(&self) -> Option<Instant> {
         self.deadline()
+    }
+
+    fn still(&self) -> bool {
+        self.still()
     }
 
     fn take_input(&mut self) -> RawInput {

@@ -132,6 +132,10 @@ impl Screen for Fake {
         self.remote.deadline.get()
     }
 
+    fn still(&self) -> bool {
+        false
+    }
+
     fn take_input(&mut self) -> RawInput {
         self.remote.passes.set(self.remote.passes.get() + 1);
         let [width, height] = self.remote.size.get().map(|side| side as f32);

@@ -241,6 +241,7 @@ impl Window {
         self.ran = Some(now);
         let input = self.screen.take_input();
         let editor = &mut self.editor;
+        editor.keep_still(self.screen.still());
         let context = self.context.get_or_insert_with(|| {
             let context = Context::default();
             editor.prepare(&context);

@@ -317,7 +317,7 @@ impl Window {
             max_texture_side: Some(TEXTURE_SIDE),
             time: Some(self.opened.elapsed().as_secs_f64()),
             focused: self.focus.told,
-            system_theme: self.settings.dark().map(|dark| match dark {
+            system_theme: self.settings.asked().dark.map(|dark| match dark {
                 true => egui::Theme::Dark,
                 false => egui::Theme::Light,
             }),
@@ -325,6 +325,12 @@ impl Window {
             dropped_files: self.drops.take(),
             ..egui::RawInput::default()
         }
+    }
+
+    /// Whether the desktop asks that nothing moves by itself.
+    #[must_use]
+    pub fn still(&self) -> bool {
+        self.settings.asked().still
     }
 
     /// When to call [`Window::poll`] even if the connection stays quiet: a clipboard transfer times

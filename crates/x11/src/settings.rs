@@ -1,5 +1,6 @@
-//! Whether the desktop is dark, by the name in `Net/ThemeName` of freedesktop.org's XSETTINGS, for
-//! example "Adwaita-dark" or "Mint-Y-Dark-Aqua".
+//! What the desktop asks of its programs, by freedesktop.org's XSETTINGS: whether it is dark, by the
+//! name in `Net/ThemeName`, for example "Adwaita-dark" or "Mint-Y-Dark-Aqua", and whether nothing is
+//! to move by itself, by `Gtk/EnableAnimations`.
 //!
 //! Any client may own the selection and write anything there, so the data is parsed defensively and
 //! ignored where it makes no sense.
@@ -17,6 +18,15 @@ use crate::error::Result;
 const MOST_WORDS: u32 = 16 << 10;
 
 const THEME: &[u8] = b"Net/ThemeName";
+const MOVES: &[u8] = b"Gtk/EnableAnimations";
+
+/// What the desktop asks, as far as it says so.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Asked {
+    pub(super) dark: Option<bool>,
+    /// Nothing is to move by itself.
+    pub(super) still: bool,
+}
 
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Settings {
@@ -26,7 +36,7 @@ pub(super) struct Settings {
     stale: bool,
     /// A new manager was announced.
     replaced: bool,
-    dark: Option<bool>,
+    asked: Asked,
 }
 
 impl Settings {
@@ -49,15 +59,15 @@ impl Settings {
         self.manager = owner;
         let wanted = ChangeWindowAttributesAux::new().event_mask(EventMask::PROPERTY_CHANGE);
         connection.done(connection.change_window_attributes(owner, &wanted))?;
-        let before = self.dark;
+        let before = self.asked;
         if !self.read(connection)? {
-            self.dark = before;
+            self.asked = before;
         }
         Ok(())
     }
 
-    pub(super) fn dark(&self) -> Option<bool> {
-        self.dark
+    pub(super) fn asked(&self) -> Asked {
+        self.asked
     }
 
     /// Notes a property change; true if it was the manager's.
@@ -80,14 +90,14 @@ impl Settings {
     /// Reads the settings once for all changes noted, so that a flood of them costs little. True if
     /// the value changed.
     pub(super) fn renew(&mut self, connection: &Connection) -> Result<bool> {
-        let before = self.dark;
+        let before = self.asked;
         let stale = std::mem::take(&mut self.stale);
         if std::mem::take(&mut self.replaced) {
             self.find(connection)?;
         } else if stale {
             self.read(connection)?;
         }
-        Ok(self.dark != before)
+        Ok(self.asked != before)
     }
 
     /// Returns whether the property exists.
@@ -106,49 +116,58 @@ impl Settings {
             return Ok(false);
         };
         let there = answer.type_ != 0;
-        let bytes = Some(answer.value).filter(|_| answer.format == 8);
-        self.dark = bytes.and_then(|bytes| is_dark(&bytes));
+        self.asked = Asked::default();
+        if answer.format == 8 {
+            // What is cut off says no more.
+            let _ = self.asked.read(&answer.value);
+        }
         Ok(there)
     }
 }
 
-fn is_dark(settings: &[u8]) -> Option<bool> {
-    let name = theme(settings)?.to_ascii_lowercase();
+fn is_dark(theme: &[u8]) -> Option<bool> {
+    let name = theme.to_ascii_lowercase();
     let words = name.split(|byte| !byte.is_ascii_alphanumeric());
     let is_dark = |word: &[u8]| word.ends_with(b"dark") || word.ends_with(b"inverse");
     (!name.is_empty()).then(|| words.into_iter().any(is_dark))
 }
 
-fn theme(settings: &[u8]) -> Option<&[u8]> {
-    let mut rest = Reader {
-        bytes: settings,
-        big_endian: match settings.first()? {
-            0 => false,
-            1 => true,
-            _ => return None,
-        },
-    };
-    rest.take(8)?; // byte order, padding, serial
-    let count = rest.long()?;
-    for _ in 0..count {
-        let kind = rest.take(2)?[0];
-        let length = rest.short()?;
-        let name = rest.padded(length.into())?;
-        rest.take(4)?; // serial
-        match kind {
-            0 => drop(rest.take(4)?),
-            1 => {
-                let length = rest.long()?;
-                let text = rest.padded(usize::try_from(length).ok()?)?;
-                if name == THEME {
-                    return Some(text);
+impl Asked {
+    /// Takes what settings say, up to the first that makes no sense.
+    fn read(&mut self, settings: &[u8]) -> Option<()> {
+        let mut rest = Reader {
+            bytes: settings,
+            big_endian: match settings.first()? {
+                0 => false,
+                1 => true,
+                _ => return None,
+            },
+        };
+        rest.take(8)?; // byte order, padding, serial
+        let count = rest.long()?;
+        for _ in 0..count {
+            let kind = rest.take(2)?[0];
+            let length = rest.short()?;
+            let name = rest.padded(length.into())?;
+            rest.take(4)?; // serial
+            match kind {
+                0 => {
+                    let number = rest.long()?;
+                    self.still |= name == MOVES && number == 0;
                 }
+                1 => {
+                    let length = rest.long()?;
+                    let text = rest.padded(usize::try_from(length).ok()?)?;
+                    if name == THEME {
+                        self.dark = is_dark(text);
+                    }
+                }
+                2 => drop(rest.take(8)?),
+                _ => return None,
             }
-            2 => drop(rest.take(8)?),
-            _ => return None,
         }
+        Some(())
     }
-    None
 }
 
 struct Reader<'a> {
@@ -195,8 +214,20 @@ pub(super) mod tests {
 
     use super::*;
 
-    /// Settings as a manager writes them, with this theme among others.
+    fn is_dark(settings: &[u8]) -> Option<bool> {
+        asked(settings).dark
+    }
+
+    fn asked(settings: &[u8]) -> Asked {
+        let mut asked = Asked::default();
+        let _ = asked.read(settings);
+        asked
+    }
+
+    /// Settings as a manager writes them, with this theme among others; a name that begins with
+    /// `still` asks that nothing moves.
     pub(crate) fn settings(big_endian: bool, theme: &str) -> Vec<u8> {
+        let moves = !theme.starts_with("still");
         let short = |value: u16| match big_endian {
             true => value.to_be_bytes(),
             false => value.to_le_bytes(),
@@ -207,7 +238,7 @@ pub(super) mod tests {
         };
         let mut out = vec![u8::from(big_endian), 0, 0, 0];
         out.extend(long(7));
-        out.extend(long(4));
+        out.extend(long(5));
         let fill = |out: &mut Vec<u8>| out.resize(out.len().next_multiple_of(4), 0);
         let mut setting = |kind: u8, name: &str, value: &[u8]| {
             out.extend([kind, 0]);
@@ -222,6 +253,7 @@ pub(super) mod tests {
             fill(&mut out);
         };
         setting(0, "Xft/DPI", &[1, 2, 3, 4]);
+        setting(0, "Gtk/EnableAnimations", &long(usize::from(moves)));
         setting(2, "Some/Colour", &[9; 8]);
         setting(1, "Net/IconThemeName", b"Papirus-Dark");
         setting(1, "Net/ThemeName", theme.as_bytes());
@@ -244,6 +276,14 @@ pub(super) mod tests {
             for big_endian in [false, true] {
                 assert_eq!(is_dark(&settings(big_endian, theme)), dark, "{theme}");
             }
+        }
+    }
+
+    #[test]
+    fn desktops_ask_for_stillness() {
+        for big_endian in [false, true] {
+            let still = |theme| asked(&settings(big_endian, theme)).still;
+            assert!(!still("Adwaita") && still("still"));
         }
     }
 

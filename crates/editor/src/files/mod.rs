@@ -27,8 +27,9 @@ mod unsaved_tests;
 
 pub(crate) use chooser::FileWindow;
 pub use folders::Folders;
+pub(crate) use picture::{Picture, Pictures};
 pub(crate) use question::Question;
-pub(crate) use recent::{PICTURE, Pictures};
+pub(crate) use recent::PICTURE;
 pub(crate) use recovery_window::RecoveryWindow;
 
 use std::ffi::OsStr;

@@ -1,15 +1,18 @@
-//! A small picture of a path in a file.
+//! Small pictures of paths: of those in files, and of others that could be.
 
+use std::cell::RefCell;
 use std::path::Path;
 
-use egui::{Align2, Pos2, Rect, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, pos2};
+use egui::{Align2, Context, Pos2, Rect, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo};
 
+use crate::background::Background;
 use crate::document::mesh::Format;
 use crate::document::{Document, load_object};
 use crate::setup::Element;
 use crate::space;
 use crate::state::Editor;
 use crate::theme;
+use crate::tools::fit::Progress;
 
 /// A longer file is not read for its picture alone.
 const LONGEST: u64 = 1 << 20;
@@ -17,6 +20,7 @@ const LONGEST: u64 = 1 << 20;
 /// The edges of the movement space, the curve, and what is to be seen there.
 #[derive(Debug)]
 pub(crate) struct Picture {
+    size: Vec2,
     edges: Vec<[Pos2; 2]>,
     curve: Vec<Pos2>,
     things: Vec<[Pos2; 2]>,
@@ -25,10 +29,11 @@ pub(crate) struct Picture {
 }
 
 impl Picture {
-    pub(super) fn of(document: &Document, size: Vec2) -> Self {
+    pub(crate) fn of(document: &Document, size: Vec2) -> Self {
         let (edges, curve) = space::thumbnail(document, size);
         let scene = space::thumbnail_of_scene(document, size);
         Self {
+            size,
             edges,
             curve,
             of_scene: scene.is_some(),
@@ -46,17 +51,47 @@ impl Picture {
             None => Document::load(file).ok().or_else(of_scene),
         };
         let document = short.then(load)??;
-        let mut picture = Self::of(&document, size);
-        if Format::of(file).is_some() {
-            picture.curve.clear();
-        }
-        Some(picture)
+        let picture = Self::of(&document, size);
+        Some(match Format::of(file) {
+            Some(_) => picture.without_path(),
+            None => picture,
+        })
     }
 
-    pub(crate) fn paint(&self, editor: &Editor, ui: &Ui, rect: Rect) {
+    /// Object and path alone, as large as they fit.
+    pub(crate) fn closely(self) -> Self {
+        let all = self.things.iter().flatten().chain(&self.curve);
+        let mut bounds = Rect::NOTHING;
+        all.for_each(|point| bounds.extend_with(*point));
+        let (from, size) = (bounds.center(), self.size);
+        let scale = ((size - Vec2::splat(6.0)) / bounds.size().max(Vec2::splat(1.0))).min_elem();
+        let at = |point: Pos2| (scale * (point - from) + 0.5 * size).to_pos2();
+        Self {
+            size,
+            edges: Vec::new(),
+            curve: self.curve.into_iter().map(at).collect(),
+            things: self.things.into_iter().map(|ends| ends.map(at)).collect(),
+            of_scene: self.of_scene,
+        }
+    }
+
+    pub(crate) fn without_path(self) -> Self {
+        Self {
+            curve: Vec::new(),
+            ..self
+        }
+    }
+
+    pub(crate) fn has_path(&self) -> bool {
+        !self.curve.is_empty()
+    }
+
+    /// Paints it as large as it fits into a rectangle; a camera is so far on its way.
+    pub(crate) fn paint(&self, editor: &Editor, ui: &Ui, rect: Rect, way: Option<f32>) {
         let colours = editor.setup.colours();
         let painter = ui.painter_at(rect);
-        let at = |point: &Pos2| pos2(rect.left() + point.x, rect.top() + point.y);
+        let scale = (rect.size() / self.size).min_elem();
+        let at = |point: &Pos2| rect.center() + scale * (point.to_vec2() - 0.5 * self.size);
         let faint = colours.of(Element::Cube).gamma_multiply(0.5);
         for [from, to] in &self.edges {
             painter.line_segment([at(from), at(to)], Stroke::new(1.0, faint));
@@ -65,8 +100,60 @@ impl Picture {
         for [from, to] in &self.things {
             painter.line_segment([at(from), at(to)], object);
         }
-        let line = Stroke::new(1.5, colours.of(Element::Curve));
+        let colour = colours.of(Element::Curve);
+        let line = Stroke::new(1.5, colour);
         painter.add(Shape::line(self.curve.iter().map(at).collect(), line));
+        let last = self.curve.len().saturating_sub(1) as f32;
+        if let Some(place) = way.and_then(|way| self.curve.get((way * last).round() as usize)) {
+            painter.circle_filled(at(place), 3.0, colour);
+        }
+    }
+}
+
+/// Pictures that are made beside the window when they are first shown, and what they are of.
+#[derive(Debug)]
+pub(crate) struct Pictures<K>(RefCell<Option<Made<K>>>);
+
+#[derive(Debug)]
+struct Made<K> {
+    of: K,
+    work: Background<Vec<Option<Picture>>>,
+    pictures: Vec<Option<Picture>>,
+}
+
+impl<K> Default for Pictures<K> {
+    fn default() -> Self {
+        Self(RefCell::new(None))
+    }
+}
+
+impl<K: Clone + PartialEq + Send + 'static> Pictures<K> {
+    /// Shows one of those that `make` makes, if it is there by now.
+    pub(crate) fn show(
+        &self,
+        (editor, context): (&Editor, &Context),
+        of: &K,
+        make: fn(&K, Progress<'_>) -> Vec<Option<Picture>>,
+        (at, show): (usize, impl FnOnce(&Picture)),
+    ) {
+        let mut known = self.0.borrow_mut();
+        if known.as_ref().is_none_or(|made| made.of != *of) {
+            let mine = of.clone();
+            let work = Background::begin(editor.start, move |go_on| Ok(make(&mine, go_on)));
+            *known = Some(Made {
+                of: of.clone(),
+                work,
+                pictures: Vec::new(),
+            });
+        }
+        let Some(made) = &mut *known else { return };
+        if made.pictures.is_empty() && made.work.is_done(context) {
+            // Without them there are names and signs.
+            made.pictures = made.work.made().and_then(Result::ok).unwrap_or_default();
+        }
+        if let Some(Some(picture)) = made.pictures.get(at) {
+            show(picture);
+        }
     }
 }
 
@@ -77,7 +164,7 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, size: Vec2, picture: Option<&Pi
     let ground = editor.setup.colours().of(Element::Background);
     ui.painter().rect_filled(rect, 4.0, ground);
     let name = if let Some(picture) = picture {
-        picture.paint(editor, ui, rect);
+        picture.paint(editor, ui, rect, None);
         match picture.of_scene {
             true => texts.scene,
             false => texts.picture,

@@ -1,6 +1,5 @@
 //! The files that were open last, for the File menu: in the state folder, one a line, newest first.
 
-use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 
 use egui::{Rect, Ui, Vec2, vec2};
@@ -9,10 +8,10 @@ use super::folders;
 use super::picture::Picture;
 use super::recovery::{escaped, unescaped};
 use super::short;
-use crate::background::Background;
 use crate::document::save;
 use crate::document::vid::read_text;
 use crate::state::Editor;
+use crate::tools::fit::Progress;
 
 /// How many are kept.
 const MOST: usize = 8;
@@ -47,46 +46,21 @@ fn note(folder: &Path, file: &Path) -> crate::Result<()> {
 /// Size of a recent file's picture.
 pub(crate) const PICTURE: Vec2 = vec2(112.0, 64.0);
 
-/// Pictures of the files that were open last, made beside the window when they are first shown.
-#[derive(Debug, Default)]
-pub(crate) struct Pictures(RefCell<Option<Made>>);
-
-#[derive(Debug)]
-struct Made {
-    of: Vec<PathBuf>,
-    work: Background<Vec<Option<Picture>>>,
-    pictures: Vec<Option<Picture>>,
+/// Pictures of these files.
+fn pictures(of: &Vec<PathBuf>, go_on: Progress<'_>) -> Vec<Option<Picture>> {
+    let pictures = of.iter().enumerate().map(|(done, file)| {
+        let goes_on = go_on(done, of.len());
+        goes_on.then(|| Picture::of_file(file, PICTURE)).flatten()
+    });
+    pictures.collect()
 }
 
 impl Editor {
     /// Paints the picture of a recent file, if it has one by now.
     pub(crate) fn paint_recent(&self, ui: &Ui, at: usize, rect: Rect) {
-        let mut known = self.recent_pictures.0.borrow_mut();
-        let made = match &mut *known {
-            Some(made) if made.of == self.recent => made,
-            known => {
-                let of = self.recent.clone();
-                let work = Background::begin(self.start, move |go_on| {
-                    let pictures = of.iter().enumerate().map(|(done, file)| {
-                        let goes_on = go_on(done, of.len());
-                        goes_on.then(|| Picture::of_file(file, PICTURE)).flatten()
-                    });
-                    Ok(pictures.collect())
-                });
-                known.insert(Made {
-                    of: self.recent.clone(),
-                    work,
-                    pictures: Vec::new(),
-                })
-            }
-        };
-        if made.pictures.is_empty() && made.work.is_done(ui.ctx()) {
-            // Without them there are the names.
-            made.pictures = made.work.made().and_then(Result::ok).unwrap_or_default();
-        }
-        if let Some(Some(picture)) = made.pictures.get(at) {
-            picture.paint(self, ui, rect);
-        }
+        let show = |picture: &Picture| picture.paint(self, ui, rect, None);
+        let known = &self.recent_pictures;
+        known.show((self, ui.ctx()), &self.recent, pictures, (at, show));
     }
 
     /// A file was loaded or saved: it is the newest now.

@@ -47,6 +47,7 @@ use self::projection::Projection;
 use self::ribbon::Ribbon;
 use self::scene::{Look, PathLines};
 use self::solid::{Eye, Solid};
+pub(super) use self::start::Around;
 use self::strokes::Strokes;
 pub(super) use self::tangents::Joint;
 pub(super) use self::typed::Typed;

@@ -1,0 +1,182 @@
+use super::*;
+use crate::screenshots::screenshot;
+use crate::tests::*;
+
+fn begins(window: &Window) -> usize {
+    let editor = window.state();
+    let space = window.get_by_label(editor.texts().space.name).rect();
+    offered(editor, space).places().count()
+}
+
+/// One click, and Enter keeps it; with undo the beginning is there again.
+#[test]
+fn an_empty_document_offers_beginnings_until_something_is_done() {
+    for language in BOTH {
+        let texts = language.texts();
+        let mut window = window(language);
+        let all = begins(&window);
+        let tools = TOOLS
+            .iter()
+            .filter(|name| tool::tools().any(|tool| tool.name == **name));
+        assert_eq!(all, tools.count() + 1);
+        screenshot(&mut window, &format!("begin-{language:?}.png"));
+        let before = window.state().document.path().clone();
+        let orbit = fill(texts.space.begin_with, &[&language.tool("orbit")]);
+        click(&mut window, &orbit);
+        assert!(window.state().windows.tool.is_some());
+        assert_eq!(begins(&window), 0);
+        press(&mut window, egui::Modifiers::NONE, Key::Enter);
+        assert!(window.state().windows.tool.is_none());
+        assert_ne!(*window.state().document.path(), before);
+        assert_eq!(begins(&window), 0);
+    }
+    // Where there is a path there is nothing to begin.
+    let window = window_with_points(Language::English, LARGE, 1.0, Theme::Dark);
+    assert_eq!(begins(&window), 0);
+}
+
+/// The files that were open last are offered too, and one click opens one of them.
+#[test]
+fn recent_files_are_offered() {
+    for language in BOTH {
+        let folder = tempfile::tempdir().unwrap();
+        let start = |size| {
+            let folders = crate::Folders {
+                state: Some(folder.path().to_owned()),
+                ..crate::Folders::default()
+            };
+            let options = Options {
+                folders,
+                ..options(language)
+            };
+            window_of(options, size, 1.0, Theme::Light)
+        };
+        let tools = begins(&start(LARGE));
+        let path = some_points();
+        let names = [
+            "first.vid",
+            "a rather long name of a flight past a house.vid",
+        ];
+        for name in names {
+            let file = folder.path().join(name);
+            path.save(&file).unwrap();
+            start(LARGE).state_mut().note_file(&file);
+        }
+        for size in [LARGE, SMALL, [700.0, 450.0]] {
+            let mut window = start(size);
+            let space = window.get_by_label(language.texts().space.name).rect();
+            let all: Vec<Rect> = offered(window.state(), space).places().collect();
+            assert!(size != LARGE || all.len() == tools + 2);
+            for (at, place) in all.iter().enumerate() {
+                assert!(space.contains_rect(*place), "{size:?}: {place:?}");
+                let apart = |other: &Rect| !other.intersects(*place);
+                assert!(all[at + 1..].iter().all(apart), "{size:?}");
+            }
+            screenshot(&mut window, &format!("recent-{language:?}-{}.png", size[0]));
+        }
+        let mut window = start(LARGE);
+        let first = fill(language.texts().space.begin_with, &[&names[0]]);
+        click(&mut window, &first);
+        let editor = window.state();
+        assert_eq!(editor.file, Some(folder.path().join(names[0])));
+        assert_eq!(editor.document.path(), path.path());
+        assert_eq!(begins(&window), 0);
+    }
+}
+
+/// They lie within the space, apart from one another, whatever its size.
+#[test]
+fn beginnings_have_room_or_are_left_out() {
+    for size in [
+        [640.0, 440.0],
+        [700.0, 450.0],
+        [800.0, 600.0],
+        [1200.0, 800.0],
+        [3840.0, 2160.0],
+    ] {
+        for language in BOTH {
+            let mut window = window_of(options(language), size, 1.0, Theme::Light);
+            let space = window.get_by_label(language.texts().space.name).rect();
+            let all: Vec<Rect> = offered(window.state(), space).places().collect();
+            assert!(!all.is_empty(), "{size:?}");
+            for (at, place) in all.iter().enumerate() {
+                assert!(space.contains_rect(*place), "{size:?}: {place:?}");
+                let apart = |other: &Rect| !other.intersects(*place);
+                assert!(all[at + 1..].iter().all(apart), "{size:?}");
+            }
+            screenshot(&mut window, &format!("begin-{language:?}-{}.png", size[0]));
+        }
+    }
+}
+
+#[test]
+fn points_outside_are_told_at_the_space_and_a_click_mends_it() {
+    for language in BOTH {
+        let texts = &language.texts().space;
+        let mut window = window_with_points(language, LARGE, 1.0, Theme::Dark);
+        assert_eq!(outside(window.state()), 0);
+        let far = DVec3::new(3.0, 0.2, 0.1);
+        let edits = [0, 1].map(|at| Edit::set(At::Point(at), "position", far * (1.0 + at as f64)));
+        for edit in edits {
+            assert!(window.state_mut().document.apply(edit).is_ok());
+        }
+        window.run();
+        let path = window.state().document.path().clone();
+        let text = fill(texts.some_outside, &[&2]);
+        screenshot(&mut window, &format!("outside-{language:?}.png"));
+        click(&mut window, &text);
+        assert_eq!(outside(window.state()), 0);
+        assert!(window.query_by_label(&text).is_none());
+        // The space alone has changed, in one step.
+        assert_eq!(window.state().document.path().points, path.points);
+        press(&mut window, egui::Modifiers::CTRL, Key::Z);
+        assert_eq!(*window.state().document.path(), path);
+    }
+}
+
+/// With an object each tool shows on it what it would make by itself, and a camera flies along it
+/// under the pointer, unless the desktop asks for stillness.
+#[test]
+fn beginnings_are_drawn_on_the_object() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("roof.obj");
+    let corners = "v -4 0 -4\nv 4 0 -4\nv 4 0 4\nv -4 0 4\nv 0 5 0\n";
+    let faces = "f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n";
+    std::fs::write(&file, [corners, faces].concat()).unwrap();
+    for (size, large) in [
+        (LARGE, true),
+        (SMALL, true),
+        ([700.0, 450.0], false),
+        ([3840.0, 2160.0], true),
+    ] {
+        let mut window = window_of(options(Language::English), size, 1.0, Theme::Dark);
+        let object = crate::document::load_object(&file).unwrap();
+        let around = crate::document::Document::around(object).unwrap();
+        window.state_mut().document = around;
+        window.run();
+        let around = Around::of(window.state()).unwrap();
+        let all = sign::pictures(&around, &mut |_, _| true);
+        for (name, made) in TOOLS.iter().zip(&all) {
+            let made = made.as_ref().expect(name);
+            assert_eq!(made.has_path(), *name != "draw", "{name}");
+        }
+        let space = window
+            .get_by_label(window.state().texts().space.name)
+            .rect();
+        let (_, place) = offered(window.state(), space).begins[0];
+        assert!((place.height() > BUTTON.y) == large && space.contains_rect(place));
+        screenshot(&mut window, &format!("begin-object-{}.png", size[0]));
+        // Under the pointer it moves, and nothing moves where the desktop asks for that.
+        for still in [false, true] {
+            window.state_mut().keep_still(still);
+            window.hover_at(place.center());
+            window.step();
+            window.step();
+            let seen = [0, 1].map(|_| {
+                window.step();
+                window.render().unwrap()
+            });
+            assert_eq!(seen[0] == seen[1], still, "{size:?}");
+        }
+    }
+}
