@@ -33,6 +33,8 @@ fn an_object_is_kept_by_the_name_of_its_file() {
     assert!(warnings.is_empty());
     assert_eq!(loaded.info(), document.info());
     assert_eq!(Document::load(&file).unwrap().info(), document.info());
+    let of_scene = crate::SceneDocument::load(&file).unwrap();
+    assert_eq!(of_scene.info, *document.info());
     // Both moved elsewhere.
     let other = tempfile::tempdir().unwrap();
     for name in ["pyramid.obj", "flight.vid"] {

@@ -85,6 +85,9 @@ impl SceneDocument {
 
     fn with_meshes(mut self, folder: &Path) -> Result<Self> {
         self.warnings = mesh_file::read_meshes(&mut self.scene, folder)?;
+        let space = self.scene.space();
+        let of_path = mesh_file::read_object(&mut self.info, space, folder)?;
+        self.warnings.extend(of_path);
         Ok(self)
     }
 

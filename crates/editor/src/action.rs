@@ -102,6 +102,8 @@ pub(super) enum Action {
     Check,
     /// Go to the frames and the key of a finding.
     GoTo(Finding),
+    /// Several edits in one step.
+    Edits(Vec<Edit>),
     /// Apply the remedy of a finding.
     Mend(Vec<Edit>),
     /// Let the planner cure a finding, beside the window.

@@ -156,25 +156,33 @@ pub(super) fn release(context: &Context) {
     });
 }
 
-/// Remembers, at the end of each pass, whether a text is typed.
+/// Remembers, at the end of each pass, whether a text is typed and whether a menu is open.
 ///
-/// egui takes the keyboard from a text on Escape before anybody sees the key; without this Escape
-/// would leave the text and close its window at once.
+/// egui takes the keyboard from a text on Escape, and closes a menu, before anybody sees the key;
+/// without this Escape would do that and close a window at once.
 pub(super) fn remember_typing(context: &Context) -> bool {
     let typing = context.text_edit_focused();
-    context.data_mut(|data| data.insert_temp(typing_id(), typing));
+    let menu = egui::Popup::is_any_open(context);
+    context.data_mut(|data| data.insert_temp(typing_id(), (typing, menu)));
     typing
+}
+
+/// Whether a text was typed, and a menu open, at the end of the last pass.
+fn remembered(context: &Context) -> (bool, bool) {
+    context
+        .data(|data| data.get_temp(typing_id()))
+        .unwrap_or_default()
 }
 
 /// Whether a text was being typed when this pass began.
 pub(super) fn was_typing(context: &Context) -> bool {
-    let typing = context.data(|data| data.get_temp(typing_id()));
-    typing.unwrap_or(false) || context.text_edit_focused()
+    remembered(context).0 || context.text_edit_focused()
 }
 
 /// Takes Escape out of the input if it was pressed and only a window has use for it.
 pub(super) fn take_escape(context: &Context) -> bool {
     !was_typing(context)
+        && !remembered(context).1
         && !egui::Popup::is_any_open(context)
         // egui ends a drag on Escape before anybody sees the key.
         && !context.input(|input| input.pointer.any_down())

@@ -3,6 +3,7 @@
 //!
 //! It is folded in a narrow window at first; a click on its heading folds or unfolds it.
 
+use egui::epaint::TextShape;
 use egui::{
     Align2, Color32, Context, CornerRadius, EventFilter, Id, Key, Modifiers, Painter, Rect,
     Response, Role, ScrollArea, Sense, Stroke, TextEdit, Ui, UiBuilder, WidgetInfo, pos2, vec2,
@@ -161,6 +162,17 @@ impl PointsList {
             let edited = editor.document.edited_scene();
             let scene = edited.map(|_| editor.texts().scene.title);
             title(ui, rect, scene.unwrap_or(texts.heading));
+        } else {
+            // From below, beside the space.
+            let (font, text) = (theme::small(), texts.heading.to_owned());
+            let galley = ui.painter().layout_no_wrap(text, font, color);
+            let at = pos2(
+                rect.left() + 0.5 * (FOLDED - galley.size().y),
+                rect.top() + HEADING + galley.size().x,
+            );
+            let words = TextShape::new(at, galley, color);
+            ui.painter()
+                .add(words.with_angle(-std::f32::consts::FRAC_PI_2));
         }
         if response.on_hover_text(name).clicked() {
             self.open = Some(!open);

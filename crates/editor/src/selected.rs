@@ -3,12 +3,15 @@
 //! The current point of the thesis is always one of them: the panels show it, and what is changed
 //! of it is changed of the others.
 
+use std::borrow::Cow;
+
 use glam::DMat4;
 
 use crate::document::{At, Document, Edit, Selection};
 use crate::error::Result;
 use crate::path::{Orientation, OrientationOverrides, SupportPoint};
 use crate::state::Editor;
+use crate::texts::fill;
 use vides_engine::property::{SameBits, Value, find};
 
 /// Which points to select.
@@ -63,6 +66,15 @@ impl Selected {
 }
 
 impl Editor {
+    /// What removes the selected points, in words.
+    pub(crate) fn removal(&self) -> Cow<'static, str> {
+        let texts = &self.texts().menu;
+        match self.all_selected().len() {
+            ..2 => texts.remove_point.into(),
+            many => fill(texts.remove_points, &[&many]).into(),
+        }
+    }
+
     /// The points selected together, ascending; `None` if the current one is alone.
     pub(crate) fn several(&self) -> Option<&[usize]> {
         let selected = &self.selected;

@@ -18,7 +18,7 @@ pub(crate) fn letters(language: Language) -> [(Key, &'static str); 6] {
     let (menu, tools) = (&language.texts().menu, &language.texts().tools);
     let letters = match language {
         Language::German => GERMAN,
-        Language::English => [Key::I, Key::E, Key::A, Key::O, Key::G, Key::H],
+        Language::English => [Key::I, Key::E, Key::X, Key::O, Key::G, Key::H],
     };
     let titles = [
         menu.file,

@@ -172,11 +172,10 @@ fn edit(editor: &Editor) -> Vec<Entry> {
             .apart(),
         Entry::new(texts.add_points, position.add_many_hint, Action::AskPoints)
             .only_if(editor.has_segment(), position.last_point),
-        Entry::new(
-            texts.remove_point,
-            position.remove_hint,
-            Action::RemovePoint,
-        )
+        Entry {
+            text: editor.removal(),
+            ..Entry::new("", position.remove_hint, Action::RemovePoint)
+        }
         .only_if(path.points.len() > MIN_POINTS, position.two_remain),
         Entry::new(texts.append, hints.append, Action::AppendPoint)
             .only_if(!closed, position.closed_has_no_ends),

@@ -356,7 +356,8 @@ fn key(
     let place = Rect::from_x_y_ranges(room, rect.y_range());
     let painter = ui.painter_at(rect);
     let palette = theme::palette(ui);
-    let selected = editor.document.selection() == of;
+    let several = editor.several().is_some() && editor.is_selected(of.point);
+    let selected = editor.document.selection() == of || several;
     let middle = pos2(axis.x_of(mark.first()), rect.center().y);
     let paint = |fill, half| {
         let line = Stroke::new(1.5, palette.field);
@@ -371,10 +372,12 @@ fn key(
         paint(colour, SIGN);
         return;
     }
+    let name = editor.name_of(of.point, of.orientation);
     // Not by Tab: Ctrl with the arrow keys moves it from the ruler.
     let response = ui.interact(place, id, Sense::CLICK | Sense::DRAG);
-    let name = fill(texts.key, &[&editor.name_of(of.point, of.orientation)]);
-    response.widget_info(|| WidgetInfo::slider(true, mark.first(), name.as_str()));
+    let label = fill(texts.key, &[&name]);
+    response.widget_info(|| WidgetInfo::slider(true, mark.first(), label.as_str()));
+    section_menu::of_key(editor, &response, of, actions);
     if response.clicked() {
         let held = ui.input(|input| input.modifiers);
         actions.push(match held.ctrl || held.shift {
@@ -387,7 +390,14 @@ fn key(
         true => paint(if selected { colour } else { palette.focus }, SIGN + 1.0),
         false => paint(colour, SIGN),
     }
-    response.on_hover_text(texts.key_tip);
+    response.on_hover_ui(|ui| {
+        let info = editor.document.info();
+        let second = (mark.first() - 1.0) / info.fps;
+        let second = editor.language().number(second, 2);
+        let frame = mark.first() - 1.0 + f64::from(info.first_frame);
+        ui.strong(fill(texts.key_at, &[&name, &second, &frame]));
+        ui.weak(texts.key_tip);
+    });
 }
 
 /// A square on its corner.

@@ -1,14 +1,17 @@
-//! The sections as they can be clicked: the left button selects one, the right one opens the menu with
-//! ready paces for it.
+//! The sections and the keys between them as they can be clicked: the left button selects one, the
+//! right one opens the menu with ready paces for it.
 
 use egui::{Button, Popup, Response};
 
 use super::as_frame;
 use super::axis::Axis;
 use crate::action::Action;
-use crate::path::Pace;
+use crate::document::Selection;
+use crate::limits::{MAX_HOLD, SPEEDS};
+use crate::panels::orientation::with;
+use crate::path::{Orientation, Pace};
 use crate::state::Editor;
-use crate::windows::shapes;
+use crate::windows::{shapes, slow_past};
 
 pub(super) fn show(editor: &Editor, response: &Response, axis: &Axis, actions: &mut Vec<Action>) {
     let clicked = response.clicked() || response.secondary_clicked();
@@ -22,12 +25,7 @@ pub(super) fn show(editor: &Editor, response: &Response, axis: &Axis, actions: &
     }
     Popup::context_menu(response).show(|ui| {
         if let Some(speeds) = shapes(editor, ui) {
-            let edit = editor.orientation_edit(|orientation| {
-                orientation.speeds = speeds;
-                if let Ok(own) = orientation.own.with(|own| own.pace = Pace::Speeds) {
-                    orientation.own = own;
-                }
-            });
+            let edit = editor.orientation_edit(|view| by_ten(view, speeds));
             actions.extend(edit.map(Action::Edit));
             ui.close();
         }
@@ -41,12 +39,69 @@ pub(super) fn show(editor: &Editor, response: &Response, axis: &Axis, actions: &
     });
 }
 
+fn by_ten(view: &mut Orientation, speeds: [f64; SPEEDS]) {
+    view.speeds = speeds;
+    if let Ok(own) = view.own.with(|own| own.pace = Pace::Speeds) {
+        view.own = own;
+    }
+}
+
+/// The menu of a key: how the camera passes it.
+pub(super) fn of_key(
+    editor: &Editor,
+    response: &Response,
+    of: Selection,
+    actions: &mut Vec<Action>,
+) {
+    let texts = &editor.texts().timeline;
+    Popup::context_menu(response).show(|ui| {
+        let view = |at: Selection| {
+            let point = editor.document.path().points.get(at.point)?;
+            point.orientations.get(at.orientation)
+        };
+        let two = slow_past(&editor.document, of);
+        let slow = ui.add_enabled(two.is_some(), Button::new(texts.slow_past));
+        let slow = slow.on_disabled_hover_text(texts.no_slow_past);
+        if slow.on_hover_text(texts.slow_past_hint).clicked() {
+            let edits = two
+                .into_iter()
+                .flatten()
+                .filter_map(|(at, speeds)| Some(with(at, view(at)?, |view| by_ten(view, speeds))));
+            actions.push(Action::Select(of));
+            actions.push(Action::Edits(edits.collect()));
+            ui.close();
+        }
+        let held = view(of).map_or(0, |view| view.hold);
+        // Whole, and in the range of a u32.
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+        let second = editor
+            .document
+            .info()
+            .fps
+            .round()
+            .clamp(1.0, f64::from(MAX_HOLD)) as u32;
+        let (words, hint, hold) = match held {
+            0 => (texts.rest, texts.rest_hint, second),
+            _ => (texts.no_rest, texts.no_rest_hint, 0),
+        };
+        if ui.button(words).on_hover_text(hint).clicked() {
+            let edit = view(of).map(|view| with(of, view, |new| new.hold = hold));
+            actions.push(Action::Select(of));
+            actions.extend(edit.map(Action::Edit));
+            ui.close();
+        }
+    });
+}
+
 #[cfg(test)]
 mod tests {
     use egui::PointerButton;
 
     use crate::document::Selection;
+    use crate::path::CameraPath;
+    use crate::screenshots::screenshot;
     use crate::tests::*;
+    use crate::texts::fill;
 
     /// One click selects the section that is seen there, its menu gives it a ready pace in one step.
     #[test]
@@ -85,6 +140,53 @@ mod tests {
             click(&mut window, 0.8, PointerButton::Secondary);
             crate::tests::click(&mut window, texts.menu.speeds);
             assert!(window.state().windows.speed.is_some());
+        }
+    }
+
+    /// The right button at a key: slowly past it, or a rest there, each one step.
+    #[test]
+    fn a_key_has_a_menu_for_how_it_is_passed() {
+        for language in BOTH {
+            let texts = &language.texts().timeline;
+            let mut harness = window_with_points(language, LARGE, 1.0, Theme::Light);
+            let click_key = |harness: &mut Window, point: usize| {
+                let name = harness.state().name_of(point, 0);
+                let place = harness.get_by_label(&fill(texts.key, &[&name])).rect();
+                let pos = place.center();
+                harness.hover_at(pos);
+                harness.run();
+                for pressed in [true, false] {
+                    harness.event(egui::Event::PointerButton {
+                        pos,
+                        button: PointerButton::Secondary,
+                        pressed,
+                        modifiers: Modifiers::NONE,
+                    });
+                    harness.run();
+                }
+            };
+            let path = |window: &Window| window.state().document.path().clone();
+            let before = path(&harness);
+            click_key(&mut harness, 2);
+            screenshot(&mut harness, &format!("key-menu-{language:?}.png"));
+            click(&mut harness, texts.slow_past);
+            let slow = path(&harness);
+            let speeds = |path: &CameraPath, at: usize| path.points[at].orientations[0].speeds;
+            assert!(speeds(&slow, 1)[9] < 0.5 * speeds(&before, 1)[9]);
+            assert!(speeds(&slow, 2)[0] < 0.5 * speeds(&before, 2)[0]);
+            assert_eq!(harness.state().document.selection(), Selection::at(2, 0));
+            press(&mut harness, Modifiers::CTRL, Key::Z);
+            assert_eq!(path(&harness), before);
+            click_key(&mut harness, 2);
+            click(&mut harness, texts.rest);
+            assert_eq!(path(&harness).points[2].orientations[0].hold, 25);
+            click_key(&mut harness, 2);
+            click(&mut harness, texts.no_rest);
+            assert_eq!(path(&harness), before);
+            // Where the path begins nothing is slowed down.
+            click_key(&mut harness, 0);
+            click(&mut harness, texts.slow_past);
+            assert_eq!(path(&harness), before);
         }
     }
 }

@@ -103,7 +103,7 @@ impl Colours {
         rgb(0xd0_10_60),
         rgb(0x66_74_88),
         rgb(0x0d_86_96),
-        rgb(0xa8_72_00),
+        rgb(0x96_64_00),
     ]);
 
     pub(super) const fn of(&self, element: Element) -> Color32 {

@@ -183,7 +183,7 @@ fn entries(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     }
     ui.separator();
     let two = (count <= crate::limits::MIN_POINTS).then_some(position.two_remain);
-    if entry(ui, menu.remove_point, position.remove_hint, two) {
+    if entry(ui, &editor.removal(), position.remove_hint, two) {
         actions.push(Action::RemovePoint);
     }
 }

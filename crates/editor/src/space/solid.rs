@@ -400,7 +400,7 @@ pub(super) fn tone(ground: Color32, base: Color32, own: Option<[f32; 3]>, lit: f
     let bright = |colour: Color32| colour.r() as u32 + colour.g() as u32 + colour.b() as u32;
     let share = match bright(base) > bright(ground) {
         true => 0.07 + 0.25 * lit,
-        false => 0.16 - 0.13 * lit,
+        false => 0.2 - 0.08 * lit,
     };
     ground.lerp_to_gamma(base, share)
 }

@@ -1,7 +1,7 @@
 //! What is painted in small windows, as it is painted: no text is cut by its clip rectangle or
 //! lies below what is painted later, and what one works with is large enough.
 
-use egui::{Rect, Shape};
+use egui::{Pos2, Rect, Shape};
 
 use super::*;
 use crate::action::Action;
@@ -52,8 +52,10 @@ fn painted(window: &Window) -> Vec<Painted> {
         match shape {
             Shape::Text(text) => {
                 // Lines are higher than letters.
-                let rect = Rect::from_min_size(text.pos, text.galley.size());
+                let rect = Rect::from_min_size(Pos2::ZERO, text.galley.size());
                 let rect = rect.shrink2(vec2(0.5, 0.2 * rect.height()));
+                let turned = egui::emath::Rot2::from_angle(text.angle);
+                let rect = rect.rotate_bb(turned).translate(text.pos.to_vec2());
                 if clip.intersects(rect) && !text.galley.text().is_empty() {
                     let text = text.galley.text().to_owned();
                     let over = Vec::new();

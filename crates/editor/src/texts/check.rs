@@ -12,6 +12,7 @@ texts! {
         nothing: "Nothing was found.", "Nichts gefunden.";
         one: "1 finding", "1 Fund";
         many: "{0} findings", "{0} Funde";
+        before: "{0} before the fix", "{0} vor dem Beheben";
         old: "The path has changed since", "Die Bahn hat sich seither geändert";
         now: "Check now", "Jetzt prüfen";
         now_hint: "Check the path as it is now", "Die Bahn prüfen, wie sie jetzt ist";

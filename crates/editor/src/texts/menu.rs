@@ -6,7 +6,7 @@ texts! {
     Menu {
         file: "File", "Datei";
         edit: "Edit", "Bearbeiten";
-        output: "Hand over", "Ausgabe";
+        output: "Export", "Ausgabe";
         settings: "Settings", "Einstellungen";
         help: "Help", "Hilfe";
 
@@ -23,6 +23,7 @@ texts! {
         add_point: "Insert a point after this one", "Punkt dahinter einfügen";
         add_points: "Insert several points …", "Mehrere Punkte einfügen …";
         remove_point: "Remove this point", "Punkt löschen";
+        remove_points: "Remove {0} points", "{0} Punkte löschen";
         append: "Append after the last point", "Hinter dem letzten Punkt anfügen";
         prepend: "Put before the first point", "Vor dem ersten Punkt einfügen";
         close: "Closed path", "Geschlossene Bahn";

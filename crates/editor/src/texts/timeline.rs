@@ -12,6 +12,17 @@ texts! {
         all_sections: "Sections", "Abschnitte";
         keys: "Points and views", "Punkte und Blicke";
         key: "Time of {0}", "Zeitpunkt von {0}";
+        key_at: "{0} · {1} s · frame {2}", "{0} · {1} s · Bild {2}";
+        slow_past: "Slow down here", "Hier abbremsen";
+        slow_past_hint: "Slower up to here and faster from here on, without a jerk: a quarter of the speed beside it",
+            "Bis hierher langsamer und von hier an schneller, ohne Ruck: ein Viertel der Geschwindigkeit daneben";
+        no_slow_past: "The camera begins, ends, rests or turns in one place here",
+            "Hier beginnt, endet, ruht oder dreht sich die Kamera";
+        rest: "Rest here for 1 s", "Hier 1 s verweilen";
+        rest_hint: "The camera stands still here; how long is a number at the right",
+            "Die Kamera steht hier still; wie lange, ist eine Zahl rechts";
+        no_rest: "No rest here", "Hier nicht verweilen";
+        no_rest_hint: "The camera goes on at once", "Die Kamera fährt sofort weiter";
         key_tip: "Drag: the sections beside it get more frames and fewer · type a number: to that time; +, −: by so much · Shift: ten times finer · Ctrl: a copy · Esc: back",
             "Ziehen: die Abschnitte daneben bekommen mehr Bilder und weniger · Zahl tippen: zu dieser Zeit; +, −: um so viel · Umschalt: zehnmal feiner · Strg: eine Kopie · Esc: zurück";
         moved: "{0}: {1} s ({2} s) · frame {3}", "{0}: {1} s ({2} s) · Bild {3}";

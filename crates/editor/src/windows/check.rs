@@ -48,6 +48,9 @@ pub(crate) struct CheckWindow {
     trouble: Option<String>,
     /// A check was asked for.
     asked: bool,
+    /// The revision at which one was mended, and how many there were before.
+    mended: Option<u64>,
+    before: Option<usize>,
     /// What the planner makes of a finding beside the window.
     curing: Option<Background<Vec<Edit>>>,
 }
@@ -81,6 +84,9 @@ impl SubWindow for CheckWindow {
                     None if self.checked.is_none() => ui.colored_label(palette.weak, texts.large),
                     None => ui.label(count),
                 };
+                if let Some(before) = self.before.filter(|_| current) {
+                    ui.colored_label(palette.weak, fill(texts.before, &[&before]));
+                }
                 if !current && !is_quick(editor) {
                     if self.checked.is_some() {
                         ui.colored_label(palette.weak, texts.old);
@@ -179,8 +185,11 @@ fn row(
     let (words, remedy) = editor.language().finding(finding);
     ui.horizontal(|ui| {
         let hint = fill(texts.go_hint, &[&(finding.point + 1)]);
-        let button = Button::new(&frames).min_size(vec2(FRAMES, theme::ROW));
-        let response = ui.add(button).on_hover_text(hint);
+        // A place to go to, not a thing to be done.
+        let text = RichText::new(&frames).color(theme::palette(ui).accent);
+        let button = Button::new(text).frame_when_inactive(false);
+        let response = ui.add(button.min_size(vec2(FRAMES, theme::ROW)));
+        let response = response.on_hover_text(hint);
         response.widget_info(|| {
             egui::WidgetInfo::labeled(egui::Role::Button, true, format!("{frames}: {words}"))
         });
@@ -202,7 +211,12 @@ fn row(
             }
         }
     });
-    ui.add(Label::new(words).wrap()).on_hover_text(remedy);
+    ui.add(Label::new(words).wrap());
+    if !is_planned(finding.kind) && mend.is_empty() {
+        // Nothing does it: what helps is told.
+        let text = RichText::new(remedy).color(theme::palette(ui).weak);
+        ui.add(Label::new(text).wrap());
+    }
     ui.add_space(theme::GAP);
 }
 
@@ -262,6 +276,8 @@ impl CheckWindow {
 
     fn check(&mut self, editor: &Editor) {
         self.asked = false;
+        let mended = self.mended == Some(editor.document.revision());
+        self.before = mended.then_some(self.found.len());
         self.checked = Some(editor.document.revision());
         (self.found, self.mends, self.notes) = Default::default();
         let document = &editor.document;
@@ -322,6 +338,10 @@ impl Editor {
         self.document.name_step(StepName::Mend);
         if self.edit_together(edits) {
             self.document.end_step();
+            let revision = self.document.revision();
+            if let Some(check) = &mut self.windows.check {
+                check.mended = Some(revision);
+            }
         } else {
             self.document.cancel_step();
         }

@@ -229,3 +229,24 @@ fn it_fits_into_the_window() {
         assert!(whole.contains_rect(window.get_by_label(&label).rect()));
     }
 }
+
+/// What is open above it is closed first; after a fix it is told how many there were before.
+#[test]
+fn escape_closes_a_menu_before_the_check() {
+    for language in BOTH {
+        let mut window = checked(language, LARGE, Theme::Dark);
+        let before = window.state().windows.check.as_ref().unwrap().found.len();
+        click(&mut window, language.texts().menu.edit);
+        press(&mut window, Modifiers::NONE, Key::Escape);
+        assert!(window.state().windows.check.is_some());
+        let mend = language.texts().check.mend;
+        let first = window.get_all_by_label(mend).next().expect("a button");
+        first.click();
+        window.run();
+        let told = fill(language.texts().check.before, &[&before]);
+        assert!(window.query_by_label(&told).is_some());
+        screenshot(&mut window, &format!("check-fixed-{language:?}.png"));
+        press(&mut window, Modifiers::NONE, Key::Escape);
+        assert!(window.state().windows.check.is_none());
+    }
+}

@@ -21,7 +21,7 @@ pub(crate) use dock::{docked, place};
 pub(super) use help::HelpWindow;
 pub(super) use points::PointsWindow;
 pub(super) use space::SpaceWindow;
-pub(super) use speed::{SpeedWindow, goes_by_ten, shapes};
+pub(super) use speed::{SpeedWindow, goes_by_ten, shapes, slow_past};
 pub(super) use tool::ToolWindow;
 
 use crate::action::Action;

@@ -51,6 +51,8 @@ enum Neighbour<'a> {
     None,
     /// The camera rests, or turns in one place.
     Still,
+    /// The camera passes slowly, at a speed that is not of this section's rounding.
+    Slow(f64),
     Goes(Beside<'a>),
 }
 
@@ -66,6 +68,29 @@ fn neighbours(timeline: &Timeline, number: usize, closed: bool) -> [Option<usize
     ]
 }
 
+/// What lies beside a section.
+fn beside<'a>(path: &'a CameraPath, timeline: &Timeline, number: usize) -> [Neighbour<'a>; 2] {
+    let change = timeline.section(number).change;
+    let [before, after] = neighbours(timeline, number, path.closed);
+    // The camera rests where a section begins.
+    let rests = |begin: usize| {
+        let section = timeline.section(begin);
+        path.points[section.point].orientations[section.orientation].hold > 0
+    };
+    let of = |other: Option<usize>, begin: Option<usize>| match other {
+        None => Neighbour::None,
+        Some(_) if begin.is_some_and(rests) => Neighbour::Still,
+        // A turn goes on in a flight, a flight not in a turn.
+        Some(other)
+            if change == Change::Position && timeline.section(other).change != Change::Position =>
+        {
+            Neighbour::Still
+        }
+        Some(other) => Neighbour::Goes(Beside::new(path, timeline, other)),
+    };
+    [of(before, Some(number)), of(after, after)]
+}
+
 /// Ten speeds of this shape for the section that begins with an orientation; without a section, as
 /// if it stood alone.
 pub(super) fn ready(document: &Document, at: Selection, shape: Shape) -> Option<[f64; SPEEDS]> {
@@ -77,27 +102,8 @@ pub(super) fn ready(document: &Document, at: Selection, shape: Shape) -> Option<
         .get(at.orientation)?;
     let made = document.timeline(|timeline| {
         let number = timeline.section_from(at.point, at.orientation)?;
-        let change = timeline.section(number).change;
         let this = Beside::new(path, timeline, number);
-        let [before, after] = neighbours(timeline, number, path.closed);
-        // The camera rests where a section begins.
-        let rests = |begin: usize| {
-            let section = timeline.section(begin);
-            path.points[section.point].orientations[section.orientation].hold > 0
-        };
-        let of = |other: Option<usize>, begin: Option<usize>| match other {
-            None => Neighbour::None,
-            Some(_) if begin.is_some_and(rests) => Neighbour::Still,
-            // A turn goes on in a flight, a flight not in a turn.
-            Some(other)
-                if change == Change::Position
-                    && timeline.section(other).change != Change::Position =>
-            {
-                Neighbour::Still
-            }
-            Some(other) => Neighbour::Goes(Beside::new(path, timeline, other)),
-        };
-        joined(this, [of(before, Some(number)), of(after, after)], shape)
+        joined(this, beside(path, timeline, number), shape)
     });
     match made {
         Ok(Some(speeds)) => Some(speeds),
@@ -107,6 +113,48 @@ pub(super) fn ready(document: &Document, at: Selection, shape: Shape) -> Option<
         }
         Err(_) => None,
     }
+}
+
+/// How fast the camera passes a key where it slows down, in shares of the slower mean beside it.
+const SLOW: f64 = 0.25;
+
+/// Two sections, each by the view with which it begins, and their ten speeds.
+pub(crate) type Two = [(Selection, [f64; SPEEDS]); 2];
+
+/// Ten speeds for the sections before and behind a key, with which the camera slows down to it and
+/// goes on from it, as fast on both sides; `None` where it begins, ends, rests or turns in one place.
+pub(crate) fn slow_past(document: &Document, at: Selection) -> Option<Two> {
+    let path = document.path();
+    let made = document.timeline(|timeline| {
+        let after = timeline.section_from(at.point, at.orientation)?;
+        let [Neighbour::Goes(_), _] = beside(path, timeline, after) else {
+            return None;
+        };
+        let before = neighbours(timeline, after, path.closed)[0]?;
+        let both = [before, after];
+        let [flies, goes_on] = both.map(|at| timeline.section(at).change == Change::Position);
+        if flies != goes_on {
+            return None;
+        }
+        let [one, other] = both.map(|number| {
+            let this = Beside::new(path, timeline, number);
+            let (timing, faster) = this.timing(this.orientation)?;
+            Some(SLOW * timing.mean() * faster)
+        });
+        let slow = one?.min(other?);
+        let speeds = |number: usize, side: usize, shape| {
+            let mut ends = beside(path, timeline, number);
+            ends[side] = Neighbour::Slow(slow);
+            joined(Beside::new(path, timeline, number), ends, shape)
+        };
+        let section = timeline.section(before);
+        let from = Selection::at(section.point, section.orientation);
+        Some([
+            (from, speeds(before, 1, Shape::EaseOut)?),
+            (at, speeds(after, 0, Shape::EaseIn)?),
+        ])
+    });
+    made.ok().flatten()
 }
 
 fn joined(this: Beside<'_>, mut beside: [Neighbour<'_>; 2], shape: Shape) -> Option<[f64; SPEEDS]> {
@@ -126,6 +174,7 @@ fn joined(this: Beside<'_>, mut beside: [Neighbour<'_>; 2], shape: Shape) -> Opt
             ends[side] = match neighbour {
                 Neighbour::None => End::Free,
                 Neighbour::Still => End::Still,
+                Neighbour::Slow(speed) => End::Slow(*speed / scale),
                 Neighbour::Goes(other) => {
                     let here = new.speeds[side * (SPEEDS - 1)];
                     other.facing[1 - side] = Some(here);
@@ -287,5 +336,90 @@ mod tests {
             }
         }
         assert!(made > 5000, "{made}");
+    }
+
+    /// By differences of poses a tenth of a frame apart: at the key the camera has a quarter of the
+    /// slower mean beside it, from both sides, and is slower nowhere near.
+    #[test]
+    fn slowing_down_at_a_key_has_no_jerk() {
+        let mut random = Random(29);
+        let (mut made, mut refused) = (0, 0);
+        for round in 0..120 {
+            let document = random_path(&mut random, round % 3 == 0, round % 4 == 0);
+            let path = document.path();
+            for point in 0..path.points.len() {
+                let at = Selection::at(point, 0);
+                let Some(two) = slow_past(&document, at) else {
+                    refused += 1;
+                    continue;
+                };
+                let mut changed = document.try_clone().unwrap();
+                for (of, speeds) in two {
+                    let view = &path.points[of.point].orientations[of.orientation];
+                    let edit = Edit::SetOrientation {
+                        point: of.point,
+                        at: of.orientation,
+                        orientation: Orientation {
+                            speeds,
+                            ..view.clone()
+                        },
+                    };
+                    changed.apply(edit).unwrap();
+                }
+                made += 1;
+                // Where both sections begin, and how long each is.
+                let spans = |document: &Document| {
+                    let sampler = document.sampler().unwrap();
+                    let of = |timeline: &Timeline, of: Selection| {
+                        let at = timeline.section_from(of.point, of.orientation).unwrap();
+                        let first = sampler.first_frame(at) as f64 - 1.0;
+                        (first, timeline.section(at).frames as f64)
+                    };
+                    let spans = document.timeline(|timeline| two.map(|(at, _)| of(timeline, at)));
+                    spans.unwrap()
+                };
+                let place = |document: &Document, frame: f64| {
+                    DVec3::from(document.sampler().unwrap().pose(frame).unwrap().vrp)
+                };
+                let speed = |document: &Document, from: f64, to: f64| {
+                    place(document, from).distance(place(document, to)) / (to - from)
+                };
+                let [(_, before), (key, after)] = spans(&changed);
+                let means = spans(&document).map(|(first, frames)| {
+                    let parts = (0..200).map(|part| {
+                        let frame = |part: i32| first + frames * f64::from(part) / 200.0;
+                        speed(&document, frame(part), frame(part + 1)) / 200.0
+                    });
+                    parts.sum::<f64>()
+                });
+                // A closed path ends where it begins.
+                let arrival = if key < 1.5 {
+                    frames(&changed) + 1.0
+                } else {
+                    key
+                };
+                let ends = [
+                    speed(&changed, arrival - 0.1, arrival),
+                    speed(&changed, key, key + 0.1),
+                ];
+                let slow = 0.25 * means[0].min(means[1]);
+                let turns = means[0].max(means[1]) < 1e-9;
+                let near = |speed: f64| turns || (speed / slow - 1.0).abs() < 0.08;
+                assert!(
+                    ends.into_iter().all(near),
+                    "{round} {point}: {ends:?}, not {slow}"
+                );
+                let within = (1..before as i32).map(|step| arrival - f64::from(step) / 2.0);
+                let behind = (1..after as i32).map(|step| key + f64::from(step) / 2.0);
+                for frame in within.chain(behind) {
+                    let there = speed(&changed, frame - 0.05, frame + 0.05);
+                    assert!(
+                        there > 0.75 * slow,
+                        "{round} {point}: {there} at {frame}, not {slow}"
+                    );
+                }
+            }
+        }
+        assert!(made > 200 && refused > 100, "{made} {refused}");
     }
 }

@@ -12,6 +12,7 @@ mod pace;
 mod shapes;
 mod ten;
 
+pub(crate) use self::join::slow_past;
 pub(crate) use self::ten::shapes;
 
 use self::graph::{Axes, Held, Quantity};

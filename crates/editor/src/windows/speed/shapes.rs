@@ -35,17 +35,22 @@ impl Shape {
     pub(crate) fn speeds(self, ends: [End; 2], mean: f64, lasts: bool) -> [f64; SPEEDS] {
         let mut slow = self.slow();
         let mut joins = [None; 2];
+        let mut least = [MIN_SPEED; 2];
         let mut fastest = None;
         for side in 0..2 {
             match ends[side] {
                 _ if self == Self::Constant => {}
                 End::Free => {}
                 End::Still => slow[side] = true,
+                End::Slow(speed) => {
+                    slow[side] = true;
+                    least[side] = speed.clamp(MIN_SPEED, MAX_SPEED);
+                }
                 End::Goes(speed) if lasts || slow[side] => joins[side] = Some(speed),
                 End::Goes(speed) => fastest = Some(speed),
             }
         }
-        let ten = |fastest: f64| made(slow, joins, fastest);
+        let ten = |fastest: f64| made((slow, least), joins, fastest);
         if let Some(speed) = fastest {
             return ten(speed);
         }
@@ -71,6 +76,8 @@ pub(crate) enum End {
     Free,
     /// The camera stands still.
     Still,
+    /// It goes on with this speed, to which this section slows down.
+    Slow(f64),
     /// It goes on with this speed.
     Goes(f64),
 }
@@ -78,7 +85,7 @@ pub(crate) enum End {
 impl End {
     const fn speed(self) -> Option<f64> {
         match self {
-            Self::Goes(speed) => Some(speed),
+            Self::Goes(speed) | Self::Slow(speed) => Some(speed),
             Self::Free | Self::Still => None,
         }
     }
@@ -87,8 +94,13 @@ impl End {
 /// Intervals in which a speed to be joined gives way to the shape.
 const JOINT: usize = 2;
 
-/// Ten speeds up to the fastest, with slow ends, or with ends that are led to other speeds.
-fn made(slow: [bool; 2], joins: [Option<f64>; 2], fastest: f64) -> [f64; SPEEDS] {
+/// Ten speeds up to the fastest, with slow ends and how slow these are, or with ends that are led to
+/// other speeds.
+fn made(
+    (slow, least): ([bool; 2], [f64; 2]),
+    joins: [Option<f64>; 2],
+    fastest: f64,
+) -> [f64; SPEEDS] {
     let last = SPEEDS - 1;
     let rise = |u: f64| {
         let u = u.clamp(0.0, 1.0);
@@ -104,8 +116,9 @@ fn made(slow: [bool; 2], joins: [Option<f64>; 2], fastest: f64) -> [f64; SPEEDS]
     std::array::from_fn(|i| {
         let inner = i.clamp(from, last - to);
         let u = (inner - from) as f64 / (last - to - from) as f64;
-        // The slow ends are as slow as can be, so that the curve cannot dip.
-        let mut speed = MIN_SPEED + (fastest - MIN_SPEED) * share(u);
+        // The slow ends are as slow as it gets, so that the curve cannot dip.
+        let least = least[usize::from(!slow[0] || (slow[1] && u > 0.5))];
+        let mut speed = least + (fastest - least) * share(u);
         for (side, joined) in joins.into_iter().enumerate() {
             let away = if side == 0 { i } else { last - i };
             if let Some(joined) = joined.filter(|_| away < JOINT) {
@@ -178,7 +191,7 @@ mod tests {
                 let out = Shape::EaseOut.speeds([End::Goes(speed), other], 50.0, false);
                 let [slow, facing] = match other {
                     End::Goes(joined) => [2, joined as usize],
-                    End::Free | End::Still => [0, 1],
+                    _ => [0, 1],
                 };
                 assert_eq!((into[SPEEDS - 1], out[0]), (speed, speed));
                 assert_eq!((into[slow], out[SPEEDS - 1 - slow]), (1.0, 1.0));
