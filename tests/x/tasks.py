@@ -6,119 +6,19 @@ An action is a click, a drag, a key with what is held, or a number typed with En
 """
 
 import contextlib
-import csv
-import io
 import math
 import os
 import shutil
 import subprocess
 import sys
-import tempfile
 import time
 
-from harness import Failure, Program, Server, check, wait
+import tasks_time
+from hands import Hand, distance, looks_at, window_for
+from harness import Failure, Program, check, wait
 from panel import BUTTON, FIELD, PANEL, boxes, graph, middle, panel_boxes, rail_of, timeline
 from space import first_look
-
-OBJECT = """v -0.4 0 -0.4
-v 0.4 0 -0.4
-v 0.4 0 0.4
-v -0.4 0 0.4
-v 0 0.5 0
-f 1 2 5
-f 2 3 5
-f 3 4 5
-f 4 1 5
-"""
-TOP = (0.0, 0.5, 0.0)
-CENTRE, HALF = (0.0, 0.25, 0.0), 0.44
-"""The space around it, in which a new path lies."""
-PLACES = [(-0.6, 0.2, 0.8), (-0.85, 0.3, 0.1), (-0.7, 0.35, -0.65),
-          (0.75, 0.35, -0.65), (0.85, 0.3, 0.1), (0.6, 0.2, 0.8)]
-"""In half sizes of that space."""
-
-class Hand:
-    """Hands that count."""
-
-    def __init__(self, server, window, folder, vides):
-        self.server, self.window = server, window
-        self.folder, self.vides = folder, vides
-        self.actions = 0
-        self.file = os.path.join(folder, "flight.vid")
-
-    def keys(self, *keys):
-        """Presses keys, each an action."""
-        self.actions += len(keys)
-        self.server.press(self.window, *keys)
-
-    def click(self, box, button=1):
-        """Clicks what was found."""
-        self.actions += 1
-        self.server.click(self.window, *middle(box), button)
-
-    def drag(self, start, end, button):
-        """Drags from place to place."""
-        self.actions += 1
-        self.server.drag(self.window, start, end, button)
-
-    def number(self, box, value):
-        """Types a number into a field."""
-        self.server.click(self.window, *middle(box))
-        self.server.xdotool("key", "--delay", "20", "ctrl+a")
-        self.typed(value)
-
-    def typed(self, text):
-        """Types a text with Enter."""
-        self.actions += 1
-        self.server.type(str(text))
-        self.server.xdotool("key", "Return")
-
-    def away(self):
-        """The pointer where it covers and lights nothing."""
-        width, _ = self.server.geometry(self.window)[2:]
-        self.server.xdotool("mousemove", "--window", self.window, width - PANEL - 90, 20)
-
-    def panel(self, colour):
-        """Buttons or fields in the panels, as rows from the top."""
-        self.away()
-        return panel_boxes(self.server.drawn(self.window), colour)
-
-    def bar(self):
-        """Fields above the timeline: frame, last frame, second, duration, rate."""
-        self.away()
-        picture = self.server.drawn(self.window)
-        top = picture.height - timeline(picture.height)
-        return boxes(picture, FIELD, 0, top, picture.width, top + 32)[0]
-
-    def saved(self):
-        """Saves, and gives the poses; does not count."""
-        before = os.stat(self.file).st_mtime_ns
-        self.server.press(self.window, "ctrl+s")
-        wait(lambda: os.stat(self.file).st_mtime_ns != before, "the path to be saved")
-        return self.poses()
-
-    def poses(self):
-        """The poses of the file, each a list of ten numbers."""
-        text = subprocess.run([self.vides, "sample", self.file, "--format", "csv"],
-                              check=True, capture_output=True, text=True).stdout
-        rows = list(csv.DictReader(line for line in io.StringIO(text)
-                                   if not line.startswith("#")))
-        names = [name for name in rows[0] if name not in ("frame", "seconds", "time")]
-        return [[float(row[name]) for name in names] for row in rows]
-
-
-def distance(a, b):
-    """Of two places."""
-    return math.dist(a[:3], b[:3])
-
-
-def looks_at(pose, target):
-    """The angle between the view and the way to a target, in degrees."""
-    way = [target[k] - pose[k] for k in range(3)]
-    length = math.hypot(*way)
-    cosine = sum(way[k] * pose[3 + k] for k in range(3)) / length
-    return math.degrees(math.acos(min(1.0, cosine)))
-
+from tasks_time import CENTRE, HALF, OBJECT, PLACES, TOP, flight, in_list, in_row, key_frames
 
 def points(hand):
     """Six points around a loaded object, all looking at its top."""
@@ -131,17 +31,13 @@ def points(hand):
         hand.drag(space.image(begin), space.image(along), 2)
         hand.drag(space.image(along), space.image(goal), 3)
     hand.away()
-    # A right click on the top; the second entry aims all.
+    # Over the top, which lights up, the key aims all there.
     top = [(TOP[k] - CENTRE[k]) / HALF for k in range(3)]
     x, y = map(round, space.image(top))
-    hand.click((x, y, 0, 0), 3)
+    hand.server.xdotool("mousemove", "--window", hand.window, x, y)
     hand.server.drawn(hand.window)
-    hand.click((x + 60, y + 42, 0, 0))
-    hand.server.press(hand.window, "ctrl+s")
-    hand.server.xdotool("key", "--delay", "20", "ctrl+a")
-    hand.server.type(hand.file)
-    hand.server.xdotool("key", "Return")
-    wait(lambda: os.path.exists(hand.file), "the path")
+    hand.keys("F7")
+    hand.save_first()
     poses = hand.poses()
     for flat in PLACES:
         place = [CENTRE[k] + HALF * flat[k] for k in range(3)]
@@ -154,13 +50,18 @@ def points(hand):
 def look(hand):
     """The camera stops at the third point and looks elsewhere."""
     before = len(hand.poses())
-    hand.keys("ctrl+Page_Up", "ctrl+Page_Up", "alt+Insert")
+    frames, count = key_frames(hand)
+    # A copy of a key beside itself is a rest.
+    ends = (in_row(hand, frame, count) for frame in (frames[2], frames[2] + 20))
+    hand.slide(*ends, key="ctrl")
+    hand.keys("alt+Insert")
     hand.number(hand.panel(FIELD)[3][0], -0.4)
-    hand.number(hand.panel(FIELD)[-1][0], 12)
     poses = hand.saved()
     check(len(poses) > before, "no frames for the look")
     rests = sum(distance(a, b) < 1e-9 for a, b in zip(poses, poses[1:]))
     check(rests > 12, f"{rests} frames of rest")
+    still = sum(a == b for a, b in zip(poses, poses[1:]))
+    check(still >= 12, f"{still} frames of rest without a turn")
 
 
 def slow_start(hand):
@@ -211,7 +112,7 @@ def save(hand):
 def poses(hand):
     """All poses as CSV."""
     file = os.path.join(hand.folder, "poses.csv")
-    hand.keys("alt+a", "d")
+    hand.keys("ctrl+e")
     hand.server.xdotool("key", "--delay", "20", "ctrl+a")
     hand.typed(file)
     wait(lambda: os.path.exists(file), "the poses")
@@ -236,11 +137,11 @@ def undo(hand):
 def closed(hand):
     """The path is closed: its last pose is beside the first."""
     before = hand.poses()
-    hand.keys("alt+b", "g")
+    hand.keys("ctrl+l")
     poses = hand.saved()
     step = max(distance(a, b) for a, b in zip(poses, poses[1:]))
     check(distance(poses[-1], poses[0]) <= step * 1.001, "it is open")
-    hand.server.press(hand.window, "alt+b", "g")
+    hand.server.press(hand.window, "ctrl+l")
     check(hand.saved() == before, "opened it is not what it was")
 
 
@@ -288,24 +189,23 @@ def ahead(hand):
 def move(hand):
     """The whole path is moved."""
     before = hand.poses()
-    hand.server.focus(hand.window)
-    hand.keys("ctrl+a", "m", "x")
-    hand.typed(0.05)
+    hand.server.click(hand.window, *in_list(hand, 0)[:2])
+    hand.keys("ctrl+a")
+    # What is changed of one is changed of all.
+    hand.number(hand.panel(FIELD)[0][0], CENTRE[0] + HALF * PLACES[0][0] + 0.05)
     after = hand.saved()
     for a, b in zip(before, after):
         check(math.dist((a[0] + 0.05, a[1], a[2]), b[:3]) < 1e-6, f"{a[:3]} -> {b[:3]}")
 
 
-TASKS = (points, look, slow_start, zoom, play, camera, save, poses, undo, closed, insert,
-         copy, seconds, ahead, move)
+TASKS = ((points, 12, 11), (look, 4, 3), (slow_start, 3, 2), (zoom, 2, 2), (play, 1, 1),
+         (camera, 1, 1), (save, 1, 1), (poses, 3, 2), (undo, 2, 2), (closed, 2, 1), (insert, 1, 1),
+         (copy, 3, 3), (seconds, 2, 2), (ahead, 1, 1), (move, 2, 2))
+"""With the actions in the window before the desk, by its shortest way, and in this one."""
 
-
-def pause(words):
-    """A drag's words with a frame's time before each of them."""
-    slow = []
-    for word in words:
-        slow += ["sleep", "0.05"] * (word in ("mousemove", "mouseup")) + [word]
-    return slow
+DESK = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../docs/desk.md")
+OTHERS = ((tasks_time.slow, 4, 2), (tasks_time.key, 1, 1), (tasks_time.lock, 3, 3),
+          (tasks_time.copy, 4, 4), (tasks_time.cure, 3, 2), (tasks_time.orbit, 6, 4))
 
 
 def tour(hand):
@@ -339,56 +239,23 @@ def tour(hand):
     ways = boxes(picture, BUTTON, 160, bottom - 90, picture.width - PANEL, bottom, (80, 50))
     hand.click(ways[-1][3])
     server.drawn(window)
-    # The list is the largest field, the object its first row.
-    picture = server.drawn(window)
-    fields = boxes(picture, FIELD, 300, 150, picture.width - 300, bottom, (300, 200))
-    x, y = fields[0][0][:2]
-    hand.actions += 1
-    server.xdotool("mousemove", "--window", window, x + 40, y + 16,
-                   "click", "--repeat", 2, "--delay", 80, 1)
+    hand.first_file()
     wait(flies, "a tour", 120)
     server.picture().save(os.path.join(hand.folder, "tour-60.png"))
     before = words()
     x, y = middle(panel(FIELD, 0))
     # A twentieth of a second for each pixel, the first that are moved but lift the number.
-    hand.actions += 1
-    words_of_drag = server.drag_words(window, (x, y), (x - 625, y), 1, 25)
-    server.xdotool(*pause(words_of_drag))
+    hand.slide((x, y), (x - 625, y), steps=25)
     wait(lambda: words() != before and flies(), "a tour of another length", 120)
     server.picture().save(os.path.join(hand.folder, "tour-30.png"))
     hand.click(panel(BUTTON, -1))
     check(hand.actions <= 5, f"{hand.actions} actions")
-    server.press(window, "F5", "ctrl+s")
-    server.drawn(window)
-    server.xdotool("key", "--delay", "20", "ctrl+a")
-    server.type(hand.file)
-    server.xdotool("key", "Return")
-    wait(lambda: os.path.exists(hand.file), "the path")
+    server.press(window, "F5")
+    hand.save_first()
     count = len(hand.poses())
     check(abs(count - 30 * 25) <= 40, f"{count} poses")
     told = subprocess.run([hand.vides, "check", hand.file], capture_output=True, text=True)
     check(told.returncode == 0, f"{told.stdout}{told.stderr}")
-
-
-@contextlib.contextmanager
-def window_for(vides, folder, *arguments, beside=()):
-    """Hands at a window of its own, which begins in a folder with copies of these files alone."""
-    with tempfile.TemporaryDirectory(prefix="vides-tasks-") as work:
-        server = Server(work, screen="1300x900x24")
-        server.env["LC_ALL"] = "C.UTF-8"
-        place = os.path.join(work, "beside")
-        os.makedirs(place)
-        for file in beside:
-            shutil.copy(file, place)
-        program = Program(place, [vides, "edit", *arguments], server.env)
-        try:
-            yield Hand(server, server.new_window(), folder, vides)
-        except (Failure, IndexError):
-            server.picture().save(os.path.join(folder, "failed.png"))
-            raise
-        finally:
-            program.kill()
-            server.end()
 
 
 def by_mouse(vides, folder, mesh):
@@ -399,22 +266,71 @@ def by_mouse(vides, folder, mesh):
         print(f"  tour-30.png: {hand.actions} actions. {tour.__doc__}", flush=True)
 
 
-def tasks(vides, folder):
-    """All of them."""
-    shape = os.path.join(folder, "pyramid.obj")
-    with open(shape, "w", encoding="ascii") as out:
-        out.write(OBJECT)
+def done(hand, number, task, most):
+    """What a task has come to: its picture, and whether it took no more actions than it should."""
+    hand.away()
+    hand.server.drawn(hand.window)
+    name = f"{number}-{task.__name__}.png"
+    hand.server.picture().save(os.path.join(hand.folder, name))
+    print(f"  {name}: {hand.actions} actions. {task.__doc__}", flush=True)
+    check(hand.actions <= most, f"{task.__name__}: {hand.actions} actions, not {most}")
+
+
+def tasks(vides, folder, shape):
+    """All of a flight that is begun and finished."""
     with window_for(vides, folder, "--object", shape) as hand:
-        for number, task in enumerate(TASKS, 1):
+        for number, (task, _, most) in enumerate(TASKS, 1):
             hand.actions = 0
             task(hand)
-            hand.away()
-            hand.server.drawn(hand.window)
-            name = f"{number}-{task.__name__}.png"
-            hand.server.picture().save(os.path.join(folder, name))
-            print(f"  {name}: {hand.actions} actions. {task.__doc__}", flush=True)
+            done(hand, number, task, most)
             if task is camera:
                 hand.server.press(hand.window, "b")
+
+
+def others(vides, folder, shape):
+    """The others, each in a window of its own."""
+    for number, (task, _, most) in enumerate(OTHERS, len(TASKS) + 1):
+        empty = task is tasks_time.orbit
+        places = list(PLACES)
+        if task is tasks_time.cure:
+            places[2] = tasks_time.NEAR
+        file = os.path.join(folder, f"{task.__name__}.vid")
+        opened = [] if empty else [flight(file, places)]
+        with window_for(vides, folder, *opened, beside=[shape]) as hand:
+            hand.file = file
+            with contextlib.ExitStack() as stack:
+                more = []
+                if task is tasks_time.copy:
+                    more = [stack.enter_context(beside(hand))]
+                task(hand, *more)
+                done(hand, number, task, most)
+
+
+@contextlib.contextmanager
+def beside(hand):
+    """Hands at another window with a path of two points, beside the first."""
+    file = flight(os.path.join(hand.folder, "other.vid"), PLACES[:2])
+    program = Program(hand.folder, [hand.vides, "edit", file], hand.server.env)
+    try:
+        other = Hand(hand.server, hand.server.new_window(hand.window), hand.folder, hand.vides)
+        other.file = file
+        yield other
+    finally:
+        program.kill()
+
+
+def table():
+    """The actions of each task, as the desk's page has them, and how many take fewer."""
+    with open(DESK, encoding="utf-8") as page:
+        lines = page.read().splitlines()
+    rows = TASKS + OTHERS
+    for task, before, after in rows:
+        row = f"| {task.__doc__[:-1]} | {before} | {after} |"
+        print(f"  {row}")
+        check(row in lines, f"{DESK} lacks: {row}")
+        check(after <= before, f"{task.__name__} takes more actions than before")
+    fewer = sum(after < before for _, before, after in rows)
+    print(f"  {fewer} of {len(rows)} tasks take fewer actions than before.")
 
 
 if __name__ == "__main__":
@@ -422,7 +338,12 @@ if __name__ == "__main__":
         vides, folder, mesh = map(os.path.abspath, sys.argv[1:4])
         shutil.rmtree(folder, ignore_errors=True)
         os.makedirs(folder)
+        shape = os.path.join(folder, "pyramid.obj")
+        with open(shape, "w", encoding="ascii") as out:
+            out.write(OBJECT)
         by_mouse(vides, folder, mesh)
-        tasks(vides, folder)
+        tasks(vides, folder, shape)
+        others(vides, folder, shape)
+        table()
     except Failure as failure:
         sys.exit(f"tasks: {failure}")

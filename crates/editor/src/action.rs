@@ -49,7 +49,7 @@ pub(super) enum Action {
     NextPoint,
     AppendPoint,
     PrependPoint,
-    SetClosed(bool),
+    SwitchClosed,
     /// Give the point own tangents as they are now, or take its own away.
     OwnTangents(bool),
     /// How own tangents are joined.

@@ -101,7 +101,8 @@ impl Editor {
             Action::PrependPoint => {
                 self.edit(Edit::PrependBeforeFirst);
             }
-            Action::SetClosed(closed) => {
+            Action::SwitchClosed => {
+                let closed = !self.document.path().closed;
                 self.edit(Edit::set(At::Path, "closed", closed));
             }
             Action::OwnTangents(own) => self.set_own_tangents(own),
@@ -404,6 +405,9 @@ impl Editor {
 
     /// Lets every orientation look where the current one does, as one step; no point may be there.
     fn aim_all(&mut self) {
+        if let Some(corner) = self.space.lit() {
+            return self.aim_all_at(corner);
+        }
         let Some((position, current)) = self
             .point()
             .zip(self.orientation())

@@ -16,21 +16,23 @@ const CTRL_SHIFT: Modifiers = Modifiers::CTRL.plus(Modifiers::SHIFT);
 
 /// Every shortcut; the menu shows the first of several for one action.
 pub(super) const SHORTCUTS: &[(Modifiers, Key, Action)] = &[
-    (ALT, Key::L, Action::Load),
     (CTRL, Key::O, Action::Load),
+    (ALT, Key::L, Action::Load),
     (CTRL, Key::N, Action::New),
     (CTRL, Key::S, Action::Save),
-    (ALT, Key::S, Action::SaveAs),
     (CTRL_SHIFT, Key::S, Action::SaveAs),
+    (ALT, Key::S, Action::SaveAs),
     (ALT, Key::F4, Action::Quit),
     (CTRL, Key::Q, Action::Quit),
     (CTRL, Key::Z, Action::Undo),
     (CTRL_SHIFT, Key::Z, Action::Redo),
     (CTRL, Key::Y, Action::Redo),
+    (CTRL, Key::E, Action::Export),
     (NONE, Key::Insert, Action::AddPoint),
     (CTRL, Key::K, Action::AddHere),
     (CTRL, Key::I, Action::AskPoints),
     (NONE, Key::Delete, Action::RemovePoint),
+    (CTRL, Key::L, Action::SwitchClosed),
     (CTRL, Key::A, Action::Choose(SelectionChange::All)),
     (CTRL, Key::PageDown, Action::NextPoint),
     (CTRL, Key::PageUp, Action::PreviousPoint),
@@ -55,6 +57,7 @@ pub(super) const SHORTCUTS: &[(Modifiers, Key, Action)] = &[
     (NONE, Key::F5, Action::PlayOrPause),
     (NONE, Key::F6, Action::SwitchAbsolute),
     (NONE, Key::F7, Action::AimAll),
+    (NONE, Key::F8, Action::Check),
 ];
 
 /// What repeats while the key is held.
@@ -220,5 +223,25 @@ mod tests {
         let english = |action: Action| words(Language::English, &action);
         assert_eq!(english(Action::Quit).as_deref(), Some("Alt+F4"));
         assert_eq!(english(Action::AppendPoint), None);
+    }
+
+    /// What is done often needs no menu.
+    #[test]
+    fn a_key_exports_closes_the_path_and_checks_it() {
+        use crate::tests::{BOTH, LARGE, Theme, press, window_with_points};
+        use egui_kittest::kittest::Queryable as _;
+        for language in BOTH {
+            let mut window = window_with_points(language, LARGE, 1.0, Theme::Dark);
+            let before = window.state().document.path().closed;
+            for closed in [!before, before] {
+                press(&mut window, CTRL, Key::L);
+                assert_eq!(window.state().document.path().closed, closed);
+            }
+            press(&mut window, NONE, Key::F8);
+            assert!(window.state().windows.check.is_some());
+            press(&mut window, CTRL, Key::E);
+            let title = language.texts().files.export;
+            assert!(window.query_by_label(title).is_some());
+        }
     }
 }

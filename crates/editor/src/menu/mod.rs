@@ -181,7 +181,7 @@ fn edit(editor: &Editor) -> Vec<Entry> {
             .only_if(!closed, position.closed_has_no_ends),
         Entry::new(texts.prepend, hints.prepend, Action::PrependPoint)
             .only_if(!closed, position.closed_has_no_ends),
-        Entry::new(texts.close, close_hint, Action::SetClosed(!closed))
+        Entry::new(texts.close, close_hint, Action::SwitchClosed)
             .letter(Key::G)
             .on(closed),
         Entry::new(

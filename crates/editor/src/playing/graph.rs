@@ -13,10 +13,11 @@ use super::key_row::{KeyDrag, take};
 use super::ruler::{colour_of_playhead, scrub_by_mouse};
 use super::{Marks, as_frame, plot};
 use crate::action::Action;
-use crate::document::{Document, Selection};
+use crate::document::{Document, Edit, Selection};
 use crate::error::Result;
 use crate::limits::{MAX_SPEED, MIN_SPEED, SPEEDS};
 use crate::number::Entry;
+use crate::panels::orientation::with;
 use crate::path::Change;
 use crate::state::Editor;
 use crate::texts::fill;
@@ -111,8 +112,9 @@ pub(super) enum Held {
     Nothing,
     /// A key or a border.
     Key(Box<KeyDrag>),
-    /// One of the ten speeds, and the pointer's offset from its middle.
-    Speed(usize, f32),
+    /// One of the ten speeds, the pointer's offset from its middle, and whether the section beside,
+    /// which goes on as fast, follows.
+    Speed(usize, f32, bool),
 }
 
 /// From frames and speeds to the screen.
@@ -296,10 +298,11 @@ fn squares(editor: &Editor, held: &mut Held, ui: &Ui, scale: &Scale, actions: &m
         if response.drag_started()
             && let Some(pointer) = ui.input(|input| input.pointer.press_origin())
         {
-            *held = Held::Speed(at, pointer.y - middle.y);
+            let joins = editor.several().is_none() && goes_on(editor, stretch, at);
+            *held = Held::Speed(at, pointer.y - middle.y, joins);
             actions.push(Action::Enter(Entry::Begin));
         }
-        if let Held::Speed(held, grip) = *held
+        if let Held::Speed(held, grip, joins) = *held
             && held == at
             && response.dragged()
             && let Some(pointer) = response.interact_pointer_pos()
@@ -308,6 +311,8 @@ fn squares(editor: &Editor, held: &mut Held, ui: &Ui, scale: &Scale, actions: &m
             let rounded = exact.round().clamp(MIN_SPEED, MAX_SPEED);
             let edit = editor.orientation_edit(|orientation| orientation.speeds[at] = rounded);
             actions.extend(edit.map(Action::Edit));
+            let other = joins.then(|| follow(editor, stretch, at, rounded));
+            actions.extend(other.flatten().map(Action::Edit));
         }
         ended(ui, &response, held, actions);
         let lively = response.hovered() || response.dragged();
@@ -335,6 +340,46 @@ fn squares(editor: &Editor, held: &mut Held, ui: &Ui, scale: &Scale, actions: &m
                 .text(above, Align2::CENTER_BOTTOM, text, theme::small(), color);
         }
     }
+}
+
+/// The section in which the camera flies on beyond one of the ten speeds of another, and which of
+/// its own speeds is there: none but at the ends, and none where it rests or turns between them.
+fn beside<'a>(editor: &'a Editor, stretch: &Stretch, at: usize) -> Option<(&'a Stretch, usize)> {
+    let stretches = &editor.playing.marks.graph.stretches;
+    let index = stretches.iter().position(|one| one.from == stretch.from)?;
+    let (other, there) = match at {
+        0 => (stretches.get(index.checked_sub(1)?)?, SPEEDS - 1),
+        _ if at + 1 == SPEEDS => (stretches.get(index + 1)?, 0),
+        _ => return None,
+    };
+    let flies = |from: Selection| {
+        let point = editor.document.path().points.get(from.point);
+        point.is_some_and(|point| from.orientation + 1 == point.orientations.len())
+    };
+    let touches = other.end == stretch.start || stretch.end == other.start;
+    (touches && flies(stretch.from) && flies(other.from)).then_some((other, there))
+}
+
+/// Whether a section goes on as fast there.
+fn goes_on(editor: &Editor, stretch: &Stretch, at: usize) -> bool {
+    let [here, there] = [at, SPEEDS - 1 - at].map(|at| at.min(1) * PIECES);
+    beside(editor, stretch, at).is_some_and(|(other, _)| {
+        let (here, there) = (stretch.speeds[here], other.speeds[there]);
+        (here - there).abs() < 0.02 * here.max(there)
+    })
+}
+
+/// The edit by which a section goes on as fast as one of the ten speeds of another.
+fn follow(editor: &Editor, stretch: &Stretch, at: usize, speed: f64) -> Option<Edit> {
+    let (other, there) = beside(editor, stretch, at)?;
+    let point = editor.document.path().points.get(other.from.point)?;
+    let key = point.orientations.get(other.from.orientation)?;
+    let speed = speed * f64::from(stretch.scale / other.scale.max(1e-6));
+    goes_by_ten(&key.own.pace).then(|| {
+        with(other.from, key, |key| {
+            key.speeds[there] = speed.round().clamp(MIN_SPEED, MAX_SPEED);
+        })
+    })
 }
 
 /// Ends a drag; Escape undoes it.

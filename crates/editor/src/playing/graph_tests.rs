@@ -172,6 +172,49 @@ fn a_speed_of_the_current_section_is_dragged_up_and_down() {
     assert_eq!(speeds(&harness), before);
 }
 
+/// Where the next section goes on as fast, it follows; where not, or where the camera rests between
+/// them, it stays as it was.
+#[test]
+fn a_speed_at_which_two_sections_meet_is_dragged_for_both() {
+    let mut harness = pyramid_window();
+    let speeds = |harness: &Harness<'_, Editor>| {
+        let points = &harness.state().document.path().points;
+        [1, 2].map(|at| points[at].orientations.last().unwrap().speeds)
+    };
+    let drag = |harness: &mut Harness<'_, Editor>, name: &str, by: f32| {
+        harness.step();
+        harness.step();
+        let at = harness.get_by_label(name).rect().center();
+        press(harness, at, PointerButton::Primary);
+        motion(harness, at + vec2(0.0, by));
+        release(harness, at + vec2(0.0, by), PointerButton::Primary);
+    };
+    let before = speeds(&harness);
+    harness.state_mut().document.select(2, 0).unwrap();
+    drag(&mut harness, "Speed 1", 20.0);
+    let after = speeds(&harness);
+    assert!(after[1][0] < before[1][0] - 10.0, "{before:?} {after:?}");
+    assert!((after[0][SPEEDS - 1] - after[1][0]).abs() < 2.0);
+    assert_eq!(after[0][..SPEEDS - 1], before[0][..SPEEDS - 1]);
+    // From the other side, too, as one step each.
+    harness.state_mut().document.select(1, 0).unwrap();
+    drag(&mut harness, "Speed 10", -10.0);
+    let both = speeds(&harness);
+    assert!((both[0][SPEEDS - 1] - both[1][0]).abs() < 2.0 && both[1][0] > after[1][0] + 4.0);
+    for known in [after, before] {
+        tap(&mut harness, Key::Z, Modifiers::CTRL);
+        assert_eq!(speeds(&harness), known);
+    }
+    // Across a rest, and where they differ already.
+    harness.state_mut().document.select(2, 0).unwrap();
+    harness.state_mut().set_orientation(|key| key.hold = 5);
+    drag(&mut harness, "Speed 1", 20.0);
+    assert_eq!(speeds(&harness)[0], before[0]);
+    harness.state_mut().set_orientation(|key| key.hold = 0);
+    drag(&mut harness, "Speed 1", 5.0);
+    assert_eq!(speeds(&harness)[0], before[0]);
+}
+
 /// As in the window of the speeds; then the section goes by them.
 #[test]
 fn speeds_near_a_part_of_a_pace_are_dragged_too() {

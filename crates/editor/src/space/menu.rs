@@ -153,7 +153,7 @@ fn entries(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         (space.make_closed, hints.close)
     };
     if entry(ui, text, hint, None) {
-        actions.push(Action::SetClosed(!closed));
+        actions.push(Action::SwitchClosed);
     }
     let (text, hint) = if editor.joint().is_some() {
         (position.by_shape, position.by_shape_hint)

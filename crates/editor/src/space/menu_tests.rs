@@ -148,6 +148,17 @@ fn cameras_are_aimed_at_a_corner_of_the_object() {
     pick(&mut harness, "Aim all cameras here");
     let all = targets(&harness);
     assert!(all.iter().all(|&target| target == Target::Absolute(summit)));
+    // The key does so while the corner is lit; elsewhere it goes by the current view.
+    assert!(harness.state_mut().document.undo());
+    let (lit, dark) = (image(&harness, summit), empty(&harness));
+    for (place, aims) in [(dark, false), (lit, true)] {
+        motion(&mut harness, place);
+        harness.run();
+        tap(&mut harness, Key::F7, Modifiers::NONE);
+        harness.run();
+        let at_it = |&target: &Target| target == Target::Absolute(summit);
+        assert_eq!(targets(&harness).iter().all(at_it), aims);
+    }
     // Elsewhere, and where the object is not shown, nothing of the kind is offered.
     let offers = |harness: &mut Harness<'_, Editor>, place| {
         press(harness, place, PointerButton::Secondary);

@@ -76,6 +76,7 @@ pub(super) struct MovementWindow {
     menu: menu::PointMenu,
     /// The view before one of its numbers was dragged.
     view_before: Option<View>,
+    lit: Option<DVec3>,
 }
 
 impl MovementWindow {
@@ -87,6 +88,11 @@ impl MovementWindow {
     #[cfg(test)]
     pub(super) fn lines_of_nodes(&self) -> *const Lines {
         self.nodes.lines()
+    }
+
+    /// The corner of the object that is lit under the pointer.
+    pub(super) fn lit(&self) -> Option<DVec3> {
+        self.lit
     }
 
     /// Whether a handle or the view is being dragged.
@@ -308,6 +314,7 @@ impl MovementWindow {
             }
         });
         let corner = self.corner(editor, &surface);
+        self.lit = corner;
         editor.part(&context, |editor, actions| {
             if let Err(error) = self.draw(editor, &ui.painter_at(viewport), viewport, corner) {
                 actions.push(Action::Complain(reason_of(editor.language(), &error)));

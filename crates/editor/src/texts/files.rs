@@ -4,7 +4,7 @@ use super::texts;
 
 texts! {
     Files {
-        load_path: "Open path", "Bahn öffnen";
+        load_path: "Open a path or an object", "Bahn oder Objekt öffnen";
         save_path: "Save path", "Bahn speichern";
         load_object: "Open object", "Objekt öffnen";
         export: "Write to a file", "In Datei ausgeben";

@@ -132,6 +132,7 @@ pub(crate) fn meaning(language: Language, action: &Action) -> Cow<'static, str> 
         Action::Load => menu.load.into(),
         Action::Save => menu.save.into(),
         Action::SaveAs => menu.save_as.into(),
+        Action::Export => menu.export.into(),
         Action::Quit => menu.quit.into(),
         Action::Undo => menu.undo.into(),
         Action::Redo => menu.redo.into(),
@@ -140,6 +141,7 @@ pub(crate) fn meaning(language: Language, action: &Action) -> Cow<'static, str> 
         Action::AskPoints => menu.add_points.into(),
         Action::RemovePoint => menu.remove_point.into(),
         Action::Choose(_) => space.all_points.into(),
+        Action::SwitchClosed => menu.close.into(),
         Action::NextPoint => position.next_hint.into(),
         Action::PreviousPoint => position.previous_hint.into(),
         Action::AddOrientation => menu.add_orientation.into(),
@@ -152,6 +154,7 @@ pub(crate) fn meaning(language: Language, action: &Action) -> Cow<'static, str> 
         )
         .into(),
         Action::AimAll => menu.aim_all.into(),
+        Action::Check => texts.check.menu.into(),
         Action::TakeOver { replace: false } => space.take_over.into(),
         Action::TakeOver { replace: true } => space.take_over_here.into(),
         Action::SwitchHandsOver => menu.hands_over.into(),
