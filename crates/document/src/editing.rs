@@ -482,12 +482,35 @@ impl Document {
     /// # Errors
     /// As [`Space::around`]; [`vides_engine::Error::Memory`].
     pub fn space_around_path(&self) -> Result<Space> {
+        self.space_around(std::iter::empty())
+    }
+
+    /// The smallest space that holds the path's curve and the object, with a tenth to spare.
+    ///
+    /// # Errors
+    /// As [`Document::space_around_path`].
+    pub fn space_around_all(&self) -> Result<Space> {
+        let object = self.state.info.object.iter();
+        self.space_around(object.map(|point| point.position))
+    }
+
+    /// How many of the path's points lie outside its space.
+    #[must_use]
+    pub fn points_outside(&self) -> usize {
+        let (path, space) = (self.path(), self.path().space);
+        let (low, high) = (space.low(), space.high());
+        let places = path.points.iter().map(|point| point.position);
+        let outside = |place: &DVec3| place.cmplt(low).any() || place.cmpgt(high).any();
+        places.filter(outside).count()
+    }
+
+    fn space_around(&self, others: impl Iterator<Item = DVec3>) -> Result<Space> {
         self.timeline(|timeline| {
             // Dense enough that the spare tenth covers the curve between samples.
             let along = (0..timeline.segment_count()).flat_map(|segment| {
                 (0..=16).map(move |k| timeline.curve(segment).point(f64::from(k) / 16.0))
             });
-            Ok(Space::around(along, self.path().space.up)?)
+            Ok(Space::around(along.chain(others), self.path().space.up)?)
         })?
     }
 }

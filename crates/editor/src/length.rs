@@ -97,10 +97,9 @@ impl Editor {
             }
             return;
         }
-        let given = matches!(
-            self.document.step_names()[0],
-            Some(StepName::FitFrames | StepName::Tool("frames"))
-        );
+        let step = self.document.step_names()[0];
+        self.tell_step(step);
+        let given = matches!(step, Some(StepName::FitFrames | StepName::Tool("frames")));
         match self.length.kept {
             Some(_) if given => self.length.kept = Some(now.seconds()),
             Some(seconds) => self.keep_length(seconds, now),
@@ -134,6 +133,28 @@ impl Editor {
         });
         self.document.end_step();
         fitted
+    }
+
+    /// Says what has been added, removed or made, unless more has been said of it.
+    fn tell_step(&mut self, step: Option<StepName>) {
+        let tells = matches!(
+            step,
+            Some(
+                StepName::Tool(_)
+                    | StepName::InsertPoint
+                    | StepName::InsertPoints
+                    | StepName::RemovePoint
+                    | StepName::InsertOrientation
+                    | StepName::RemoveOrientation
+                    | StepName::MovePoint
+            )
+        );
+        if let Some(step) = step.filter(|_| tells && self.message.is_none()) {
+            let name = self.language().step(step);
+            let mut letters = name.chars();
+            let first = letters.next().into_iter().flat_map(char::to_uppercase);
+            self.say_done(first.chain(letters.clone()).collect());
+        }
     }
 
     /// Says how the length has changed, behind what is said already.
@@ -258,7 +279,18 @@ mod tests {
             for (at, edit) in edits.into_iter().enumerate() {
                 let before = window.state().document.path().clone();
                 act(&mut window, Action::Edit(edit));
-                assert_eq!((frames(&window), said(&window)), (300, None), "{at}");
+                assert_eq!(frames(&window), 300, "{at}");
+                // What was added or removed, and nothing of the length.
+                let told = [
+                    None,
+                    Some("new view"),
+                    Some("new point"),
+                    Some("removing a point"),
+                ];
+                let said = said(&window).map(|said| said.to_lowercase());
+                if language == Language::English {
+                    assert_eq!(said.as_deref(), told.get(at).copied().flatten(), "{at}");
+                }
                 let after = window.state().document.path().clone();
                 assert_ne!(before, after, "{at}");
                 press(&mut window, Modifiers::CTRL, Key::Z);

@@ -19,11 +19,12 @@ use crate::theme;
 
 pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let texts = &editor.texts().orientation;
-    let here = editor.document.selection();
-    let count = editor.point().map_or(1, |point| point.orientations.len());
     let Some(shown) = editor.shown() else {
         return;
     };
+    let here = shown.at;
+    let point = editor.document.path().points.get(here.point);
+    let count = point.map_or(1, |point| point.orientations.len());
     let missing = shown.has_no_orientation();
     let (selection, current) = (shown.at, &shown.orientation);
     let ahead = current.own.ahead.is_some();

@@ -217,7 +217,7 @@ fn columns(editor: &Editor) -> Vec<Column> {
     };
     let three = |v: [f64; 3], digits| v.map(|value| language.number(value, digits)).to_vec();
     let space = decimals(editor.document.path().space.half_size);
-    let at = editor.document.selection().point;
+    let at = shown.at.point;
     let number = if shown.has_no_point() {
         // Between two points.
         let next = (at + 1) % editor.document.path().points.len().max(1);

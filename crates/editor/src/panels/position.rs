@@ -15,7 +15,6 @@ use crate::theme;
 
 pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let texts = &editor.texts().position;
-    let selection = editor.document.selection();
     let count = editor.document.path().points.len();
     let Some(shown) = editor.shown() else {
         return;
@@ -24,7 +23,7 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         editor,
         fold: Fold::Position,
         text: texts.heading,
-        remark: &Editor::number_of(texts.count, selection.point, count),
+        remark: &Editor::number_of(texts.count, shown.at.point, count),
     };
     if !heading.show(ui, actions).0 {
         return;

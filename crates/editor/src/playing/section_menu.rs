@@ -167,20 +167,20 @@ mod tests {
             };
             let path = |window: &Window| window.state().document.path().clone();
             let before = path(&harness);
-            click_key(&mut harness, 2);
+            click_key(&mut harness, 4);
             screenshot(&mut harness, &format!("key-menu-{language:?}.png"));
             click(&mut harness, texts.slow_past);
             let slow = path(&harness);
             let speeds = |path: &CameraPath, at: usize| path.points[at].orientations[0].speeds;
-            assert!(speeds(&slow, 1)[9] < 0.5 * speeds(&before, 1)[9]);
-            assert!(speeds(&slow, 2)[0] < 0.5 * speeds(&before, 2)[0]);
-            assert_eq!(harness.state().document.selection(), Selection::at(2, 0));
+            assert!(speeds(&slow, 3)[9] < 0.5 * speeds(&before, 3)[9]);
+            assert!(speeds(&slow, 4)[0] < 0.5 * speeds(&before, 4)[0]);
+            assert_eq!(harness.state().document.selection(), Selection::at(4, 0));
             press(&mut harness, Modifiers::CTRL, Key::Z);
             assert_eq!(path(&harness), before);
-            click_key(&mut harness, 2);
+            click_key(&mut harness, 4);
             click(&mut harness, texts.rest);
-            assert_eq!(path(&harness).points[2].orientations[0].hold, 25);
-            click_key(&mut harness, 2);
+            assert_eq!(path(&harness).points[4].orientations[0].hold, 25);
+            click_key(&mut harness, 4);
             click(&mut harness, texts.no_rest);
             assert_eq!(path(&harness), before);
             // Where the path begins nothing is slowed down.

@@ -508,11 +508,20 @@ impl Editor {
     }
 
     fn show_made(&mut self, mut window: ToolWindow, edit: Result<Option<Edit>>) {
+        let begins = self.begins();
         let document = &mut self.document;
         let done = edit.and_then(|edit| {
             document.begin_step();
             document.name_step(StepName::Tool(window.tool.name));
-            edit.map_or(Ok(()), |edit| document.apply(edit))
+            edit.map_or(Ok(()), |edit| document.apply(edit))?;
+            // A path that begins has the room that it needs.
+            match begins && document.points_outside() > 0 {
+                true => {
+                    let space = document.space_around_all()?;
+                    document.apply(Edit::SetSpace { space, fit: false })
+                }
+                false => Ok(()),
+            }
         });
         window.applied = done.is_ok();
         window.written = match window.tool.needs() {

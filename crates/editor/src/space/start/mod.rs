@@ -3,6 +3,7 @@
 
 mod sign;
 
+use std::path::Path;
 use std::time::Duration;
 
 use egui::{Align2, Button, FontId, Rect, Role, Ui, Vec2, WidgetInfo, vec2};
@@ -63,13 +64,14 @@ impl Begin {
 #[derive(Debug, Default)]
 struct Offered {
     begins: Vec<(Begin, Rect)>,
-    recent: Vec<Rect>,
+    /// With their places in the list.
+    recent: Vec<(usize, Rect)>,
 }
 
 impl Offered {
     fn places(&self) -> impl Iterator<Item = Rect> + '_ {
         let begins = self.begins.iter().map(|(_, place)| *place);
-        begins.chain(self.recent.iter().copied())
+        begins.chain(self.recent.iter().map(|(_, place)| *place))
     }
 }
 
@@ -121,10 +123,15 @@ fn offered(editor: &Editor, viewport: Rect) -> Offered {
 }
 
 /// The files that were open last, above what else is offered.
-fn recent(editor: &Editor, room: Rect) -> Vec<Rect> {
+fn recent(editor: &Editor, room: Rect) -> Vec<(usize, Rect)> {
+    // The object that is loaded is no other.
+    let source = editor.document.info().object.source();
+    let own = source.map(|source| Path::new(&source.file));
+    let others = (0..editor.recent.len()).filter(|&at| own != Some(&*editor.recent[at]));
+    let others: Vec<usize> = others.collect();
     let fit = ((room.width() + GAP) / (PICTURED.x + GAP)).max(0.0) as usize;
     let high = room.height() >= 2.0 * BUTTON.y;
-    let count = fit.min(MOST).min(editor.recent.len() * usize::from(high));
+    let count = fit.min(MOST).min(others.len() * usize::from(high));
     let step = PICTURED.x + GAP;
     let left = room.center().x - (count as f32 * step - GAP) / 2.0;
     // Where pictures would cover the path there are the names alone.
@@ -136,7 +143,7 @@ fn recent(editor: &Editor, room: Rect) -> Vec<Rect> {
         let corner = egui::pos2(left + at as f32 * step, room.bottom() - height);
         Rect::from_min_size(corner, vec2(PICTURED.x, height))
     });
-    places.collect()
+    others.into_iter().zip(places).collect()
 }
 
 impl Editor {
@@ -154,12 +161,7 @@ fn outside(editor: &Editor) -> usize {
     if editor.document.in_step() || !editor.document.edits_path() {
         return 0;
     }
-    let path = editor.document.path();
-    let (low, high) = (path.space.low(), path.space.high());
-    let points = path.points.iter();
-    points
-        .filter(|point| point.position.cmplt(low).any() || point.position.cmpgt(high).any())
-        .count()
+    editor.document.points_outside()
 }
 
 /// The words on the button for them, and its place.
@@ -204,8 +206,9 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, viewport: Rect, actions: &mut V
         let around = around.as_ref().and_then(Option::as_ref);
         show_beginning(editor, ui, (*begin, *place, around), actions);
     }
-    for (at, (place, name)) in offered.recent.iter().zip(editor.recent_names()).enumerate() {
-        show_recent(editor, ui, (at, *place, &name), actions);
+    let names = editor.recent_names();
+    for &(at, place) in &offered.recent {
+        show_recent(editor, ui, (at, place, &names[at]), actions);
     }
     show_notice(editor, ui, viewport, actions);
 }

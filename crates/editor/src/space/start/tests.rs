@@ -180,3 +180,32 @@ fn beginnings_are_drawn_on_the_object() {
         }
     }
 }
+
+/// A flight around an object that is larger than its space has the room that it needs, in one step.
+#[test]
+fn what_is_begun_lies_in_its_space() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("plate.obj");
+    std::fs::write(&file, "v 0 0 0\nv 9 0 0\nv 0 0 9\nf 1 2 3\n").unwrap();
+    let object = crate::document::load_object(&file).unwrap();
+    let mut window = window(Language::English);
+    window.state_mut().document = crate::document::Document::around(object).unwrap();
+    window.state_mut().recent = vec![file.clone(), folder.path().join("other.vid")];
+    window.run();
+    let texts = Language::English.texts();
+    // The file that is open is not offered again.
+    for (name, there) in [("plate.obj", false), ("other.vid", true)] {
+        let offer = fill(texts.space.begin_with, &[&name]);
+        assert_eq!(window.query_by_label(&offer).is_some(), there, "{name}");
+    }
+    let before = window.state().document.path().clone();
+    let orbit = Language::English.tool("orbit");
+    click(&mut window, &fill(texts.space.begin_with, &[&orbit]));
+    press(&mut window, egui::Modifiers::NONE, Key::Enter);
+    let document = &window.state().document;
+    assert!(document.points_outside() == 0 && document.path().points.len() > 2);
+    assert_ne!(document.path().space, before.space);
+    assert!(said(&window).is_some_and(|said| said.starts_with(orbit)));
+    press(&mut window, egui::Modifiers::CTRL, Key::Z);
+    assert_eq!(*window.state().document.path(), before);
+}
