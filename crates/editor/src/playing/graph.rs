@@ -205,7 +205,12 @@ pub(super) fn show(
         let current = editor.document.selection();
         curve.paint(&painter, stretches, current, &scale, palette);
     }
-    plot::paint(editor, ui, &painter, axis, (ground, room));
+    // What is read under the pointer; else what stands at the playhead.
+    let pointer = response
+        .hover_pos()
+        .filter(|_| !response.is_pointer_button_down_on());
+    let pointer = pointer.map(|pointer| axis.frame(pointer.x));
+    plot::paint(editor, ui, &painter, axis, (ground, room, pointer));
     let at = axis.x_of(editor.position_on_bar());
     let line = Stroke::new(1.0, colour_of_playhead(editor, ui));
     painter.vline(at, ground.y_range(), line);
@@ -213,7 +218,9 @@ pub(super) fn show(
         borders(editor, (held, *carries), ui, (&scale, ground), actions);
         squares(editor, held, ui, &scale, actions);
     }
-    response.on_hover_text(plot::meaning(editor));
+    if editor.playing.plot.is_empty() {
+        response.on_hover_text(plot::told(editor.texts(), None));
+    }
 }
 
 /// The borders between sections, each as far as it has room.

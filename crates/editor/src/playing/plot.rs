@@ -98,6 +98,10 @@ pub(super) struct Plot {
 }
 
 impl Plot {
+    pub(super) fn is_empty(&self) -> bool {
+        self.curves.is_empty()
+    }
+
     /// Brings the values up to date; `held`: something may be dragged.
     pub(super) fn update(
         &mut self,
@@ -269,7 +273,7 @@ pub(super) fn choices(editor: &Editor, ui: &mut Ui, room: Rect, actions: &mut Ve
 }
 
 /// What the curve of a quantity tells; none stands for the speeds of the sections.
-fn told(texts: &Texts, quantity: Option<Quantity>) -> &'static str {
+pub(super) fn told(texts: &Texts, quantity: Option<Quantity>) -> &'static str {
     let texts = &texts.space;
     match quantity {
         None => texts.speed_graph_tip,
@@ -281,15 +285,6 @@ fn told(texts: &Texts, quantity: Option<Quantity>) -> &'static str {
         Some(Quantity::Zoom) => texts.plot_zoom_tip,
         Some(Quantity::Clearance) => texts.plot_clearance_tip,
     }
-}
-
-/// What the curves tell that are shown.
-pub(super) fn meaning(editor: &Editor) -> String {
-    let texts = editor.texts();
-    let all = names(texts).into_iter();
-    let shown = all.filter(|&(quantity, _)| editor.playing.shown.has(quantity));
-    let lines: Vec<&str> = shown.map(|(quantity, _)| told(texts, quantity)).collect();
-    lines.join("\n")
 }
 
 /// Marks what the open check has found of what is shown.
@@ -314,16 +309,21 @@ pub(super) fn findings(editor: &Editor, painter: &Painter, scale: &Scale, ground
 }
 
 /// The curves with their limits; the scale, if there is but one, at the left of them in `room`;
-/// above them their names with the values at the playhead.
+/// above them their names with the values at a frame, else at the playhead.
 pub(super) fn paint(
     editor: &Editor,
     ui: &Ui,
     painter: &Painter,
     axis: &Axis,
-    (ground, room): (Rect, Rect),
+    (ground, room, at): (Rect, Rect, Option<f64>),
 ) {
     let palette = theme::palette(ui);
     let curves = &editor.playing.plot.curves;
+    if let Some(at) = at.filter(|_| !curves.is_empty()) {
+        let line = Stroke::new(1.0, palette.weak.gamma_multiply(0.6));
+        painter.vline(axis.x_of(at), ground.y_range(), line);
+    }
+    let at = at.unwrap_or_else(|| editor.position_on_bar());
     let rows = (ground.top() + WORDS, ground.bottom() - 5.0);
     let scale = (curves.len() == 1 && !editor.playing.shown.pace).then_some(room);
     let (mut left, mut right) = (ground.left() + 8.0, ground.right() - 4.0);
@@ -354,16 +354,14 @@ pub(super) fn paint(
                 false => (place, Align2::RIGHT_BOTTOM),
             };
             // In the curve's colour, since there may be several; beside one another.
-            let text = painter.text(place, align, words, theme::small(), colour);
+            let galley = painter.layout_no_wrap(words, theme::small(), colour);
+            let text = align.anchor_size(place, galley.size());
+            painter.rect_filled(text.expand2(vec2(2.0, 0.0)), 2.0, palette.field);
+            painter.galley(text.min, galley, colour);
             right = text.left() - 10.0;
         }
-        left = heading(
-            editor,
-            painter,
-            curve,
-            colour,
-            pos2(left, ground.top() + 1.0),
-        );
+        let place = pos2(left, ground.top() + 1.0);
+        left = heading(editor, painter, (curve, at), colour, place);
     }
 }
 
@@ -381,14 +379,20 @@ fn draw(painter: &Painter, line: &[Pos2], colour: Color32, quantity: Option<Quan
     }
 }
 
-/// The name of a curve and its value at the playhead; where the next one may stand.
-fn heading(editor: &Editor, painter: &Painter, curve: &Curve, colour: Color32, place: Pos2) -> f32 {
+/// The name of a curve and its value at a frame; where the next one may stand.
+fn heading(
+    editor: &Editor,
+    painter: &Painter,
+    (curve, at): (&Curve, f64),
+    colour: Color32,
+    place: Pos2,
+) -> f32 {
     let all = names(editor.texts());
     let name = all
         .iter()
         .find(|(quantity, _)| *quantity == Some(curve.quantity));
     let name = name.map_or("", |(_, name)| name);
-    let value = match curve.at(editor.position_on_bar()) {
+    let value = match curve.at(at) {
         Some(value) => with_unit(editor, curve.quantity, value),
         None if curve.quantity == Quantity::Clearance => {
             editor.texts().space_window.no_object.to_owned()

@@ -146,27 +146,49 @@ fn limits_are_lines_in_the_unit_of_their_quantity() {
     }
 }
 
+/// Over the pace alone a hint tells what it is; over curves their values are read at the pointer.
 #[test]
-fn the_hint_over_the_graph_tells_what_is_shown() {
+fn the_graph_is_read_at_the_pointer() {
     use crate::tests::{BOTH, window};
     for language in BOTH {
         let texts = language.texts();
         let mut window = window(language);
         let (canvas, name) = (egui::Role::Canvas, texts.space.speed_graph);
-        for quantity in Quantity::ALL {
+        for quantity in [None].into_iter().chain(Quantity::ALL.map(Some)) {
             let context = window.ctx.clone();
             window.state_mut().playing.shown = Shown::default();
-            window
-                .state_mut()
-                .act(Action::Plot(Some(quantity)), &context);
+            if let Some(quantity) = quantity {
+                let action = Action::Plot(Some(quantity));
+                window.state_mut().act(action, &context);
+            }
             window.run();
             let plot = window.get_by_role_and_label(canvas, name).rect();
-            window.hover_at(plot.center() + vec2(0.0, 16.0));
+            let pointer = plot.center() + vec2(0.0, 16.0);
+            window.hover_at(pointer);
             for _ in 0..80 {
                 window.step();
             }
-            let words = format!("{}\n{}", told(texts, None), told(texts, Some(quantity)));
-            assert!(window.query_by_label(&words).is_some(), "{words}");
+            let hint = window.query_by_label(told(texts, None)).is_some();
+            assert_eq!(hint, quantity.is_none());
+            let editor = window.state();
+            let Some(curve) = editor.playing.plot.curves.first() else {
+                continue;
+            };
+            // The rail is eight points shorter at both sides.
+            let rail = plot.x_range().shrink(8.0);
+            let share = f64::from((pointer.x - rail.min) / rail.span());
+            let frames = editor.playing.marks.frames as f64;
+            let value = curve.at(1.0 + share * (frames - 1.0));
+            let value = value.map(|value| with_unit(editor, curve.quantity, value));
+            let all = names(texts);
+            let (_, name) = all.iter().find(|(of, _)| *of == quantity).unwrap();
+            let words = format!("{name} {}", value.unwrap_or_default());
+            let shapes = &window.output().shapes;
+            let told = |shape: &egui::Shape| match shape {
+                Shape::Text(text) => text.galley.text().starts_with(&words),
+                _ => false,
+            };
+            assert!(shapes.iter().any(|clipped| told(&clipped.shape)), "{words}");
             window.hover_at(pos2(1.0, 799.0));
             window.run();
         }

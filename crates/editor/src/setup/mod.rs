@@ -76,7 +76,7 @@ impl Colours {
         rgb(0xf4_f6_f9),
         rgb(0x9a_a5_b4),
         rgb(0xff_7d_78),
-        rgb(0x62_d0_8a),
+        rgb(0xa0_f0_b0),
         rgb(0x3d_7f_58),
         rgb(0xb9_8c_ff),
         rgb(0x8d_6c_c8),
@@ -96,14 +96,14 @@ impl Colours {
         rgb(0x14_18_1e),
         rgb(0x5b_65_73),
         rgb(0xc0_24_2c),
-        rgb(0x12_7a_38),
+        rgb(0x00_75_6a),
         rgb(0x7d_b8_92),
         rgb(0x6a_38_c0),
         rgb(0x9a_7a_d0),
         rgb(0xd0_10_60),
         rgb(0x66_74_88),
         rgb(0x0d_86_96),
-        rgb(0x96_64_00),
+        rgb(0x5a_4a_00),
     ]);
 
     pub(super) const fn of(&self, element: Element) -> Color32 {
@@ -367,6 +367,57 @@ mod tests {
                 };
                 let found = contrast(element);
                 assert!(found >= least, "{element:?}: {found}");
+            }
+        }
+    }
+
+    /// What differs by its colour differs for who lacks one kind of cones, too: without those for
+    /// red, green and blue by Machado, Oliveira and Fernandes 2009, compared in Oklab (Ottosson
+    /// 2020), where 0.02 is just seen.
+    #[test]
+    fn colours_differ_for_the_colour_blind() {
+        const WITHOUT: [[f64; 9]; 3] = [
+            [
+                0.152_286, 1.052_583, -0.204_868, 0.114_503, 0.786_281, 0.099_216, -0.003_882,
+                -0.048_116, 1.051_998,
+            ],
+            [
+                0.367_322, 0.860_646, -0.227_968, 0.280_085, 0.672_501, 0.047_413, -0.011_820,
+                0.042_940, 0.968_881,
+            ],
+            [
+                1.255_528, -0.076_749, -0.178_779, -0.078_411, 0.930_809, 0.147_602, 0.004_733,
+                0.691_367, 0.303_900,
+            ],
+        ];
+        const CONES: [f64; 9] = [
+            0.412_22, 0.536_33, 0.051_45, 0.211_90, 0.680_70, 0.107_40, 0.088_30, 0.281_72,
+            0.629_98,
+        ];
+        const LAB: [f64; 9] = [
+            0.210_45, 0.793_62, -0.004_07, 1.978_00, -2.428_59, 0.450_59, 0.025_90, 0.782_77,
+            -0.808_68,
+        ];
+        let times = |m: &[f64; 9], v: glam::DVec3| glam::DMat3::from_cols_array(m).transpose() * v;
+        let seen = |colour: Color32, without: &[f64; 9]| {
+            let [r, g, b, _] = egui::Rgba::from(colour).to_array().map(f64::from);
+            let light =
+                times(without, glam::dvec3(r, g, b)).clamp(glam::DVec3::ZERO, glam::DVec3::ONE);
+            times(&LAB, times(&CONES, light).map(f64::cbrt))
+        };
+        use Element::{Curve, Player, Segment, Vpn, Vup};
+        for colours in [Colours::DARK, Colours::LIGHT] {
+            for [one, other] in [
+                [Curve, Segment],
+                [Curve, Player],
+                [Segment, Player],
+                [Vpn, Vup],
+            ] {
+                for without in &WITHOUT {
+                    let [a, b] = [one, other].map(|of| seen(colours.of(of), without));
+                    let apart = a.distance(b);
+                    assert!(apart > 0.1, "{one:?}, {other:?}: {apart}");
+                }
             }
         }
     }
