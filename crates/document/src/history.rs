@@ -3,17 +3,19 @@
 
 use std::collections::VecDeque;
 
-use super::change::Change;
+use super::change::{Change, exchange_all};
 use super::editing::Selection;
 use super::step_name::StepName;
-use crate::error::{Result, vec_with_room};
+use crate::error::{Result, can_allocate, vec_with_room};
 use crate::limits;
 
 /// What a single undo takes back.
 #[derive(Debug)]
 pub(super) struct Step {
-    /// The records that lead to the other side, in the order of application.
-    changes: Vec<Change>,
+    /// The records that lead to the other side, in the order of application. Each is as small as
+    /// what it holds, since most steps have one and there are many.
+    #[expect(clippy::vec_box)]
+    changes: Vec<Box<Change>>,
     /// The selection on the other side.
     pub(super) selection: Selection,
     /// Number of the state on the other side.
@@ -32,6 +34,7 @@ impl Step {
     }
 
     pub(super) fn reserve(&mut self) -> Result<()> {
+        can_allocate(size_of::<Change>())?;
         if self.changes.is_empty() {
             self.changes.try_reserve_exact(1)?;
         } else {
@@ -41,6 +44,7 @@ impl Step {
     }
 
     pub(super) fn reserve_more(&mut self, records: usize) -> Result<()> {
+        can_allocate(records * size_of::<Change>())?;
         Ok(self.changes.try_reserve(records)?)
     }
 
@@ -55,7 +59,7 @@ impl Step {
             .take(FAR_BACK)
             .any(|older| older.is_at_place_of(&inverse));
         if !known {
-            self.changes.push(inverse);
+            self.changes.push(Box::new(inverse));
         }
     }
 
@@ -67,7 +71,7 @@ impl Step {
     pub(super) fn append(&mut self, inner: Self) {
         self.name = self.name.or(inner.name);
         for record in inner.changes {
-            self.push(record);
+            self.push(*record);
         }
     }
 
@@ -80,10 +84,9 @@ impl Step {
         self.changes.is_empty()
     }
 
-    /// Applies each record, which then undoes itself.
-    pub(super) fn exchange(&mut self, apply: impl FnMut(&mut Change)) {
-        self.changes.iter_mut().for_each(apply);
-        self.changes.reverse();
+    /// Applies each record, which then undoes itself; none if one cannot be.
+    pub(super) fn exchange(&mut self, apply: impl FnMut(&mut Change) -> Result<()>) -> Result<()> {
+        exchange_all(&mut self.changes, apply)
     }
 
     /// Puts the records back into the order in which they came, so that more can follow.
@@ -94,7 +97,7 @@ impl Step {
     /// Puts closed steps together, given in the order in which they were done.
     fn join(
         steps: impl DoubleEndedIterator<Item = Self>,
-        mut changes: Vec<Change>,
+        #[expect(clippy::vec_box)] mut changes: Vec<Box<Change>>,
     ) -> Option<Self> {
         let mut joined: Option<Self> = None;
         // What was done last is taken back first; the other side is that of the first.
@@ -110,7 +113,12 @@ impl Step {
     }
 
     fn weight(&self) -> usize {
-        size_of::<Self>() + self.changes.iter().map(Change::weight).sum::<usize>()
+        size_of::<Self>()
+            + self
+                .changes
+                .iter()
+                .map(|change| change.weight())
+                .sum::<usize>()
     }
 }
 
@@ -224,7 +232,11 @@ impl History {
     }
 
     /// Undoes the newest step by `exchange`, or redoes the one undone last. False if there is none.
-    pub(super) fn exchange(&mut self, redo: bool, exchange: impl FnOnce(&mut Step)) -> bool {
+    pub(super) fn exchange(
+        &mut self,
+        redo: bool,
+        exchange: impl FnOnce(&mut Step) -> Result<()>,
+    ) -> bool {
         let index = if redo {
             Some(self.done)
         } else {
@@ -233,8 +245,10 @@ impl History {
         let Some((step, weight)) = index.and_then(|index| self.steps.get_mut(index)) else {
             return false;
         };
+        if exchange(step).is_err() {
+            return false;
+        }
         self.done = if redo { self.done + 1 } else { self.done - 1 };
-        exchange(step);
         // It now holds the other side's values.
         self.weight -= *weight;
         *weight = step.weight();
