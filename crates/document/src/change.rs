@@ -1,7 +1,6 @@
 //! The records behind the edits. Applying a record exchanges its values with those of the document,
 //! so that it undoes itself: undo and redo are one operation and restore every bit.
 
-use std::borrow::BorrowMut;
 use std::mem::{swap, take};
 
 use super::edited_scene::{EditedScene, Pins};
@@ -74,9 +73,9 @@ pub(super) fn count_orientations(points: &[SupportPoint]) -> usize {
 #[derive(Debug)]
 pub(super) enum Change {
     /// A property of the path.
-    OfPath(&'static Property<CameraPath>, Box<Value>),
+    OfPath(&'static Property<CameraPath>, Value),
     /// A property of a point.
-    OfPoint(usize, &'static Property<SupportPoint>, Box<Value>),
+    OfPoint(usize, &'static Property<SupportPoint>, Value),
     Orientation {
         point: usize,
         at: usize,
@@ -194,7 +193,7 @@ impl Change {
             }
             Self::Point { point, .. } => shapes(point),
             Self::InsertPoints { points, .. } => points.iter().any(shapes),
-            Self::OfPoint(_, row, value) => row.key() == "tangents" && **value != Value::Unset,
+            Self::OfPoint(_, row, value) => row.key() == "tangents" && *value != Value::Unset,
             Self::OfPath(row, _) => row.key() == "curve",
             Self::Path(..) | Self::MovePoint { .. } | Self::Edited(_) => true,
             _ => false,
@@ -415,6 +414,9 @@ impl Change {
         if let Self::Several(changes) = self {
             return changes.iter().any(Self::renumbers);
         }
+        if let Self::Part(part, _) = self {
+            return !part.is_value();
+        }
         matches!(
             self,
             Self::InsertPoints { .. }
@@ -425,18 +427,22 @@ impl Change {
                 | Self::Path(..)
                 | Self::Scene(..)
                 | Self::SceneOf(..)
-                | Self::Part(..)
                 | Self::Edited(_)
         )
+    }
+
+    /// How many records [`super::history::Step::push_all`] makes of it.
+    pub(super) fn count(&self) -> usize {
+        match self {
+            Self::Several(changes) => changes.iter().map(Self::count).sum(),
+            _ => 1,
+        }
     }
 
     /// Approximate bytes of memory.
     pub(super) fn weight(&self) -> usize {
         let beyond = match self {
-            Self::OfPath(_, value) | Self::OfPoint(.., value) => match &**value {
-                Value::Text(text) => size_of::<Value>() + text.len(),
-                _ => size_of::<Value>(),
-            },
+            Self::OfPoint(.., Value::Text(text)) => text.len(),
             Self::InsertPoints { points, .. } => weigh(points),
             Self::RemovePoints { room, .. } => room.capacity() * size_of::<SupportPoint>(),
             Self::Info(info) => info.title.len() + info.comment.len() + info.object.bytes(),
@@ -456,15 +462,15 @@ impl Change {
 }
 
 /// Exchanges one after the other, or none if one cannot be; they then stand in reverse.
-pub(super) fn exchange_all<C: BorrowMut<Change>>(
-    changes: &mut [C],
-    mut exchange: impl FnMut(&mut Change) -> Result<()>,
+pub(super) fn exchange_all<T>(
+    changes: &mut [T],
+    mut exchange: impl FnMut(&mut T) -> Result<()>,
 ) -> Result<()> {
     for at in 0..changes.len() {
-        if let Err(error) = exchange(changes[at].borrow_mut()) {
+        if let Err(error) = exchange(&mut changes[at]) {
             // What was exchanged can be again.
             for done in changes[..at].iter_mut().rev() {
-                let _ = exchange(done.borrow_mut());
+                let _ = exchange(done);
             }
             return Err(error);
         }

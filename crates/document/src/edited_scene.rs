@@ -29,6 +29,7 @@ pub struct EditedScene {
     scene: Arc<Scene>,
     node: Option<usize>,
     number: u64,
+    meshes: u64,
     pins: Pins,
     /// The newest changes: the number before, and the one node that differs since; none: more.
     changed: VecDeque<(u64, Option<usize>)>,
@@ -98,6 +99,7 @@ impl EditedScene {
             scene: Arc::new(scene),
             node,
             number: fresh_revision(),
+            meshes: fresh_revision(),
             pins,
             changed,
         })
@@ -130,6 +132,9 @@ impl EditedScene {
                     .map(|node| node - places.partition_point(|&place| place < node));
             }
             _ => {}
+        }
+        if matches!(part, Part::Insert(_) | Part::Remove(_) | Part::Mesh { .. }) {
+            self.meshes = fresh_revision();
         }
         self.renew(node);
         Ok(())
@@ -190,6 +195,12 @@ impl EditedScene {
         self.number
     }
 
+    /// As [`EditedScene::number`], of the nodes' numbers and meshes alone.
+    #[must_use]
+    pub const fn meshes(&self) -> u64 {
+        self.meshes
+    }
+
     pub(super) fn is_path_alone(&self) -> bool {
         vid::alone(&self.scene).is_some()
     }
@@ -205,7 +216,7 @@ impl EditedScene {
             return Ok(None);
         };
         if follow.path() == path && self.pins.are_those_of(&self.scene, node) {
-            return Ok(None);
+            return Ok(follow.held(&self.pins())?);
         }
         let (start, beyond) = (follow.start_frame(), follow.extrapolation());
         let follow = FollowPath::new(path.try_clone()?, start, beyond)?;
@@ -286,7 +297,8 @@ impl EditedScene {
     pub fn replace_path(&self, scene: &mut Scene, path: &CameraPath) -> Result<()> {
         if let (Some(node), Some(follow)) = (self.node, self.follow())
             && (scene.nodes()[node].path().map(FollowPath::path) != Some(path)
-                || !self.pins.are_those_of(scene, node))
+                || !self.pins.are_those_of(scene, node)
+                || scene.path_held_by_pins(node)?.is_some())
         {
             let (start, beyond) = (follow.start_frame(), follow.extrapolation());
             let follow = FollowPath::new(path.try_clone()?, start, beyond)?;

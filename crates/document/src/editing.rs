@@ -236,8 +236,8 @@ impl Document {
                 check_ups(&self.state.path)?;
             }
             let mut held = held::what_follows(&self.state, &self.plan, of_scene)?;
-            if held.is_some() && keeps_record {
-                step.reserve_more(2)?;
+            if let Some(held) = held.as_ref().filter(|_| keeps_record) {
+                step.reserve_more(1 + held.count())?;
             }
             if let Some(held) = &mut held {
                 held.apply(&mut self.state, &mut self.plan)?;
@@ -255,7 +255,7 @@ impl Document {
         if keeps_record {
             step.name.get_or_insert(name);
             step.push(change);
-            held.into_iter().for_each(|held| step.push(held));
+            held.into_iter().for_each(|held| step.push_all(held));
         }
         if self.open.is_none() {
             own.close();

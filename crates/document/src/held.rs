@@ -35,16 +35,16 @@ pub(super) fn what_follows(
         }
     }
     if of_scene && edited.is_path_alone() && edited.scene().space() == path.space {
-        if let Some(change) = scene_edit::path_again(state, edited)? {
-            held = Some(both(held, change)?);
-        }
+        held = Some(both(held, scene_edit::path_again(state, edited)?)?);
     }
     Ok(held)
 }
 
 fn both(first: Option<Change>, second: Change) -> Result<Change> {
+    let Some(first) = first else {
+        return Ok(second);
+    };
     let mut both = vec_with_room(2)?;
-    both.extend(first);
-    both.push(second);
+    both.extend([first, second]);
     Ok(Change::Several(both))
 }

@@ -8,14 +8,74 @@ use super::editing::Selection;
 use super::step_name::StepName;
 use crate::error::{Result, can_allocate, vec_with_room};
 use crate::limits;
+use vides_engine::scene::Part;
+
+/// A change that was done, as small as it is: most parts of a scene are smaller than those of paths,
+/// and a scene of many keys has many.
+#[derive(Debug)]
+enum Record {
+    /// [`Change::Part`].
+    Part(Box<Part>, u64),
+    Other(Box<Change>),
+}
+
+impl Record {
+    fn new(change: Change) -> Self {
+        match change {
+            Change::Part(part, removal) => Self::Part(Box::new(part), removal),
+            other => Self::Other(Box::new(other)),
+        }
+    }
+
+    fn into_change(self) -> Change {
+        match self {
+            Self::Part(part, removal) => Change::Part(*part, removal),
+            Self::Other(other) => *other,
+        }
+    }
+
+    fn with(&mut self, apply: impl FnOnce(&mut Change) -> Result<()>) -> Result<()> {
+        let (part, removal) = match self {
+            Self::Other(other) => return apply(other),
+            Self::Part(part, removal) => (part, removal),
+        };
+        let mut change = Change::Part(std::mem::replace(part, Part::Camera(None)), *removal);
+        let done = apply(&mut change);
+        if let Change::Part(now, number) = change {
+            (**part, *removal) = (now, number);
+        }
+        done
+    }
+
+    fn renumbers(&self) -> bool {
+        match self {
+            Self::Part(part, _) => !part.is_value(),
+            Self::Other(other) => other.renumbers(),
+        }
+    }
+
+    fn is_at_place_of(&self, change: &Change) -> bool {
+        match (self, change) {
+            (Self::Part(part, _), Change::Part(other, _)) => part.is_at_place_of(other),
+            (Self::Other(other), change) => other.is_at_place_of(change),
+            _ => false,
+        }
+    }
+
+    fn weight(&self) -> usize {
+        let beyond = match self {
+            Self::Part(part, _) => size_of::<Part>() + part.heap_size(),
+            Self::Other(other) => other.weight(),
+        };
+        size_of::<Self>() + beyond
+    }
+}
 
 /// What a single undo takes back.
 #[derive(Debug)]
 pub(super) struct Step {
-    /// The records that lead to the other side, in the order of application. Each is as small as
-    /// what it holds, since most steps have one and there are many.
-    #[expect(clippy::vec_box)]
-    changes: Vec<Box<Change>>,
+    /// The records that lead to the other side, in the order of application.
+    changes: Vec<Record>,
     /// The selection on the other side.
     pub(super) selection: Selection,
     /// Number of the state on the other side.
@@ -59,7 +119,19 @@ impl Step {
             .take(FAR_BACK)
             .any(|older| older.is_at_place_of(&inverse));
         if !known {
-            self.changes.push(Box::new(inverse));
+            self.changes.push(Record::new(inverse));
+        }
+    }
+
+    /// The same for a record of several, each by itself; see [`Change::count`].
+    pub(super) fn push_all(&mut self, inverse: Change) {
+        match inverse {
+            // They stand as they are to be undone.
+            Change::Several(changes) => {
+                let rising = changes.into_iter().rev();
+                rising.for_each(|one| self.push_all(one));
+            }
+            one => self.push(one),
         }
     }
 
@@ -71,7 +143,7 @@ impl Step {
     pub(super) fn append(&mut self, inner: Self) {
         self.name = self.name.or(inner.name);
         for record in inner.changes {
-            self.push(*record);
+            self.push(record.into_change());
         }
     }
 
@@ -85,8 +157,11 @@ impl Step {
     }
 
     /// Applies each record, which then undoes itself; none if one cannot be.
-    pub(super) fn exchange(&mut self, apply: impl FnMut(&mut Change) -> Result<()>) -> Result<()> {
-        exchange_all(&mut self.changes, apply)
+    pub(super) fn exchange(
+        &mut self,
+        mut apply: impl FnMut(&mut Change) -> Result<()>,
+    ) -> Result<()> {
+        exchange_all(&mut self.changes, |record| record.with(&mut apply))
     }
 
     /// Puts the records back into the order in which they came, so that more can follow.
@@ -97,7 +172,7 @@ impl Step {
     /// Puts closed steps together, given in the order in which they were done.
     fn join(
         steps: impl DoubleEndedIterator<Item = Self>,
-        #[expect(clippy::vec_box)] mut changes: Vec<Box<Change>>,
+        mut changes: Vec<Record>,
     ) -> Option<Self> {
         let mut joined: Option<Self> = None;
         // What was done last is taken back first; the other side is that of the first.
@@ -113,12 +188,7 @@ impl Step {
     }
 
     fn weight(&self) -> usize {
-        size_of::<Self>()
-            + self
-                .changes
-                .iter()
-                .map(|change| change.weight())
-                .sum::<usize>()
+        size_of::<Self>() + self.changes.iter().map(Record::weight).sum::<usize>()
     }
 }
 

@@ -24,6 +24,7 @@ mod loading;
 mod mesh_file;
 mod not_a_file;
 mod notes;
+mod path_to_keys;
 mod picture;
 mod place;
 mod prepare;

@@ -93,6 +93,10 @@ impl Edits<'_, '_> {
                 self.0
                     .edited
                     .check_pin(&self.0.state.path, point, marker.as_deref())?;
+                let old = self.0.edited.pins_there().find(|pin| pin.0 == point);
+                if old.map(|pin| pin.1) == marker {
+                    return Ok(());
+                }
                 let pins = self.0.edited.pins_with(point, marker)?;
                 self.push(Change::Pins(pins))
             }
@@ -464,7 +468,7 @@ pub(super) fn held_by_pins(edited: &EditedScene) -> Result<Vec<Change>> {
 }
 
 /// A scene of nothing but a camera on a path is that path.
-pub(super) fn path_again(state: &State, edited: &EditedScene) -> Result<Option<Change>> {
+pub(super) fn path_again(state: &State, edited: &EditedScene) -> Result<Change> {
     let mut steps = Steps {
         state,
         edited,
@@ -473,5 +477,5 @@ pub(super) fn path_again(state: &State, edited: &EditedScene) -> Result<Option<C
     };
     Edits(&mut steps).edit_node(Some(0))?;
     Edits(&mut steps).push(Change::scene(None, &state.comments)?)?;
-    Ok(Some(Change::Several(steps.changes)))
+    Ok(Change::Several(steps.changes))
 }

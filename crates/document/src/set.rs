@@ -4,7 +4,7 @@ use super::change::{Change, State};
 use super::edit::At;
 use super::info::Info;
 use super::prepare::{IDLE, check_position, orientation, point, view};
-use crate::error::{Error, Refused, Result, can_allocate};
+use crate::error::{Error, Refused, Result};
 use crate::path::{CameraPath, Orientation, OrientationOverrides, Space, SupportPoint};
 use vides_engine::property::{Property, Table, Value, find};
 
@@ -16,7 +16,6 @@ pub(super) fn set(
     mut value: Value,
 ) -> Result<Change> {
     let path = &state.path;
-    can_allocate(size_of::<Value>())?;
     if value == Value::Text(String::new()) {
         value = Value::Unset;
     }
@@ -25,7 +24,7 @@ pub(super) fn set(
             let points = Vec::new();
             let own = CameraPath { points, ..*path };
             let row = record(path, own, property, &mut value, path.space)?;
-            Ok(row.map_or(IDLE, |row| Change::OfPath(row, Box::new(value))))
+            Ok(row.map_or(IDLE, |row| Change::OfPath(row, value)))
         }
         At::Point(at) => {
             let there = point(path, at)?;
@@ -39,7 +38,7 @@ pub(super) fn set(
                 ..*there
             };
             let row = record(there, own, property, &mut value, path.space)?;
-            Ok(row.map_or(IDLE, |row| Change::OfPoint(at, row, Box::new(value))))
+            Ok(row.map_or(IDLE, |row| Change::OfPoint(at, row, value)))
         }
         At::View(point, at) => {
             let mut new = orientation(path, point, at)?.clone();

@@ -7,8 +7,10 @@ use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use vides_document::{Document, Edit};
+use vides_engine::path::CameraPath;
 use vides_engine::scene::{
-    Channel, Interpolation, KeyList, Kind, Node, NodeState, Part, Scene, Track, Warnings,
+    Channel, Extrapolation, FollowPath, Interpolation, KeyList, Kind, Node, NodeState, Part, Rest,
+    Scene, Track, Warnings,
 };
 
 const NODES: usize = 10_000;
@@ -116,5 +118,63 @@ fn a_moved_key_costs_no_more_than_half_of_a_frame() {
     assert!(
         drag.as_secs_f64() <= 1.5 * scrub.as_secs_f64(),
         "{drag:?} of {scrub:?}"
+    );
+}
+
+/// A value that is dragged is kept once, with the paths that follow a marker; without memory
+/// nothing is undone, and nothing changes.
+#[test]
+fn a_drag_keeps_one_value() {
+    let mut document = document();
+    let marker = |frame: f64| {
+        let (name, frame) = ("m".to_owned(), Some(frame));
+        Edit::Part(Box::new(Part::Marker { name, frame }))
+    };
+    let follow = |start| {
+        let follow = FollowPath::new(CameraPath::default(), start, Extrapolation::Hold);
+        Edit::Part(Box::new(Part::path(1, Some(follow.unwrap())).unwrap()))
+    };
+    let track = Part::track(1, Channel::Position, None).unwrap();
+    document.apply(Edit::Part(Box::new(track))).unwrap();
+    document.apply(follow(1.0)).unwrap();
+    document.apply(marker(0.0)).unwrap();
+    let pin = Part::Pin {
+        node: 1,
+        point: 0,
+        marker: Some("m".to_owned()),
+    };
+    document.apply(Edit::Part(Box::new(pin))).unwrap();
+    let start = |document: &Document| {
+        let scene = document.edited_scene().unwrap().scene();
+        scene.nodes()[1].path().unwrap().start_frame()
+    };
+    assert_eq!(start(&document), 0.0);
+    let cost = counting::cost(|| {
+        document.begin_step();
+        for at in 0..1000 {
+            document.apply(marker(f64::from(at) + 1.0)).unwrap();
+            let rest = Rest::of(&document.edited_scene().unwrap().scene().nodes()[2]);
+            let mut rest = Box::new(rest);
+            rest.values.position.x = f64::from(at) + 1.0;
+            document
+                .apply(Edit::Part(Box::new(Part::Rest { node: 2, rest })))
+                .unwrap();
+        }
+        document.end_step();
+    });
+    assert!(cost.left < 16_384, "{}", cost.left);
+    assert_eq!(start(&document), 1000.0);
+    document.apply(moved(7, 50, 1.0)).unwrap();
+    let scene = document.scene().unwrap();
+    assert!(!counting::with_at_most(256, || document.undo()));
+    assert_eq!(document.scene().unwrap(), scene);
+    assert!(document.undo() && document.undo());
+    assert_eq!(start(&document), 0.0);
+    assert_eq!(
+        document.edited_scene().unwrap().scene().nodes()[2]
+            .rest
+            .position
+            .x,
+        0.0
     );
 }

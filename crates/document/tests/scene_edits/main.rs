@@ -11,7 +11,7 @@ use vides_document::{Document, Edit};
 use vides_engine::path::CameraPath;
 use vides_engine::scene::{
     Channel, Extrapolation, FollowPath, Interpolation, Keep, KeyList, Kind, Light, Manner, Mesh,
-    Node, Object, Part, Shape, Track,
+    Node, NodeState, Object, Part, Shape, Track, Warnings,
 };
 
 fn part(part: Part) -> Edit {
@@ -464,4 +464,76 @@ fn the_edited_node_goes_and_comes_back() {
     assert_eq!(document.path().points.len(), 3);
     assert!(document.undo());
     assert_eq!(whole(&document), before);
+}
+
+/// A path alone and one of a scene, with a start of its own: keys move both as the path did.
+#[test]
+fn a_path_becomes_keys_that_are_where_it_was() {
+    let states = |document: &Document, node: usize, first: f64| {
+        let scene = document.scene().unwrap();
+        let mut states = vec![NodeState::default(); 60];
+        let warnings = &mut Warnings::default();
+        scene
+            .sample(node, first, 1.0, &mut states, warnings)
+            .unwrap();
+        states
+    };
+    let mut alone = Document::new();
+    alone.apply(Edit::AppendAfterLast).unwrap();
+    let mut car = furnished();
+    car.apply(Edit::AppendAfterLast).unwrap();
+    let mut path = CameraPath::default();
+    path.points[1].position.y = 0.5;
+    let follow = FollowPath::new(path, -7.5, Extrapolation::PingPong).unwrap();
+    car.apply(part(Part::path(3, Some(follow)).unwrap()))
+        .unwrap();
+    for (mut document, node, first) in [(alone, 0, 1.0), (furnished(), 0, 1.0), (car, 3, -7.5)] {
+        let (before, old) = (whole(&document), states(&document, node, first));
+        let edits = document.path_to_keys(node).unwrap();
+        document.apply_all(edits).unwrap();
+        let scene = document.scene().unwrap();
+        assert!(scene.nodes()[node].path().is_none());
+        for (a, b) in old.iter().zip(&states(&document, node, first)) {
+            let off = a.matrix.iter().zip(b.matrix).map(|(a, b)| (a - b).abs());
+            assert!(off.fold(0.0, f64::max) <= 1e-12, "{a:?} {b:?}");
+            assert!((a.pose.zoom - b.pose.zoom).abs() <= 1e-12);
+        }
+        document.path_to_keys(node).unwrap_err();
+        assert!(document.undo());
+        assert_eq!(whole(&document), before);
+    }
+    Document::new().path_to_keys(1).unwrap_err();
+    furnished().path_to_keys(1).unwrap_err();
+}
+
+/// Edits in one step, of which values are kept once, are taken back and done again together.
+#[test]
+fn a_step_of_many_edits_is_one() {
+    for seed in 0..80 {
+        let mut make = Maker::new(1000 + seed);
+        let mut document = Document::new();
+        for _ in 0..60 {
+            let _ = document.apply(make.edit(&document));
+        }
+        for _ in 0..4 {
+            let before = whole(&document);
+            document.begin_step();
+            for _ in 0..30 {
+                let _ = document.apply(make.edit(&document));
+            }
+            let after = whole(&document);
+            if make.now_and_then(4) {
+                document.cancel_step();
+                assert_eq!(whole(&document), before, "{seed}");
+                continue;
+            }
+            document.end_step();
+            if after != before {
+                assert!(document.undo());
+                assert_eq!(whole(&document), before, "{seed}");
+                assert!(document.redo());
+                assert_eq!(whole(&document), after, "{seed}");
+            }
+        }
+    }
 }

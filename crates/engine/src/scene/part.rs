@@ -271,6 +271,33 @@ impl Part {
         }
     }
 
+    /// Whether both are values of the same place, so that the older one of two that a scene had
+    /// there brings back what was before both.
+    #[must_use]
+    pub fn is_at_place_of(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Rest { .. }, Self::Rest { .. })
+            | (Self::Path { .. }, Self::Path { .. })
+            | (Self::Mesh { .. }, Self::Mesh { .. })
+            | (Self::Weights { .. }, Self::Weights { .. }) => self.node() == other.node(),
+            (Self::Deformation { at: a, .. }, Self::Deformation { at: b, .. }) => {
+                a == b && self.node() == other.node()
+            }
+            (Self::Marker { name: a, frame: f }, Self::Marker { name: b, frame: g }) => {
+                a == b && f.is_some() && g.is_some()
+            }
+            (Self::Camera(_), Self::Camera(_)) | (Self::Range(_), Self::Range(_)) => true,
+            _ => false,
+        }
+    }
+
+    /// Whether it is such a value. Others change what numbers and names mean, or whether a value
+    /// can be there: names and parents depend on those of other nodes.
+    #[must_use]
+    pub fn is_value(&self) -> bool {
+        self.is_at_place_of(self)
+    }
+
     /// The one node that an exchange changes and nothing else of the scene; `None` where it
     /// changes more.
     #[must_use]
@@ -341,6 +368,15 @@ impl Scene {
             Part::Keys { remove, put, .. } => remove.is_empty() && put.is_empty(),
             Part::Marker { name, frame } => {
                 self.marker(name).map(f64::to_bits) == frame.map(f64::to_bits)
+            }
+            Part::Pin {
+                node,
+                point,
+                marker,
+            } => {
+                let mut pins = self.pins.iter();
+                let pin = pins.find(|pin| (pin.node, pin.point) == (*node, *point));
+                pin.map(|pin| &pin.marker) == marker.as_ref()
             }
             Part::MoveDeformation { from, to, .. } => from == to,
             Part::Camera(camera) => self.camera() == *camera,
