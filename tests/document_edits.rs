@@ -12,7 +12,7 @@ use vides::path::{
     Space, SupportPoint, Target, Tcb, TurningPart, Up, UpPath,
 };
 use vides::property::{Kind, Owner, Value};
-use vides::scene::{self, Camera, Extrapolation, FollowPath, Node, Scene};
+use vides::scene::{self, Camera, Extrapolation, FollowPath, Keep, Node, Part, Scene};
 use vides::tools::block::Fit;
 use vides::tools::check::{FindingKind, Limits};
 
@@ -41,7 +41,7 @@ fn number() -> impl Strategy<Value = f64> {
 }
 
 /// How many edits there are, in the order of [`kind`].
-const KINDS: u8 = 24;
+const KINDS: u8 = 29;
 
 /// Numbers of what is no edit, and of edits that set a property: there are many.
 const SELECT: u8 = KINDS;
@@ -74,6 +74,11 @@ fn kind(edit: &Edit) -> u8 {
         Edit::MovePoint { .. } => 21,
         Edit::ChangeUp(_) => 22,
         Edit::Set { .. } => 23,
+        Edit::Part(_) => 24,
+        Edit::AddNodes(_) => 25,
+        Edit::CopyNodes(_) => 26,
+        Edit::SetParent { .. } => 27,
+        Edit::RenameMarker { .. } => 28,
     }
 }
 
@@ -157,6 +162,26 @@ impl Raw {
                 frames: 20 * self.a,
             },
             7 => Edit::EditNode(self.flag.then_some(self.b % 4)),
+            24 => Edit::Part(Box::new(self.part())),
+            25 => {
+                let mut node = Node::new(["a", "b", "c", "d"][self.a % 4], scene::Kind::Group);
+                node.parent = self.flag.then_some(self.b % 4);
+                Edit::AddNodes(vec![node])
+            }
+            26 => Edit::CopyNodes(vec![self.a % 4]),
+            27 => Edit::SetParent {
+                node: self.a % 4,
+                parent: self.flag.then_some(self.b % 4),
+                keep: if self.c.is_multiple_of(2) {
+                    Keep::Place
+                } else {
+                    Keep::Numbers
+                },
+            },
+            28 => Edit::RenameMarker {
+                from: ["m", "n"][self.a % 2].to_owned(),
+                to: ["m", "n"][self.b % 2].to_owned(),
+            },
             8 => Edit::ReplaceScene(Box::new(self.scene())),
             9 => Edit::InsertOrientation {
                 point: at,
@@ -346,6 +371,25 @@ impl Raw {
         }
     }
 
+    fn part(&self) -> Part {
+        let node = self.a % 4;
+        match self.c % 6 {
+            0 => Part::Remove(vec![node]),
+            1 => Part::Marker {
+                name: ["m", "n"][self.b % 2].to_owned(),
+                frame: self.flag.then_some(self.x[0] * 100.0),
+            },
+            2 => Part::Pin {
+                node,
+                point: self.b % 4,
+                marker: self.flag.then(|| "m".to_owned()),
+            },
+            3 => Part::Camera(self.flag.then_some(node)),
+            4 => Part::path(node, None).unwrap(),
+            _ => Part::Range(self.flag.then_some((self.x[0], self.x[1] * 100.0))),
+        }
+    }
+
     fn path(&self) -> CameraPath {
         let mut path = CameraPath {
             closed: self.flag,
@@ -369,9 +413,18 @@ fn whole(document: &Document) -> String {
 
 fn content(document: &Document) -> String {
     let scene = document.edited_scene().map(|edited| {
-        let path = |node: &Node| node.path().map(|follow| format!("{:?}", follow.path()));
-        let nodes: Vec<_> = edited.scene().nodes().iter().map(path).collect();
-        (edited.node(), edited.scene().space(), nodes)
+        let scene = edited.scene();
+        let nodes = scene.nodes().iter().map(|node| {
+            let path = node.path().map(|follow| format!("{:?}", follow.path()));
+            (node.name.clone(), node.parent, node.rest, path)
+        });
+        let nodes: Vec<_> = nodes.collect();
+        let shown = (scene.camera(), scene.range(), scene.markers(), scene.pins());
+        format!(
+            "{:?} {:?} {nodes:?} {shown:?}",
+            edited.node(),
+            scene.space()
+        )
     });
     format!("{:?} {:?} {scene:?}", document.path(), document.info())
 }

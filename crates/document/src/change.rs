@@ -6,11 +6,12 @@ use std::mem::{swap, take};
 use super::edited_scene::{EditedScene, Pins};
 use super::info::Info;
 use super::vid::Comments;
-use crate::error::{Result, vec_with_room};
+use crate::error::{Result, can_allocate, vec_with_room};
 use crate::path::{
     CameraPath, Orientation, OrientationOverrides, Plan, Space, SupportPoint, UpVector,
 };
 use vides_engine::property::{Affects, Property, SameBits, Value};
+use vides_engine::scene::{Part, Scene};
 
 /// The state that records change.
 #[derive(Debug)]
@@ -37,7 +38,8 @@ impl State {
 
     /// Renumbers what is attached to points; see [`Comments::insert_points`].
     fn points_inserted(&mut self, at: usize, count: usize, removal: u64) {
-        self.comments.insert_points(at, count, removal);
+        let node = self.node();
+        self.comments.insert_points(node, at, count, removal);
         if let Some(edited) = &mut self.edited_scene {
             edited.pins_mut().insert_points(at, count, removal);
         }
@@ -45,19 +47,21 @@ impl State {
 
     /// The same for removed points; returns the number of the removal.
     fn points_removed(&mut self, at: usize, count: usize) -> u64 {
-        let removal = self.comments.remove_points(at, count);
+        let removal = self.comments.remove_points(self.node(), at, count);
         if let Some(edited) = &mut self.edited_scene {
             edited.pins_mut().remove_points(at, count, removal);
         }
         removal
     }
 
-    fn exchange_path(&mut self, path: &mut CameraPath, removal: &mut u64) {
-        let removed = self.comments.remove_points(0, self.path.points.len());
-        self.comments.insert_points(0, 0, *removal);
+    /// The node whose path is edited; none: there is no scene, or no path is.
+    fn node(&self) -> Option<usize> {
+        self.edited_scene.as_ref().and_then(|edited| edited.node())
+    }
+
+    fn swap_path(&mut self, path: &mut CameraPath) {
         swap(&mut self.path, path);
         self.orientations = count_orientations(&self.path.points);
-        *removal = removed;
     }
 }
 
@@ -114,11 +118,60 @@ pub(super) enum Change {
     Info(Box<Info>),
     /// A path, its pins, and the removal that took its points away.
     Path(Box<CameraPath>, Pins, u64),
-    /// As `Path`, with its scene, which has the pins.
-    Scene(Option<Box<EditedScene>>, Box<CameraPath>, u64),
+    /// A path with its scene, which has the pins, and all comments.
+    Scene(Option<Box<EditedScene>>, Box<CameraPath>, Comments),
+    /// The scene of the path, which stays, and all comments.
+    SceneOf(Option<Box<EditedScene>>, Comments),
+    /// A part of the scene, and the removal that took nodes away.
+    Part(Part, u64),
+    /// The pins of the edited path.
+    Pins(Pins),
+    /// Another node whose path is edited.
+    Edited(Box<Exchange>),
+}
+
+/// A node whose path is edited, with that path.
+#[derive(Debug)]
+pub(super) struct Exchange {
+    pub(super) node: Option<usize>,
+    pub(super) path: CameraPath,
+    pub(super) pins: Pins,
 }
 
 impl Change {
+    pub(super) fn scene(edited: Option<EditedScene>, comments: &Comments) -> Result<Self> {
+        can_allocate(size_of::<EditedScene>())?;
+        let comments = match edited {
+            Some(_) => comments.in_scene()?,
+            None => comments.of_path_alone()?,
+        };
+        Ok(Self::SceneOf(edited.map(Box::new), comments))
+    }
+
+    /// Whether this scene is as it makes it.
+    pub(super) fn has(&self, scene: &Scene) -> bool {
+        matches!(self, Self::Part(part, _) if scene.has(part))
+    }
+
+    /// Whether it changes the scene, and what its pins or its paths are.
+    pub(super) fn of_scene(&self) -> [bool; 2] {
+        match self {
+            Self::Several(changes) => changes
+                .iter()
+                .map(Self::of_scene)
+                .fold([false; 2], |a, b| [a[0] || b[0], a[1] || b[1]]),
+            Self::Part(part, _) => {
+                let pins = matches!(
+                    part,
+                    Part::Marker { .. } | Part::Pin { .. } | Part::Path { .. } | Part::Start { .. }
+                );
+                [true, pins]
+            }
+            Self::SceneOf(..) | Self::Edited(_) => [true, false],
+            _ => [false; 2],
+        }
+    }
+
     pub(super) fn remove_point(at: usize) -> Result<Self> {
         Ok(Self::RemovePoints {
             at,
@@ -142,7 +195,7 @@ impl Change {
             Self::InsertPoints { points, .. } => points.iter().any(shapes),
             Self::OfPoint(_, row, value) => row.key() == "tangents" && *value != Value::Unset,
             Self::OfPath(row, _) => row.key() == "curve",
-            Self::Path(..) | Self::MovePoint { .. } => true,
+            Self::Path(..) | Self::MovePoint { .. } | Self::Edited(_) => true,
             _ => false,
         }
     }
@@ -183,12 +236,58 @@ impl Change {
     }
 
     /// Exchanges its values with those of the document; it then undoes itself.
-    pub(super) fn apply(&mut self, state: &mut State, plan: &mut Plan) {
+    ///
+    /// # Errors
+    /// What is wrong with a part of the scene; nothing has changed then.
+    pub(super) fn apply(&mut self, state: &mut State, plan: &mut Plan) -> Result<()> {
         self.announce(plan);
-        self.exchange(state);
+        self.exchange(state)
     }
 
-    fn exchange(&mut self, state: &mut State) {
+    fn exchange(&mut self, state: &mut State) -> Result<()> {
+        match self {
+            Self::Several(changes) => {
+                return exchange_all(changes, |change| change.exchange(state));
+            }
+            Self::Part(part, removal) => {
+                if let Some(edited) = &mut state.edited_scene {
+                    edited.exchange(part)?;
+                }
+                match part {
+                    // What is to be removed has come, and the other way round.
+                    Part::Remove(places) => state.comments.insert_nodes(places, *removal),
+                    Part::Insert(list) => *removal = state.comments.remove_nodes(list.places()),
+                    _ => {}
+                }
+            }
+            Self::Pins(pins) => {
+                if let Some(edited) = &mut state.edited_scene {
+                    swap(edited.pins_mut(), pins);
+                }
+            }
+            Self::SceneOf(scene, comments) => {
+                swap(&mut state.edited_scene, scene);
+                swap(&mut state.comments, comments);
+            }
+            Self::Edited(other) => {
+                if let Some(edited) = &mut state.edited_scene {
+                    swap(edited.pins_mut(), &mut other.pins);
+                    edited.exchange_node(&mut other.node);
+                }
+                state.swap_path(&mut other.path);
+            }
+            Self::Scene(scene, path, comments) => {
+                swap(&mut state.edited_scene, scene);
+                swap(&mut state.comments, comments);
+                state.swap_path(path);
+            }
+            of_path => of_path.exchange_in_path(state),
+        }
+        Ok(())
+    }
+
+    fn exchange_in_path(&mut self, state: &mut State) {
+        let node = state.node();
         let path = &mut state.path;
         match self {
             Self::OfPath(row, value) => {
@@ -206,10 +305,6 @@ impl Change {
                 swap(&mut path.points[*at], point);
                 state.orientations -= point.orientations.len();
                 state.orientations += path.points[*at].orientations.len();
-            }
-            Self::Several(changes) => {
-                changes.iter_mut().for_each(|change| change.exchange(state));
-                changes.reverse();
             }
             Self::Space(space) => swap(&mut path.space, space),
             Self::InsertPoints {
@@ -248,7 +343,7 @@ impl Change {
                 removal,
             } => {
                 let (point, at) = (*point, *at);
-                state.comments.insert_orientation(point, at, *removal);
+                state.comments.insert_orientation(node, point, at, *removal);
                 let orientations = &mut path.points[point].orientations;
                 orientations.insert(at, take(orientation));
                 state.orientations += 1;
@@ -260,7 +355,7 @@ impl Change {
                     point: *point,
                     at: *at,
                     orientation: path.points[*point].orientations.remove(*at),
-                    removal: state.comments.remove_orientation(*point, *at),
+                    removal: state.comments.remove_orientation(node, *point, *at),
                 };
             }
             Self::Info(info) => swap(&mut state.info, info),
@@ -268,19 +363,26 @@ impl Change {
                 if let Some(edited) = &mut state.edited_scene {
                     swap(edited.pins_mut(), pins);
                 }
-                state.exchange_path(other, removal);
+                let count = path.points.len();
+                let removed = state.comments.remove_points(node, 0, count);
+                state.comments.insert_points(node, 0, 0, *removal);
+                *removal = removed;
+                state.swap_path(other);
             }
-            Self::Scene(scene, path, removal) => {
-                swap(&mut state.edited_scene, scene);
-                state.exchange_path(path, removal);
-            }
+            Self::Several(_)
+            | Self::Scene(..)
+            | Self::SceneOf(..)
+            | Self::Part(..)
+            | Self::Pins(_)
+            | Self::Edited(_) => {}
         }
     }
 
     /// Tells `plan` what applying it makes out of date.
     fn announce(&self, plan: &mut Plan) {
         match self {
-            Self::Info(_) => {}
+            Self::Info(_) | Self::Part(..) | Self::SceneOf(..) | Self::Pins(_) => {}
+            Self::Several(changes) => changes.iter().for_each(|change| change.announce(plan)),
             Self::OfPath(row, _) if row.affects == Affects::Nothing => {}
             Self::OfPoint(_, row, _) if row.affects == Affects::Nothing => {}
             Self::OfPoint(at, ..) => plan.point_changed(*at),
@@ -312,6 +414,9 @@ impl Change {
         if let Self::Several(changes) = self {
             return changes.iter().any(Self::renumbers);
         }
+        if let Self::Part(part, _) = self {
+            return !part.is_value();
+        }
         matches!(
             self,
             Self::InsertPoints { .. }
@@ -321,7 +426,17 @@ impl Change {
                 | Self::RemoveOrientation { .. }
                 | Self::Path(..)
                 | Self::Scene(..)
+                | Self::SceneOf(..)
+                | Self::Edited(_)
         )
+    }
+
+    /// How many records [`super::history::Step::push_all`] makes of it.
+    pub(super) fn count(&self) -> usize {
+        match self {
+            Self::Several(changes) => changes.iter().map(Self::count).sum(),
+            _ => 1,
+        }
     }
 
     /// Approximate bytes of memory.
@@ -335,12 +450,33 @@ impl Change {
             Self::Scene(scene, path, _) => {
                 weigh(&path.points) + scene.as_ref().map_or(0, |scene| scene.weight())
             }
+            Self::SceneOf(scene, _) => scene.as_ref().map_or(0, |scene| scene.weight()),
+            Self::Part(part, _) => part.heap_size(),
+            Self::Edited(other) => size_of::<Exchange>() + weigh(&other.path.points),
             Self::Point { point, .. } => weigh(std::slice::from_ref(point)),
             Self::Several(changes) => changes.iter().map(Self::weight).sum(),
             _ => 0,
         };
         size_of::<Self>() + beyond
     }
+}
+
+/// Exchanges one after the other, or none if one cannot be; they then stand in reverse.
+pub(super) fn exchange_all<T>(
+    changes: &mut [T],
+    mut exchange: impl FnMut(&mut T) -> Result<()>,
+) -> Result<()> {
+    for at in 0..changes.len() {
+        if let Err(error) = exchange(&mut changes[at]) {
+            // What was exchanged can be again.
+            for done in changes[..at].iter_mut().rev() {
+                let _ = exchange(done);
+            }
+            return Err(error);
+        }
+    }
+    changes.reverse();
+    Ok(())
 }
 
 fn weigh(points: &[SupportPoint]) -> usize {

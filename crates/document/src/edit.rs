@@ -2,7 +2,7 @@
 
 use glam::{DMat4, DVec3};
 use vides_engine::deform::{Bounds, Deformation};
-use vides_engine::scene::Scene;
+use vides_engine::scene::{Keep, Node, Part, Scene};
 use vides_engine::tools::block::Fit;
 
 use super::info::Info;
@@ -124,6 +124,32 @@ pub enum Edit {
     ChangeUp(Up),
     /// Edits the path of another node of the scene, or of none. Files do not record this.
     EditNode(Option<usize>),
+    /// Exchanges a part of the scene ([`Part`]); a path becomes a scene with a camera on it first,
+    /// and is a path again where nothing else is left. What must goes along: tracks and pins of
+    /// what is removed, keys that lie where others come. A track of which no key is left goes, and
+    /// its last key's value is the node's at rest. Paths are fitted to markers.
+    Part(Box<Part>),
+    /// Adds nodes behind the others; their parents and aims may be among them, which count on.
+    AddNodes(Vec<Node>),
+    /// Copies nodes with all that is in them, behind the others. Their names get a number, aims
+    /// among them go along, pins stay with the originals, meshes are shared.
+    CopyNodes(Vec<usize>),
+    /// Puts a node into another one, or none.
+    SetParent {
+        /// The node.
+        node: usize,
+        /// The one that it is in then.
+        parent: Option<usize>,
+        /// What it keeps.
+        keep: Keep,
+    },
+    /// Gives a marker another name; what is pinned to it stays so.
+    RenameMarker {
+        /// Its name.
+        from: String,
+        /// Its new one.
+        to: String,
+    },
     /// Replaces the scene. The shown camera's path is edited, if it has one.
     ReplaceScene(Box<Scene>),
     /// Replaces the path; its first point becomes current.

@@ -3,16 +3,21 @@
 //! Where no node is edited, a stand-in path lasts as long as the scene and refuses edits. A record
 //! of the history exchanges all of it at once ([`super::change`]).
 
+use std::collections::VecDeque;
+use std::mem::swap;
 use std::sync::Arc;
 
-use vides_engine::scene::{FollowPath, Kind, Node, NodeState, Scene, Warnings};
+use vides_engine::scene::{FollowPath, Kind, Node, NodeState, Part, Scene, Warnings};
 
 use super::edit::Edit;
 use super::editing::{Document, fresh_revision};
 use super::info::Info;
+use super::prepare::normalise;
 use super::scene::SceneDocument;
 use super::vid;
-use crate::error::{EngineError, OutOfRange, Refused, Result, can_allocate, vec_with_room};
+use crate::error::{
+    EngineError, Invalid, OutOfRange, Refused, Result, can_allocate, vec_with_room,
+};
 use crate::limits::MAX_FRAMES;
 use crate::path::fit_frames::frames_between;
 use crate::path::{CameraPath, Pose, Sampler};
@@ -24,14 +29,23 @@ pub struct EditedScene {
     scene: Arc<Scene>,
     node: Option<usize>,
     number: u64,
+    meshes: u64,
     pins: Pins,
-    /// Approximate bytes that a copy of the scene takes.
-    weight: usize,
+    /// The newest changes: the number before, and the one node that differs since; none: more.
+    changed: VecDeque<(u64, Option<usize>)>,
 }
 
-/// A scene set up to edit the path of a node, and that path.
-pub(super) fn edit(scene: Scene, node: Option<usize>) -> Result<(EditedScene, CameraPath)> {
-    let path = match node {
+/// Changes that are remembered.
+const REMEMBERED: usize = 32;
+
+/// The path of another node, or a stand-in, and its pins.
+pub(super) struct Other {
+    pub(super) path: CameraPath,
+    pub(super) pins: Pins,
+}
+
+pub(super) fn other_path(scene: &Scene, node: Option<usize>) -> Result<Other> {
+    let mut path = match node {
         Some(at) => {
             let node = scene.node(at)?;
             let follow = node
@@ -39,17 +53,17 @@ pub(super) fn edit(scene: Scene, node: Option<usize>) -> Result<(EditedScene, Ca
                 .ok_or_else(|| Refused::NoPathOf((&node.name).into()))?;
             follow.path().try_clone()?
         }
-        None => stand_in(&scene)?,
+        None => stand_in(scene)?,
     };
-    can_allocate(size_of::<Scene>() + 64)?;
-    let edited = EditedScene {
-        weight: scene.heap_size(),
-        pins: Pins::of(&scene, node)?,
-        scene: Arc::new(scene),
-        node,
-        number: fresh_revision(),
-    };
-    Ok((edited, path))
+    normalise(&mut path)?;
+    let pins = Pins::of(scene, node)?;
+    Ok(Other { path, pins })
+}
+
+/// A scene set up to edit the path of a node, and that path.
+pub(super) fn edit(scene: Scene, node: Option<usize>) -> Result<(EditedScene, CameraPath)> {
+    let Other { path, pins } = other_path(&scene, node)?;
+    Ok((EditedScene::new(scene, node, pins)?, path))
 }
 
 /// A scene as first edited: the shown camera's path, if it has one.
@@ -77,6 +91,92 @@ fn stand_in(scene: &Scene) -> Result<CameraPath> {
 }
 
 impl EditedScene {
+    fn new(scene: Scene, node: Option<usize>, pins: Pins) -> Result<Self> {
+        can_allocate(size_of::<Scene>() + 64)?;
+        let mut changed = VecDeque::new();
+        changed.try_reserve_exact(REMEMBERED)?;
+        Ok(Self {
+            scene: Arc::new(scene),
+            node,
+            number: fresh_revision(),
+            meshes: fresh_revision(),
+            pins,
+            changed,
+        })
+    }
+
+    /// The scene of a path alone, which is edited.
+    pub(super) fn of_path(path: CameraPath) -> Result<Self> {
+        Self::new(Scene::of_path(path)?, Some(0), Pins::default())
+    }
+
+    /// Exchanges a part of the scene.
+    pub(super) fn exchange(&mut self, part: &mut Part) -> Result<()> {
+        if Arc::get_mut(&mut self.scene).is_none() {
+            // A copy of the document has it, too.
+            can_allocate(self.scene.heap_size())?;
+        }
+        let node = part.node();
+        Arc::make_mut(&mut self.scene).exchange(part)?;
+        match part {
+            // What is to be removed has come.
+            Part::Remove(places) => {
+                for &place in &*places {
+                    self.node = self.node.map(|node| node + usize::from(place <= node));
+                }
+            }
+            Part::Insert(list) => {
+                let places = list.places();
+                self.node = self
+                    .node
+                    .map(|node| node - places.partition_point(|&place| place < node));
+            }
+            _ => {}
+        }
+        if matches!(part, Part::Insert(_) | Part::Remove(_) | Part::Mesh { .. }) {
+            self.meshes = fresh_revision();
+        }
+        self.renew(node);
+        Ok(())
+    }
+
+    /// Exchanges the number of the node whose path is edited.
+    pub(super) fn exchange_node(&mut self, node: &mut Option<usize>) {
+        let both = [*node, self.node];
+        swap(&mut self.node, node);
+        self.renew(both.into_iter().flatten().next());
+    }
+
+    fn renew(&mut self, changed: Option<usize>) {
+        if self.changed.len() == REMEMBERED {
+            self.changed.pop_front();
+        }
+        self.changed.push_back((self.number, changed));
+        self.number = fresh_revision();
+    }
+
+    /// Brings a copy of the present scene up to date, which was one when [`EditedScene::number`] was
+    /// `since`: where single nodes have changed by taking over those.
+    ///
+    /// # Errors
+    /// As [`EditedScene::replace_path`].
+    pub fn update(&self, copy: &mut Scene, since: u64, path: &CameraPath) -> Result<()> {
+        let begin = self.changed.iter().position(|change| change.0 == since);
+        let newer = match begin {
+            Some(begin) => self.changed.range(begin..),
+            None => self.changed.range(..0),
+        };
+        let known = since == self.number || begin.is_some();
+        if known && newer.clone().all(|(_, node)| node.is_some()) {
+            for &(_, node) in newer {
+                node.map_or(Ok(()), |node| copy.take_over(node, &self.scene))?;
+            }
+            return self.replace_path(copy, path);
+        }
+        *copy = self.with(path)?;
+        Ok(())
+    }
+
     /// The scene; the edited path in it is as it was when the node was chosen.
     #[must_use]
     pub fn scene(&self) -> &Scene {
@@ -95,12 +195,89 @@ impl EditedScene {
         self.number
     }
 
+    /// As [`EditedScene::number`], of the nodes' numbers and meshes alone.
+    #[must_use]
+    pub const fn meshes(&self) -> u64 {
+        self.meshes
+    }
+
     pub(super) fn is_path_alone(&self) -> bool {
         vid::alone(&self.scene).is_some()
     }
 
-    pub(super) const fn weight(&self) -> usize {
-        self.weight
+    /// Approximate bytes that a copy of the scene takes.
+    pub(super) fn weight(&self) -> usize {
+        self.scene.heap_size()
+    }
+
+    /// The edited node's path as it is now with what follows it; none: the scene has it so.
+    pub(super) fn present_path(&self, path: &CameraPath) -> Result<Option<FollowPath>> {
+        let (Some(node), Some(follow)) = (self.node, self.follow()) else {
+            return Ok(None);
+        };
+        if follow.path() == path && self.pins.are_those_of(&self.scene, node) {
+            return Ok(follow.held(&self.pins())?);
+        }
+        let (start, beyond) = (follow.start_frame(), follow.extrapolation());
+        let follow = FollowPath::new(path.try_clone()?, start, beyond)?;
+        Ok(Some(follow.held(&self.pins())?.unwrap_or(follow)))
+    }
+
+    pub(super) fn pins_there(&self) -> impl Iterator<Item = (usize, String)> + use<'_> {
+        self.pins.there()
+    }
+
+    pub(super) fn check_pin(
+        &self,
+        path: &CameraPath,
+        point: usize,
+        marker: Option<&str>,
+    ) -> Result<()> {
+        let count = path.points.len();
+        if point >= count {
+            let nodes = self.scene.nodes();
+            let name = self.node.map_or("", |node| &nodes[node].name);
+            return Err(OutOfRange::NoPathPoint {
+                node: name.into(),
+                point,
+                count,
+            }
+            .into());
+        }
+        match marker.filter(|marker| self.scene.marker(marker).is_none()) {
+            Some(marker) => Err(Invalid::NoMarker(marker.into()).into()),
+            None => Ok(()),
+        }
+    }
+
+    /// The pins with that of a point set or removed.
+    pub(super) fn pins_with(&self, point: usize, marker: Option<String>) -> Result<Pins> {
+        let mut pins = vec_with_room(self.pins.0.len() + 1)?;
+        let other = |pin: &&Pinned| pin.parked != 0 || pin.point != point;
+        pins.extend(self.pins.0.iter().filter(other).cloned());
+        pins.extend(marker.map(|marker| Pinned {
+            point,
+            marker,
+            parked: 0,
+        }));
+        pins.sort_by_key(|pin| pin.point);
+        Ok(Pins(pins))
+    }
+
+    /// The pins with those to a marker at another one, or without them; none: they stay.
+    pub(super) fn pins_renamed(&self, marker: &str, to: Option<&str>) -> Result<Option<Pins>> {
+        if self.pins.0.iter().all(|pin| pin.marker != marker) {
+            return Ok(None);
+        }
+        let mut pins = vec_with_room(self.pins.0.len())?;
+        pins.extend(self.pins.0.iter().filter_map(|pin| {
+            let mut pin = pin.clone();
+            if pin.marker == marker {
+                to?.clone_into(&mut pin.marker);
+            }
+            Some(pin)
+        }));
+        Ok(Some(Pins(pins)))
     }
 
     fn follow(&self) -> Option<&FollowPath> {
@@ -120,7 +297,8 @@ impl EditedScene {
     pub fn replace_path(&self, scene: &mut Scene, path: &CameraPath) -> Result<()> {
         if let (Some(node), Some(follow)) = (self.node, self.follow())
             && (scene.nodes()[node].path().map(FollowPath::path) != Some(path)
-                || !self.pins.are_those_of(scene, node))
+                || !self.pins.are_those_of(scene, node)
+                || scene.path_held_by_pins(node)?.is_some())
         {
             let (start, beyond) = (follow.start_frame(), follow.extrapolation());
             let follow = FollowPath::new(path.try_clone()?, start, beyond)?;

@@ -5,6 +5,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use super::change::State;
 use super::edit::Edit;
 use super::fingerprint::Fingerprint;
+use super::held;
 use super::history::{History, Step};
 use super::info::{Info, Object};
 use super::prepare;
@@ -228,31 +229,33 @@ impl Document {
         }
         change.reserve(&mut self.state)?;
         let shapes = change.may_undefine_ups();
-        change.apply(&mut self.state, &mut self.plan);
-        let mut check = || -> Result<_> {
+        let of_scene = change.of_scene();
+        change.apply(&mut self.state, &mut self.plan)?;
+        let mut follow = || -> Result<_> {
             if shapes {
                 check_ups(&self.state.path)?;
             }
-            let held = prepare::held_by_pins(&self.state, &self.plan)?;
-            if held.is_some() && keeps_record {
-                step.reserve_more(2)?;
+            let mut held = held::what_follows(&self.state, &self.plan, of_scene)?;
+            if let Some(held) = held.as_ref().filter(|_| keeps_record) {
+                step.reserve_more(1 + held.count())?;
+            }
+            if let Some(held) = &mut held {
+                held.apply(&mut self.state, &mut self.plan)?;
             }
             Ok(held)
         };
-        let mut held = match check() {
+        let held = match follow() {
             Ok(held) => held,
             Err(error) => {
-                change.apply(&mut self.state, &mut self.plan);
+                // It was just exchanged, and can be again.
+                let _ = change.apply(&mut self.state, &mut self.plan);
                 return Err(error);
             }
         };
-        if let Some(held) = &mut held {
-            held.apply(&mut self.state, &mut self.plan);
-        }
         if keeps_record {
             step.name.get_or_insert(name);
             step.push(change);
-            held.into_iter().for_each(|held| step.push(held));
+            held.into_iter().for_each(|held| step.push_all(held));
         }
         if self.open.is_none() {
             own.close();
@@ -370,17 +373,19 @@ impl Document {
     pub fn cancel_step(&mut self) {
         if let Some(mut step) = self.open.take() {
             step.close();
-            self.exchange(&mut step);
+            let _ = self.exchange(&mut step);
         }
     }
 
     /// Ends the open step and undoes the last one, selection included. False if there is none.
-    /// Needs no memory.
+    /// Needs no memory, but for edits of a scene as much as the tracks or the list of nodes that
+    /// change take; without it, it is false and nothing has changed.
     pub fn undo(&mut self) -> bool {
         self.travel(false)
     }
 
-    /// Redoes the step undone last, selection included. False if there is none. Needs no memory.
+    /// Redoes the step undone last, selection included. False if there is none. Needs memory as
+    /// [`Document::undo`].
     pub fn redo(&mut self) -> bool {
         self.travel(true)
     }
@@ -405,11 +410,12 @@ impl Document {
         self.history.can_redo()
     }
 
-    fn exchange(&mut self, step: &mut Step) {
-        step.exchange(|change| change.apply(&mut self.state, &mut self.plan));
+    fn exchange(&mut self, step: &mut Step) -> Result<()> {
+        step.exchange(|change| change.apply(&mut self.state, &mut self.plan))?;
         std::mem::swap(&mut step.selection, &mut self.selection);
         std::mem::swap(&mut step.number, &mut self.number);
         self.revision = fresh_revision();
+        Ok(())
     }
 
     /// Whether there are unsaved changes. False again after undoing back to the saved state.

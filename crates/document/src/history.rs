@@ -3,17 +3,79 @@
 
 use std::collections::VecDeque;
 
-use super::change::Change;
+use super::change::{Change, exchange_all};
 use super::editing::Selection;
 use super::step_name::StepName;
-use crate::error::{Result, vec_with_room};
+use crate::error::{Result, can_allocate, vec_with_room};
 use crate::limits;
+use vides_engine::scene::Part;
+
+/// A change that was done, as small as it is: most parts of a scene are smaller than those of paths,
+/// and a scene of many keys has many.
+#[derive(Debug)]
+enum Record {
+    /// [`Change::Part`].
+    Part(Box<Part>, u64),
+    Other(Box<Change>),
+}
+
+impl Record {
+    fn new(change: Change) -> Self {
+        match change {
+            Change::Part(part, removal) => Self::Part(Box::new(part), removal),
+            other => Self::Other(Box::new(other)),
+        }
+    }
+
+    fn into_change(self) -> Change {
+        match self {
+            Self::Part(part, removal) => Change::Part(*part, removal),
+            Self::Other(other) => *other,
+        }
+    }
+
+    fn with(&mut self, apply: impl FnOnce(&mut Change) -> Result<()>) -> Result<()> {
+        let (part, removal) = match self {
+            Self::Other(other) => return apply(other),
+            Self::Part(part, removal) => (part, removal),
+        };
+        let mut change = Change::Part(std::mem::replace(part, Part::Camera(None)), *removal);
+        let done = apply(&mut change);
+        if let Change::Part(now, number) = change {
+            (**part, *removal) = (now, number);
+        }
+        done
+    }
+
+    fn renumbers(&self) -> bool {
+        match self {
+            Self::Part(part, _) => !part.is_value(),
+            Self::Other(other) => other.renumbers(),
+        }
+    }
+
+    fn is_at_place_of(&self, change: &Change) -> bool {
+        match (self, change) {
+            (Self::Part(part, _), Change::Part(other, _)) => part.is_at_place_of(other),
+            (Self::Other(other), change) => other.is_at_place_of(change),
+            _ => false,
+        }
+    }
+
+    fn weight(&self) -> usize {
+        let beyond = match self {
+            Self::Part(part, _) => size_of::<Part>() + part.heap_size(),
+            Self::Other(other) => other.weight(),
+        };
+        size_of::<Self>() + beyond
+    }
+}
 
 /// What a single undo takes back.
 #[derive(Debug)]
 pub(super) struct Step {
     /// The records that lead to the other side, in the order of application.
-    changes: Vec<Change>,
+    changes: Vec<Record>,
     /// The selection on the other side.
     pub(super) selection: Selection,
     /// Number of the state on the other side.
@@ -32,6 +94,7 @@ impl Step {
     }
 
     pub(super) fn reserve(&mut self) -> Result<()> {
+        can_allocate(size_of::<Change>())?;
         if self.changes.is_empty() {
             self.changes.try_reserve_exact(1)?;
         } else {
@@ -41,6 +104,7 @@ impl Step {
     }
 
     pub(super) fn reserve_more(&mut self, records: usize) -> Result<()> {
+        can_allocate(records * size_of::<Change>())?;
         Ok(self.changes.try_reserve(records)?)
     }
 
@@ -55,7 +119,19 @@ impl Step {
             .take(FAR_BACK)
             .any(|older| older.is_at_place_of(&inverse));
         if !known {
-            self.changes.push(inverse);
+            self.changes.push(Record::new(inverse));
+        }
+    }
+
+    /// The same for a record of several, each by itself; see [`Change::count`].
+    pub(super) fn push_all(&mut self, inverse: Change) {
+        match inverse {
+            // They stand as they are to be undone.
+            Change::Several(changes) => {
+                let rising = changes.into_iter().rev();
+                rising.for_each(|one| self.push_all(one));
+            }
+            one => self.push(one),
         }
     }
 
@@ -67,7 +143,7 @@ impl Step {
     pub(super) fn append(&mut self, inner: Self) {
         self.name = self.name.or(inner.name);
         for record in inner.changes {
-            self.push(record);
+            self.push(record.into_change());
         }
     }
 
@@ -80,10 +156,12 @@ impl Step {
         self.changes.is_empty()
     }
 
-    /// Applies each record, which then undoes itself.
-    pub(super) fn exchange(&mut self, apply: impl FnMut(&mut Change)) {
-        self.changes.iter_mut().for_each(apply);
-        self.changes.reverse();
+    /// Applies each record, which then undoes itself; none if one cannot be.
+    pub(super) fn exchange(
+        &mut self,
+        mut apply: impl FnMut(&mut Change) -> Result<()>,
+    ) -> Result<()> {
+        exchange_all(&mut self.changes, |record| record.with(&mut apply))
     }
 
     /// Puts the records back into the order in which they came, so that more can follow.
@@ -94,7 +172,7 @@ impl Step {
     /// Puts closed steps together, given in the order in which they were done.
     fn join(
         steps: impl DoubleEndedIterator<Item = Self>,
-        mut changes: Vec<Change>,
+        mut changes: Vec<Record>,
     ) -> Option<Self> {
         let mut joined: Option<Self> = None;
         // What was done last is taken back first; the other side is that of the first.
@@ -110,7 +188,7 @@ impl Step {
     }
 
     fn weight(&self) -> usize {
-        size_of::<Self>() + self.changes.iter().map(Change::weight).sum::<usize>()
+        size_of::<Self>() + self.changes.iter().map(Record::weight).sum::<usize>()
     }
 }
 
@@ -224,7 +302,11 @@ impl History {
     }
 
     /// Undoes the newest step by `exchange`, or redoes the one undone last. False if there is none.
-    pub(super) fn exchange(&mut self, redo: bool, exchange: impl FnOnce(&mut Step)) -> bool {
+    pub(super) fn exchange(
+        &mut self,
+        redo: bool,
+        exchange: impl FnOnce(&mut Step) -> Result<()>,
+    ) -> bool {
         let index = if redo {
             Some(self.done)
         } else {
@@ -233,8 +315,10 @@ impl History {
         let Some((step, weight)) = index.and_then(|index| self.steps.get_mut(index)) else {
             return false;
         };
+        if exchange(step).is_err() {
+            return false;
+        }
         self.done = if redo { self.done + 1 } else { self.done - 1 };
-        exchange(step);
         // It now holds the other side's values.
         self.weight -= *weight;
         *weight = step.weight();

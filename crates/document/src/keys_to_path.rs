@@ -1,7 +1,9 @@
 //! A camera that moves by keys comes to follow a path, fitted to its poses.
 
 use glam::DVec3;
-use vides_engine::scene::{Channel, Extrapolation, FollowPath, Kind, NodeState, Scene, Warnings};
+use vides_engine::scene::{
+    Channel, Extrapolation, FollowPath, Kind, NodeState, Part, Rest, Scene, Warnings,
+};
 use vides_engine::tools::fit::Tolerance;
 
 use super::edit::Edit;
@@ -17,11 +19,20 @@ use crate::path::{CameraPath, Plan, Pose};
 const NEAR: f64 = 1e-3;
 const ANGLE: f64 = 0.1;
 
+/// The channels whose keys the path takes over.
+const MOVED: [Channel; 5] = [
+    Channel::Position,
+    Channel::Rotation,
+    Channel::Zoom,
+    Channel::Roll,
+    Channel::AimWeight,
+];
+
 /// What [`Document::keys_to_path`] makes.
 #[derive(Debug)]
 pub struct KeysToPath {
-    /// The scene in which the camera follows its path, and its choice, to be one step.
-    pub edits: [Edit; 2],
+    /// What lets the camera follow its path, and its choice, to be one step.
+    pub edits: Vec<Edit>,
     /// Points of the path.
     pub points: usize,
     /// The farthest that a whole frame is from where it was, in world units.
@@ -47,11 +58,29 @@ impl Document {
             angle: ANGLE,
         };
         let fitted = keys_to_path(&mut scene, node, self.info().fps, tolerance)?;
+        let made = &scene.nodes()[node];
+        let mut parts = vec_with_room(MOVED.len() + 3)?;
+        if let Some(edited) = self.edited_scene() {
+            let old = &edited.scene().nodes()[node];
+            for channel in MOVED {
+                if old.keys().track(&channel).is_some() {
+                    parts.push(Part::track(node, channel, None)?);
+                }
+            }
+        }
+        parts.push(Part::Rest {
+            node,
+            rest: Box::new(Rest::of(made)),
+        });
+        parts.push(Part::Links {
+            node,
+            parent: made.parent,
+            aim: made.aim,
+        });
+        parts.push(Part::path(node, made.path().cloned())?);
+        let parts = parts.into_iter().map(|part| Edit::Part(Box::new(part)));
         Ok(KeysToPath {
-            edits: [
-                Edit::ReplaceScene(Box::new(scene)),
-                Edit::EditNode(Some(node)),
-            ],
+            edits: parts.chain([Edit::EditNode(Some(node))]).collect(),
             points: fitted.points,
             off: fitted.off,
             turned: fitted.turned,
@@ -92,13 +121,7 @@ pub fn keys_to_path(
     let path = fitted(&poses, None, fps, tolerance, &like, &mut |_, _| true)?;
     let (off, turned) = missed(&path, &poses)?;
     let points = path.points.len();
-    for channel in [
-        Channel::Position,
-        Channel::Rotation,
-        Channel::Zoom,
-        Channel::Roll,
-        Channel::AimWeight,
-    ] {
+    for channel in MOVED {
         scene.remove_track(node, &channel)?;
     }
     let mut still = scene.node(node)?.clone();

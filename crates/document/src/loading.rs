@@ -53,6 +53,7 @@ impl Document {
         let mut document = Self::from_parts(path, loaded.info)?;
         can_allocate(size_of_val(&edited))?;
         document.state.edited_scene = Some(Box::new(edited));
+        document.state.comments = Comments::of(text)?;
         document.fingerprint = Some(Fingerprint::of(text.as_bytes()));
         Ok((document, warnings))
     }

@@ -8,8 +8,10 @@ use super::edited_scene::{self, EditedScene, Pins};
 use super::editing::Selection;
 use super::info::Info;
 use super::place;
+use super::scene_edit;
 use super::set;
 use super::target;
+use super::vid::Comments;
 use crate::error::{
     End, Error, OutOfRange, Place, Refused, Result, TooMany, can_allocate, vec_with_room,
 };
@@ -18,11 +20,10 @@ use crate::math::orientation::wrap_degrees;
 use crate::path::fit_frames::{Fixed, fit_frames};
 use crate::path::insertion::{self, Insertion};
 use crate::path::space::Move;
-use crate::path::{CameraPath, Orientation, Pace, Plan, Space, SupportPoint, Target, Timeline};
+use crate::path::{CameraPath, Orientation, Pace, Space, SupportPoint, Target, Timeline};
 use crate::path::{ahead, change_up};
 use crate::tools::{block, transform};
 use vides_engine::property::find;
-use vides_engine::scene::pins::pinned;
 
 /// The record of an edit, and the selection it sets, if any.
 pub(super) type Prepared = (Change, Option<Selection>);
@@ -41,7 +42,15 @@ pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
     let none_edited = matches!(&state.edited_scene, Some(edited) if edited.node().is_none());
     let needs_path = !matches!(
         edit,
-        Edit::EditNode(_) | Edit::ReplaceScene(_) | Edit::SetInfo(_) | Edit::SetSpace { .. }
+        Edit::EditNode(_)
+            | Edit::ReplaceScene(_)
+            | Edit::SetInfo(_)
+            | Edit::SetSpace { .. }
+            | Edit::Part(_)
+            | Edit::AddNodes(_)
+            | Edit::CopyNodes(_)
+            | Edit::SetParent { .. }
+            | Edit::RenameMarker { .. }
     );
     if none_edited && needs_path {
         return Err(Refused::NoPathEdited.into());
@@ -139,10 +148,20 @@ pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
             Change::Info(info)
         }
         Edit::EditNode(node) => return other_node(state, node),
+        Edit::Part(part) => return scene_edit::prepare(state, |edits| edits.part(*part)),
+        Edit::AddNodes(nodes) => return scene_edit::prepare(state, |edits| edits.add(nodes)),
+        Edit::CopyNodes(nodes) => return scene_edit::prepare(state, |edits| edits.copy(&nodes)),
+        Edit::SetParent { node, parent, keep } => {
+            return scene_edit::prepare(state, |edits| edits.parent(node, parent, keep));
+        }
+        Edit::RenameMarker { from, to } => {
+            return scene_edit::prepare(state, |edits| edits.rename_marker(from, to));
+        }
         Edit::ReplaceScene(scene) => {
             let (edited, path) = edited_scene::as_shown(*scene)?;
             state.info.check(edited.scene().space())?;
-            return exchanged_scene(Some(edited).filter(|edited| !edited.is_path_alone()), path);
+            let edited = Some(edited).filter(|edited| !edited.is_path_alone());
+            return exchanged_scene(edited, path, state.comments.of_file()?);
         }
         Edit::ReplacePath(path) => return replaced(state, *path, |point| point),
         Edit::TransformPoints {
@@ -190,7 +209,7 @@ pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
             match &state.edited_scene {
                 // A scene that lies where its path does goes along.
                 Some(edited) if edited.scene().space() == path.space => {
-                    return scene_in(edited, path, space, fit);
+                    return scene_in(edited, path, &state.comments, space, fit);
                 }
                 _ => change,
             }
@@ -220,7 +239,13 @@ pub(super) fn view(path: &CameraPath, point: usize, at: usize, new: Orientation)
 }
 
 /// The scene with its edited path in another space.
-fn scene_in(edited: &EditedScene, path: &CameraPath, space: Space, fit: bool) -> Result<Prepared> {
+fn scene_in(
+    edited: &EditedScene,
+    path: &CameraPath,
+    comments: &Comments,
+    space: Space,
+    fit: bool,
+) -> Result<Prepared> {
     let mut path = path.try_clone()?;
     if fit {
         let to = Move::new(path.space, space);
@@ -232,12 +257,12 @@ fn scene_in(edited: &EditedScene, path: &CameraPath, space: Space, fit: bool) ->
     let mut scene = edited.with(&path)?;
     scene.set_space(space)?;
     let (edited, path) = edited_scene::edit(scene, edited.node())?;
-    let (change, _) = exchanged_scene(Some(edited), path)?;
+    let (change, _) = exchanged_scene(Some(edited), path, comments.try_clone()?)?;
     Ok((change, None))
 }
 
 /// Another path, in which a point has this number.
-fn replaced(
+pub(super) fn replaced(
     state: &State,
     mut path: CameraPath,
     number: impl Fn(usize) -> usize,
@@ -254,24 +279,23 @@ fn replaced(
 }
 
 fn other_node(state: &State, node: Option<usize>) -> Result<Prepared> {
-    let Some(edited) = &state.edited_scene else {
-        return match node {
-            Some(0) => Ok((IDLE, None)),
-            _ => Err(Refused::NoScene.into()),
-        };
-    };
-    if edited.node() == node {
-        return Ok((IDLE, None));
+    if state.edited_scene.is_some() {
+        return scene_edit::prepare(state, |edits| edits.edit_node(node));
     }
-    let (edited, path) = edited_scene::edit(edited.with(&state.path)?, node)?;
-    state.info.check(path.space)?;
-    exchanged_scene(Some(edited), path)
+    match node {
+        Some(0) => Ok((IDLE, None)),
+        _ => Err(Refused::NoScene.into()),
+    }
 }
 
-fn exchanged_scene(edited: Option<EditedScene>, mut path: CameraPath) -> Result<Prepared> {
+fn exchanged_scene(
+    edited: Option<EditedScene>,
+    mut path: CameraPath,
+    comments: Comments,
+) -> Result<Prepared> {
     normalise(&mut path)?;
     can_allocate(size_of::<CameraPath>() + size_of::<EditedScene>())?;
-    let change = Change::Scene(edited.map(Box::new), Box::new(path), 0);
+    let change = Change::Scene(edited.map(Box::new), Box::new(path), comments);
     Ok((change, Some(Selection::default())))
 }
 
@@ -401,24 +425,7 @@ fn fitted(path: &CameraPath, first: usize, last: usize, frames: usize) -> Result
     with_frames(path, fit_frames(path, &timeline, first, last, frames)?)
 }
 
-/// The frame counts that the path's pins require; none if they already hold.
-pub(super) fn held_by_pins(state: &State, plan: &Plan) -> Result<Option<Change>> {
-    let path = &state.path;
-    let pins = match &state.edited_scene {
-        Some(edited) => edited.pins(),
-        None => return Ok(None),
-    };
-    if pins.is_empty() {
-        return Ok(None);
-    }
-    let pinned = plan.timeline(path, |timeline| pinned(path, timeline, &pins))??;
-    if pinned.fixed.is_empty() {
-        return Ok(None);
-    }
-    with_frames(path, pinned.fixed).map(Some)
-}
-
-fn with_frames(path: &CameraPath, fixed: Vec<Fixed>) -> Result<Change> {
+pub(super) fn with_frames(path: &CameraPath, fixed: Vec<Fixed>) -> Result<Change> {
     let mut changes = vec_with_room(fixed.len())?;
     for fixed in fixed {
         let mut orientation = path.points[fixed.point].orientations[fixed.orientation].clone();

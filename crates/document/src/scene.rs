@@ -133,7 +133,12 @@ impl SceneDocument {
     }
 
     fn text(&self, folder: Option<&Path>) -> Result<String> {
-        vid::scene_to_toml(&self.scene, &self.info, &self.comments, folder)
+        let none = Comments::default();
+        let comments = match self.path_alone() {
+            Some(_) => &self.comments,
+            None => &none,
+        };
+        vid::scene_to_toml(&self.scene, &self.info, comments, folder)
     }
 
     /// Saves as a `.vid` file, atomically and durably ([`super::save`]).

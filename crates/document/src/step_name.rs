@@ -3,6 +3,7 @@
 use super::edit::Edit;
 use super::info::Info;
 use crate::path::{CameraPath, Orientation};
+use vides_engine::scene::Part;
 
 /// What a step changed: its tool, or else what its first edit did.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -63,6 +64,38 @@ pub enum StepName {
     Space,
     /// Whose path is edited.
     EditNode,
+    /// Added nodes.
+    AddNodes,
+    /// Removed nodes.
+    RemoveNodes,
+    /// Copied nodes.
+    CopyNodes,
+    /// A node's name.
+    NodeName,
+    /// What a node is in, or looks at.
+    NodeLinks,
+    /// What a node has at rest.
+    NodeValues,
+    /// What moves a node.
+    Motion,
+    /// Keys of a track.
+    Keys,
+    /// How a track goes from key to key.
+    Interpolation,
+    /// An object's mesh.
+    Mesh,
+    /// An object's shapes or their weights.
+    Shapes,
+    /// An object's deformations.
+    Deformations,
+    /// A marker.
+    Marker,
+    /// What is pinned to a marker.
+    Pin,
+    /// The shown camera.
+    ShownCamera,
+    /// The range of frames.
+    Range,
     /// Another scene.
     ReplaceScene,
     /// A node's keys became a path.
@@ -134,6 +167,11 @@ impl StepName {
             Edit::SetInfo(_) => Self::Info,
             Edit::SetSpace { .. } | Edit::ChangeUp(_) => Self::Space,
             Edit::EditNode(_) => Self::EditNode,
+            Edit::Part(part) => Self::of_part(part),
+            Edit::AddNodes(_) => Self::AddNodes,
+            Edit::CopyNodes(_) => Self::CopyNodes,
+            Edit::SetParent { .. } => Self::NodeLinks,
+            Edit::RenameMarker { .. } => Self::Marker,
             Edit::ReplaceScene(_) => Self::ReplaceScene,
             Edit::ReplacePath(_) => Self::ReplacePath,
             Edit::TransformPoints { .. } => Self::Transform,
@@ -141,6 +179,33 @@ impl StepName {
             Edit::InsertPath { .. } => Self::InsertPath,
             Edit::Reverse => Self::Reverse,
             Edit::Repeat(_) => Self::Repeat,
+        }
+    }
+}
+
+impl StepName {
+    const fn of_part(part: &Part) -> Self {
+        match part {
+            Part::Insert(_) => Self::AddNodes,
+            Part::Remove(_) => Self::RemoveNodes,
+            Part::Name { .. } => Self::NodeName,
+            Part::Links { .. } => Self::NodeLinks,
+            Part::Path { .. } | Part::Start { .. } | Part::Track { .. } => Self::Motion,
+            Part::Keys { .. } => Self::Keys,
+            Part::Manner { .. } => Self::Interpolation,
+            Part::Mesh { .. } => Self::Mesh,
+            Part::Weights { .. } | Part::InsertShape { .. } | Part::RemoveShape { .. } => {
+                Self::Shapes
+            }
+            Part::InsertDeformation { .. }
+            | Part::RemoveDeformation { .. }
+            | Part::Deformation { .. }
+            | Part::MoveDeformation { .. } => Self::Deformations,
+            Part::Marker { .. } => Self::Marker,
+            Part::Pin { .. } => Self::Pin,
+            Part::Camera(_) => Self::ShownCamera,
+            Part::Range(_) => Self::Range,
+            _ => Self::NodeValues,
         }
     }
 }

@@ -12,6 +12,8 @@ use std::sync::Arc;
 
 use crate::error::{Result, can_allocate};
 use crate::limits::MAX_FILE_BYTES;
+use crate::path::CameraPath;
+use vides_engine::property::find;
 
 /// The comments we write ourselves; `#` otherwise only occurs within strings.
 pub(super) const OURS: [&str; 3] = [
@@ -23,9 +25,13 @@ pub(super) const OURS: [&str; 3] = [
 /// What a comment is attached to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 struct Place<'a> {
+    /// The node of a scene whose table it is.
+    node: Option<usize>,
     table: Table,
     /// For tables other than a point's.
     name: &'a str,
+    /// What such a table is called, where there may be several: a channel or a name.
+    item: &'a str,
     /// Empty for the table's header.
     key: &'a str,
 }
@@ -35,6 +41,8 @@ enum Table {
     /// Before all tables.
     Root,
     Named,
+    /// One of several that have no name.
+    Item(usize),
     /// A point or, with a second number, one of its orientations.
     Point(usize, Option<usize>),
     /// The end of the file.
@@ -43,8 +51,12 @@ enum Table {
 
 #[derive(Debug, Clone)]
 struct Comment {
+    node: Option<usize>,
+    /// The removal that took its node away, as `parked`. It then has the number from before.
+    node_parked: u64,
     table: Table,
     name: Arc<str>,
+    item: Arc<str>,
     key: Arc<str>,
     /// Whole lines before the place, with the empty lines between them.
     before: Arc<str>,
@@ -57,10 +69,16 @@ struct Comment {
 impl Comment {
     fn place(&self) -> Place<'_> {
         Place {
+            node: self.node,
             table: self.table,
             name: &self.name,
+            item: &self.item,
             key: &self.key,
         }
+    }
+
+    const fn there(&self) -> bool {
+        self.parked == 0 && self.node_parked == 0
     }
 }
 
@@ -123,8 +141,11 @@ impl Comments {
             if !before.is_empty() || !behind.is_empty() {
                 let place = statement.place;
                 comments.all.push(Comment {
+                    node: place.node,
+                    node_parked: 0,
                     table: place.table,
                     name: place.name.into(),
+                    item: place.item.into(),
                     key: place.key.into(),
                     before: before.into(),
                     behind: behind.into(),
@@ -138,14 +159,26 @@ impl Comments {
     pub(crate) fn try_clone(&self) -> Result<Self> {
         let mut copy = Self::default();
         copy.all.try_reserve_exact(self.all.len())?;
-        let there = self.all.iter().filter(|comment| comment.parked == 0);
+        let there = self.all.iter().filter(|comment| comment.there());
         copy.all.extend(there.cloned());
         Ok(copy)
     }
 
+    /// Those of a node's path, or of the path alone.
+    fn of_path(&mut self, node: Option<usize>) -> impl Iterator<Item = &mut Comment> {
+        let all = self.all.iter_mut();
+        all.filter(move |comment| comment.node == node && comment.node_parked == 0)
+    }
+
     /// Shifts comments for inserted points and restores those of `removal`, unless 0.
-    pub(crate) fn insert_points(&mut self, at: usize, count: usize, removal: u64) {
-        for comment in &mut self.all {
+    pub(crate) fn insert_points(
+        &mut self,
+        node: Option<usize>,
+        at: usize,
+        count: usize,
+        removal: u64,
+    ) {
+        for comment in self.of_path(node) {
             if let Table::Point(point, _) = &mut comment.table {
                 insert_points(point, &mut comment.parked, at, count, removal);
             }
@@ -153,18 +186,121 @@ impl Comments {
     }
 
     /// Parks the comments of removed points; returns the number of the removal.
-    pub(crate) fn remove_points(&mut self, at: usize, count: usize) -> u64 {
+    pub(crate) fn remove_points(&mut self, node: Option<usize>, at: usize, count: usize) -> u64 {
         self.removals += 1;
-        for comment in &mut self.all {
+        let removal = self.removals;
+        for comment in self.of_path(node) {
             if let Table::Point(point, _) = &mut comment.table {
-                remove_points(point, &mut comment.parked, at, count, self.removals);
+                remove_points(point, &mut comment.parked, at, count, removal);
+            }
+        }
+        removal
+    }
+
+    /// Shifts comments for inserted nodes, which get these numbers, and restores those of `removal`,
+    /// unless 0.
+    pub(crate) fn insert_nodes(&mut self, places: &[usize], removal: u64) {
+        for comment in &mut self.all {
+            let Some(node) = &mut comment.node else {
+                continue;
+            };
+            if comment.node_parked == 0 {
+                for &place in places {
+                    *node += usize::from(place <= *node);
+                }
+            } else if comment.node_parked == removal {
+                comment.node_parked = 0;
+            }
+        }
+    }
+
+    /// Parks the comments of removed nodes; returns the number of the removal.
+    pub(crate) fn remove_nodes(&mut self, places: &[usize]) -> u64 {
+        self.removals += 1;
+        for comment in self
+            .all
+            .iter_mut()
+            .filter(|comment| comment.node_parked == 0)
+        {
+            let Some(node) = &mut comment.node else {
+                continue;
+            };
+            match places.binary_search(node) {
+                Ok(_) => comment.node_parked = self.removals,
+                Err(before) => *node -= before,
             }
         }
         self.removals
     }
 
-    pub(crate) fn insert_orientation(&mut self, of: usize, at: usize, removal: u64) {
-        for comment in &mut self.all {
+    /// Those of a path in a scene of one camera on it.
+    pub(crate) fn in_scene(&self) -> Result<Self> {
+        let mut comments = self.try_clone()?;
+        let of_path = |key: &str| find(CameraPath::PROPERTIES, key).is_some();
+        for comment in comments
+            .all
+            .iter_mut()
+            .filter(|comment| comment.node.is_none())
+        {
+            let name = match (comment.table, &*comment.name) {
+                (Table::Point(..), _) => "",
+                (Table::Root, _) if of_path(&comment.key) => {
+                    comment.table = Table::Named;
+                    "node.path"
+                }
+                (_, "base_speeds") => "node.path.base_speeds",
+                (_, "presets") => "node.path.presets",
+                _ => continue,
+            };
+            (comment.node, comment.name) = (Some(0), name.into());
+        }
+        Ok(comments)
+    }
+
+    /// The inverse of [`Comments::in_scene`]; those of the node itself go to the file's head.
+    pub(crate) fn of_path_alone(&self) -> Result<Self> {
+        let mut comments = self.try_clone()?;
+        for comment in comments
+            .all
+            .iter_mut()
+            .filter(|comment| comment.node.is_some())
+        {
+            comment.node = None;
+            let name = match (comment.table, &*comment.name) {
+                (Table::Named, "node.path") if !comment.key.is_empty() => {
+                    comment.table = Table::Root;
+                    ""
+                }
+                (Table::Named, "node.path.base_speeds") => "base_speeds",
+                (Table::Named, "node.path.presets") => "presets",
+                (Table::Point(..), _) => "",
+                _ => {
+                    (comment.table, comment.key) = (Table::Root, "".into());
+                    ""
+                }
+            };
+            comment.name = name.into();
+        }
+        Ok(comments)
+    }
+
+    /// Those that are of no node and no point, for another scene.
+    pub(crate) fn of_file(&self) -> Result<Self> {
+        let mut comments = self.try_clone()?;
+        comments
+            .all
+            .retain(|comment| comment.node.is_none() && !matches!(comment.table, Table::Point(..)));
+        Ok(comments)
+    }
+
+    pub(crate) fn insert_orientation(
+        &mut self,
+        node: Option<usize>,
+        of: usize,
+        at: usize,
+        removal: u64,
+    ) {
+        for comment in self.of_path(node) {
             if let Table::Point(point, Some(number)) = &mut comment.table {
                 if comment.parked == 0 && *point == of && *number >= at {
                     *number += 1;
@@ -176,24 +312,25 @@ impl Comments {
         }
     }
 
-    pub(crate) fn remove_orientation(&mut self, of: usize, at: usize) -> u64 {
+    pub(crate) fn remove_orientation(&mut self, node: Option<usize>, of: usize, at: usize) -> u64 {
         self.removals += 1;
-        for comment in self.all.iter_mut().filter(|comment| comment.parked == 0) {
+        let removal = self.removals;
+        for comment in self.of_path(node).filter(|comment| comment.parked == 0) {
             if let Table::Point(point, Some(number)) = &mut comment.table
                 && *point == of
             {
                 match (*number).cmp(&at) {
                     std::cmp::Ordering::Less => {}
-                    std::cmp::Ordering::Equal => comment.parked = self.removals,
+                    std::cmp::Ordering::Equal => comment.parked = removal,
                     std::cmp::Ordering::Greater => *number -= 1,
                 }
             }
         }
-        self.removals
+        removal
     }
 
     pub(super) fn put_into(&self, text: String) -> Result<String> {
-        let there = || self.all.iter().filter(|comment| comment.parked == 0);
+        let there = || self.all.iter().filter(|comment| comment.there());
         let sizes = there().map(|comment| comment.before.len() + comment.behind.len() + 2);
         let size = sizes.sum::<usize>() + text.len();
         // Better to lose the comments than to write a file too long to be read.
@@ -210,7 +347,8 @@ impl Comments {
             places.insert(statement.place, ranges.len());
             ranges.push(statement.text);
         });
-        // If its key is not written a comment goes to its table's header, else to the end.
+        // If its key is not written a comment goes to its table's header, or its node's, else to the
+        // end.
         let home = |comment: &Comment| {
             let key = match comment.table {
                 Table::Root => "version",
@@ -218,8 +356,17 @@ impl Comments {
             };
             let place = comment.place();
             let own = places.get(&place).map(|&at| (at, true));
-            let head = || places.get(&Place { key, ..place }).map(|&at| (at, false));
-            own.or_else(head).unwrap_or((ranges.len() - 1, false))
+            let header = Place { key, ..place };
+            let node = Place {
+                node: place.node,
+                table: Table::Named,
+                name: "node",
+                item: "",
+                key: "",
+            };
+            let of = |place| places.get(&place).map(|&at| (at, false));
+            let home = own.or_else(|| of(header)).or_else(|| of(node));
+            home.unwrap_or((ranges.len() - 1, false))
         };
         let mut homes: Vec<_> = there().map(|comment| (home(comment), comment)).collect();
         homes.sort_by_key(|((at, _), _)| *at);
@@ -292,7 +439,13 @@ fn statements<'a>(text: &'a str, mut each: impl FnMut(Statement<'a>)) {
             .position(|&byte| byte == b'\n')
             .unwrap_or(rest.len())
     };
-    let (mut table, mut name) = (Table::Root, "");
+    let mut here = Header {
+        node: None,
+        table: Table::Root,
+        name: "",
+        item: "",
+    };
+    let mut last_node = None;
     let mut at = 0;
     loop {
         let begin = at;
@@ -310,10 +463,15 @@ fn statements<'a>(text: &'a str, mut each: impl FnMut(Statement<'a>)) {
         let (end, within) = end_of_statement(text, at);
         let words = text[at..end].trim();
         let key = if words.is_empty() {
-            (table, name) = (Table::End, "");
+            here = Header {
+                node: None,
+                table: Table::End,
+                name: "",
+                item: "",
+            };
             ""
         } else if let Some(header) = words.strip_prefix('[') {
-            (table, name) = table_of(header, table);
+            here = here.next(header, &text[end..], &mut last_node);
             ""
         } else {
             let key = words.split('=').next().unwrap_or_default();
@@ -321,13 +479,13 @@ fn statements<'a>(text: &'a str, mut each: impl FnMut(Statement<'a>)) {
         };
         let next = line_end(end);
         each(Statement {
-            place: Place { table, name, key },
+            place: here.place(key),
             text: at..end,
             before,
             within,
             behind: text[end..next].trim(),
         });
-        if table == Table::End {
+        if here.table == Table::End {
             return;
         }
         at = (next + 1).min(text.len());
@@ -343,18 +501,78 @@ fn slot(key: &str) -> &str {
     }
 }
 
-/// The table that a header, without its first bracket, begins.
-fn table_of(header: &str, last: Table) -> (Table, &str) {
-    let name = header.trim_matches(['[', ']', ' ', '\t']);
-    let table = match (name, last) {
-        ("point", Table::Point(point, _)) => Table::Point(point + 1, None),
-        ("point", _) => Table::Point(0, None),
-        ("point.orientation", Table::Point(point, number)) => {
-            Table::Point(point, Some(number.map_or(0, |number| number + 1)))
+/// The table in which a statement stands; see [`Place`].
+#[derive(Clone, Copy)]
+struct Header<'a> {
+    node: Option<usize>,
+    table: Table,
+    name: &'a str,
+    item: &'a str,
+}
+
+impl<'a> Header<'a> {
+    const fn place(self, key: &'a str) -> Place<'a> {
+        Place {
+            node: self.node,
+            table: self.table,
+            name: self.name,
+            item: self.item,
+            key,
         }
-        _ => return (Table::Named, name),
-    };
-    (table, "")
+    }
+
+    /// The table that a header, without its first bracket, begins before `rest`.
+    fn next(self, header: &'a str, rest: &'a str, nodes: &mut Option<usize>) -> Self {
+        let name = header.trim_matches(['[', ']', ' ', '\t']);
+        if name == "node" {
+            *nodes = Some(nodes.map_or(0, |node| node + 1));
+        }
+        let node = nodes.filter(|_| name == "node" || name.starts_with("node."));
+        let last = Some(self.table).filter(|_| self.node == node);
+        let (table, name, item) = match (name, last) {
+            ("point" | "node.path.point", Some(Table::Point(point, _))) => {
+                (Table::Point(point + 1, None), "", "")
+            }
+            ("point" | "node.path.point", _) => (Table::Point(0, None), "", ""),
+            (
+                "point.orientation" | "node.path.point.orientation",
+                Some(Table::Point(point, number)),
+            ) => {
+                let number = number.map_or(0, |number| number + 1);
+                (Table::Point(point, Some(number)), "", "")
+            }
+            ("node.deformation", Some(Table::Item(number))) => (Table::Item(number + 1), name, ""),
+            ("node.deformation", _) => (Table::Item(0), name, ""),
+            ("node.track", _) => (Table::Named, name, value_of_key(rest, "channel")),
+            ("node.shape" | "marker", _) => (Table::Named, name, value_of_key(rest, "name")),
+            _ => (Table::Named, name, ""),
+        };
+        Self {
+            node,
+            table,
+            name,
+            item,
+        }
+    }
+}
+
+/// What follows a key in a table, without quotes; empty if it is not there.
+fn value_of_key<'a>(table: &'a str, key: &str) -> &'a str {
+    for line in table.lines().map(str::trim_start) {
+        if line.starts_with("[[") || line.starts_with("[node") {
+            break;
+        }
+        let value = line.strip_prefix(key).map(str::trim_start);
+        if let Some(value) = value.and_then(|value| value.strip_prefix('=')) {
+            let value = value.trim_start();
+            let end = match value.as_bytes().first() {
+                Some(b'"' | b'\'') => end_of_text(value.as_bytes(), 0),
+                _ => value.find('#').unwrap_or(value.len()),
+            };
+            return value[..end].trim().trim_matches(['"', '\'']);
+        }
+    }
+    ""
 }
 
 /// The end of the statement at `at`, without trailing blanks and comments, and those within it.

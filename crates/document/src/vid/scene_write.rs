@@ -41,7 +41,7 @@ pub(crate) fn scene_to_toml(
     if out.0.len() as u64 > MAX_FILE_BYTES {
         return Err(too_large(MAX_FILE_BYTES));
     }
-    Ok(out.0)
+    comments.put_into(out.0)
 }
 
 /// The path of a scene that is nothing but a camera on it.

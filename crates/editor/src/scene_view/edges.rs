@@ -47,7 +47,7 @@ impl Drawn {
 
 #[derive(Debug, Default)]
 pub(crate) struct Edges {
-    /// Their scene: [`crate::document::EditedScene::number`].
+    /// Their meshes: [`crate::document::EditedScene::meshes`].
     number: u64,
     of_nodes: HashMap<usize, Drawn>,
     /// Held so that no other object gets its address.

@@ -43,6 +43,8 @@ pub(super) struct Now {
     pub(super) into_path: DAffine3,
     /// A node that cannot move as it should, and why.
     pub(super) trouble: Option<(usize, Error)>,
+    /// [`crate::document::EditedScene::meshes`].
+    pub(super) meshes: u64,
     /// [`crate::document::EditedScene::number`] and [`Document::revision`].
     pub(super) made_of: (u64, u64),
 }
@@ -53,29 +55,29 @@ impl Now {
             return Ok(None);
         };
         let made_of = (edited.number(), document.revision());
-        let same = old.filter(|old| old.made_of.0 == made_of.0);
-        if let Some(old) = same {
-            if old.made_of == made_of && old.frame == frame {
-                return Ok(Some(old));
+        let mut now = match old {
+            Some(old) if old.made_of == made_of && old.frame == frame => return Ok(Some(old)),
+            Some(mut old) => {
+                if old.made_of != made_of {
+                    edited.update(&mut old.scene, old.made_of.0, document.path())?;
+                }
+                old
             }
-            let mut now = old;
-            if now.made_of != made_of {
-                edited.replace_path(&mut now.scene, document.path())?;
-            }
-            (now.made_of, now.frame) = (made_of, frame);
-            now.evaluate()?;
-            return Ok(Some(now));
-        }
-        let scene = document.scene()?;
-        let mut now = Self {
-            states: vec![NodeState::default(); scene.nodes().len()],
-            scene,
-            frame,
-            edited: edited.node(),
-            into_path: DAffine3::IDENTITY,
-            trouble: None,
-            made_of,
+            None => Self {
+                states: Vec::new(),
+                scene: document.scene()?,
+                frame,
+                edited: None,
+                into_path: DAffine3::IDENTITY,
+                trouble: None,
+                meshes: 0,
+                made_of,
+            },
         };
+        now.states
+            .resize(now.scene.nodes().len(), NodeState::default());
+        (now.edited, now.meshes) = (edited.node(), edited.meshes());
+        (now.made_of, now.frame) = (made_of, frame);
         now.evaluate()?;
         Ok(Some(now))
     }

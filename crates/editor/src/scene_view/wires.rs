@@ -89,7 +89,7 @@ pub(crate) fn each_object(edges: &mut Edges, now: &Now, mut take: impl FnMut(See
             points,
             world: state.world(),
             colour: state.colour,
-            drawn: edges.of(now.made_of.0, at),
+            drawn: edges.of(now.meshes, at),
         });
     }
 }

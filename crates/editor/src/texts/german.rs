@@ -156,6 +156,14 @@ german! {
         PathMovesIt { node, channel } => "„{node}“ folgt einem Pfad, der {channel} bewegt";
         GivenTwice => "das steht weiter oben schon";
         NoKey => "eine Spur braucht einen Schlüssel";
+        NoTrack { node, channel } => "„{node}“ hat keine Schlüssel für „{channel}“";
+        NotThatChannel { channel, given } =>
+            "Schlüssel für „{given}“ passen nicht zum Kanal „{channel}“";
+        KeysOutOfOrder => "Schlüssel sind in der Reihenfolge ihrer Bilder zu nennen, jeder einmal";
+        HasTrack { channel } => "erst müssen die Schlüssel für „{channel}“ weg";
+        NoPathOf(node) => "„{node}“ folgt keiner Bahn";
+        MarkerTwice(name) => "eine Marke „{name}“ gibt es schon";
+        Pinned(marker) => "an der Marke „{marker}“ hängen Punkte";
         KeyOrder => "sein Bild muss hinter dem des Schlüssels davor liegen";
         SwitchWithOffset => "was nur 0 oder 1 ist, kann sich nicht mit Versatz wiederholen";
         NoInterpolation(name) => "eine Interpolation „{name}“ gibt es nicht; bekannt sind: {}",
@@ -357,6 +365,8 @@ german! {
         ShapeWeights { shapes, given } =>
             "{shapes} Formen brauchen ebenso viele Gewichte, nicht {given}";
         NoShape { at, count } => "unter {count} Formen, gezählt von 0, ist keine {at}";
+        NoKeyThere { key, count } =>
+            "unter {count} Schlüsseln, gezählt von {}, ist keiner {}", Index(0), Index(*key);
         NoDeformation { at, count } => "unter {count} Verformungen, gezählt von 0, ist keine {at}";
         DeformationNumbers { deformation, given } =>
             "die Verformung „{deformation}“ nimmt nicht {given} Zahlen, sondern {}",

@@ -37,6 +37,22 @@ texts! {
         info: "notes on the path", "Angaben zur Bahn";
         space: "space", "Raum";
         edit_node: "choice of the node", "Wahl des Knotens";
+        add_nodes: "new nodes", "Neue Knoten";
+        remove_nodes: "removing nodes", "Löschen von Knoten";
+        copy_nodes: "copied nodes", "Kopierte Knoten";
+        node_name: "naming a node", "Benennen eines Knotens";
+        node_links: "parent or aim", "Überordnung oder Ziel";
+        node_values: "values of a node", "Werte eines Knotens";
+        motion: "motion of a node", "Bewegung eines Knotens";
+        keys: "keys", "Schlüssel";
+        interpolation: "interpolation", "Interpolation";
+        mesh: "mesh", "Netz";
+        shapes: "shapes", "Formen";
+        deformations: "deformations", "Verformungen";
+        marker: "marker", "Marke";
+        pin: "pin", "Anheftung";
+        shown_camera: "shown camera", "Gezeigte Kamera";
+        range: "range of frames", "Bildbereich";
         replace_scene: "other scene", "Andere Szene";
         keys_to_path: "keys to path", "Schlüssel zu Bahn";
         replace_path: "other path", "Andere Bahn";
@@ -83,6 +99,22 @@ impl Language {
             StepName::Info => texts.info,
             StepName::Space => texts.space,
             StepName::EditNode => texts.edit_node,
+            StepName::AddNodes => texts.add_nodes,
+            StepName::RemoveNodes => texts.remove_nodes,
+            StepName::CopyNodes => texts.copy_nodes,
+            StepName::NodeName => texts.node_name,
+            StepName::NodeLinks => texts.node_links,
+            StepName::NodeValues => texts.node_values,
+            StepName::Motion => texts.motion,
+            StepName::Keys => texts.keys,
+            StepName::Interpolation => texts.interpolation,
+            StepName::Mesh => texts.mesh,
+            StepName::Shapes => texts.shapes,
+            StepName::Deformations => texts.deformations,
+            StepName::Marker => texts.marker,
+            StepName::Pin => texts.pin,
+            StepName::ShownCamera => texts.shown_camera,
+            StepName::Range => texts.range,
             StepName::ReplaceScene => texts.replace_scene,
             StepName::KeysToPath => texts.keys_to_path,
             StepName::ReplacePath => texts.replace_path,

@@ -190,6 +190,20 @@ pub enum Invalid {
     GivenTwice,
     #[error("a track needs a key")]
     NoKey,
+    #[error("\"{node}\" has no keys of \"{channel}\"")]
+    NoTrack { node: Text, channel: Text },
+    #[error("keys of \"{given}\" do not fit the channel \"{channel}\"")]
+    NotThatChannel { channel: Text, given: Text },
+    #[error("keys must be named in the order of their frames, each once")]
+    KeysOutOfOrder,
+    #[error("the keys of \"{channel}\" must go first")]
+    HasTrack { channel: Text },
+    #[error("\"{0}\" follows no path")]
+    NoPathOf(Text),
+    #[error("there is already a marker \"{0}\"")]
+    MarkerTwice(Text),
+    #[error("points are pinned to the marker \"{0}\"")]
+    Pinned(Text),
     #[error("its frame must lie behind that of the key before")]
     KeyOrder,
     #[error("what is either 0 or 1 cannot repeat with offset")]

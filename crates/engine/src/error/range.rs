@@ -273,6 +273,8 @@ pub enum OutOfRange {
     ShapeWeights { shapes: usize, given: usize },
     #[error("there is no shape {at} among {count}, counted from 0")]
     NoShape { at: usize, count: usize },
+    #[error("there is no key {} among {count}, counted from {}", Index(*key), Index(0))]
+    NoKeyThere { key: usize, count: usize },
     #[error("there is no deformation {at} among {count}, counted from 0")]
     NoDeformation { at: usize, count: usize },
     #[error(

@@ -341,6 +341,17 @@ impl Scene {
             q = turned;
             states[at].set_world(world);
         }
+        let node = &self.nodes[at];
+        let plain = node.parent.is_none() && node.aim.is_none();
+        if let Some(path) = node.path()
+            && plain
+            && values.roll == 0.0
+            && values.scale == DVec3::ONE
+        {
+            // As the path gives it, to the last bit.
+            states[at].pose = path.pose(frame)?;
+            return Ok(());
+        }
         let (view, up) = view_from_quaternion(q);
         states[at].pose = Pose {
             vrp: world.translation.to_array(),

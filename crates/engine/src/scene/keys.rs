@@ -6,8 +6,8 @@ use super::channel::Channel;
 use super::motion::Motion;
 use super::node::Values;
 use super::state::Warnings;
-use super::track::{Interpolation, Track};
-use crate::error::{Error, Result, TooMany, vec_with_room};
+use super::track::Track;
+use crate::error::{Result, TooMany};
 use crate::limits::{MAX_TRACKS, MAX_ZOOM, MIN_ZOOM};
 
 /// The tracks of a node, in the order of their channels.
@@ -47,6 +47,34 @@ impl Keys {
         let channel = track.channel();
         let at = self.tracks.partition_point(|t| t.channel() < channel);
         self.tracks.insert(at, track);
+        Ok(())
+    }
+
+    pub(super) fn track_mut(&mut self, channel: &Channel) -> Option<&mut Track> {
+        let mut tracks = self.tracks.iter_mut();
+        tracks.find(|track| track.channel().same_as(channel))
+    }
+
+    /// Exchanges the track of a channel.
+    pub(super) fn exchange(
+        &mut self,
+        channel: &Channel,
+        track: &mut Option<Box<Track>>,
+    ) -> Result<()> {
+        let mut tracks = self.tracks.iter();
+        let same = tracks.position(|track| track.channel().same_as(channel));
+        if same.is_none() && track.is_some() && self.tracks.len() >= MAX_TRACKS {
+            return Err(TooMany::Tracks.into());
+        }
+        self.tracks.try_reserve(1)?;
+        let old = same.map(|same| self.tracks.remove(same));
+        if let Some(track) = track.take() {
+            let at = self
+                .tracks
+                .partition_point(|t| t.channel() < track.channel());
+            self.tracks.insert(at, *track);
+        }
+        *track = old.map(Box::new);
         Ok(())
     }
 
@@ -116,48 +144,6 @@ impl Motion for Keys {
     fn frames(&self) -> Option<(f64, f64)> {
         let ends = self.tracks.iter().map(Track::ends);
         ends.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
-    }
-}
-
-impl Track {
-    /// The same track with one number more in each key, 0 throughout.
-    pub(super) fn widened(&self) -> Result<Self> {
-        self.with_keys(self.width() + 1, |all, key| {
-            all.extend_from_slice(key);
-            all.push(0.0);
-        })
-    }
-
-    /// The same track without the number `at` of each key, one of at least two.
-    pub(super) fn narrowed(&self, at: usize) -> Result<Self> {
-        self.with_keys(self.width() - 1, |all, key| {
-            all.extend_from_slice(&key[..at]);
-            all.extend_from_slice(&key[at + 1..]);
-        })
-    }
-
-    /// The same track with `width` numbers in each key, which `put` makes of the old ones.
-    fn with_keys(&self, width: usize, put: impl Fn(&mut Vec<f64>, &[f64])) -> Result<Self> {
-        let changed = |numbers: &[f64]| {
-            let mut all = vec_with_room(numbers.len() / self.width() * width)?;
-            let keys = numbers.chunks_exact(self.width());
-            keys.for_each(|key| put(&mut all, key));
-            Ok::<_, Error>(all)
-        };
-        let shape = if *self.interpolation() == Interpolation::Hermite {
-            changed(self.shape())?
-        } else {
-            self.shape().to_vec()
-        };
-        let (before, after) = self.extrapolation();
-        Self::new(
-            self.channel().clone(),
-            self.interpolation().clone(),
-            self.frames().to_vec(),
-            changed(self.values())?,
-            shape,
-        )?
-        .with_extrapolation(before, after)
     }
 }
 

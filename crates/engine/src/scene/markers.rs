@@ -95,7 +95,7 @@ impl Scene {
         Some(self.markers[at].frame)
     }
 
-    fn marker_place(&self, name: &str) -> Result<usize, usize> {
+    pub(super) fn marker_place(&self, name: &str) -> Result<usize, usize> {
         self.markers
             .binary_search_by(|marker| marker.name.as_str().cmp(name))
     }

@@ -1,11 +1,13 @@
 //! What an object is made of: points, lines and triangles, other shapes, deformations.
 
+use std::mem::swap;
 use std::sync::Arc;
 
 use glam::DVec3;
 
+use super::part_object::Boxed;
 use crate::deform::{Bounds, Deformation};
-use crate::error::{Entry, Invalid, OutOfRange, Place, Result, TooMany, can_allocate};
+use crate::error::{Entry, Invalid, OutOfRange, Place, Result, TooMany, can_allocate, try_arc};
 use crate::limits::{
     MAX_COORDINATE, MAX_DEFORMATIONS, MAX_MESH_CORNERS, MAX_MESH_POINTS, MAX_SHAPES,
 };
@@ -102,6 +104,47 @@ pub struct Object {
     deformations: Vec<(Deformation, Option<Bounds>)>,
 }
 
+/// A mesh that an object can have, and where it comes from. Clones share it.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Geometry {
+    mesh: Option<Arc<Mesh>>,
+    bounds: Option<Bounds>,
+    source: Option<Arc<MeshSource>>,
+}
+
+impl Geometry {
+    /// A mesh; with `source` that file is saved in its place.
+    ///
+    /// # Errors
+    /// As [`Mesh::check`]; [`crate::Error::Memory`].
+    pub fn new(mesh: Mesh, source: Option<MeshSource>) -> Result<Self> {
+        mesh.check()?;
+        can_allocate(256 + size_of::<Mesh>())?;
+        Ok(Self {
+            bounds: Some(Bounds::of(&mesh.points)),
+            mesh: Some(Arc::new(mesh)),
+            source: source.map(Arc::new),
+        })
+    }
+
+    pub(super) fn heap_size(&self) -> usize {
+        self.mesh.as_ref().map_or(0, |mesh| {
+            let corners = size_of_val(&mesh.lines[..]) + size_of_val(&mesh.triangles[..]);
+            size_of_val(&mesh.points[..]) + size_of_val(&mesh.colours[..]) + corners
+        })
+    }
+
+    /// That of an object, which both share.
+    #[must_use]
+    pub fn of(object: &Object) -> Self {
+        Self {
+            mesh: object.mesh.clone(),
+            bounds: object.bounds,
+            source: object.source.clone(),
+        }
+    }
+}
+
 static EMPTY: Mesh = Mesh {
     points: Vec::new(),
     colours: Vec::new(),
@@ -151,6 +194,18 @@ impl Object {
         Ok(())
     }
 
+    pub(super) fn exchange_mesh(&mut self, other: &mut Geometry) -> Result<()> {
+        // An empty one stands for a file that is not there now.
+        let mesh = other.mesh.as_deref().unwrap_or(&EMPTY);
+        if other.source.is_none() || !mesh.points.is_empty() {
+            self.check_shapes(mesh)?;
+        }
+        swap(&mut self.mesh, &mut other.mesh);
+        swap(&mut self.bounds, &mut other.bounds);
+        swap(&mut self.source, &mut other.source);
+        Ok(())
+    }
+
     /// The file that is saved in place of the mesh, which is empty where that could not be read.
     #[must_use]
     pub fn source(&self) -> Option<&MeshSource> {
@@ -184,6 +239,18 @@ impl Object {
     /// # Errors
     /// [`crate::Error::Range`] or [`crate::Error::Argument`].
     pub fn set_weights(&mut self, weights: &[f64]) -> Result<()> {
+        self.check_weights(weights)?;
+        self.weights.copy_from_slice(weights);
+        Ok(())
+    }
+
+    pub(super) fn exchange_weights(&mut self, weights: &mut Vec<f64>) -> Result<()> {
+        self.check_weights(weights)?;
+        swap(&mut self.weights, weights);
+        Ok(())
+    }
+
+    fn check_weights(&self, weights: &[f64]) -> Result<()> {
         if weights.len() != self.shapes.len() {
             return Err(OutOfRange::ShapeWeights {
                 shapes: self.shapes.len(),
@@ -194,7 +261,6 @@ impl Object {
         if !weights.iter().all(|weight| weight.abs() <= MAX_COORDINATE) {
             return Err(Invalid::Weight.into());
         }
-        self.weights.copy_from_slice(weights);
         Ok(())
     }
 
@@ -204,9 +270,24 @@ impl Object {
     /// [`crate::Error::Argument`], [`crate::Error::Range`], [`crate::Error::Limit`],
     /// [`crate::Error::Memory`].
     pub fn add_shape(&mut self, shape: Shape) -> Result<()> {
+        let at = self.shapes.len();
+        self.check_new_shape(at, &shape, 0.0)?;
+        self.insert_shape(at, try_arc(shape)?, 0.0);
+        Ok(())
+    }
+
+    /// Whether it can have this shape as number `at`.
+    pub(super) fn check_new_shape(&self, at: usize, shape: &Shape, weight: f64) -> Result<()> {
         check_name(&shape.name).map_err(|error| error.at(Place::Name))?;
-        if self.shapes.len() >= MAX_SHAPES {
+        let known = self.shapes.len();
+        if at > known {
+            return Err(OutOfRange::NoShape { at, count: known }.into());
+        }
+        if known >= MAX_SHAPES {
             return Err(TooMany::Shapes.into());
+        }
+        if !(weight.abs() <= MAX_COORDINATE) {
+            return Err(Invalid::Weight.into());
         }
         // Where the mesh lies in a file that was not read, shapes agree with each other.
         let count = match self.shapes.first() {
@@ -224,17 +305,18 @@ impl Object {
             .into());
         }
         check_points(&shape.points)?;
-        self.shapes.try_reserve(1)?;
-        self.weights.try_reserve(1)?;
-        self.shapes.push(Arc::new(shape));
-        self.weights.push(0.0);
-        Ok(())
+        can_allocate(32 * (known + 1))
+    }
+
+    /// Puts in a shape that was checked; tracks of the weights are the scene's part.
+    pub(super) fn insert_shape(&mut self, at: usize, shape: Arc<Shape>, weight: f64) {
+        self.shapes.insert(at, shape);
+        self.weights.insert(at, weight);
     }
 
     /// Removes a shape that is there; tracks of the weights are the scene's part.
-    pub(super) fn remove_shape(&mut self, at: usize) {
-        self.shapes.remove(at);
-        self.weights.remove(at);
+    pub(super) fn remove_shape(&mut self, at: usize) -> (Arc<Shape>, f64) {
+        (self.shapes.remove(at), self.weights.remove(at))
     }
 
     /// The deformations in the order in which they act.
@@ -252,24 +334,46 @@ impl Object {
         deformation: Deformation,
         bounds: Option<Bounds>,
     ) -> Result<usize> {
-        if self.deformations.len() >= MAX_DEFORMATIONS {
+        let at = self.deformations.len();
+        self.insert_deformation(at, (deformation, bounds))?;
+        Ok(at)
+    }
+
+    pub(super) fn insert_deformation(&mut self, at: usize, new: Boxed) -> Result<()> {
+        let count = self.deformations.len();
+        if at > count {
+            return Err(OutOfRange::NoDeformation { at, count }.into());
+        }
+        if count >= MAX_DEFORMATIONS {
             return Err(TooMany::Deformations.into());
         }
         self.deformations.try_reserve(1)?;
-        self.deformations.push((deformation, bounds));
-        Ok(self.deformations.len() - 1)
+        self.deformations.insert(at, new);
+        Ok(())
     }
 
-    pub(super) fn remove_deformation(&mut self, at: usize) -> Result<()> {
-        if at >= self.deformations.len() {
-            return Err(OutOfRange::NoDeformation {
-                at,
-                count: self.deformations.len(),
-            }
-            .into());
+    pub(super) fn check_deformation(&self, at: usize) -> Result<()> {
+        let count = self.deformations.len();
+        if at >= count {
+            return Err(OutOfRange::NoDeformation { at, count }.into());
         }
-        self.deformations.remove(at);
         Ok(())
+    }
+
+    /// Removes a deformation that is there.
+    pub(super) fn remove_deformation(&mut self, at: usize) -> Boxed {
+        self.deformations.remove(at)
+    }
+
+    /// One that is there.
+    pub(super) fn deformation_mut(&mut self, at: usize) -> &mut Boxed {
+        &mut self.deformations[at]
+    }
+
+    /// Gives a deformation that is there another place.
+    pub(super) fn move_deformation(&mut self, from: usize, to: usize) {
+        let moved = self.deformations.remove(from);
+        self.deformations.insert(to, moved);
     }
 
     pub(super) fn bounds(&self) -> Bounds {

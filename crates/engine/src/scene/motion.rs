@@ -1,5 +1,7 @@
 //! What moves a node.
 
+use std::mem::swap;
+
 use glam::DVec3;
 
 use super::node::Values;
@@ -56,6 +58,11 @@ impl FollowPath {
         })
     }
 
+    pub(super) fn exchange_start(&mut self, start: &mut f64, beyond: &mut Extrapolation) {
+        swap(&mut self.start_frame, start);
+        swap(&mut self.extrapolation, beyond);
+    }
+
     /// The path.
     #[must_use]
     pub const fn path(&self) -> &CameraPath {
@@ -84,6 +91,12 @@ impl FollowPath {
     #[must_use]
     pub fn first_and_last(&self) -> (f64, f64) {
         (self.start_frame, self.start_frame + (self.count - 1) as f64)
+    }
+
+    pub(super) fn heap_size(&self) -> usize {
+        let points = &self.path.points;
+        let turns: usize = points.iter().map(|point| point.orientations.len()).sum();
+        600 + 400 * points.len() + 200 * turns
     }
 
     pub(super) fn timeline<R>(&self, look: impl FnOnce(&Timeline) -> R) -> Result<R> {

@@ -202,19 +202,23 @@ impl Node {
     /// [`Error::Argument`] if keys move what the path would.
     pub fn set_path(&mut self, path: Option<FollowPath>) -> Result<()> {
         if path.is_some() {
-            let taken = self.keys.tracks().iter();
-            for channel in taken.map(super::Track::channel) {
-                if self.path_moves(channel) {
-                    return Err(Invalid::KeysMoveIt {
-                        node: (&self.name).into(),
-                        channel: (&channel).into(),
-                    }
-                    .into());
-                }
-            }
+            self.check_path()?;
         }
         self.path = path.map(Box::new);
         Ok(())
+    }
+
+    /// Whether no keys move what a path would.
+    pub(super) fn check_path(&self) -> Result<()> {
+        let mut taken = self.keys.tracks().iter().map(super::Track::channel);
+        match taken.find(|channel| self.path_moves(channel)) {
+            Some(channel) => Err(Invalid::KeysMoveIt {
+                node: (&self.name).into(),
+                channel: (&channel).into(),
+            }
+            .into()),
+            None => Ok(()),
+        }
     }
 
     /// Sets a track in place of the one of the same channel.
@@ -223,6 +227,12 @@ impl Node {
     /// [`Error::Argument`] if the node has no such channel or a path moves it, [`Error::Range`] if
     /// the width does not fit, [`Error::Limit`], [`Error::Memory`].
     pub fn set_track(&mut self, track: super::Track) -> Result<()> {
+        self.check_track(&track)?;
+        self.keys.set(track)
+    }
+
+    /// Whether it can have this track.
+    pub(super) fn check_track(&self, track: &super::Track) -> Result<()> {
         let width = track.channel().width(self)?;
         if track.channel_width() != width {
             return Err(OutOfRange::TrackWidth {
@@ -239,12 +249,24 @@ impl Node {
             }
             .into());
         }
-        self.keys.set(track)
+        Ok(())
     }
 
     /// Removes the track of a channel; false if there is none.
     pub fn remove_track(&mut self, channel: &Channel) -> bool {
         self.keys.remove(channel)
+    }
+
+    /// About how many bytes a copy takes ([`super::Scene::heap_size`]).
+    #[must_use]
+    pub fn heap_size(&self) -> usize {
+        let path = self.path().map_or(0, FollowPath::heap_size);
+        let object = match &self.kind {
+            Kind::Object(object) => object.heap_size(),
+            _ => 0,
+        };
+        let tracks = self.keys.tracks().iter().map(super::Track::heap_size);
+        size_of::<Self>() + 300 + path + object + tracks.sum::<usize>()
     }
 
     fn path_moves(&self, channel: &Channel) -> bool {

@@ -66,20 +66,40 @@ impl Scene {
         at: usize,
         follow: &FollowPath,
     ) -> Result<Option<FollowPath>> {
-        let path = follow.path();
-        let pins = self.pins_of(at, path.points.len())?;
+        follow.held(&self.pins_of(at, follow.path().points.len())?)
+    }
+
+    /// The path that a node must follow for its pins to hold; none if it does.
+    ///
+    /// # Errors
+    /// [`crate::Error::Range`] for the node; as [`pinned`], with its name.
+    pub fn path_held_by_pins(&self, at: usize) -> Result<Option<FollowPath>> {
+        let node = self.node(at)?;
+        let held = node.path().map(|path| self.held_by_pins(at, path));
+        held.unwrap_or(Ok(None))
+            .map_err(|error| error.at(Place::Node((&node.name).into())))
+    }
+}
+
+impl FollowPath {
+    /// The path with pins held: points and frames, in the order of the points; none if it is.
+    ///
+    /// # Errors
+    /// As [`pinned`].
+    pub fn held(&self, pins: &[(usize, f64)]) -> Result<Option<Self>> {
+        let path = self.path();
         if pins.is_empty() {
             return Ok(None);
         }
-        let pinned = follow.timeline(|timeline| pinned(path, timeline, &pins))??;
-        if pinned.fixed.is_empty() && pinned.start_frame == follow.start_frame() {
+        let pinned = self.timeline(|timeline| pinned(path, timeline, pins))??;
+        if pinned.fixed.is_empty() && pinned.start_frame == self.start_frame() {
             return Ok(None);
         }
         let mut path = path.try_clone()?;
         for fixed in &pinned.fixed {
             fixed.apply(&mut path)?;
         }
-        FollowPath::new(path, pinned.start_frame, follow.extrapolation()).map(Some)
+        Self::new(path, pinned.start_frame, self.extrapolation()).map(Some)
     }
 }
 

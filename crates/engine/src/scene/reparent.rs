@@ -5,7 +5,8 @@ use glam::{DAffine3, DMat3, DQuat};
 use super::channel::Channel;
 use super::hierarchy::local;
 use super::node::Node;
-use super::scene::Scene;
+use super::part::Rest;
+use super::scene::{Scene, copy};
 use super::state::Warnings;
 use crate::error::{Error, Invalid, Place, Result};
 
@@ -47,8 +48,28 @@ impl Scene {
         self.link(at, parent, aim)
     }
 
+    /// What a node has at rest that keeps its place in another parent ([`Keep::Place`]).
+    ///
+    /// # Errors
+    /// As [`Scene::set_parent`].
+    pub fn rest_in(&self, at: usize, parent: Option<usize>) -> Result<Rest> {
+        let old = self.node(at)?;
+        let mut new = Node {
+            name: copy(&old.name)?,
+            parent,
+            pivot: old.pivot,
+            rest: old.rest,
+            ..Node::default()
+        };
+        self.keep_world(at, &mut new)?;
+        Ok(Rest {
+            values: new.rest,
+            ..Rest::of(old)
+        })
+    }
+
     /// Checks that a parent is there, and neither the node itself nor in it.
-    fn check_parent(&self, at: usize, parent: Option<usize>) -> Result<()> {
+    pub(super) fn check_parent(&self, at: usize, parent: Option<usize>) -> Result<()> {
         let Some(parent) = parent else {
             return Ok(());
         };

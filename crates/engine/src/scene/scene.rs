@@ -5,7 +5,8 @@ use super::hierarchy;
 use super::markers::{Marker, Pin};
 use super::mesh::{Mesh, MeshSource, Shape};
 use super::motion::FollowPath;
-use super::node::{Kind, Node, check_node_name};
+use super::node::{Kind, Node};
+use super::part::Part;
 use super::removal::Removal;
 use super::side_by_side::Nodes;
 use super::track::Track;
@@ -152,7 +153,7 @@ impl Scene {
     }
 
     /// Where among the names it stands, or would.
-    fn place_of(&self, name: &str) -> Result<usize, usize> {
+    pub(super) fn place_of(&self, name: &str) -> Result<usize, usize> {
         self.names
             .binary_search_by(|&node| self.nodes[node].name.as_str().cmp(name))
     }
@@ -217,19 +218,8 @@ impl Scene {
     /// # Errors
     /// [`Error::Argument`] for the name, [`Error::Range`], [`Error::Limit`], [`Error::Memory`].
     pub fn set_name(&mut self, at: usize, name: &str) -> Result<()> {
-        self.node(at)?;
-        check_node_name(name)?;
-        let to = match self.place_of(name) {
-            Ok(place) if self.names[place] == at => return Ok(()),
-            Ok(_) => return Err(taken(name)),
-            Err(place) => place,
-        };
-        let copy = copy(name)?;
-        let from = self.names.iter().position(|&node| node == at).unwrap_or(0);
-        self.nodes[at].name = copy;
-        self.names.remove(from);
-        self.names.insert(to - usize::from(to > from), at);
-        Ok(())
+        let (node, name) = (at, copy(name)?);
+        self.exchange(&mut Part::Name { node, name })
     }
 
     /// Gives a node other values: parent, aim, pivot, rest values, and what a light or a camera
@@ -433,18 +423,8 @@ impl Scene {
     /// # Errors
     /// [`Error::Range`], [`Error::Argument`], [`Error::Limit`], [`Error::Memory`].
     pub fn add_shape(&mut self, at: usize, shape: Shape) -> Result<()> {
-        let node = self.node(at)?;
-        let old = node.keys.track(&Channel::Weights);
-        let wider = old.map(Track::widened).transpose()?;
-        let more =
-            wider.as_ref().map_or(0, Track::numbers_kept) - old.map_or(0, Track::numbers_kept);
-        check_numbers(self.numbers + more)?;
-        self.object_mut(at)?.add_shape(shape)?;
-        if let Some(track) = wider {
-            self.node_mut(at)?.keys.set(track)?;
-            self.numbers += more;
-        }
-        Ok(())
+        let part = Part::insert_shape(at, self.object(at)?.shapes().len(), shape)?;
+        self.exchange_of_object(&mut { part })
     }
 
     /// Removes an object's shape; the others keep their weights, in a track of them too.
@@ -452,24 +432,13 @@ impl Scene {
     /// # Errors
     /// [`Error::Range`], [`Error::Argument`], [`Error::Memory`].
     pub fn remove_shape(&mut self, at: usize, which: usize) -> Result<()> {
-        let count = self.object_mut(at)?.shapes().len();
-        if which >= count {
-            return Err(OutOfRange::NoShape { at: which, count }.into());
+        if which == 0 && self.object(at)?.shapes().len() == 1 {
+            self.remove_track(at, &Channel::Weights)?;
         }
-        let old = self.nodes[at].keys.track(&Channel::Weights);
-        let before = old.map_or(0, Track::numbers_kept);
-        let narrower = match old {
-            Some(old) if count > 1 => Some(old.narrowed(which)?),
-            _ => None,
-        };
-        let after = narrower.as_ref().map_or(0, Track::numbers_kept);
-        match narrower {
-            Some(track) => self.nodes[at].keys.set(track)?,
-            None => drop(self.nodes[at].keys.remove(&Channel::Weights)),
-        }
-        self.numbers = self.numbers - before + after;
-        self.object_mut(at)?.remove_shape(which);
-        Ok(())
+        self.exchange_of_object(&mut Part::RemoveShape {
+            node: at,
+            at: which,
+        })
     }
 
     /// Sets an object's weights at rest.
@@ -498,66 +467,43 @@ impl Scene {
     /// # Errors
     /// [`Error::Range`] or [`Error::Argument`].
     pub fn remove_deformation(&mut self, at: usize, which: usize) -> Result<()> {
-        self.object_mut(at)?.remove_deformation(which)?;
+        self.object(at)?.check_deformation(which)?;
         let node = &mut self.nodes[at];
         let before = node.keys.numbers();
-        node.keys.keep(|track| {
-            let Channel::Deformation { at, parameter } = track.channel() else {
-                return true;
-            };
-            if *at > which {
-                let (at, parameter) = (at - 1, parameter.clone());
-                track.set_channel(Channel::Deformation { at, parameter });
-            } else if *at == which {
-                return false;
-            }
-            true
-        });
+        let of =
+            |channel: &Channel| matches!(channel, Channel::Deformation { at, .. } if *at == which);
+        node.keys.keep(|track| !of(track.channel()));
         self.numbers -= before - node.keys.numbers();
-        Ok(())
+        self.exchange_of_object(&mut Part::RemoveDeformation {
+            node: at,
+            at: which,
+        })
     }
 
     /// About how many bytes a copy takes: to be checked before making one, which would abort.
     #[must_use]
     pub fn heap_size(&self) -> usize {
-        let nodes = self.nodes.iter().map(|node| {
-            let path = node.path().map_or(0, |path| {
-                let points = &path.path().points;
-                let turns: usize = points.iter().map(|point| point.orientations.len()).sum();
-                600 + 400 * points.len() + 200 * turns
-            });
-            let object = match &node.kind {
-                Kind::Object(object) => object.heap_size(),
-                _ => 0,
-            };
-            // What is prepared of keys is at most four times as much.
-            size_of::<Node>()
-                + 300
-                + path
-                + object
-                + 8 * 5 * node.keys.numbers()
-                + 400 * node.keys.tracks().len()
-        });
+        let nodes = self.nodes.iter().map(Node::heap_size);
         let markers = (size_of::<Marker>() + 300) * self.markers.len();
         nodes.sum::<usize>() + markers + (size_of::<Pin>() + 300) * self.pins.len() + 4096
     }
 }
 
-fn check_count(count: usize) -> Result<()> {
+pub(super) fn check_count(count: usize) -> Result<()> {
     if count > MAX_NODES {
         return Err(TooMany::Nodes.into());
     }
     Ok(())
 }
 
-fn check_numbers(numbers: usize) -> Result<()> {
+pub(super) fn check_numbers(numbers: usize) -> Result<()> {
     if numbers > MAX_SCENE_NUMBERS {
         return Err(TooMany::SceneNumbers.into());
     }
     Ok(())
 }
 
-fn check_node(node: &Node, at: usize) -> Result<()> {
+pub(super) fn check_node(node: &Node, at: usize) -> Result<()> {
     let own = if node.aim == Some(at) {
         Err(Invalid::AimsAtItself.into())
     } else if node.parent == Some(at) {
@@ -568,7 +514,7 @@ fn check_node(node: &Node, at: usize) -> Result<()> {
     own.map_err(|error| error.at(Place::Node((&node.name).into())))
 }
 
-fn taken(name: &str) -> Error {
+pub(super) fn taken(name: &str) -> Error {
     Error::Argument(Invalid::NodeTwice(name.into()))
 }
 

@@ -458,6 +458,19 @@ pub(super) struct Nodes {
 const PACKING: usize = 16;
 
 impl Nodes {
+    /// A node whose parent and aim stay: what is prepared of nodes in other groups stays too.
+    pub(super) fn one(&mut self, at: usize, order: &[usize]) -> &mut Node {
+        self.plain = OnceLock::new();
+        if let Some(packs) = self.packs.get_mut()
+            && !packs.is_empty()
+            && let Some(place) = order.iter().position(|&node| node == at)
+            && let Some(pack) = packs.get_mut(place / GROUP)
+        {
+            *pack = None;
+        }
+        &mut self.all[at]
+    }
+
     /// A pack for each [`GROUP`] in this order that can have one, or none at all: they are made when
     /// as much has been gathered as they cost. Without memory for them it goes on without.
     pub(super) fn packs(&self, order: &[usize], numbers: usize) -> &[Option<Pack>] {

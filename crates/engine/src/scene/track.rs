@@ -1,6 +1,7 @@
 //! Tracks: the keys of one channel, and the ways between them (`docs/scene.md`, tracks).
 
 use std::fmt;
+use std::mem::swap;
 
 use glam::DQuat;
 
@@ -9,6 +10,7 @@ use super::host::{self, Question};
 use super::keys::{quaternion, wxyz};
 use super::motion::check_frame;
 use super::rotation::{Between, GreatArc, Turns, unit};
+use super::splice::{KeyList, Manner};
 use super::state::Warnings;
 use super::tangents::{self, NumberKeys};
 use super::time::{Extrapolation, local_frame};
@@ -116,17 +118,16 @@ impl fmt::Display for Interpolation {
 pub struct Track {
     channel: Channel,
     interpolation: Interpolation,
-    frames: Vec<f64>,
-    values: Vec<f64>,
-    shape: Vec<f64>,
+    pub(super) list: KeyList,
     before: Extrapolation,
     after: Extrapolation,
-    width: usize,
-    prepared: Prepared,
+    pub(super) width: usize,
+    pub(super) prepared: Prepared,
 }
 
-#[derive(Debug, Clone, PartialEq)]
-enum Prepared {
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(super) enum Prepared {
+    #[default]
     Nothing,
     /// As the tangents of `hermite`.
     Slopes(Vec<f64>),
@@ -152,9 +153,11 @@ impl Track {
             channel,
             interpolation,
             width: values.len() / frames.len().max(1),
-            frames,
-            values,
-            shape,
+            list: KeyList {
+                frames,
+                values,
+                shape,
+            },
             before: Extrapolation::Hold,
             after: Extrapolation::Hold,
             prepared: Prepared::Nothing,
@@ -187,7 +190,7 @@ impl Track {
         Ok(self)
     }
 
-    fn at_channel(&self, error: Error) -> Error {
+    pub(super) fn at_channel(&self, error: Error) -> Error {
         error.at(Place::Channel((&self.channel).into()))
     }
 
@@ -206,19 +209,19 @@ impl Track {
     /// The frames of the keys.
     #[must_use]
     pub fn frames(&self) -> &[f64] {
-        &self.frames
+        &self.list.frames
     }
 
     /// The numbers of the keys, as they were given.
     #[must_use]
     pub fn values(&self) -> &[f64] {
-        &self.values
+        &self.list.values
     }
 
     /// Tangents, or tension, continuity and bias, as they were given.
     #[must_use]
     pub fn shape(&self) -> &[f64] {
-        &self.shape
+        &self.list.shape
     }
 
     /// What is shown before the first and after the last key.
@@ -230,7 +233,10 @@ impl Track {
     /// The frames of the first and of the last key.
     #[must_use]
     pub fn ends(&self) -> (f64, f64) {
-        (self.frames[0], self.frames[self.frames.len() - 1])
+        (
+            self.list.frames[0],
+            self.list.frames[self.list.frames.len() - 1],
+        )
     }
 
     /// Numbers of a key: 3 for the Euler interpolations of a rotation.
@@ -249,25 +255,35 @@ impl Track {
     }
 
     pub(super) fn numbers_kept(&self) -> usize {
-        self.frames.len() + self.values.len() + self.shape.len()
+        self.list.frames.len() + self.list.values.len() + self.list.shape.len()
     }
 
-    pub(super) fn set_channel(&mut self, channel: Channel) {
-        self.channel = channel;
+    /// What is prepared of keys is at most four times as much.
+    pub(super) fn heap_size(&self) -> usize {
+        400 + 8 * 5 * self.numbers_kept()
     }
 
-    fn check(&self) -> Result<()> {
-        let count = self.frames.len();
-        if count == 0 {
-            return Err(Invalid::NoKey.into());
+    pub(super) fn renumber_deformation(&mut self, number: impl Fn(usize) -> usize) {
+        if let Channel::Deformation { at, .. } = &mut self.channel {
+            *at = number(*at);
         }
-        if count > MAX_KEYS {
-            return Err(TooMany::Keys.into());
+    }
+
+    pub(super) fn check_count(&self) -> Result<()> {
+        match self.list.len() {
+            0 => Err(Invalid::NoKey.into()),
+            1..=MAX_KEYS => Ok(()),
+            _ => Err(TooMany::Keys.into()),
         }
-        if self.width == 0 || self.values.len() != count * self.width {
+    }
+
+    pub(super) fn check(&self) -> Result<()> {
+        let count = self.list.len();
+        self.check_count()?;
+        if self.width == 0 || self.list.values.len() != count * self.width {
             return Err(OutOfRange::KeyNumbers {
                 keys: count,
-                numbers: self.values.len(),
+                numbers: self.list.values.len(),
             }
             .into());
         }
@@ -277,12 +293,12 @@ impl Track {
             Interpolation::Tcb => 3 * count,
             _ => 0,
         };
-        if self.shape.len() != wanted {
+        if self.list.shape.len() != wanted {
             return Err(OutOfRange::KeyShapeNumbers {
                 interpolation: (&self.interpolation).into(),
                 wanted,
                 keys: count,
-                given: self.shape.len(),
+                given: self.list.shape.len(),
             }
             .into());
         }
@@ -291,6 +307,13 @@ impl Track {
                 .map_err(|error| error.at(Place::Key(key)))?;
         }
         Ok(())
+    }
+
+    pub(super) fn swap_manner(&mut self, manner: &mut Manner) {
+        swap(&mut self.interpolation, &mut manner.interpolation);
+        swap(&mut self.list.shape, &mut manner.shape);
+        swap(&mut self.before, &mut manner.before);
+        swap(&mut self.after, &mut manner.after);
     }
 
     /// Refuses the combinations that the table of `docs/scene.md` does not have.
@@ -317,13 +340,13 @@ impl Track {
         Ok(())
     }
 
-    fn check_key(&self, key: usize) -> Result<()> {
-        let frame = self.frames[key];
+    pub(super) fn check_key(&self, key: usize) -> Result<()> {
+        let frame = self.list.frames[key];
         check_frame(frame)?;
-        if key > 0 && !(self.frames[key - 1] < frame) {
+        if key > 0 && !(self.list.frames[key - 1] < frame) {
             return Err(Invalid::KeyOrder.into());
         }
-        let value = &self.values[key * self.width..][..self.width];
+        let value = &self.list.values[key * self.width..][..self.width];
         for &number in value {
             if !number.is_finite() {
                 return Err(Invalid::NotFinite(Quantity::Value).into());
@@ -360,7 +383,7 @@ impl Track {
         match self.interpolation {
             Interpolation::Tcb => self.tcb(key).check(),
             Interpolation::Hermite => {
-                let tangents = &self.shape[2 * self.width * key..][..2 * self.width];
+                let tangents = &self.list.shape[2 * self.width * key..][..2 * self.width];
                 if tangents.iter().all(|slope| slope.abs() <= MAX_TANGENT) {
                     return Ok(());
                 }
@@ -371,21 +394,21 @@ impl Track {
     }
 
     fn tcb(&self, key: usize) -> Tcb {
-        match self.shape.get(3 * key..3 * key + 3) {
+        match self.list.shape.get(3 * key..3 * key + 3) {
             Some(&[tension, continuity, bias]) => Tcb::new(tension, continuity, bias),
             _ => Tcb::default(),
         }
     }
 
-    fn prepare(&mut self) -> Result<()> {
+    pub(super) fn prepare(&mut self) -> Result<()> {
         let keys = NumberKeys {
-            frames: &self.frames,
-            values: &self.values,
+            frames: &self.list.frames,
+            values: &self.list.values,
             width: self.width,
         };
         let tcb = |key| self.tcb(key);
         let plain = |_| Tcb::default();
-        let turns = |between| Turns::new(&self.frames, &self.values, between, tcb);
+        let turns = |between| Turns::new(&self.list.frames, &self.list.values, between, tcb);
         let rotation = self.channel == Channel::Rotation;
         self.prepared = match self.interpolation {
             Interpolation::Step | Interpolation::Hermite | Interpolation::Host(_) if rotation => {
@@ -401,7 +424,8 @@ impl Track {
             }
             Interpolation::Tcb if rotation => Prepared::Turns(turns(Between::Smooth)?),
             Interpolation::CatmullRom if rotation => {
-                let turns = Turns::new(&self.frames, &self.values, Between::Smooth, plain)?;
+                let turns =
+                    Turns::new(&self.list.frames, &self.list.values, Between::Smooth, plain)?;
                 Prepared::Turns(turns)
             }
             Interpolation::CatmullRom | Interpolation::EulerCatmullRom => {
@@ -409,9 +433,10 @@ impl Track {
             }
             Interpolation::Tcb => Prepared::Slopes(tangents::tcb(keys, tcb)?),
             Interpolation::Cubic => {
-                let ends = self.values.len() - self.width;
+                let ends = self.list.values.len() - self.width;
                 let repeats = [self.before, self.after].contains(&Extrapolation::Repeat);
-                let periodic = repeats && self.values[..self.width] == self.values[ends..];
+                let periodic =
+                    repeats && self.list.values[..self.width] == self.list.values[ends..];
                 Prepared::Slopes(tangents::cubic(keys, periodic)?)
             }
             _ => Prepared::Nothing,
@@ -421,12 +446,12 @@ impl Track {
 
     /// The section that holds a frame, and the share of it that is gone, exactly 0 at a key.
     fn locate(&self, frame: f64) -> (usize, f64) {
-        let behind = self.frames.partition_point(|&key| key <= frame);
+        let behind = self.list.frames.partition_point(|&key| key <= frame);
         let section = behind.max(1) - 1;
-        let Some(&next) = self.frames.get(section + 1) else {
+        let Some(&next) = self.list.frames.get(section + 1) else {
             return (section, 0.0);
         };
-        let from = self.frames[section];
+        let from = self.list.frames[section];
         (section, (frame - from) / (next - from))
     }
 
@@ -439,7 +464,7 @@ impl Track {
         if !matches!(self.interpolation, Step | Linear | Ramp | Sine | Parabolic) {
             return None;
         }
-        if let Some(&[from, next]) = self.frames.get(*hint..*hint + 2)
+        if let Some(&[from, next]) = self.list.frames.get(*hint..*hint + 2)
             && from <= frame
             && frame < next
         {
@@ -489,9 +514,9 @@ impl Track {
         let (section, u) = self.locate(local);
         self.between(local, section, u, out, warnings);
         if rounds != 0.0 {
-            let ends = self.values.len() - self.width;
+            let ends = self.list.values.len() - self.width;
             for (at, number) in out.iter_mut().enumerate() {
-                *number += rounds * (self.values[ends + at] - self.values[at]);
+                *number += rounds * (self.list.values[ends + at] - self.list.values[at]);
             }
         }
     }
@@ -506,7 +531,7 @@ impl Track {
         warnings: &mut Warnings,
     ) {
         let width = out.len();
-        let from = &self.values[section * width..][..width];
+        let from = &self.list.values[section * width..][..width];
         if let Interpolation::Host(name) = &self.interpolation {
             if !self.ask(name, frame, out, warnings) {
                 out.copy_from_slice(from);
@@ -517,10 +542,10 @@ impl Track {
         if u == 0.0 {
             return;
         }
-        let to = &self.values[(section + 1) * width..][..width];
+        let to = &self.list.values[(section + 1) * width..][..width];
         let slopes = match (&self.prepared, &self.interpolation) {
             (Prepared::Slopes(slopes), _) => slopes,
-            (_, Interpolation::Hermite) => &self.shape,
+            (_, Interpolation::Hermite) => &self.list.shape,
             _ => {
                 let u = self.share(u);
                 for (out, to) in out.iter_mut().zip(to) {
@@ -529,7 +554,7 @@ impl Track {
                 return;
             }
         };
-        let step = self.frames[section + 1] - self.frames[section];
+        let step = self.list.frames[section + 1] - self.list.frames[section];
         let leave = &slopes[(2 * section + 1) * width..][..width];
         let reach = &slopes[(2 * section + 2) * width..][..width];
         for (at, out) in out.iter_mut().enumerate() {
@@ -564,8 +589,8 @@ impl Track {
             return false;
         };
         let question = Question {
-            frames: &self.frames,
-            values: &self.values,
+            frames: &self.list.frames,
+            values: &self.list.values,
             width: self.width,
             frame,
         };

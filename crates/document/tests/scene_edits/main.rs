@@ -1,0 +1,539 @@
+//! Edits of scenes: each can be undone and done again to the last bit, whatever came before, and a
+//! file holds every state. Each refuses what must not be with a sentence and changes nothing.
+
+mod comments;
+mod maker;
+
+use std::collections::BTreeSet;
+
+use maker::{Maker, kinds, nodes, whole};
+use vides_document::{Document, Edit};
+use vides_engine::path::CameraPath;
+use vides_engine::scene::{
+    Channel, Extrapolation, FollowPath, Interpolation, Keep, KeyList, Kind, Light, Manner, Mesh,
+    Node, NodeState, Object, Part, Shape, Track, Warnings,
+};
+
+fn part(part: Part) -> Edit {
+    Edit::Part(Box::new(part))
+}
+
+/// The text of its file, and every value as it is read from there.
+fn assert_saved(document: &Document) {
+    let text = document.to_toml().unwrap();
+    let (loaded, warnings) = Document::scene_from_toml(&text, "".as_ref())
+        .unwrap_or_else(|error| panic!("{error} in\n{text}"));
+    assert!(warnings.is_empty(), "{warnings:?}");
+    assert_eq!(loaded.to_toml().unwrap(), text);
+    let both = [document, &loaded].map(|document| nodes(&document.scene().unwrap()));
+    assert!(both[0] == both[1], "a bit differs in\n{text}");
+}
+
+/// 10,000 edits that were done, in scenes that grow to 200 nodes.
+#[test]
+fn any_edits_of_scenes_can_be_undone_and_done_again() {
+    let mut seen = BTreeSet::new();
+    let mut done = 0;
+    for seed in 0..40 {
+        let mut make = Maker::new(seed);
+        let mut document = Document::new();
+        let mut states = vec![whole(&document)];
+        let mut saved = vec![document.to_toml().unwrap()];
+        while states.len() <= 250 {
+            let edit = make.edit(&document);
+            let name = kinds(&edit);
+            let before = document.revision();
+            match document.apply(edit.clone()) {
+                Err(error) => {
+                    assert!(!error.to_string().is_empty());
+                    assert_eq!(document.revision(), before);
+                    if make.now_and_then(8) {
+                        assert_eq!(
+                            &whole(&document),
+                            states.last().unwrap(),
+                            "{edit:?}: {error}"
+                        );
+                    }
+                }
+                Ok(()) if document.revision() == before => {}
+                Ok(()) => {
+                    seen.insert(name);
+                    done += 1;
+                    let after = whole(&document);
+                    assert!(document.undo());
+                    assert_eq!(&whole(&document), states.last().unwrap(), "{edit:?}");
+                    assert!(document.redo());
+                    assert_eq!(whole(&document), after, "{edit:?}");
+                    states.push(after);
+                    saved.push(document.to_toml().unwrap());
+                    if make.now_and_then(16) {
+                        assert_saved(&document);
+                    }
+                }
+            }
+        }
+        assert!(
+            document
+                .edited_scene()
+                .is_none_or(|scene| scene.scene().nodes().len() <= 200)
+        );
+        assert_saved(&document);
+        for (state, text) in states.iter().zip(&saved).rev().skip(1) {
+            assert!(document.undo());
+            assert_eq!(&whole(&document), state);
+            assert_eq!(&document.to_toml().unwrap(), text);
+        }
+        assert!(!document.undo() && !document.is_modified());
+        assert!(document.edited_scene().is_none());
+        for (state, text) in states.iter().zip(&saved).skip(1) {
+            assert!(document.redo());
+            assert_eq!(&whole(&document), state);
+            assert_eq!(&document.to_toml().unwrap(), text);
+        }
+        assert!(!document.redo());
+    }
+    assert!(done >= 10_000, "{done}");
+    let all: BTreeSet<&str> = maker::KINDS.into_iter().collect();
+    assert_eq!(seen, all);
+}
+
+/// A camera on a path, a lamp with keys, a box with two shapes.
+fn furnished() -> Document {
+    let mut document = Document::new();
+    let mut lamp = Node::new("lamp", Kind::Light(Light::Point));
+    lamp.set_track(linear(
+        Channel::Intensity,
+        &[1.0, 5.0, 9.0],
+        &[1.0, 2.0, 3.0],
+    ))
+    .unwrap();
+    lamp.set_track(linear(
+        Channel::Position,
+        &[1.0, 5.0],
+        &[0.0, 0.0, 0.0, 1.0, 2.0, 3.0],
+    ))
+    .unwrap();
+    let mut object = Object::default();
+    object
+        .set_mesh(Mesh {
+            points: vec![glam::DVec3::ZERO, glam::DVec3::ONE],
+            ..Mesh::default()
+        })
+        .unwrap();
+    let mut still = Node::new("box", Kind::Object(object));
+    still.rest.scale = glam::DVec3::new(1.0, 2.0, 3.0);
+    let mut turned = Node::new("turned", Kind::Group);
+    turned.rest.rotation = glam::DQuat::from_rotation_z(0.5);
+    turned.parent = Some(2);
+    document
+        .apply(Edit::AddNodes(vec![lamp, still, turned]))
+        .unwrap();
+    for name in ["a", "b"] {
+        let shape = shape(name, 2);
+        document
+            .apply(part(Part::insert_shape(2, 0, shape).unwrap()))
+            .unwrap();
+    }
+    document
+}
+
+fn shape(name: &str, points: usize) -> Shape {
+    Shape {
+        name: name.to_owned(),
+        points: vec![glam::DVec3::X; points],
+        colours: Vec::new(),
+    }
+}
+
+fn linear(channel: Channel, frames: &[f64], values: &[f64]) -> Track {
+    let (frames, values) = (frames.to_vec(), values.to_vec());
+    Track::new(channel, Interpolation::Linear, frames, values, Vec::new()).unwrap()
+}
+
+fn keys(channel: Channel, remove: &[usize], frames: &[f64], values: &[f64]) -> Edit {
+    part(Part::Keys {
+        node: 1,
+        channel,
+        remove: remove.to_vec(),
+        put: KeyList {
+            frames: frames.to_vec(),
+            values: values.to_vec(),
+            shape: Vec::new(),
+        },
+    })
+}
+
+#[test]
+fn what_must_not_be_is_refused_with_a_sentence_and_nothing_changes() {
+    let mut document = furnished();
+    let before = whole(&document);
+    let rest = |at: usize, change: &dyn Fn(&mut vides_engine::scene::Rest)| {
+        let mut rest = vides_engine::scene::Rest::of(&furnished().scene().unwrap().nodes()[at]);
+        change(&mut rest);
+        part(Part::Rest {
+            node: at,
+            rest: Box::new(rest),
+        })
+    };
+    let parent = |node, parent, keep| Edit::SetParent { node, parent, keep };
+    let name = |node, name: &str| {
+        let name = name.to_owned();
+        part(Part::Name { node, name })
+    };
+    let (position, intensity) = (Channel::Position, Channel::Intensity);
+    let wrong: Vec<(Edit, &str)> = vec![
+        (
+            parent(2, Some(3), Keep::Numbers),
+            "node \"box\" cannot be in \"turned\", which is in it or moves with it",
+        ),
+        (
+            parent(2, Some(2), Keep::Place),
+            "node \"box\": it cannot be in itself",
+        ),
+        (parent(3, None, Keep::Place), "shear"),
+        (parent(1, Some(2), Keep::Place), "\"lamp\" moves"),
+        (name(1, "box"), "there is a node \"box\" already"),
+        (name(1, ""), "name"),
+        (
+            Edit::AddNodes(vec![Node::new("lamp", Kind::Group)]),
+            "there is a node \"lamp\" already",
+        ),
+        (
+            Edit::AddNodes(vec![
+                Node::new("x", Kind::Group),
+                Node::new("x", Kind::Group),
+            ]),
+            "there is a node \"x\" already",
+        ),
+        (
+            keys(position.clone(), &[], &[2.0], &[1.0]),
+            "node \"lamp\": channel \"position\": 1 keys",
+        ),
+        (
+            keys(position.clone(), &[], &[2.0], &[1.0, f64::NAN, 0.0]),
+            "node \"lamp\": channel \"position\": key 2: a value must be",
+        ),
+        (
+            keys(intensity.clone(), &[1], &[f64::INFINITY], &[1.0]),
+            "node \"lamp\": channel \"intensity\": key 3: a frame must be",
+        ),
+        (
+            keys(intensity.clone(), &[0], &[2.0], &[-1.0]),
+            "node \"lamp\": channel \"intensity\": key 1: a value lies outside",
+        ),
+        (
+            keys(intensity.clone(), &[], &[7.0, 6.0], &[1.0, 1.0]),
+            "node \"lamp\": channel \"intensity\": key 4: its frame must lie behind",
+        ),
+        (
+            keys(intensity.clone(), &[7], &[], &[]),
+            "channel \"intensity\": there is no key 8 among 3, counted from 1",
+        ),
+        (
+            keys(Channel::Zoom, &[], &[2.0], &[1.0]),
+            "\"lamp\" has no keys of \"zoom\"",
+        ),
+        (
+            part(
+                Part::track(
+                    1,
+                    Channel::Zoom,
+                    Some(linear(Channel::Zoom, &[1.0], &[2.0])),
+                )
+                .unwrap(),
+            ),
+            "a light has no channel \"zoom\"",
+        ),
+        (
+            part(
+                Part::track(
+                    0,
+                    position.clone(),
+                    Some(linear(position.clone(), &[1.0], &[0.0; 3])),
+                )
+                .unwrap(),
+            ),
+            "\"camera\" follows a path, which moves its position",
+        ),
+        (
+            part(Part::Manner {
+                node: 1,
+                channel: intensity.clone(),
+                manner: Box::new(Manner {
+                    interpolation: Interpolation::Hermite,
+                    shape: vec![0.0],
+                    before: Extrapolation::Hold,
+                    after: Extrapolation::Hold,
+                }),
+            }),
+            "node \"lamp\": channel \"intensity\": ",
+        ),
+        (
+            rest(1, &|rest| rest.values.intensity = -1.0),
+            "node \"lamp\": ",
+        ),
+        (
+            rest(1, &|rest| rest.values.position.x = f64::NAN),
+            "node \"lamp\": the position",
+        ),
+        (rest(0, &|rest| rest.kind = Kind::Group), "camera"),
+        (
+            part(Part::insert_shape(2, 0, shape("c", 3)).unwrap()),
+            "node \"box\": ",
+        ),
+        (
+            part(Part::Weights {
+                node: 2,
+                weights: vec![1.0],
+            }),
+            "node \"box\": 2 shapes need",
+        ),
+        (
+            part(Part::RemoveShape { node: 2, at: 2 }),
+            "there is no shape 2 among 2",
+        ),
+        (
+            part(Part::RemoveDeformation { node: 2, at: 0 }),
+            "there is no deformation 0 among 0",
+        ),
+        (
+            part(Part::Pin {
+                node: 0,
+                point: 9,
+                marker: None,
+            }),
+            "\"camera\"",
+        ),
+        (
+            part(Part::Pin {
+                node: 0,
+                point: 0,
+                marker: Some("m".into()),
+            }),
+            "there is no marker \"m\"",
+        ),
+        (
+            part(Part::Marker {
+                name: "m".into(),
+                frame: Some(f64::NAN),
+            }),
+            "frame",
+        ),
+        (
+            Edit::RenameMarker {
+                from: "m".into(),
+                to: "n".into(),
+            },
+            "there is no marker \"m\"",
+        ),
+        (
+            part(Part::Range(Some((5.0, 1.0)))),
+            "the last frame must not lie before",
+        ),
+        (part(Part::Camera(Some(1))), "\"lamp\""),
+        (part(Part::Camera(Some(9))), "9"),
+        (part(Part::Remove(vec![9])), "9"),
+        (Edit::CopyNodes(vec![9]), "9"),
+    ];
+    let mut others = Vec::new();
+    for (edit, sentence) in wrong {
+        let error = document.apply(edit.clone()).unwrap_err().to_string();
+        if !error.contains(sentence) {
+            others.push(format!("{error}, not {sentence}"));
+        }
+        assert_eq!(whole(&document), before, "{edit:?}");
+    }
+    assert!(others.is_empty(), "{others:#?}");
+}
+
+/// Where a pin cannot be met, the last that could stays.
+#[test]
+fn a_pin_that_cannot_be_met_is_refused() {
+    let mut document = furnished();
+    let marker = |name: &str, frame: f64| {
+        let (name, frame) = (name.to_owned(), Some(frame));
+        part(Part::Marker { name, frame })
+    };
+    let pin = |node: usize, point: usize, marker: &str| {
+        let marker = Some(marker.to_owned());
+        part(Part::Pin {
+            node,
+            point,
+            marker,
+        })
+    };
+    let follow = FollowPath::new(CameraPath::default(), 1.0, Extrapolation::Hold).unwrap();
+    document
+        .apply(part(Part::path(3, Some(follow)).unwrap()))
+        .unwrap();
+    for edit in [marker("begin", 10.0), marker("end", 60.0)] {
+        document.apply(edit).unwrap();
+    }
+    for node in [0, 3] {
+        document.apply(pin(node, 0, "begin")).unwrap();
+        document.apply(pin(node, 1, "end")).unwrap();
+    }
+    let scene = document.scene().unwrap();
+    for node in [0, 3] {
+        assert_eq!(
+            scene.nodes()[node].path().unwrap().first_and_last(),
+            (10.0, 60.0)
+        );
+    }
+    let before = whole(&document);
+    for edit in [
+        marker("end", 5.0),
+        marker("end", 10.0),
+        marker("begin", 1e8),
+    ] {
+        let error = document.apply(edit).unwrap_err().to_string();
+        assert!(
+            error.starts_with("point ") || error.starts_with("node \"turned\": point "),
+            "{error}"
+        );
+        assert_eq!(whole(&document), before);
+    }
+    document.apply(marker("end", 80.0)).unwrap();
+    let scene = document.scene().unwrap();
+    for node in [0, 3] {
+        assert_eq!(
+            scene.nodes()[node].path().unwrap().first_and_last(),
+            (10.0, 80.0)
+        );
+    }
+    assert!(document.undo());
+    assert_eq!(whole(&document), before);
+    // A marker goes with its pins and comes back with them.
+    document
+        .apply(Edit::RenameMarker {
+            from: "end".into(),
+            to: "stop".into(),
+        })
+        .unwrap();
+    assert_eq!(document.scene().unwrap().pins().len(), 4);
+    document
+        .apply(part(Part::Marker {
+            name: "stop".into(),
+            frame: None,
+        }))
+        .unwrap();
+    assert_eq!(document.scene().unwrap().pins().len(), 2);
+    assert!(document.undo() && document.undo());
+    assert_eq!(whole(&document), before);
+}
+
+/// A key let go on another takes its place; undo brings that back. The last one's value stays.
+#[test]
+fn a_key_dropped_on_a_key_replaces_it() {
+    let mut document = furnished();
+    let track = |document: &Document| {
+        let scene = document.scene().unwrap();
+        let track = scene.nodes()[1].keys().track(&Channel::Intensity);
+        track.map(|track| (track.frames().to_vec(), track.values().to_vec()))
+    };
+    let before = whole(&document);
+    document
+        .apply(keys(Channel::Intensity, &[0], &[5.0], &[1.0]))
+        .unwrap();
+    assert_eq!(track(&document), Some((vec![5.0, 9.0], vec![1.0, 3.0])));
+    assert!(document.undo());
+    assert_eq!(whole(&document), before);
+    document
+        .apply(keys(Channel::Intensity, &[0, 1, 2], &[], &[]))
+        .unwrap();
+    assert_eq!(track(&document), None);
+    assert_eq!(document.scene().unwrap().nodes()[1].rest.intensity, 3.0);
+    assert!(document.undo());
+    assert_eq!(whole(&document), before);
+}
+
+/// What is removed while its path is edited comes back with it, and so does the path alone.
+#[test]
+fn the_edited_node_goes_and_comes_back() {
+    let mut document = furnished();
+    document.apply(Edit::AppendAfterLast).unwrap();
+    let before = whole(&document);
+    document.apply(part(Part::Remove(vec![0]))).unwrap();
+    assert_eq!(document.edited_scene().unwrap().node(), None);
+    assert_eq!(document.scene().unwrap().nodes().len(), 3);
+    assert!(document.undo());
+    assert_eq!(whole(&document), before);
+    assert_eq!(document.path().points.len(), 3);
+    document.apply(part(Part::Remove(vec![1, 2]))).unwrap();
+    assert!(document.edited_scene().is_none());
+    assert_eq!(document.path().points.len(), 3);
+    assert!(document.undo());
+    assert_eq!(whole(&document), before);
+}
+
+/// A path alone and one of a scene, with a start of its own: keys move both as the path did.
+#[test]
+fn a_path_becomes_keys_that_are_where_it_was() {
+    let states = |document: &Document, node: usize, first: f64| {
+        let scene = document.scene().unwrap();
+        let mut states = vec![NodeState::default(); 60];
+        let warnings = &mut Warnings::default();
+        scene
+            .sample(node, first, 1.0, &mut states, warnings)
+            .unwrap();
+        states
+    };
+    let mut alone = Document::new();
+    alone.apply(Edit::AppendAfterLast).unwrap();
+    let mut car = furnished();
+    car.apply(Edit::AppendAfterLast).unwrap();
+    let mut path = CameraPath::default();
+    path.points[1].position.y = 0.5;
+    let follow = FollowPath::new(path, -7.5, Extrapolation::PingPong).unwrap();
+    car.apply(part(Part::path(3, Some(follow)).unwrap()))
+        .unwrap();
+    for (mut document, node, first) in [(alone, 0, 1.0), (furnished(), 0, 1.0), (car, 3, -7.5)] {
+        let (before, old) = (whole(&document), states(&document, node, first));
+        let edits = document.path_to_keys(node).unwrap();
+        document.apply_all(edits).unwrap();
+        let scene = document.scene().unwrap();
+        assert!(scene.nodes()[node].path().is_none());
+        for (a, b) in old.iter().zip(&states(&document, node, first)) {
+            let off = a.matrix.iter().zip(b.matrix).map(|(a, b)| (a - b).abs());
+            assert!(off.fold(0.0, f64::max) <= 1e-12, "{a:?} {b:?}");
+            assert!((a.pose.zoom - b.pose.zoom).abs() <= 1e-12);
+        }
+        document.path_to_keys(node).unwrap_err();
+        assert!(document.undo());
+        assert_eq!(whole(&document), before);
+    }
+    Document::new().path_to_keys(1).unwrap_err();
+    furnished().path_to_keys(1).unwrap_err();
+}
+
+/// Edits in one step, of which values are kept once, are taken back and done again together.
+#[test]
+fn a_step_of_many_edits_is_one() {
+    for seed in 0..80 {
+        let mut make = Maker::new(1000 + seed);
+        let mut document = Document::new();
+        for _ in 0..60 {
+            let _ = document.apply(make.edit(&document));
+        }
+        for _ in 0..4 {
+            let before = whole(&document);
+            document.begin_step();
+            for _ in 0..30 {
+                let _ = document.apply(make.edit(&document));
+            }
+            let after = whole(&document);
+            if make.now_and_then(4) {
+                document.cancel_step();
+                assert_eq!(whole(&document), before, "{seed}");
+                continue;
+            }
+            document.end_step();
+            if after != before {
+                assert!(document.undo());
+                assert_eq!(whole(&document), before, "{seed}");
+                assert!(document.redo());
+                assert_eq!(whole(&document), after, "{seed}");
+            }
+        }
+    }
+}
