@@ -28,16 +28,16 @@ pub(crate) trait Vector: Copy {
     /// Writes [`Self::LANES`] records of ten numbers, row k holding the k-th number of each. `PAST`:
     /// past the caches, where the processor can, to memory that will not be read soon and begins at
     /// a multiple of [`PAIR`]; nothing is fetched only to be overwritten, and memory writes one
-    /// vector while the next ones are computed. [`Self::settle`] must follow the last one.
+    /// vector while the next ones are computed. [`settle`] must follow the last one.
     fn store_records<const PAST: bool>(rows: [Self; 10], to: &mut [f64]);
-    /// Makes what was streamed visible like any other store.
-    #[inline(always)]
-    fn settle() {
-        // SAFETY: SSE is part of x86-64.
-        #[cfg(all(target_arch = "x86_64", not(miri)))]
-        unsafe {
-            std::arch::x86_64::_mm_sfence();
-        }
+}
+
+/// Makes what was streamed visible like any other store.
+pub(crate) fn settle() {
+    // SAFETY: SSE is part of x86-64.
+    #[cfg(all(target_arch = "x86_64", not(miri)))]
+    unsafe {
+        std::arch::x86_64::_mm_sfence();
     }
 }
 
@@ -379,7 +379,7 @@ mod tests {
             let to = &mut room[from..][..10 * V::LANES];
             if past {
                 V::store_records::<true>(rows, to);
-                V::settle();
+                settle();
             } else {
                 V::store_records::<false>(rows, to);
             }

@@ -15,7 +15,7 @@ use crate::math::vector::{Vector, each, horner, horner_each};
 const TOLERANCE: f64 = 4e-15;
 
 /// Halvings at the most: beyond, a piece is narrower than the rounding of t.
-const MAX_DEPTH: usize = 50;
+const MAX_HALVINGS: u32 = 50;
 
 /// Half the width of a piece that is not halved any more.
 const NARROW: f64 = f64::EPSILON / 4.0;
@@ -97,55 +97,71 @@ fn fits(curve: &Cubic, middle: f64, half: f64, series: &[f64; NODES], tolerance:
 #[inline(always)]
 fn integral(series: &[f64; NODES]) -> f64 {
     let mut sum = 0.0;
-    let mut k = NODES - 2;
-    loop {
-        #[allow(clippy::cast_precision_loss)]
-        let k_squared = (k * k) as f64;
-        sum += series[k] * 2.0 / (1.0 - k_squared);
-        if k == 0 {
-            return sum;
-        }
-        k -= 2;
+    for k in (0..NODES).step_by(2).rev() {
+        sum += series[k] * INTEGRALS[k];
     }
+    sum
 }
 
-/// The pieces still to be looked at: a stack, the first on top.
+/// ∫ over [−1, 1] of the even Chebyshev polynomials.
+const INTEGRALS: [f64; NODES] = {
+    let mut integrals = [0.0; NODES];
+    let mut k = 0;
+    while k < NODES {
+        integrals[k] = 2.0 / (1.0 - (k * k) as f64);
+        k += 2;
+    }
+    integrals
+};
+
+/// Pieces of an interval that are halved until each is good enough, one after the other.
 pub(super) struct Halving {
+    start: f64,
+    half: f64,
     /// Half the width of the narrowest piece.
     least: f64,
-    stack: [(f64, f64); MAX_DEPTH + 2],
-    height: usize,
+    /// Which of how often halved pieces is looked at, and which one follows.
+    here: (u64, u32),
+    following: (u64, u32),
 }
 
 impl Halving {
     #[inline(always)]
     pub(super) fn new(start: f64, end: f64, least: f64) -> Self {
-        let mut stack = [(0.0, 0.0); MAX_DEPTH + 2];
-        stack[0] = (0.5 * (start + end), 0.5 * (end - start));
         Self {
+            start,
+            half: 0.5 * (end - start),
             least,
-            stack,
-            height: 1,
+            here: (0, 0),
+            following: (0, 0),
         }
     }
 
+    /// Middle and half width of the next piece.
     #[inline(always)]
+    #[allow(clippy::cast_precision_loss)]
     pub(super) fn next(&mut self) -> Option<(f64, f64)> {
-        self.height = self.height.checked_sub(1)?;
-        Some(self.stack[self.height])
+        let (piece, halvings) = self.following;
+        if piece >> halvings != 0 {
+            return None;
+        }
+        self.here = self.following;
+        // Behind a right half the piece follows that lies beside both halves.
+        let up = (piece + 1).trailing_zeros().min(halvings);
+        self.following = ((piece + 1) >> up, halvings - up);
+        let half = self.half * f64::from_bits(u64::from(1023 - halvings) << 52);
+        Some((self.start + (2 * piece + 1) as f64 * half, half))
     }
 
-    /// Puts the two halves of the piece back; false where they are too narrow.
+    /// Goes on with the two halves of the piece; false where they are too narrow.
     #[inline(always)]
-    pub(super) fn halve(&mut self, middle: f64, half: f64) -> bool {
-        let quarter = half / 2.0;
-        if self.height + 2 > self.stack.len() || quarter < self.least {
-            return false;
+    pub(super) fn halve(&mut self, half: f64) -> bool {
+        let (piece, halvings) = self.here;
+        let wide = half / 2.0 >= self.least && halvings < MAX_HALVINGS;
+        if wide {
+            self.following = (2 * piece, halvings + 1);
         }
-        self.stack[self.height] = (middle + quarter, quarter);
-        self.stack[self.height + 1] = (middle - quarter, quarter);
-        self.height += 2;
-        true
+        wide
     }
 }
 
@@ -189,7 +205,7 @@ fn length_of<V: Vector>(curve: &Cubic) -> f64 {
         let series = chebyshev::series::<V>(&speeds::<V>(curve, middle, half));
         let part = integral(&series);
         let tolerance = *tolerance.get_or_insert(TOLERANCE * part);
-        if !fits(curve, middle, half, &series, tolerance) && halving.halve(middle, half) {
+        if !fits(curve, middle, half, &series, tolerance) && halving.halve(half) {
             continue;
         }
         total += part;
@@ -214,7 +230,7 @@ pub(super) fn measure<V: Vector>(curve: &Cubic, pieces: &mut Vec<Piece>) -> Resu
             }
             tolerance = TOLERANCE * length;
         }
-        if !fits(curve, middle, half, &series, tolerance) && halving.halve(middle, half) {
+        if !fits(curve, middle, half, &series, tolerance) && halving.halve(half) {
             continue;
         }
         let speed = chebyshev::powers::<V>(&series);

@@ -88,6 +88,7 @@ impl Scratch {
 const KEEP: usize = 1024;
 
 /// Fills `poses` with frames of a section; `first` is the number of the first of them, from 1.
+/// After the last section [`crate::math::vector::settle`] must follow.
 #[inline(always)]
 pub(super) fn fill<V: Vector>(
     section: &SectionSampler,
@@ -133,9 +134,6 @@ pub(super) fn fill<V: Vector>(
             resolve_singularities(section, target, &block.phi, poses)?;
         }
         number += count;
-    }
-    if past_caches {
-        V::settle();
     }
     Ok(())
 }

@@ -4,6 +4,7 @@
 //! Positions, targets and ways are the world's; directions, quaternions and velocities are in y-up
 //! axes ([`super::Up::upright`]).
 
+use std::cell::Cell;
 use std::sync::Arc;
 
 use glam::{DQuat, DVec3};
@@ -137,6 +138,8 @@ struct Work<'a> {
     rolls: Vec<[f64; 4]>,
     guides: Guides<'a>,
     space: Space,
+    /// A key and its velocities: the span that ends there asks, then the one that begins there.
+    passed: Cell<Option<(usize, (DVec3, DVec3))>>,
 }
 
 /// What of a whole path some sections follow.
@@ -148,20 +151,20 @@ pub(super) struct Guides<'a> {
     pub alignment: Option<&'a Alignment>,
 }
 
-/// Works out how the camera turns in each span, and fixes the signs of the keys.
+/// Works out how the camera turns in each span, for `take`, and fixes the signs of the keys.
 pub(super) fn turnings(
     keys: &mut [Key],
     spans: &[Span<'_>],
     mode: OrientationMode,
     guides: Guides<'_>,
     space: Space,
-) -> Result<Vec<Turning>> {
+    mut take: impl FnMut(usize, Turning),
+) -> Result<()> {
     let work = work(keys, spans, guides, space)?;
-    let mut turnings = vec_with_room(spans.len())?;
     for span in 0..spans.len() {
-        turnings.push(work.turning(span, mode));
+        take(span, work.turning(span, mode));
     }
-    Ok(turnings)
+    Ok(())
 }
 
 /// Velocities with which the turning passes a key, and its slope of roll beside a level section.
@@ -230,6 +233,7 @@ fn work<'a>(
         rolls: vec_with_room(spans.len())?,
         guides,
         space,
+        passed: Cell::new(None),
     };
     for span in 0..spans.len() {
         let (from, to) = (&keys[span], &keys[ring.end_of(span)]);
@@ -294,8 +298,8 @@ impl Work<'_> {
                 if let Some(part) = self.part(span, a, b) {
                     return part;
                 }
-                let (_, leave) = self.velocities(span);
-                let (reach, _) = self.velocities(self.ring.end_of(span));
+                let (_, leave) = self.passing(span);
+                let (reach, _) = self.passing(self.ring.end_of(span));
                 Turning::Bezier(bezier_control(
                     a,
                     b,
@@ -359,6 +363,18 @@ impl Work<'_> {
 
     fn own_velocities(&self, key: usize) -> Option<(DVec3, DVec3)> {
         self.keys[key].velocities(self.space.up)
+    }
+
+    /// [`Self::velocities`], kept for whoever asks next.
+    fn passing(&self, key: usize) -> (DVec3, DVec3) {
+        match self.passed.get() {
+            Some((last, velocities)) if last == key => velocities,
+            _ => {
+                let velocities = self.velocities(key);
+                self.passed.set(Some((key, velocities)));
+                velocities
+            }
+        }
     }
 
     /// Velocities with which the curve reaches and leaves a key, limited so that none swings out.

@@ -16,7 +16,7 @@ use super::timeline::{Change, Timeline};
 use super::turning::Turning;
 use crate::error::{OutOfRange, Result, try_box, vec_with_room};
 use crate::limits::{MAX_ZOOM, MIN_ZOOM};
-use crate::math::{monotone_cubic, orientation};
+use crate::math::{monotone_cubic, orientation, vector};
 
 /// Everything prepared to give any pose of a path; independent of the path it was made from.
 #[derive(Debug)]
@@ -145,15 +145,15 @@ impl Sampler {
             guides,
             first_frames,
         } = Layout::new(path, timeline)?;
-        let turnings = turnings(&mut keys, &spans, path.orientation_mode, guides, path.space)?;
-        for ((section, key), turning) in sections.iter_mut().zip(&keys).zip(turnings) {
-            if let Turning::Tracked(..) = turning {
-                section.space.up = key.level(path.space.up);
-            }
-            section.turning = turning;
-        }
+        let (mode, space) = (path.orientation_mode, path.space);
+        turnings(&mut keys, &spans, mode, guides, space, |k, turning| {
+            sections[k].turning = turning;
+        })?;
         let slopes = zoom_slopes(path, &keys, &spans, &poses)?;
         for (k, section) in sections.iter_mut().enumerate() {
+            if let Turning::Tracked(..) = section.turning {
+                section.space.up = keys[k].level(space.up);
+            }
             let (zoom, rise) = (poses[k].zoom, poses[k + 1].zoom - poses[k].zoom);
             section.zoom = match path.zoom_mode {
                 ZoomMode::Linear => [zoom, rise, 0.0, 0.0],
@@ -232,7 +232,14 @@ impl Sampler {
         self.sample_with(&mut scratch, first, poses)
     }
 
+    /// Each section leaves memory to write its poses while the next one is prepared.
     fn sample_with(&self, scratch: &mut Scratch, first: usize, poses: &mut [Pose]) -> Result<()> {
+        let filled = self.fill(scratch, first, poses);
+        vector::settle();
+        filled
+    }
+
+    fn fill(&self, scratch: &mut Scratch, first: usize, poses: &mut [Pose]) -> Result<()> {
         let inside = first >= 1 && first <= self.frames + 1;
         if !inside || poses.len() > self.frames + 1 - first {
             let last = first.saturating_add(poses.len().saturating_sub(1));

@@ -146,10 +146,12 @@ impl SectionSampler {
         fingerprint.0
     }
 
-    /// Has the processor fetch what the next sections keep, while the one before them is filled:
-    /// tables of many sections are more than the caches hold. Of the second next it is what tells
-    /// where its tables are, of the next one, where that is there by then, the tables themselves.
+    /// Has the processor fetch the second next section and what the next ones keep, while the one
+    /// before them is filled: many sections are more than the caches hold. Of the second next it is
+    /// what tells where its tables are, of the next one, where that is there by then, the tables
+    /// themselves.
     pub(super) fn fetch(next: &[Self]) {
+        vector::fetch(next.get(1..2).unwrap_or_default());
         let kept = |at: usize| next.get(at)?.tables.get();
         if let Some(tables) = kept(1) {
             vector::fetch(tables);

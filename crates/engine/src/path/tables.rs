@@ -76,7 +76,7 @@ impl Tables {
         self.place.clear();
         self.turn.clear();
         self.bezier = match &section.turning {
-            Turning::Bezier(control) => ShortBezier::new(control),
+            Turning::Bezier(control) => ShortBezier::new::<V>(control),
             _ => None,
         };
         #[allow(clippy::cast_precision_loss)]
@@ -131,14 +131,14 @@ impl Tables {
                 if half >= least {
                     let (fit, tail, error) = self.fit_parameter::<V>(way, middle, half);
                     let piece = &self.arc[index];
-                    if !short(&fit) && half > LONG / frames && halving.halve(middle, half) {
+                    if !short(&fit) && half > LONG / frames && halving.halve(half) {
                         continue;
                     }
                     if error <= PLACE_TOLERANCE * way.length {
                         powers = Some(fit);
                     } else if half < coarse && piece.settles(tail) {
                         (powers, polish) = (Some(fit), Some(index));
-                    } else if halving.halve(middle, half) {
+                    } else if halving.halve(half) {
                         continue;
                     }
                 }
@@ -198,7 +198,7 @@ impl Tables {
                 }
                 let good = tail <= TURN_TOLERANCE;
                 let enough = good && (half <= LONG / frames || short(&fitted));
-                if !enough && halving.halve(middle, half) {
+                if !enough && halving.halve(half) {
                     continue;
                 }
                 powers = good.then_some(fitted);
