@@ -133,13 +133,13 @@ impl<K: Clone + PartialEq + Send + 'static> Pictures<K> {
         &self,
         (editor, context): (&Editor, &Context),
         of: &K,
-        make: fn(&K, Progress<'_>) -> Vec<Option<Picture>>,
+        make: fn(K, Progress<'_>) -> Vec<Option<Picture>>,
         (at, show): (usize, impl FnOnce(&Picture)),
     ) {
         let mut known = self.0.borrow_mut();
         if known.as_ref().is_none_or(|made| made.of != *of) {
             let mine = of.clone();
-            let work = Background::begin(editor.start, move |go_on| Ok(make(&mine, go_on)));
+            let work = Background::begin(editor.start, move |go_on| Ok(make(mine, go_on)));
             *known = Some(Made {
                 of: of.clone(),
                 work,

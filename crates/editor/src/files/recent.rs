@@ -47,7 +47,7 @@ fn note(folder: &Path, file: &Path) -> crate::Result<()> {
 pub(crate) const PICTURE: Vec2 = vec2(112.0, 64.0);
 
 /// Pictures of these files.
-fn pictures(of: &Vec<PathBuf>, go_on: Progress<'_>) -> Vec<Option<Picture>> {
+fn pictures(of: Vec<PathBuf>, go_on: Progress<'_>) -> Vec<Option<Picture>> {
     let pictures = of.iter().enumerate().map(|(done, file)| {
         let goes_on = go_on(done, of.len());
         goes_on.then(|| Picture::of_file(file, PICTURE)).flatten()

@@ -62,7 +62,7 @@ impl Around {
 }
 
 /// Pictures of the tools' beginnings; what cannot be made has its sign.
-pub(super) fn pictures(around: &Around, go_on: Progress<'_>) -> Vec<Option<Picture>> {
+pub(super) fn pictures(around: Around, go_on: Progress<'_>) -> Vec<Option<Picture>> {
     let pictures = TOOLS
         .iter()
         .map(|name| around.picture(name, go_on).ok().flatten());

@@ -155,7 +155,7 @@ fn beginnings_are_drawn_on_the_object() {
         window.state_mut().document = around;
         window.run();
         let around = Around::of(window.state()).unwrap();
-        let all = sign::pictures(&around, &mut |_, _| true);
+        let all = sign::pictures(around, &mut |_, _| true);
         for (name, made) in TOOLS.iter().zip(&all) {
             let made = made.as_ref().expect(name);
             assert_eq!(made.has_path(), *name != "draw", "{name}");
