@@ -37,6 +37,7 @@ mod read;
 mod scene_read;
 mod scene_write;
 mod shown;
+mod statements;
 pub mod tree;
 mod weight;
 mod write;

@@ -365,6 +365,12 @@ impl Scene {
             Part::Links { node, parent, aim } => {
                 of(*node).is_some_and(|node| (node.parent, node.aim) == (*parent, *aim))
             }
+            Part::Path { node, path: None } => of(*node).is_some_and(|node| node.path.is_none()),
+            Part::Track {
+                node,
+                channel,
+                track: None,
+            } => of(*node).is_some_and(|node| node.keys.track(channel).is_none()),
             Part::Keys { remove, put, .. } => remove.is_empty() && put.is_empty(),
             Part::Marker { name, frame } => {
                 self.marker(name).map(f64::to_bits) == frame.map(f64::to_bits)
