@@ -431,14 +431,6 @@ impl Change {
         )
     }
 
-    /// How many records [`super::history::Step::push_all`] makes of it.
-    pub(super) fn count(&self) -> usize {
-        match self {
-            Self::Several(changes) => changes.iter().map(Self::count).sum(),
-            _ => 1,
-        }
-    }
-
     /// Approximate bytes of memory.
     pub(super) fn weight(&self) -> usize {
         let beyond = match self {

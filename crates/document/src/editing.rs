@@ -2,11 +2,11 @@
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use super::change::State;
+use super::change::{State, exchange_all};
 use super::edit::Edit;
 use super::fingerprint::Fingerprint;
 use super::held;
-use super::history::{History, Step};
+use super::history::{History, Record, Step};
 use super::info::{Info, Object};
 use super::prepare;
 use super::step_name::StepName;
@@ -216,7 +216,7 @@ impl Document {
     pub fn apply(&mut self, edit: Edit) -> Result<()> {
         let same_for_a_file = matches!(edit, Edit::EditNode(_));
         let name = StepName::of(&edit, self.path(), self.info());
-        let (mut change, selection) = prepare::prepare(&self.state, edit)?;
+        let (change, selection) = prepare::prepare(&self.state, edit)?;
         if change.is_idle(&self.state) {
             return Ok(());
         }
@@ -230,32 +230,35 @@ impl Document {
         change.reserve(&mut self.state)?;
         let shapes = change.may_undefine_ups();
         let of_scene = change.of_scene();
-        change.apply(&mut self.state, &mut self.plan)?;
+        let mut change = Record::new(change)?;
+        change.with(|change| change.apply(&mut self.state, &mut self.plan))?;
         let mut follow = || -> Result<_> {
             if shapes {
                 check_ups(&self.state.path)?;
             }
-            let mut held = held::what_follows(&self.state, &self.plan, of_scene)?;
-            if let Some(held) = held.as_ref().filter(|_| keeps_record) {
-                step.reserve_more(1 + held.count())?;
+            let mut held = Vec::new();
+            if let Some(all) = held::what_follows(&self.state, &self.plan, of_scene)? {
+                Record::each(all, &mut held)?;
+                step.reserve_more(1 + held.len())?;
             }
-            if let Some(held) = &mut held {
-                held.apply(&mut self.state, &mut self.plan)?;
-            }
+            exchange_all(&mut held, |held| {
+                held.with(|held| held.apply(&mut self.state, &mut self.plan))
+            })?;
             Ok(held)
         };
         let held = match follow() {
             Ok(held) => held,
             Err(error) => {
                 // It was just exchanged, and can be again.
-                let _ = change.apply(&mut self.state, &mut self.plan);
+                let _ = change.with(|change| change.apply(&mut self.state, &mut self.plan));
                 return Err(error);
             }
         };
         if keeps_record {
             step.name.get_or_insert(name);
             step.push(change);
-            held.into_iter().for_each(|held| step.push_all(held));
+            // They stand as they are to be undone.
+            held.into_iter().rev().for_each(|held| step.push(held));
         }
         if self.open.is_none() {
             own.close();

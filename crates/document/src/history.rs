@@ -6,66 +6,77 @@ use std::collections::VecDeque;
 use super::change::{Change, exchange_all};
 use super::editing::Selection;
 use super::step_name::StepName;
-use crate::error::{Result, can_allocate, vec_with_room};
+use crate::error::{Result, try_box, vec_with_room};
 use crate::limits;
 use vides_engine::scene::Part;
 
-/// A change that was done, as small as it is: most parts of a scene are smaller than those of paths,
-/// and a scene of many keys has many.
+/// A change, as small as it is: most parts of a scene are smaller than those of paths, and a scene
+/// of many keys has many. It is on the heap before it is done, so that it can be kept then.
 #[derive(Debug)]
-enum Record {
+pub(super) enum Record {
     /// [`Change::Part`].
-    Part(Box<Part>, u64),
-    Other(Box<Change>),
+    Part(Box<[Part]>, u64),
+    Other(Box<[Change]>),
 }
 
 impl Record {
-    fn new(change: Change) -> Self {
+    pub(super) fn new(change: Change) -> Result<Self> {
+        Ok(match change {
+            Change::Part(part, removal) => Self::Part(try_box(part)?, removal),
+            other => Self::Other(try_box(other)?),
+        })
+    }
+
+    /// Those of a change of several, each by itself.
+    pub(super) fn each(change: Change, records: &mut Vec<Self>) -> Result<()> {
         match change {
-            Change::Part(part, removal) => Self::Part(Box::new(part), removal),
-            other => Self::Other(Box::new(other)),
+            Change::Several(changes) => changes
+                .into_iter()
+                .try_for_each(|one| Self::each(one, records)),
+            one => {
+                records.try_reserve(1)?;
+                records.push(Self::new(one)?);
+                Ok(())
+            }
         }
     }
 
-    fn into_change(self) -> Change {
-        match self {
-            Self::Part(part, removal) => Change::Part(*part, removal),
-            Self::Other(other) => *other,
-        }
-    }
-
-    fn with(&mut self, apply: impl FnOnce(&mut Change) -> Result<()>) -> Result<()> {
+    /// Does the change, which then undoes itself.
+    pub(super) fn with(&mut self, mut apply: impl FnMut(&mut Change) -> Result<()>) -> Result<()> {
         let (part, removal) = match self {
-            Self::Other(other) => return apply(other),
-            Self::Part(part, removal) => (part, removal),
+            Self::Other(other) => return other.iter_mut().try_for_each(apply),
+            Self::Part(part, removal) => (&mut part[0], removal),
         };
         let mut change = Change::Part(std::mem::replace(part, Part::Camera(None)), *removal);
         let done = apply(&mut change);
         if let Change::Part(now, number) = change {
-            (**part, *removal) = (now, number);
+            (*part, *removal) = (now, number);
         }
         done
     }
 
     fn renumbers(&self) -> bool {
         match self {
-            Self::Part(part, _) => !part.is_value(),
-            Self::Other(other) => other.renumbers(),
+            Self::Part(part, _) => part.iter().any(|part| !part.is_value()),
+            Self::Other(other) => other.iter().any(Change::renumbers),
         }
     }
 
-    fn is_at_place_of(&self, change: &Change) -> bool {
-        match (self, change) {
-            (Self::Part(part, _), Change::Part(other, _)) => part.is_at_place_of(other),
-            (Self::Other(other), change) => other.is_at_place_of(change),
+    fn is_at_place_of(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Part(one, _), Self::Part(other, _)) => one[0].is_at_place_of(&other[0]),
+            (Self::Other(one), Self::Other(other)) => one[0].is_at_place_of(&other[0]),
             _ => false,
         }
     }
 
     fn weight(&self) -> usize {
-        let beyond = match self {
-            Self::Part(part, _) => size_of::<Part>() + part.heap_size(),
-            Self::Other(other) => other.weight(),
+        let beyond: usize = match self {
+            Self::Part(part, _) => part
+                .iter()
+                .map(|part| size_of::<Part>() + part.heap_size())
+                .sum(),
+            Self::Other(other) => other.iter().map(Change::weight).sum(),
         };
         size_of::<Self>() + beyond
     }
@@ -94,7 +105,6 @@ impl Step {
     }
 
     pub(super) fn reserve(&mut self) -> Result<()> {
-        can_allocate(size_of::<Change>())?;
         if self.changes.is_empty() {
             self.changes.try_reserve_exact(1)?;
         } else {
@@ -104,13 +114,12 @@ impl Step {
     }
 
     pub(super) fn reserve_more(&mut self, records: usize) -> Result<()> {
-        can_allocate(records * size_of::<Change>())?;
         Ok(self.changes.try_reserve(records)?)
     }
 
     /// Adds the record that undoes the newest change, unless an older one already does. The newest
     /// is last until [`Step::close`] reverses the order.
-    pub(super) fn push(&mut self, inverse: Change) {
+    pub(super) fn push(&mut self, inverse: Record) {
         let known = self
             .changes
             .iter()
@@ -119,19 +128,7 @@ impl Step {
             .take(FAR_BACK)
             .any(|older| older.is_at_place_of(&inverse));
         if !known {
-            self.changes.push(Record::new(inverse));
-        }
-    }
-
-    /// The same for a record of several, each by itself; see [`Change::count`].
-    pub(super) fn push_all(&mut self, inverse: Change) {
-        match inverse {
-            // They stand as they are to be undone.
-            Change::Several(changes) => {
-                let rising = changes.into_iter().rev();
-                rising.for_each(|one| self.push_all(one));
-            }
-            one => self.push(one),
+            self.changes.push(inverse);
         }
     }
 
@@ -143,7 +140,7 @@ impl Step {
     pub(super) fn append(&mut self, inner: Self) {
         self.name = self.name.or(inner.name);
         for record in inner.changes {
-            self.push(record.into_change());
+            self.push(record);
         }
     }
 

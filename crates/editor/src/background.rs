@@ -38,9 +38,19 @@ struct HowFar {
 }
 
 impl<T: Send + 'static> Background<T> {
-    /// Begins it. Without a way to start threads it is done before this returns; where none can be
-    /// started it counts as cancelled.
+    /// Begins it, and waits a little whether it is done at once. Without a way to start threads it
+    /// is done before this returns; where none can be started it counts as cancelled.
     pub(crate) fn begin(
+        start: Option<Start>,
+        work: impl FnOnce(Progress<'_>) -> Result<T> + Send + 'static,
+    ) -> Self {
+        let mut begun = Self::begin_for_later(start, work);
+        begun.known = begun.wait(AT_ONCE);
+        begun
+    }
+
+    /// The same for what nobody waits for.
+    pub(crate) fn begin_for_later(
         start: Option<Start>,
         work: impl FnOnce(Progress<'_>) -> Result<T> + Send + 'static,
     ) -> Self {
@@ -63,14 +73,12 @@ impl<T: Send + 'static> Background<T> {
             }
             None => all(),
         }
-        let mut begun = Self {
+        Self {
             how_far,
             answer,
             known: None,
             process: std::process::id(),
-        };
-        begun.known = begun.wait(AT_ONCE);
-        begun
+        }
     }
 
     /// What it made; `None` as long as it is under way. Its panic is the window's.

@@ -139,7 +139,8 @@ impl<K: Clone + PartialEq + Send + 'static> Pictures<K> {
         let mut known = self.0.borrow_mut();
         if known.as_ref().is_none_or(|made| made.of != *of) {
             let mine = of.clone();
-            let work = Background::begin(editor.start, move |go_on| Ok(make(mine, go_on)));
+            let work =
+                Background::begin_for_later(editor.start, move |go_on| Ok(make(mine, go_on)));
             *known = Some(Made {
                 of: of.clone(),
                 work,
