@@ -148,7 +148,7 @@ def the_tip_of_up_is_dragged(place):
     position = host.path()[0]
     before = host.tell("orientation 0 0 0").split()
     picture = server.drawn(window)
-    green = picture.find((0x62, 0xD0, 0x8A), 30)
+    green = picture.find((0xA0, 0xF0, 0xB0), 30)
     centre = space.image(position)
     check(green, "no VUP to be seen")
     tip = max(green, key=lambda pixel: math.dist(pixel, centre))

@@ -5,7 +5,7 @@ import os
 
 from cases_window import opened
 from harness import check, wait
-from panel import BUTTON, PANEL, boxes
+from panel import CHOSEN, PANEL
 from run import test
 
 
@@ -46,10 +46,10 @@ def findings_are_listed_and_lead_to_their_frame(place):
     quiet = server.drawn(window)
 
     def rows():
-        # The frames of each, one below the other.
+        # The frames of each, as words in the colour of what is clicked.
         picture = server.drawn(window)
-        left, right = picture.width - PANEL, picture.width - PANEL / 2
-        return boxes(picture, BUTTON, left, 100, int(right), 620, least=(80, 14))
+        left = picture.width - PANEL
+        return [(x, y) for x, y in picture.find(CHOSEN) if x > left and 100 < y < 620]
 
     check(not rows(), "findings of a new path")
     # Two views at one point that are equal: one of them would do.
@@ -57,8 +57,7 @@ def findings_are_listed_and_lead_to_their_frame(place):
     wait(lambda: server.picture(window).differs(quiet), "another view")
     found = wait(rows, "a finding")
     before = server.drawn(window)
-    x, y, width, height = found[0][0]
-    server.click(window, x + width / 2, y + height / 2)
+    server.click(window, *found[len(found) // 2])
     wait(lambda: server.picture(window).differs(before), "the playhead to go there")
     server.press(window, "Escape")
     host.leave()

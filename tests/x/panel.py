@@ -15,7 +15,7 @@ DONE, REST = (0x58, 0xAE, 0xFF), (0x69, 0x73, 0x82)
 """The ruler's rail before and behind the playhead, in the dark theme."""
 
 CHOSEN = (0x58, 0xAE, 0xFF)
-"""The circle of the choice that is taken."""
+"""The circle of the choice that is taken, and words that lead elsewhere."""
 
 
 def boxes(picture, colour, left, top, right, bottom, least=(14, 14), tolerance=3):
