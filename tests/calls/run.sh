@@ -44,7 +44,8 @@ in_folder() {
     local folder
     folder=$(mktemp -d "$work/folder.XXXX")
     mkdir "$folder/home"
-    env -u RUST_BACKTRACE HOME="$folder/home" XDG_STATE_HOME="$folder/state" XDG_CONFIG_HOME="$folder/config" \
+    # What the window saves stays there.
+    env -C "$folder" -u RUST_BACKTRACE HOME="$folder/home" XDG_STATE_HOME="$folder/state" XDG_CONFIG_HOME="$folder/config" \
         LD_LIBRARY_PATH="$libraries" \
         ASAN_OPTIONS=detect_leaks=1:detect_stack_use_after_return=1 \
         UBSAN_OPTIONS=halt_on_error=1 timeout "${LIMIT:-900}" "${@//FOLDER/$folder}"
