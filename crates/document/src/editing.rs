@@ -2,7 +2,7 @@
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use super::change::{State, exchange_all};
+use super::change::{Change, State, exchange_all};
 use super::edit::Edit;
 use super::fingerprint::Fingerprint;
 use super::held;
@@ -64,6 +64,22 @@ pub(super) fn fresh_revision() -> u64 {
 impl Default for Document {
     fn default() -> Self {
         Self::new()
+    }
+}
+
+/// A change that is made, with room to be kept or without.
+enum Doing {
+    Kept(Record),
+    Alone(Change),
+}
+
+impl Doing {
+    /// Makes it, or takes it back.
+    fn apply(&mut self, state: &mut State, plan: &mut Plan) -> Result<()> {
+        match self {
+            Self::Kept(record) => record.with(|change| change.apply(state, plan)),
+            Self::Alone(change) => change.apply(state, plan),
+        }
     }
 }
 
@@ -230,8 +246,11 @@ impl Document {
         change.reserve(&mut self.state)?;
         let shapes = change.may_undefine_ups();
         let of_scene = change.of_scene();
-        let mut change = Record::new(change)?;
-        change.with(|change| change.apply(&mut self.state, &mut self.plan))?;
+        let mut doing = match keeps_record {
+            true => Doing::Kept(Record::new(change)?),
+            false => Doing::Alone(change),
+        };
+        doing.apply(&mut self.state, &mut self.plan)?;
         let mut follow = || -> Result<_> {
             if shapes {
                 check_ups(&self.state.path)?;
@@ -250,11 +269,11 @@ impl Document {
             Ok(held) => held,
             Err(error) => {
                 // It was just exchanged, and can be again.
-                let _ = change.with(|change| change.apply(&mut self.state, &mut self.plan));
+                let _ = doing.apply(&mut self.state, &mut self.plan);
                 return Err(error);
             }
         };
-        if keeps_record {
+        if let Doing::Kept(change) = doing {
             step.name.get_or_insert(name);
             step.push(change);
             // They stand as they are to be undone.
