@@ -68,7 +68,10 @@ impl Default for Document {
 }
 
 /// A change that is made, with room to be kept or without.
-#[expect(clippy::large_enum_variant, reason = "without a history nothing is allocated")]
+#[expect(
+    clippy::large_enum_variant,
+    reason = "without a history nothing is allocated"
+)]
 enum Doing {
     Kept(Record),
     Alone(Change),
