@@ -152,6 +152,50 @@ static void aims_that_fail_are_told(const char *folder)
     v_scene_free(scene);
 }
 
+static void write_text(const char *folder, const char *name, const char *text)
+{
+    FILE *out = fopen(in(folder, name), "w");
+    CHECK(out != NULL);
+    if (out) {
+        fputs(text, out);
+        fclose(out);
+    }
+}
+
+static int has(const char *folder, const char *name, const char *part)
+{
+    static char text[1 << 20];
+    FILE *read = fopen(in(folder, name), "r");
+    size_t length = 0;
+    if (read) {
+        length = fread(text, 1, sizeof text - 1, read);
+        fclose(read);
+    }
+    text[length] = '\0';
+    return strstr(text, part) != NULL;
+}
+
+/* The object of a path, named by its file, goes along; one that is gone is told. */
+static void objects_of_paths_go_along(const char *folder)
+{
+    V_SCENE *scene = NULL;
+    write_text(folder, "plate.obj", "v 0 0 0\nv 0.5 0 0\nv 0 0 0.5\nf 1 2 3\n");
+    write_text(folder, "flight.vid",
+               "version = 1\n[object]\nfile = \"plate.obj\"\n"
+               "[[point]]\nposition = [0.0, 0.5, 0.5]\n[[point.orientation]]\n"
+               "[[point]]\nposition = [0.5, 0.5, 0.5]\n[[point.orientation]]\n");
+    OK(v_scene_load(in(folder, "flight.vid"), &scene));
+    CHECK(v_last_warning()[0] == '\0');
+    OK(v_scene_export(scene, in(folder, "object.usda"), NULL, NULL));
+    CHECK(has(folder, "object.usda", "def Mesh"));
+    v_scene_free(scene);
+    scene = NULL;
+    CHECK(remove(in(folder, "plate.obj")) == 0);
+    OK(v_scene_load(in(folder, "flight.vid"), &scene));
+    CHECK(strstr(v_last_warning(), "plate.obj") != NULL);
+    v_scene_free(scene);
+}
+
 int main(int count, char **arguments)
 {
     const char *folder = count > 1 ? arguments[1] : ".";
@@ -168,5 +212,6 @@ int main(int count, char **arguments)
     warnings_are_the_last_calls(folder);
     folders_are_whole(folder);
     aims_that_fail_are_told(folder);
+    objects_of_paths_go_along(folder);
     return failures != 0;
 }

@@ -172,7 +172,9 @@ impl Editor {
             }
             Action::Check => windows::open::<CheckWindow>(self, context),
             Action::GoTo(finding) => self.go_to(&finding),
-            Action::Edits(edits) => drop(self.edit_all(edits)),
+            Action::Edits(edits) => {
+                self.edit_all(edits);
+            }
             Action::Mend(edits) => self.mend(edits),
             Action::Cure(finding) => self.cure(&finding),
             Action::PreviewTool => {

@@ -23,8 +23,8 @@ texts! {
             "Die Kamera steht hier still; wie lange, ist eine Zahl rechts";
         no_rest: "No rest here", "Hier nicht verweilen";
         no_rest_hint: "The camera goes on at once", "Die Kamera fährt sofort weiter";
-        key_tip: "Drag: the sections beside it get more frames and fewer · type a number: to that time; +, −: by so much · Shift: ten times finer · Ctrl: a copy · Esc: back",
-            "Ziehen: die Abschnitte daneben bekommen mehr Bilder und weniger · Zahl tippen: zu dieser Zeit; +, −: um so viel · Umschalt: zehnmal feiner · Strg: eine Kopie · Esc: zurück";
+        key_tip: "Drag: the sections beside it get more frames and fewer · type a number: to that time; +, −: by so much · Shift: ten times finer · Ctrl: a copy · Esc: back · right button: slow down or rest here",
+            "Ziehen: die Abschnitte daneben bekommen mehr Bilder und weniger · Zahl tippen: zu dieser Zeit; +, −: um so viel · Umschalt: zehnmal feiner · Strg: eine Kopie · Esc: zurück · rechte Taste: hier abbremsen oder verweilen";
         moved: "{0}: {1} s ({2} s) · frame {3}", "{0}: {1} s ({2} s) · Bild {3}";
         copy_of: "Copy of {0}", "Kopie von {0}";
         sections: "{0} frames before it · {1} behind it", "{0} Bilder davor · {1} dahinter";
@@ -42,7 +42,7 @@ texts! {
         move_meaning: "Move the current key in time by one frame; Shift: by ten",
             "Aktuellen Schlüssel um ein Bild in der Zeit bewegen; Umschalt: um zehn";
         drag_mouse: "Drag a key on the timeline", "Einen Schlüssel auf der Zeitleiste ziehen";
-        drag_meaning: "Another time for it; a number while dragging: to that time; Ctrl: a copy",
-            "Ein anderer Zeitpunkt für ihn; Zahl beim Ziehen: zu dieser Zeit; Strg: eine Kopie";
+        drag_meaning: "Another time for it; a number while dragging: to that time; Ctrl: a copy; right button: slow down or rest there",
+            "Ein anderer Zeitpunkt für ihn; Zahl beim Ziehen: zu dieser Zeit; Strg: eine Kopie; rechte Taste: dort abbremsen oder verweilen";
     }
 }

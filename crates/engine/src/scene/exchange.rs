@@ -270,16 +270,7 @@ impl Scene {
         point: usize,
         marker: &mut Option<String>,
     ) -> Result<()> {
-        let of = self.node(node)?;
-        let count = of.path().map_or(0, |path| path.path().points.len());
-        if point >= count {
-            return Err(OutOfRange::NoPathPoint {
-                node: (&of.name).into(),
-                point,
-                count,
-            }
-            .into());
-        }
+        self.check_path_point(node, point)?;
         if let Some(name) = marker.as_deref().filter(|name| self.marker(name).is_none()) {
             return Err(Invalid::NoMarker(name.into()).into());
         }

@@ -106,22 +106,27 @@ impl Scene {
         &self.pins
     }
 
+    pub(super) fn check_path_point(&self, at: usize, point: usize) -> Result<()> {
+        let node = self.node(at)?;
+        let count = node.path().map_or(0, |path| path.path().points.len());
+        match point < count {
+            true => Ok(()),
+            false => Err(OutOfRange::NoPathPoint {
+                node: (&node.name).into(),
+                point,
+                count,
+            }
+            .into()),
+        }
+    }
+
     /// Pins a point of a node's path to a marker, or frees it ([`super::pins`]).
     ///
     /// # Errors
     /// [`crate::Error::Range`] for the point, [`crate::Error::Argument`] for the marker,
     /// [`crate::Error::Limit`], or as [`super::pins::pinned`]; nothing has changed then.
     pub fn pin(&mut self, at: usize, point: usize, marker: Option<&str>) -> Result<()> {
-        let node = self.node(at)?;
-        let count = node.path().map_or(0, |path| path.path().points.len());
-        if point >= count {
-            return Err(OutOfRange::NoPathPoint {
-                node: (&node.name).into(),
-                point,
-                count,
-            }
-            .into());
-        }
+        self.check_path_point(at, point)?;
         let place = self
             .pins
             .binary_search_by_key(&(at, point), |pin| (pin.node, pin.point));

@@ -15,6 +15,7 @@ use crate::document::Edit;
 use crate::document::tool::{self, Tool};
 use crate::files::{PICTURE, Picture};
 use crate::path::Space;
+use crate::setup::Element;
 use crate::state::Editor;
 use crate::texts::fill;
 use crate::texts::refusals::reason_of;
@@ -241,13 +242,16 @@ fn show_beginning(
     });
     let told = fill(texts.begin_with, &[&name]);
     response.widget_info(|| WidgetInfo::labeled(Role::Button, true, told.as_str()));
-    let color = ui.style().interact(&response).fg_stroke.color;
     let (above, foot) = place.split_top_bottom_at_y(place.bottom() - NAME - 2.0);
+    let mut color = ui.style().interact(&response).fg_stroke.color;
+    let text_color = color;
     let mut is_drawn = false;
     if let Some((around, at)) = around.zip(begin.index()) {
         let paint = |picture: &Picture| {
             picture.paint(editor, ui, above.shrink(2.0), way);
             is_drawn = picture.has_path();
+            // A sign on the object stands out from it as a path does.
+            color = editor.setup.colours().of(Element::Curve);
         };
         let known = &editor.begin_pictures;
         known.show((editor, ui.ctx()), around, sign::pictures, (at, paint));
@@ -258,7 +262,7 @@ fn show_beginning(
     let foot = foot.center_bottom() - vec2(0.0, 4.0);
     let font = FontId::proportional(11.5);
     ui.painter()
-        .text(foot, Align2::CENTER_BOTTOM, name, font, color);
+        .text(foot, Align2::CENTER_BOTTOM, name, font, text_color);
     if response.on_hover_text(hint).clicked() {
         actions.push(action);
     }
