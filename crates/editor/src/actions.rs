@@ -207,6 +207,8 @@ impl Editor {
             Action::PlayOrPause => self.play_or_pause(context),
             Action::Keys => windows::open::<HelpWindow>(self, context),
             Action::EditNode(node) => self.edit_node(node),
+            Action::SelectNodes(nodes) => self.select_nodes(nodes),
+            Action::SelectKeys(keys) => self.select_keys(keys),
             Action::KeysToPath(node) => self.keys_to_path(node),
             Action::Edit(edit) => {
                 self.edit_selected(edit);
@@ -266,7 +268,7 @@ impl Editor {
     }
 
     /// Edits the path of another node at the same moment of the scene.
-    fn edit_node(&mut self, node: Option<usize>) {
+    pub(crate) fn edit_node(&mut self, node: Option<usize>) {
         self.document.end_step();
         let moment = self.frame();
         if self.edit(Edit::EditNode(node))

@@ -8,6 +8,7 @@
 
 mod edges;
 mod panel;
+mod selection;
 mod wires;
 
 use std::cell::RefCell;
@@ -16,6 +17,7 @@ use glam::{DAffine3, DVec3};
 use vides_engine::scene::{NodeState, Scene, Warnings};
 
 pub(super) use self::panel::{list, no_path, show};
+pub(super) use self::selection::{KeyAt, SceneSelection};
 pub(super) use self::wires::{Seen, each_object, other_paths, outline, wires};
 use crate::document::Document;
 use crate::error::{Error, Refused, Result};
@@ -25,6 +27,7 @@ use crate::state::Editor;
 
 #[derive(Debug, Default)]
 pub(super) struct SceneView {
+    selection: SceneSelection,
     now: RefCell<Option<Now>>,
     pub(super) edges: RefCell<edges::Edges>,
 }
