@@ -13,7 +13,7 @@ use crate::number::Entry;
 use crate::panels::orientation::OwnedMotion;
 use crate::path::UpVector;
 use crate::playing::{Pace, Retiming};
-use crate::scene_view::KeyAt;
+use crate::scene_view::{KeyAt, NodeAction};
 use crate::selected::SelectionChange;
 use crate::setup::{CameraPlace, Fold, Setup, Theme, View};
 use crate::space::{Camera, Gesture, Joint};
@@ -164,6 +164,8 @@ pub(super) enum Action {
     SelectKeys(Vec<KeyAt>),
     /// Let a camera follow a path in place of its keys.
     KeysToPath(usize),
+    /// Something in the panels of a node.
+    Node(NodeAction),
     Edit(Edit),
     /// An entry into a number of the path.
     Enter(Entry<Edit>),
@@ -245,6 +247,7 @@ impl Action {
                 | Self::Enter(_)
                 | Self::EnterMissing(_)
                 | Self::Gesture(_)
+                | Self::Node(_)
                 | Self::View(_)
                 | Self::Playhead(_)
                 | Self::SwitchLoops

@@ -210,6 +210,7 @@ impl Editor {
             Action::SelectNodes(nodes) => self.select_nodes(nodes),
             Action::SelectKeys(keys) => self.select_keys(keys),
             Action::KeysToPath(node) => self.keys_to_path(node),
+            Action::Node(action) => self.node_action(action),
             Action::Edit(edit) => {
                 self.edit_selected(edit);
             }

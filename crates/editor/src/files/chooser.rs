@@ -78,7 +78,9 @@ impl FileWindow {
             Purpose::SaveBlock => (format!("{}.vid", texts.block), "*.vid"),
             Purpose::Import => (String::new(), importable.as_str()),
             Purpose::SavePath(_) => (editor.proposal(texts.proposal, "vid"), "*.vid"),
-            Purpose::LoadObject(_) => (String::new(), OBJECTS),
+            Purpose::LoadObject(_) | Purpose::LoadMesh(_) | Purpose::LoadShape(_) => {
+                (String::new(), OBJECTS)
+            }
             Purpose::Export => (editor.proposal(texts.poses, "txt"), exported.as_str()),
             Purpose::LoadSetup => (String::new(), "*.toml"),
             Purpose::SaveSetup => (folders::SETUP_NAME.to_owned(), "*.toml"),
@@ -124,6 +126,8 @@ impl FileWindow {
             Purpose::LoadBlock => texts.load_block,
             Purpose::SaveBlock => texts.save_block,
             Purpose::Import => texts.import,
+            Purpose::LoadMesh(_) => editor.texts().node.mesh_title,
+            Purpose::LoadShape(_) => editor.texts().node.shape_title,
         };
         let mut done = Done::default();
         let asks = self.overwrite.is_some();
@@ -187,6 +191,8 @@ impl FileWindow {
             self.purpose,
             Purpose::LoadPath
                 | Purpose::LoadObject(_)
+                | Purpose::LoadMesh(_)
+                | Purpose::LoadShape(_)
                 | Purpose::LoadSetup
                 | Purpose::LoadBlock
                 | Purpose::Import

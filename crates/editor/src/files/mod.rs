@@ -6,6 +6,7 @@ mod exchange;
 pub(crate) mod folders;
 mod listing;
 mod naming;
+mod node_meshes;
 mod picture;
 mod question;
 mod recent;
@@ -63,6 +64,10 @@ pub(crate) enum Purpose {
     SaveBlock,
     /// Another program's file: a scene, or poses to make a path of.
     Import,
+    /// The mesh of an object of the scene.
+    LoadMesh(usize),
+    /// Another shape for an object of the scene.
+    LoadShape(usize),
 }
 
 /// What waits until unsaved work is saved or given up.
@@ -199,6 +204,8 @@ impl Editor {
             Purpose::LoadBlock => self.load_block(file),
             Purpose::Import => self.import(file),
             Purpose::SaveBlock => self.save_block(file),
+            Purpose::LoadMesh(node) => self.load_mesh_of(node, file),
+            Purpose::LoadShape(node) => self.load_shape(node, file),
         };
         match done {
             Ok(()) => {

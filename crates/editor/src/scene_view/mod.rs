@@ -7,8 +7,15 @@
 //! It changes nothing but by the document's edits, and knows no projection.
 
 mod edges;
+mod keys_panel;
+mod kind_panel;
+mod motion_panel;
+mod node_action;
+mod node_panel;
+mod object_panel;
 mod panel;
 mod selection;
+mod values;
 mod wires;
 
 use std::cell::RefCell;
@@ -16,7 +23,9 @@ use std::cell::RefCell;
 use glam::{DAffine3, DVec3};
 use vides_engine::scene::{NodeState, Scene, Warnings};
 
-pub(super) use self::panel::{list, no_path, show};
+pub(super) use self::node_action::NodeAction;
+pub(super) use self::node_panel::beside;
+pub(super) use self::panel::{list, show};
 pub(super) use self::selection::{KeyAt, SceneSelection};
 pub(super) use self::wires::{Seen, each_object, other_paths, outline, wires};
 use crate::document::Document;
@@ -28,6 +37,8 @@ use crate::state::Editor;
 #[derive(Debug, Default)]
 pub(super) struct SceneView {
     selection: SceneSelection,
+    /// What a node has besides its path is at the right, not the path's points.
+    shows_node: bool,
     now: RefCell<Option<Now>>,
     pub(super) edges: RefCell<edges::Edges>,
 }

@@ -133,7 +133,7 @@ fn row_of(
     clicked.then_some(Action::EditNode(of.map(|(at, _)| at)))
 }
 
-fn kind(editor: &Editor, node: &Node) -> &'static str {
+pub(super) fn kind(editor: &Editor, node: &Node) -> &'static str {
     let texts = &editor.texts().scene;
     match node.kind {
         Kind::Group => texts.group,

@@ -170,6 +170,7 @@ pub(crate) fn meaning(language: Language, action: &Action) -> Cow<'static, str> 
         Action::Display => menu.display.into(),
         Action::LoadSetup => menu.load_setup.into(),
         Action::SaveSetup => menu.save_setup.into(),
+        Action::Node(_) => texts.node.set_keys.into(),
         _ => menu.keys.into(),
     }
 }
