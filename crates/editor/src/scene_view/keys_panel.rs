@@ -19,6 +19,9 @@ use crate::theme;
 /// The width of a diamond's place.
 pub(super) const DIAMOND: f32 = 18.0;
 
+/// The second of the angles of a rotation.
+const PITCH: usize = 1;
+
 /// A node that is shown.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Shown<'a> {
@@ -61,7 +64,7 @@ pub(super) fn channel(
     style: &dyn for<'b> Fn(Number<'b>) -> Number<'b>,
     actions: &mut Vec<Action>,
 ) {
-    let Some(value) = numbers(editor, of, channel) else {
+    let Some((value, is_turn)) = numbers(editor, of, channel) else {
         return;
     };
     let moved = path_moves(of.node, channel);
@@ -72,9 +75,12 @@ pub(super) fn channel(
     let mut field = |ui: &mut Ui, at: usize, name: &str, label: &str, width: f32| {
         let id = format!("{}.{channel}.{at}", of.at);
         let number = Number::new(name, value[at]).label(label).hint(hint);
-        let entry = style(number)
-            .fixed_if(moved)
-            .show(ui, editor.language(), &id, width);
+        let mut number = style(number).fixed_if(moved);
+        if is_turn && at == PITCH {
+            // Beyond, the same turn has other angles: those that are dragged would jump.
+            number = number.range(-90.0..=90.0);
+        }
+        let entry = number.show(ui, editor.language(), &id, width);
         if entry != Entry::Idle {
             let entry = entry.map(|number| {
                 let mut new = value.clone();
@@ -109,15 +115,15 @@ pub(super) fn channel(
     actions.extend(switched);
 }
 
-/// What the fields of a channel show.
-fn numbers(editor: &Editor, of: Shown<'_>, channel: &Channel) -> Option<Vec<f64>> {
+/// What the fields of a channel show, and whether that are the angles of a quaternion.
+fn numbers(editor: &Editor, of: Shown<'_>, channel: &Channel) -> Option<(Vec<f64>, bool)> {
     let value = editor.channel_value(of.at, channel)?;
-    match (channel, value.as_slice()) {
+    Some(match (channel, value.as_slice()) {
         (Channel::Rotation, &[w, x, y, z]) => {
-            Some(angles_of(DQuat::from_xyzw(x, y, z, w)).to_vec())
+            (angles_of(DQuat::from_xyzw(x, y, z, w)).to_vec(), true)
         }
-        _ => Some(value),
-    }
+        _ => (value, false),
+    })
 }
 
 /// A channel's diamond and name, above its numbers or without any.

@@ -107,7 +107,7 @@ fn start(editor: &Editor, ui: &mut Ui, of: Shown<'_>, actions: &mut Vec<Action>)
             };
             Edit::Part(Box::new(part))
         });
-        actions.push(Action::Node(NodeAction::Enter(entry)));
+        actions.push(Action::Node(NodeAction::Enter(Box::new(entry))));
     }
 }
 

@@ -13,7 +13,7 @@ use crate::state::Editor;
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum NodeAction {
     /// An entry into what the node has.
-    Enter(Entry<Edit>),
+    Enter(Box<Entry<Edit>>),
     /// An entry into a channel, see [`Editor::set_channel`].
     Value(usize, Channel, Entry<Vec<f64>>),
     /// A click on a diamond.
@@ -45,7 +45,7 @@ const OF_PATH: [Channel; 3] = [Channel::Position, Channel::Rotation, Channel::Zo
 impl Editor {
     pub(crate) fn node_action(&mut self, action: NodeAction) {
         match action {
-            NodeAction::Enter(entry) => self.enter_with(entry, |editor, edit| {
+            NodeAction::Enter(entry) => self.enter_with(*entry, |editor, edit| {
                 editor.edit(edit);
             }),
             NodeAction::Value(node, channel, entry) => self.enter_with(entry, |editor, value| {

@@ -250,7 +250,7 @@ pub(super) fn enter_rest(
         change(&mut rest, value);
         rest_edit(of, rest)
     });
-    actions.push(Action::Node(NodeAction::Enter(entry)));
+    actions.push(Action::Node(NodeAction::Enter(Box::new(entry))));
 }
 
 pub(super) fn rest_edit(of: Shown<'_>, rest: Rest) -> Edit {
@@ -307,14 +307,12 @@ fn shortened(ui: &Ui, name: &str) -> String {
         galley.size().x
     };
     let room = ui.available_width() - ROOM;
-    let mut text = name.to_owned();
-    while wide(&text) > room && text.pop().is_some() {
-        let short = format!("{text}…");
-        if wide(&short) <= room {
-            return short;
-        }
+    if wide(name) <= room {
+        return name.to_owned();
     }
-    text
+    let mut text = name.to_owned();
+    while text.pop().is_some() && wide(&format!("{text}…")) > room {}
+    format!("{text}…")
 }
 
 #[cfg(test)]

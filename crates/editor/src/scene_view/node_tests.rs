@@ -114,6 +114,40 @@ fn pictures_of_the_panels() {
 }
 
 #[test]
+fn a_long_name_and_a_menu_of_nodes_fit() {
+    for size in [LARGE, SMALL] {
+        let mut window = window_at(Language::German, LAMP, size, Theme::Dark);
+        let name = "a lamp with a very long name, longer than any panel".to_owned();
+        let part = Part::Name { node: LAMP, name };
+        window.state_mut().edit(Edit::Part(Box::new(part)));
+        let links = Part::Links {
+            node: BOX,
+            parent: Some(LAMP),
+            aim: None,
+        };
+        window.state_mut().edit(Edit::Part(Box::new(links)));
+        window.run();
+        screenshot(&mut window, &format!("node-long-{}.png", size[0]));
+        let heading = window.get_by_label_contains("…: Licht");
+        assert!(heading.rect().right() <= size[0]);
+        window.state_mut().select_nodes(vec![BOX]);
+        window.run();
+        let texts = &Language::German.texts().node;
+        let menu = window.get_by_role_and_label(Role::ComboBox, texts.parent_name);
+        let right = menu.rect().right();
+        menu.click();
+        window.run();
+        screenshot(&mut window, &format!("node-menu-{}.png", size[0]));
+        // None, and all but itself; nothing lies beyond the window.
+        for name in [texts.no_parent, "camera", "drone"] {
+            let all = window.get_all_by_role_and_label(Role::Button, name);
+            let entry = all.last().unwrap().rect();
+            assert!(entry.right() <= size[0] && right <= size[0], "{entry:?}");
+        }
+    }
+}
+
+#[test]
 fn values_are_typed_and_keys_are_clicked() {
     for language in BOTH {
         let texts = &language.texts().node;
@@ -156,6 +190,38 @@ fn values_are_typed_and_keys_are_clicked() {
     }
 }
 
+/// A turn beyond the pole would have other angles, which would jump while it is dragged.
+#[test]
+fn a_pitch_is_dragged_up_to_the_pole() {
+    let mut window = at(Language::English, BOX);
+    let texts = &Language::English.texts().node;
+    let name = format!("{} {}", texts.rotation, texts.pitch);
+    drag(&mut window, &name, 40, 8.0);
+    let angles = crate::scene_view::values::angles_of(node(&window, BOX).rest.rotation);
+    assert!((angles[1] - 90.0).abs() < 1e-6, "{angles:?}");
+    drag(&mut window, &name, 4, -5.0);
+    let angles = crate::scene_view::values::angles_of(node(&window, BOX).rest.rotation);
+    assert!((75.0..85.0).contains(&angles[1]), "{angles:?}");
+    assert!(angles[0].abs() + angles[2].abs() < 1e-6, "{angles:?}");
+    enter(&mut window, &name, "120");
+    assert!(said(&window).unwrap().contains("90"));
+}
+
+/// Drags a number to the right by so many steps.
+fn drag(window: &mut Window, name: &str, steps: u8, step: f32) {
+    let from = number(window, name).rect().center();
+    window.hover_at(from);
+    window.run();
+    window.drag_at(from);
+    window.run();
+    for at in 1..=steps {
+        window.hover_at(from + vec2(step * f32::from(at), 0.0));
+        window.run();
+    }
+    window.drop_at(from + vec2(step * f32::from(steps), 0.0));
+    window.run();
+}
+
 /// A drag at a track makes one key, and is one step, whatever it passes.
 #[test]
 fn a_drag_is_one_step() {
@@ -165,17 +231,7 @@ fn a_drag_is_one_step() {
     window.state_mut().set_frame(40.0).unwrap();
     window.run();
     let name = format!("{} x", texts.scale);
-    let from = number(&window, &name).rect().center();
-    window.hover_at(from);
-    window.run();
-    window.drag_at(from);
-    window.run();
-    for step in 1..=8 {
-        window.hover_at(from + vec2(5.0 * step as f32, 0.0));
-        window.run();
-    }
-    window.drop_at(from + vec2(40.0, 0.0));
-    window.run();
+    drag(&mut window, &name, 8, 5.0);
     let track = node(&window, BOX).keys().track(&Channel::Scale).cloned();
     let track = track.unwrap();
     assert_eq!(track.frames().len(), 2);
@@ -295,12 +351,16 @@ fn what_moves_a_node_is_chosen() {
     for language in BOTH {
         let texts = &language.texts().node;
         let mut window = at(language, DRONE);
+        let mut info = window.state().document.info().clone();
+        info.first_frame = 101;
+        window.state_mut().edit(Edit::SetInfo(Box::new(info)));
+        window.run();
         // At first the path's points, as ever.
         assert!(window.query_by_label(texts.path_to_keys).is_none());
         click(&mut window, texts.node_tab);
         // As people count.
-        assert_eq!(value(&window, texts.start), "11");
-        enter(&mut window, texts.start, "21");
+        assert_eq!(value(&window, texts.start), "111");
+        enter(&mut window, texts.start, "121");
         let start = |window: &Window| node(window, DRONE).path().map(FollowPath::start_frame);
         assert_eq!(start(&window), Some(21.0));
         choose(&mut window, texts.beyond_name, texts.pingpong);
@@ -353,6 +413,12 @@ fn k_sets_keys_unless_a_text_is_typed() {
     press(&mut window, Modifiers::NONE, Key::K);
     let track = node(&window, BOX).keys().track(&Channel::Scale).cloned();
     assert_eq!(track.unwrap().frames().len(), 1);
+    // What a path moves has no keys, which is told.
+    window.state_mut().select_nodes(vec![DRONE]);
+    let before = window.state().document.revision();
+    press(&mut window, Modifiers::NONE, Key::K);
+    assert!(said(&window).unwrap().contains("drone"));
+    assert_eq!(window.state().document.revision(), before);
     // A path is no scene: nothing happens.
     let mut window = crate::tests::window(Language::English);
     let before = window.state().document.revision();
