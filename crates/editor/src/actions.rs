@@ -206,8 +206,8 @@ impl Editor {
             Action::SwitchSpeedGraph => self.switch_speed_graph(),
             Action::PlayOrPause => self.play_or_pause(context),
             Action::Keys => windows::open::<HelpWindow>(self, context),
-            Action::EditNode(node) => self.edit_node(node),
             Action::SelectNodes(nodes) => self.select_nodes(nodes),
+            Action::Nodes(command) => self.do_to_nodes(command),
             Action::SelectKeys(keys) => self.select_keys(keys),
             Action::KeysToPath(node) => self.keys_to_path(node),
             Action::Edit(edit) => {

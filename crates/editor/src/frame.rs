@@ -43,6 +43,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     let mut actions = Vec::from_iter(editor.waiting.take());
     if !editor.windows.has_modal() {
         points_list::take_keys(editor, &context);
+        scene_view::take_keys(editor, &context);
         windows::take_keys(editor, &context);
         actions.extend(keys::pressed(&context));
         let dropped: Vec<_> = context.input(|input| {
@@ -51,7 +52,8 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
         });
         actions.extend((!dropped.is_empty()).then_some(Action::Dropped(dropped)));
     }
-    if !actions.is_empty() {
+    // Undone, a node is deleted again by the same key.
+    if !actions.is_empty() && !scene_view::has_keyboard(&context) {
         keys::release(&context);
     }
     let palette = editor.setup.theme().palette();

@@ -78,7 +78,7 @@ impl FileWindow {
             Purpose::SaveBlock => (format!("{}.vid", texts.block), "*.vid"),
             Purpose::Import => (String::new(), importable.as_str()),
             Purpose::SavePath(_) => (editor.proposal(texts.proposal, "vid"), "*.vid"),
-            Purpose::LoadObject(_) => (String::new(), OBJECTS),
+            Purpose::LoadObject(_) | Purpose::AddObject => (String::new(), OBJECTS),
             Purpose::Export => (editor.proposal(texts.poses, "txt"), exported.as_str()),
             Purpose::LoadSetup => (String::new(), "*.toml"),
             Purpose::SaveSetup => (folders::SETUP_NAME.to_owned(), "*.toml"),
@@ -118,6 +118,7 @@ impl FileWindow {
             Purpose::LoadPath => texts.load_path,
             Purpose::SavePath(_) => texts.save_path,
             Purpose::LoadObject(_) => texts.load_object,
+            Purpose::AddObject => texts.add_object,
             Purpose::Export => texts.export,
             Purpose::LoadSetup => texts.load_setup,
             Purpose::SaveSetup => texts.save_setup,
@@ -187,6 +188,7 @@ impl FileWindow {
             self.purpose,
             Purpose::LoadPath
                 | Purpose::LoadObject(_)
+                | Purpose::AddObject
                 | Purpose::LoadSetup
                 | Purpose::LoadBlock
                 | Purpose::Import

@@ -65,7 +65,7 @@ pub(super) fn with_ending(path: PathBuf, purpose: Purpose, format: Option<&str>)
             }
         }
         Purpose::LoadSetup | Purpose::SaveSetup => "toml",
-        Purpose::LoadObject(_) => "obj",
+        Purpose::LoadObject(_) | Purpose::AddObject => "obj",
         Purpose::Import => "csv",
         Purpose::LoadPath | Purpose::SavePath(_) | Purpose::LoadBlock | Purpose::SaveBlock => "vid",
     };
