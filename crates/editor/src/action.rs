@@ -13,7 +13,7 @@ use crate::number::Entry;
 use crate::panels::orientation::OwnedMotion;
 use crate::path::UpVector;
 use crate::playing::{Pace, Retiming};
-use crate::scene_view::{KeyAt, NodeAction};
+use crate::scene_view::{KeyAt, NodeAction, NodeCommand};
 use crate::selected::SelectionChange;
 use crate::setup::{CameraPlace, Fold, Setup, Theme, View};
 use crate::space::{Camera, Gesture, Joint};
@@ -156,10 +156,10 @@ pub(super) enum Action {
     Fly(Option<Camera>),
     PlayOrPause,
     Keys,
-    /// Edit the path of this node, or of none.
-    EditNode(Option<usize>),
     /// Select nodes of the scene, the current one first; no step.
     SelectNodes(Vec<usize>),
+    /// Do something to nodes of the scene.
+    Nodes(NodeCommand),
     /// Select keys of the scene; no step.
     SelectKeys(Vec<KeyAt>),
     /// Let a camera follow a path in place of its keys.

@@ -43,6 +43,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     let mut actions = Vec::from_iter(editor.waiting.take());
     if !editor.windows.has_modal() {
         points_list::take_keys(editor, &context);
+        scene_view::take_keys(editor, &context);
         windows::take_keys(editor, &context);
         let scene = editor.document.edited_scene().is_some();
         actions.extend(keys::pressed(&context, scene));
@@ -52,9 +53,10 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
         });
         actions.extend((!dropped.is_empty()).then_some(Action::Dropped(dropped)));
     }
-    // Those of a scene are no keys while a text is typed.
+    // Those of a scene are no keys while a text is typed; undone, a node is deleted again by the
+    // same key.
     let of_scene = |action: &Action| matches!(action, Action::Node(_));
-    if !actions.iter().all(of_scene) {
+    if !actions.iter().all(of_scene) && !scene_view::has_keyboard(&context) {
         keys::release(&context);
     }
     let palette = editor.setup.theme().palette();

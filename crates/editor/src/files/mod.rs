@@ -36,9 +36,11 @@ pub(crate) use recovery_window::RecoveryWindow;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
+use vides_engine::scene::{Geometry, MeshSource};
+
 use crate::document::mesh::Format;
 use crate::document::tool::{Tool, ToolInput};
-use crate::document::{At, Document, Edit, Fingerprint, load_object, save};
+use crate::document::{At, Document, Edit, Fingerprint, load_mesh, load_object, save};
 use crate::error::{EngineError, Error, Result, TooMany};
 use crate::host::Warnings;
 use crate::limits;
@@ -55,6 +57,8 @@ pub(crate) enum Purpose {
     SavePath(Option<AfterSave>),
     /// A mesh or a point cloud to be shown, and the tool that waits for it.
     LoadObject(Option<Tool>),
+    /// A mesh or a point cloud to be a node of the scene.
+    AddObject,
     Export,
     LoadSetup,
     SaveSetup,
@@ -195,6 +199,7 @@ impl Editor {
                     self.open_tool(tool);
                 }
             }),
+            Purpose::AddObject => self.add_object(file),
             Purpose::Export => {
                 let chosen = window.as_ref().and_then(FileWindow::format);
                 self.export(file, chosen)
@@ -345,6 +350,20 @@ impl Editor {
             _ => texts.output.loaded,
         };
         self.say(fill(text, &[&short(file)]));
+        Ok(())
+    }
+
+    /// Adds the mesh of a file to the scene, as an object called after the file.
+    fn add_object(&mut self, file: &Path) -> Result<(), String> {
+        let name = file.file_stem().unwrap_or_default().to_string_lossy();
+        let read = load_mesh(file).and_then(|(source, mesh)| {
+            let file = std::path::absolute(file).unwrap_or_else(|_| file.to_owned());
+            let file = file.display().to_string();
+            let mesh = Geometry::new(mesh, Some(MeshSource { file, ..source }))?;
+            self.add_mesh(&name, mesh)
+        });
+        read.map_err(|error| self.refusal(self.texts().errors.cannot_load, file, &error))?;
+        self.say(fill(self.texts().output.loaded, &[&short(file)]));
         Ok(())
     }
 

@@ -7,9 +7,9 @@ use egui::{Button, CornerRadius, Rect, Rgba, Stroke, StrokeKind, Ui, vec2};
 use vides_engine::scene::{Camera, Channel, Kind, Light, Object, Rest};
 
 use super::keys_panel::{Shown, Words, channel, indent};
+use super::list_row;
 use super::node_action::NodeAction;
 use super::node_panel::{degrees, enter_rest, rest_edit};
-use super::panel;
 use crate::action::Action;
 use crate::files::{Purpose, short};
 use crate::limits::{MAX_COORDINATE, MAX_ZOOM, MIN_ZOOM};
@@ -28,7 +28,7 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, of: Shown<'_>, actions: &mut Ve
     apart(ui);
     let name = match of.node.kind {
         Kind::Group => editor.texts().node.values.to_owned(),
-        _ => capital(panel::kind(editor, of.node)),
+        _ => capital(list_row::kind(editor, of.node)),
     };
     let heading = Heading {
         editor,

@@ -53,7 +53,7 @@ impl Editor {
             }),
             NodeAction::SwitchKey(node, channel) => self.switch_key(node, &channel),
             NodeAction::SetKeys => self.set_keys(),
-            NodeAction::Parent(node, parent) => self.put_into(node, parent),
+            NodeAction::Parent(node, parent) => self.choose_parent(node, parent),
             NodeAction::Motion(node, moves) => self.set_motion(node, moves),
             NodeAction::Reload(node) => self.reload_mesh(node),
             NodeAction::AskFile(purpose) => self.choose_file(purpose),
@@ -86,7 +86,7 @@ impl Editor {
     }
 
     /// Puts a node into another one, at its place if it rests.
-    fn put_into(&mut self, node: usize, parent: Option<usize>) {
+    fn choose_parent(&mut self, node: usize, parent: Option<usize>) {
         let moves = self.node_of_scene(node).is_ok_and(|of| {
             let place = [Channel::Position, Channel::Rotation, Channel::Scale];
             let by_key = |channel: &Channel| of.keys().track(channel).is_some();

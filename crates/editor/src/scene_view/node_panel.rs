@@ -6,7 +6,7 @@ use vides_engine::scene::{Channel, Node, Part, Rest};
 
 use super::keys_panel::{AXES, Shown, Words, channel, diamond, indent};
 use super::node_action::NodeAction;
-use super::{kind_panel, motion_panel, object_panel, panel};
+use super::{kind_panel, list_row, motion_panel, object_panel, panel};
 use crate::action::Action;
 use crate::document::Edit;
 use crate::number::{Entry, Number};
@@ -97,7 +97,7 @@ fn links(editor: &Editor, ui: &mut Ui, of: Shown<'_>, actions: &mut Vec<Action>)
         editor,
         fold: Fold::Node,
         text: &shortened(ui, &of.node.name),
-        remark: panel::kind(editor, of.node),
+        remark: list_row::kind(editor, of.node),
     };
     let (open, row) = heading.show(ui, actions);
     row.on_hover_text(&of.node.name);
