@@ -12,7 +12,7 @@ use crate::limits::SPEEDS;
 use crate::number::Entry;
 use crate::panels::orientation::OwnedMotion;
 use crate::path::UpVector;
-use crate::playing::{Pace, Retiming};
+use crate::playing::{Pace, Retiming, Seen};
 use crate::scene_view::KeyAt;
 use crate::selected::SelectionChange;
 use crate::setup::{CameraPlace, Fold, Setup, Theme, View};
@@ -192,6 +192,8 @@ pub(super) enum Action {
     Retime(Retiming),
     /// The ruler counts frames, or seconds.
     RulerInFrames(bool),
+    /// Show this part of the time on the timeline, or all.
+    See(Option<Seen>),
     GraphHeight(f32),
     /// How much of the space's room the camera's picture beside it takes.
     CameraShare(f32),
@@ -255,6 +257,7 @@ impl Action {
                 | Self::SwitchWireframe
                 | Self::Fold(_)
                 | Self::RulerInFrames(_)
+                | Self::See(_)
                 | Self::GraphHeight(_)
                 | Self::CameraShare(_)
                 | Self::Pace(_)
@@ -311,6 +314,7 @@ impl Action {
                 | Self::SwitchWireframe
                 | Self::Fold(_)
                 | Self::RulerInFrames(_)
+                | Self::See(_)
                 | Self::GraphHeight(_)
                 | Self::CameraShare(_)
                 | Self::Pace(_)

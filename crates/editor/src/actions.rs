@@ -234,6 +234,7 @@ impl Editor {
             Action::SwitchSliders => self.switch_sliders(),
             Action::SwitchWireframe => self.switch_wireframe(),
             Action::Fold(fold) => self.switch_fold(fold),
+            Action::See(seen) => self.playing.see(seen),
             Action::RulerInFrames(frames) => self.choose_ruler(frames),
             Action::GraphHeight(height) => self.set_graph_height(height),
             Action::CameraShare(share) => {

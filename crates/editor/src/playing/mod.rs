@@ -14,12 +14,14 @@ mod plot;
 mod retime;
 mod ruler;
 mod section_menu;
+mod zoom;
 
 use std::time::Duration;
 
-use egui::{Context, CursorIcon, Id, Rangef, Rect, Sense, Ui, UiBuilder};
+use egui::{Context, CursorIcon, Id, Rangef, Rect, Sense, Ui, UiBuilder, pos2};
 
 use self::axis::Axis;
+pub(super) use self::axis::Seen;
 pub(super) use self::fields::Pace;
 pub(super) use self::marks::Mark;
 use self::marks::Marks;
@@ -84,6 +86,8 @@ pub(super) struct Playing {
     plot: plot::Plot,
     /// What follows a key moves along with it.
     moves_along: bool,
+    /// The part of the time that is seen; none: all.
+    seen: Option<Seen>,
 }
 
 impl Playing {
@@ -126,6 +130,11 @@ impl Playing {
         if at_it {
             self.frame = None;
         }
+    }
+
+    /// Shows a part of the time, or all.
+    pub(super) fn see(&mut self, seen: Option<Seen>) {
+        self.seen = seen;
     }
 
     pub(super) fn put_back(&mut self, frame: Option<f64>, selection: Selection) {
@@ -384,7 +393,9 @@ fn bar(editor: &Editor, memory: &mut graph::Memory, ui: &mut Ui, actions: &mut V
             _ => editor.playing.marks.frames,
         };
         let rail = Rangef::new(right.left() + END, right.right() - END);
-        let axis = Axis::new(rail, frames);
+        let axis = Axis::new(rail, frames, editor.playing.seen);
+        let time = Rect::from_min_max(right.min, pos2(right.right(), edge.bottom()));
+        zoom::by_mouse(ui, time, &axis, actions);
         ruler::unit(editor, ui, left.shrink2(egui::vec2(0.0, 1.0)), actions);
         ruler::show(editor, ui, right, &axis, actions);
         let above = right.top();

@@ -41,6 +41,9 @@ texts! {
         move_keys: "Ctrl + arrow keys on the ruler", "Strg + Pfeiltasten auf dem Lineal";
         move_meaning: "Move the current key in time by one frame; Shift: by ten",
             "Aktuellen Schlüssel um ein Bild in der Zeit bewegen; Umschalt: um zehn";
+        zoom_mouse: "Wheel, middle button on the timeline", "Mausrad, mittlere Taste auf der Zeitleiste";
+        zoom_meaning: "See less or more of the time, and move it, as Shift + wheel does; Home on the ruler shows all",
+            "Weniger oder mehr von der Zeit sehen, und sie verschieben wie Umschalt + Mausrad; Pos1 auf dem Lineal zeigt alles";
         drag_mouse: "Drag a key on the timeline", "Einen Schlüssel auf der Zeitleiste ziehen";
         drag_meaning: "Another time for it; a number while dragging: to that time; Ctrl: a copy",
             "Ein anderer Zeitpunkt für ihn; Zahl beim Ziehen: zu dieser Zeit; Strg: eine Kopie";
