@@ -12,7 +12,7 @@ use crate::limits::SPEEDS;
 use crate::number::Entry;
 use crate::panels::orientation::OwnedMotion;
 use crate::path::UpVector;
-use crate::playing::{Pace, Retiming, Seen};
+use crate::playing::{KeyMotion, Pace, Retiming, Seen};
 use crate::scene_view::KeyAt;
 use crate::selected::SelectionChange;
 use crate::setup::{CameraPlace, Fold, Setup, Theme, View};
@@ -190,6 +190,8 @@ pub(super) enum Action {
     SwitchMovesAlong,
     /// Move or copy a key in time, in place of what the open step has done.
     Retime(Retiming),
+    /// Move or copy keys of the scene, likewise.
+    MoveKeys(Box<KeyMotion>),
     /// The ruler counts frames, or seconds.
     RulerInFrames(bool),
     /// Show this part of the time on the timeline, or all.
@@ -253,6 +255,7 @@ impl Action {
                 | Self::SwitchKeepsLength
                 | Self::SwitchMovesAlong
                 | Self::Retime(_)
+                | Self::MoveKeys(_)
                 | Self::SwitchSliders
                 | Self::SwitchWireframe
                 | Self::Fold(_)
@@ -261,6 +264,7 @@ impl Action {
                 | Self::GraphHeight(_)
                 | Self::CameraShare(_)
                 | Self::Pace(_)
+                | Self::SelectKeys(_)
                 | Self::Setup(_)
                 | Self::Language(_)
                 | Self::CopySpeeds(_)

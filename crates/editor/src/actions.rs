@@ -231,6 +231,7 @@ impl Editor {
             Action::SwitchKeepsLength => self.switch_keeps_length(),
             Action::SwitchMovesAlong => self.switch_moves_along(),
             Action::Retime(retiming) => self.retime(retiming),
+            Action::MoveKeys(motion) => self.move_keys(&motion),
             Action::SwitchSliders => self.switch_sliders(),
             Action::SwitchWireframe => self.switch_wireframe(),
             Action::Fold(fold) => self.switch_fold(fold),

@@ -43,6 +43,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     let mut actions = Vec::from_iter(editor.waiting.take());
     if !editor.windows.has_modal() {
         points_list::take_keys(editor, &context);
+        playing::take_keys(editor, &context);
         windows::take_keys(editor, &context);
         actions.extend(keys::pressed(&context));
         let dropped: Vec<_> = context.input(|input| {

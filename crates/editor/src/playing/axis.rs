@@ -130,13 +130,6 @@ impl Axis {
         let (first, last) = (self.first() - by, self.last() - by);
         Seen { first, last }.within(f64::from(self.frames))
     }
-
-    /// With these two frames near the ends.
-    pub(super) fn around(&self, from: f64, to: f64) -> Option<Seen> {
-        let room = (0.05 * (to - from)).max(LEAST);
-        let (first, last) = (from - room, to + room);
-        Seen { first, last }.within(f64::from(self.frames))
-    }
 }
 
 /// The least of 1, 2, 5, 10, 20 … times a power of ten that is not below `least`, and how many

@@ -11,7 +11,7 @@ use super::axis::Axis;
 use super::curve::Curve;
 use super::key_row::{KeyDrag, take};
 use super::ruler::{colour_of_playhead, scrub_by_mouse};
-use super::{Marks, as_frame, plot};
+use super::{Marks, as_frame, plot, tracks};
 use crate::action::Action;
 use crate::document::{Document, Edit, Selection};
 use crate::error::Result;
@@ -163,6 +163,7 @@ pub(super) struct Memory {
     /// A key is held since an earlier pass: nothing else can be taken.
     pub(super) carries: bool,
     curve: Curve,
+    pub(super) tracks: tracks::Memory,
 }
 
 /// Shows the graph in `rect`, with what is chosen at the left of it in `room`.
@@ -172,6 +173,7 @@ pub(super) fn show(
         held,
         carries,
         curve,
+        ..
     }: &mut Memory,
     ui: &mut Ui,
     (rect, room): (Rect, Rect),

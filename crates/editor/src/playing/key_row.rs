@@ -29,7 +29,7 @@ const ROOM: f32 = 24.0;
 const SIGN: f32 = 5.0;
 
 /// Factor of a drag with Shift.
-const FINE: f64 = 0.1;
+pub(super) const FINE: f64 = 0.1;
 
 /// A key that is dragged along the time.
 #[derive(Debug)]
@@ -183,7 +183,7 @@ fn as_count(frames: usize) -> i64 {
 }
 
 /// Words in a box above a place.
-fn bubble(ui: &Ui, place: Pos2, words: String) {
+pub(super) fn bubble(ui: &Ui, place: Pos2, words: String) {
     let palette = theme::palette(ui);
     let layer = egui::LayerId::new(Order::Tooltip, Id::unique("key in time"));
     let painter = ui.ctx().layer_painter(layer);

@@ -14,6 +14,10 @@ mod plot;
 mod retime;
 mod ruler;
 mod section_menu;
+mod track_drag;
+mod track_keys;
+mod track_menu;
+mod tracks;
 mod zoom;
 
 use std::time::Duration;
@@ -26,6 +30,8 @@ pub(super) use self::fields::Pace;
 pub(super) use self::marks::Mark;
 use self::marks::Marks;
 pub(super) use self::retime::Retiming;
+pub(super) use self::track_drag::KeyMotion;
+pub(super) use self::track_keys::take_keys;
 use crate::action::Action;
 use crate::document::Selection;
 use crate::number::Entry;
@@ -364,7 +370,10 @@ fn bar(editor: &Editor, memory: &mut graph::Memory, ui: &mut Ui, actions: &mut V
         true => 0.0,
         false => ruler::MARKERS,
     };
-    let height = TRANSPORT + ruler::HEIGHT + markers + key_row::HEIGHT + graph + theme::GAP;
+    let count = tracks::rows(editor, &memory.tracks).len();
+    let tracks = tracks_height(editor, count, whole.height(), graph > 0.0);
+    let height =
+        TRANSPORT + ruler::HEIGHT + markers + key_row::HEIGHT + tracks + graph + theme::GAP;
     let panel = egui::Panel::bottom("playing")
         .resizable(false)
         .exact_size(height)
@@ -395,7 +404,6 @@ fn bar(editor: &Editor, memory: &mut graph::Memory, ui: &mut Ui, actions: &mut V
         let rail = Rangef::new(right.left() + END, right.right() - END);
         let axis = Axis::new(rail, frames, editor.playing.seen);
         let time = Rect::from_min_max(right.min, pos2(right.right(), edge.bottom()));
-        zoom::by_mouse(ui, time, &axis, actions);
         ruler::unit(editor, ui, left.shrink2(egui::vec2(0.0, 1.0)), actions);
         ruler::show(editor, ui, right, &axis, actions);
         let above = right.top();
@@ -406,6 +414,17 @@ fn bar(editor: &Editor, memory: &mut graph::Memory, ui: &mut Ui, actions: &mut V
         let (left, right) = parts(row(key_row::HEIGHT));
         ruler::caption(ui, left, editor.texts().timeline.keys);
         key_row::show(editor, memory, ui, (right, above), &axis, actions);
+        let rows = row(tracks);
+        #[allow(clippy::cast_precision_loss)]
+        let scrolls = tracks < tracks::ROW * count as f32;
+        zoom::by_mouse(ui, time, scrolls.then_some(rows), &axis, actions);
+        if count > 0 {
+            let place = (rows, captions, above);
+            tracks::show(editor, &mut memory.tracks, ui, place, &axis, actions);
+        }
+        if graph == 0.0 && count > 0 {
+            dragged_edge(editor, ui, edge, tracks, actions);
+        }
         if graph > 0.0 {
             let (left, right) = parts(row(graph));
             let places = (right.with_min_y(right.top() + theme::GAP), left);
@@ -421,6 +440,15 @@ fn graph_height(editor: &Editor, whole: f32) -> f32 {
     let most = (0.45 * whole).max(graph::LEAST);
     let height = editor.playing.graph_height.unwrap_or(usual);
     height.clamp(graph::LEAST, most).round()
+}
+
+/// As high as its rows, but they leave room for the rest; without a graph as high as it was dragged.
+#[allow(clippy::cast_precision_loss)]
+fn tracks_height(editor: &Editor, rows: usize, whole: f32, graph: bool) -> f32 {
+    let dragged = editor.playing.graph_height.filter(|_| !graph);
+    let most = dragged.map_or(0.2 * whole, |height| height.min(0.45 * whole));
+    let most = most.max(2.0 * tracks::ROW);
+    (tracks::ROW * rows as f32).min(most).round()
 }
 
 /// The upper edge, by which the graph is made higher.

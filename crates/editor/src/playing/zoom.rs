@@ -12,8 +12,15 @@ const WHEEL: f64 = 0.8;
 /// Points by which a step of the wheel with Shift moves the time.
 const STEP: f32 = 60.0;
 
-/// Steps of the wheel over the time in `rect`, and the middle button that is held there.
-pub(super) fn by_mouse(ui: &Ui, rect: Rect, axis: &Axis, actions: &mut Vec<Action>) {
+/// Steps of the wheel over the time in `rect`, and the middle button that is held there; in
+/// `scrolls` the wheel needs Ctrl.
+pub(super) fn by_mouse(
+    ui: &Ui,
+    rect: Rect,
+    scrolls: Option<Rect>,
+    axis: &Axis,
+    actions: &mut Vec<Action>,
+) {
     let mine = |at| rect.contains(at) && ui.ctx().layer_id_at(at) == Some(ui.layer_id());
     let (pointer, pressed, by) = ui.input(|input| {
         let pointer = &input.pointer;
@@ -26,7 +33,8 @@ pub(super) fn by_mouse(ui: &Ui, rect: Rect, axis: &Axis, actions: &mut Vec<Actio
         seen = Some(axis.moved(by));
     }
     if let Some(pointer) = pointer.filter(|&at| mine(at)) {
-        let (near, along) = ui.input(|input| steps(&input.events));
+        let plain = !scrolls.is_some_and(|scrolls| scrolls.contains(pointer));
+        let (near, along) = ui.input(|input| steps(&input.events, plain));
         if near != 0.0 {
             seen = Some(axis.zoomed(pointer.x, WHEEL.powf(near)));
         } else if along != 0.0 {
@@ -39,8 +47,8 @@ pub(super) fn by_mouse(ui: &Ui, rect: Rect, axis: &Axis, actions: &mut Vec<Actio
     }
 }
 
-/// Steps of the wheel towards, and along the time.
-fn steps(events: &[Event]) -> (f64, f32) {
+/// Steps of the wheel towards, and along the time; with Ctrl only unless they may be `plain`.
+fn steps(events: &[Event], plain: bool) -> (f64, f32) {
     let (mut near, mut along) = (0.0, 0.0);
     for event in events {
         let Event::MouseWheel {
@@ -59,6 +67,7 @@ fn steps(events: &[Event]) -> (f64, f32) {
         };
         match modifiers.shift {
             true => along += delta.x + delta.y,
+            false if !plain && !modifiers.ctrl => {}
             false => {
                 near += f64::from(delta.y);
                 along += delta.x;
