@@ -17,6 +17,7 @@ mod section_menu;
 mod track_drag;
 mod track_keys;
 mod track_menu;
+mod track_time;
 mod tracks;
 mod zoom;
 

@@ -8,7 +8,8 @@ use egui::{CursorIcon, Key, Modifiers, Pos2, Rect, Response, Stroke, StrokeKind,
 use vides_engine::scene::{Channel, Extrapolation, Interpolation, Part};
 
 use super::key_row::{FINE, bubble};
-use super::tracks::{Hit, Shown, Time, bar_of, channel_name, frame_of};
+use super::track_time::Time;
+use super::tracks::{Hit, Shown, bar_of, channel_name, frame_of};
 use crate::action::Action;
 use crate::document::{Document, Edit};
 use crate::error::Result;
