@@ -192,6 +192,11 @@ pub(super) enum Action {
     Retime(Retiming),
     /// Move or copy keys of the scene, likewise.
     MoveKeys(Box<KeyMotion>),
+    /// Move a marker to a frame of the scene, likewise.
+    MoveMarker {
+        name: String,
+        to: f64,
+    },
     /// The ruler counts frames, or seconds.
     RulerInFrames(bool),
     /// Show this part of the time on the timeline, or all.
@@ -256,6 +261,7 @@ impl Action {
                 | Self::SwitchMovesAlong
                 | Self::Retime(_)
                 | Self::MoveKeys(_)
+                | Self::MoveMarker { .. }
                 | Self::SwitchSliders
                 | Self::SwitchWireframe
                 | Self::Fold(_)

@@ -232,6 +232,7 @@ impl Editor {
             Action::SwitchMovesAlong => self.switch_moves_along(),
             Action::Retime(retiming) => self.retime(retiming),
             Action::MoveKeys(motion) => self.move_keys(&motion),
+            Action::MoveMarker { name, to } => self.move_marker(&name, to),
             Action::SwitchSliders => self.switch_sliders(),
             Action::SwitchWireframe => self.switch_wireframe(),
             Action::Fold(fold) => self.switch_fold(fold),

@@ -11,7 +11,7 @@ use super::axis::Axis;
 use super::curve::Curve;
 use super::key_row::{KeyDrag, take};
 use super::ruler::{colour_of_playhead, scrub_by_mouse};
-use super::{Marks, as_frame, plot, tracks};
+use super::{Marks, as_frame, markers, plot, tracks};
 use crate::action::Action;
 use crate::document::{Document, Edit, Selection};
 use crate::error::Result;
@@ -164,6 +164,7 @@ pub(super) struct Memory {
     pub(super) carries: bool,
     curve: Curve,
     pub(super) tracks: tracks::Memory,
+    pub(super) markers: markers::Memory,
 }
 
 /// Shows the graph in `rect`, with what is chosen at the left of it in `room`.

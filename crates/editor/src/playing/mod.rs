@@ -8,6 +8,7 @@ mod curve;
 mod fields;
 mod graph;
 mod key_row;
+mod markers;
 mod marks;
 pub(crate) mod playhead;
 mod plot;
@@ -369,7 +370,7 @@ fn bar(editor: &Editor, memory: &mut graph::Memory, ui: &mut Ui, actions: &mut V
     };
     let markers = match editor.playing.marks.markers.is_empty() {
         true => 0.0,
-        false => ruler::MARKERS,
+        false => markers::HEIGHT,
     };
     let count = tracks::rows(editor, &memory.tracks).len();
     let tracks = tracks_height(editor, count, whole.height(), graph > 0.0);
@@ -410,7 +411,8 @@ fn bar(editor: &Editor, memory: &mut graph::Memory, ui: &mut Ui, actions: &mut V
         let above = right.top();
         if markers > 0.0 {
             let (_, right) = parts(row(markers));
-            ruler::markers(ui, &editor.playing.marks, right, &axis);
+            let place = (right, above);
+            markers::show(editor, &mut memory.markers, ui, place, &axis, actions);
         }
         let (left, right) = parts(row(key_row::HEIGHT));
         ruler::caption(ui, left, editor.texts().timeline.keys);

@@ -1,5 +1,5 @@
 //! The ruler of the timeline: seconds or frames in steps of 1, 2 and 5, the playhead, what the
-//! check has found, the scene's markers.
+//! check has found.
 
 use egui::{
     Align2, Button, CursorIcon, EventFilter, FontId, Key, Modifiers, Painter, Rect, Response, Role,
@@ -8,7 +8,7 @@ use egui::{
 
 use super::axis::{Axis, step};
 use super::retime::Retiming;
-use super::{Mark, Marks, as_frame};
+use super::{Mark, as_frame, markers};
 use crate::action::Action;
 use crate::number::Entry;
 use crate::selected::SelectionChange;
@@ -17,9 +17,6 @@ use crate::state::Editor;
 use crate::theme;
 
 pub(super) const HEIGHT: f32 = 25.0;
-
-/// Height of the markers' names below it.
-pub(super) const MARKERS: f32 = 16.0;
 
 /// A press this near to a mark, in points, means the mark.
 const SNAP: f64 = 6.0;
@@ -44,6 +41,7 @@ pub(super) fn show(
     if editor.playing.marks.frames > 0 {
         scrub_by_mouse(editor, ui, &response, axis, actions);
         scrub_by_keys(editor, ui, &response, axis, actions);
+        markers::make(editor, &response, axis, actions);
     }
     if response.hovered() || response.dragged() {
         ui.set_cursor_icon(CursorIcon::PointingHand);
@@ -331,28 +329,6 @@ pub(super) fn unit(editor: &Editor, ui: &mut Ui, room: Rect, actions: &mut Vec<A
     });
     if response.on_hover_text(texts.unit_tip).clicked() {
         actions.push(Action::RulerInFrames(!frames));
-    }
-}
-
-/// The scene's markers below the rail, with their names as far as there is room.
-pub(super) fn markers(ui: &Ui, marks: &Marks, rect: Rect, axis: &Axis) {
-    let (palette, painter) = (theme::palette(ui), ui.painter_at(rect));
-    let mut free = f32::NEG_INFINITY;
-    for (frame, name) in marks.markers_between(as_frame(marks.frames)) {
-        let tip = pos2(axis.x_of(*frame), rect.top());
-        if !axis.sees(tip.x) {
-            continue;
-        }
-        let corners = [tip, tip + vec2(3.5, 6.0), tip + vec2(-3.5, 6.0)];
-        let sign = Shape::convex_polygon(corners.to_vec(), palette.weak, Stroke::NONE);
-        painter.add(sign);
-        let galley = painter.layout_no_wrap(name.clone(), FontId::proportional(11.0), palette.weak);
-        let most = (rect.right() - galley.size().x).max(rect.left());
-        let left = (tip.x + 6.0).min(most);
-        if left > free {
-            free = left + galley.size().x + 12.0;
-            painter.galley(pos2(left, tip.y - 1.0), galley, palette.weak);
-        }
     }
 }
 

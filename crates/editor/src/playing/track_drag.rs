@@ -205,7 +205,7 @@ pub(super) fn ends(editor: &Editor, keys: &[KeyAt]) -> Option<(f64, f64)> {
 
 /// How far the pointer has gone along the time, and what was typed.
 #[derive(Debug, Default)]
-struct Way {
+pub(super) struct Way {
     /// The pointer of the last pass.
     pointer: f32,
     /// Frames that it went.
@@ -214,7 +214,7 @@ struct Way {
 }
 
 impl Way {
-    fn begin(pointer: f32) -> Self {
+    pub(super) fn begin(pointer: f32) -> Self {
         Self {
             pointer,
             ..Self::default()
@@ -222,7 +222,7 @@ impl Way {
     }
 
     /// The frame to which what stood at `from` shall go: a whole one, or a tenth of one with Shift.
-    fn go_on(
+    pub(super) fn go_on(
         &mut self,
         editor: &Editor,
         ui: &Ui,
@@ -261,7 +261,14 @@ impl Way {
     }
 
     /// Where it is, in numbers, above the ruler.
-    fn tell(&self, editor: &Editor, ui: &Ui, name: &str, told: (&Time, f64, f64), top: f32) {
+    pub(super) fn tell(
+        &self,
+        editor: &Editor,
+        ui: &Ui,
+        name: &str,
+        told: (&Time, f64, f64),
+        top: f32,
+    ) {
         let (time, from, at) = told;
         let (language, info) = (editor.language(), editor.document.info());
         let second = language.number((time.on_axis(at) - 1.0) / info.fps, 2);

@@ -3,9 +3,9 @@
 
 use egui::{Context, Key, Modifiers};
 
-use super::as_frame;
 use super::track_drag::removed;
 use super::tracks::id;
+use super::{as_frame, markers};
 use crate::action::Action;
 use crate::scene_view::KeyAt;
 use crate::state::Editor;
@@ -23,6 +23,7 @@ pub(crate) fn take_keys(editor: &mut Editor, context: &Context) {
             editor.scrub(frame);
         }
     }
+    markers::take_keys(editor, context);
     if !context.memory(|memory| memory.has_focus(id())) {
         return;
     }

@@ -85,6 +85,17 @@ texts! {
             "Zu ganzen Bildern; Umschalt: Zehntel; Strg: Kopien; eine Zahl: zu dieser Zeit; eine Klammer: dehnt die Zeit dazwischen";
         beside_keys: "Comma, period", "Komma, Punkt";
         beside_meaning: "To the key before, after", "Zum vorigen, nächsten Schlüssel";
+        marker: "Marker {0}", "Marke {0}";
+        new_marker: "Marker {0}", "Marke {0}";
+        marker_name: "Name of the marker", "Name der Marke";
+        marker_tip: "Drag: to another frame, with what is pinned to it · F2: another name · Del: remove",
+            "Ziehen: zu einem anderen Bild, mit allem, was daran festgesteckt ist · F2: anderer Name · Entf: entfernen";
+        rename_marker: "Another name …", "Anderer Name …";
+        remove_marker: "Remove this marker", "Marke löschen";
+        remove_marker_hint: "What is pinned to it is free then", "Was daran festgesteckt ist, ist dann frei";
+        marker_mouse: "Double click on the ruler", "Doppelklick auf das Lineal";
+        marker_meaning: "A marker there, in a scene; F2: another name, Del: remove",
+            "Dort eine Marke, in einer Szene; F2: anderer Name, Entf: entfernen";
         zoom_mouse: "Wheel, middle button on the timeline", "Mausrad, mittlere Taste auf der Zeitleiste";
         zoom_meaning: "See less or more of the time, and move it, as Shift + wheel does; Home on the ruler shows all",
             "Weniger oder mehr von der Zeit sehen, und sie verschieben wie Umschalt + Mausrad; Pos1 auf dem Lineal zeigt alles";
