@@ -17,6 +17,18 @@ pub(crate) struct Seen {
 }
 
 impl Seen {
+    /// As much, moved as far as a frame needs; `pages`: so that what follows it is seen.
+    pub(super) fn showing(self, frame: f64, pages: bool) -> Self {
+        let span = self.last - self.first;
+        let first = match frame {
+            frame if frame < self.first || pages && frame > self.last => frame,
+            frame if frame > self.last => frame - span,
+            _ => return self,
+        };
+        let last = first + span;
+        Self { first, last }
+    }
+
     /// As much of it as there is of so many frames; none: all of them are seen.
     fn within(self, frames: f64) -> Option<Self> {
         let span = (self.last - self.first).max(LEAST);

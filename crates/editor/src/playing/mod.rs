@@ -145,6 +145,13 @@ impl Playing {
         self.seen = seen;
     }
 
+    /// Keeps the playhead in sight.
+    fn follow(&mut self, pages: bool) {
+        if let Some(frame) = self.frame {
+            self.seen = self.seen.map(|seen| seen.showing(frame, pages));
+        }
+    }
+
     pub(super) fn put_back(&mut self, frame: Option<f64>, selection: Selection) {
         (self.frame, self.selection) = (frame, selection);
     }
@@ -248,6 +255,7 @@ impl Editor {
         let _ = self.playing.marks.update(&self.document);
         self.playing.frame = Some(frame.clamp(1.0, as_frame(self.playing.marks.frames)));
         self.playing.scrubbed = true;
+        self.playing.follow(false);
         self.select_at_playhead();
     }
 
@@ -330,6 +338,7 @@ impl Editor {
         }
         let frame = (from + gone).floor().min(last);
         playing.frame = Some(frame);
+        playing.follow(true);
         if frame >= last && !loops {
             playing.since = None;
             self.select_at_playhead();
@@ -372,7 +381,8 @@ fn bar(editor: &Editor, memory: &mut graph::Memory, ui: &mut Ui, actions: &mut V
         true => 0.0,
         false => markers::HEIGHT,
     };
-    let count = tracks::rows(editor, &memory.tracks).len();
+    let nodes = tracks::rows(editor, &memory.tracks);
+    let count = nodes.len();
     let tracks = tracks_height(editor, count, whole.height(), graph > 0.0);
     let height =
         TRANSPORT + ruler::HEIGHT + markers + key_row::HEIGHT + tracks + graph + theme::GAP;
@@ -423,7 +433,8 @@ fn bar(editor: &Editor, memory: &mut graph::Memory, ui: &mut Ui, actions: &mut V
         zoom::by_mouse(ui, time, scrolls.then_some(rows), &axis, actions);
         if count > 0 {
             let place = (rows, captions, above);
-            tracks::show(editor, &mut memory.tracks, ui, place, &axis, actions);
+            let shown = (&nodes[..], &axis);
+            tracks::show(editor, &mut memory.tracks, ui, place, shown, actions);
         }
         if graph == 0.0 && count > 0 {
             dragged_edge(editor, ui, edge, tracks, actions);

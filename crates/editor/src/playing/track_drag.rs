@@ -30,10 +30,11 @@ pub(super) enum Held {
     Nothing,
     Keys(Box<KeysDrag>),
     Bar(Box<BarDrag>),
-    /// Where the box began: its x, and its row with a fraction.
+    /// Where the box began: its x, and its row with a fraction; what stays selected besides.
     Box {
         x: f32,
         row: f32,
+        besides: Vec<KeyAt>,
     },
 }
 
@@ -453,7 +454,8 @@ pub(super) fn show(
         && let Some(at) = ui.input(|input| input.pointer.press_origin())
     {
         response.request_focus();
-        *held = taken(editor, shown, at, actions);
+        let adds = ui.input(|input| input.modifiers.ctrl || input.modifiers.shift);
+        *held = taken(editor, shown, (at, adds), actions);
     }
     let time = &shown.time;
     if !response.dragged() {
@@ -489,10 +491,10 @@ pub(super) fn show(
                 false => CursorIcon::NotAllowed,
             });
         }
-        Held::Box { x, row } => {
+        Held::Box { x, row, besides } => {
             if let Some(pointer) = response.interact_pointer_pos() {
                 let from = pos2(*x, shown.top + *row * super::tracks::ROW);
-                boxed(editor, ui, shown, (from, pointer), actions);
+                boxed(editor, ui, shown, (from, pointer, besides), actions);
             }
         }
     }
@@ -504,11 +506,24 @@ pub(super) fn show(
     }
 }
 
-fn taken(editor: &Editor, shown: &Shown<'_>, at: Pos2, actions: &mut Vec<Action>) -> Held {
+fn taken(
+    editor: &Editor,
+    shown: &Shown<'_>,
+    (at, adds): (Pos2, bool),
+    actions: &mut Vec<Action>,
+) -> Held {
     let drag = match shown.hit(editor, at) {
         Hit::Nothing => {
             let row = shown.number_at(at.y);
-            return Held::Box { x: at.x, row };
+            let besides = match adds {
+                true => shown.selected.clone(),
+                false => Vec::new(),
+            };
+            return Held::Box {
+                x: at.x,
+                row,
+                besides,
+            };
         }
         Hit::Bar(node) => BarDrag::new(editor, node, at.x).map(|drag| Held::Bar(Box::new(drag))),
         Hit::End { first } => shown.ends.map(|(low, high)| {
@@ -536,12 +551,12 @@ fn taken(editor: &Editor, shown: &Shown<'_>, at: Pos2, actions: &mut Vec<Action>
     drag
 }
 
-/// Selects the keys in a box; with Ctrl or Shift besides those that are.
+/// Selects the keys in a box, and these besides.
 fn boxed(
     editor: &Editor,
     ui: &Ui,
     shown: &Shown<'_>,
-    (from, to): (Pos2, Pos2),
+    (from, to, besides): (Pos2, Pos2, &[KeyAt]),
     actions: &mut Vec<Action>,
 ) {
     let palette = theme::palette(ui);
@@ -554,10 +569,7 @@ fn boxed(
         return;
     };
     let [first, last] = [place.left(), place.right()].map(|x| shown.time.frame(x));
-    let mut keys = match ui.input(|input| input.modifiers.ctrl || input.modifiers.shift) {
-        true => shown.selected.clone(),
-        false => Vec::new(),
-    };
+    let mut keys = Vec::new();
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     let number = |y: f32| shown.number_at(y).max(0.0) as usize;
     let rows = number(place.top())..=number(place.bottom());
@@ -574,7 +586,9 @@ fn boxed(
             key,
         }));
     }
-    keys.dedup();
+    let others = besides.iter().filter(|at| !keys.contains(at));
+    let others: Vec<KeyAt> = others.cloned().collect();
+    keys.extend(others);
     if keys != shown.selected {
         actions.push(Action::SelectKeys(keys));
     }

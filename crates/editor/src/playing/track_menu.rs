@@ -196,7 +196,7 @@ fn with(node: usize, track: &Track, interpolation: Interpolation) -> Result<Edit
 }
 
 /// The quaternions at the keys of angles.
-pub(super) fn quaternions(track: &Track) -> Vec<f64> {
+fn quaternions(track: &Track) -> Vec<f64> {
     let warnings = &mut Warnings::default();
     let frames = track.frames().iter();
     let turns = frames.map(|&frame| track.rotation(frame, warnings));
@@ -206,7 +206,7 @@ pub(super) fn quaternions(track: &Track) -> Vec<f64> {
 }
 
 /// Yaw, pitch and roll in degrees at the keys, each as near as can be to the one before.
-pub(super) fn angles(track: &Track) -> Vec<f64> {
+fn angles(track: &Track) -> Vec<f64> {
     let warnings = &mut Warnings::default();
     let mut all: Vec<f64> = Vec::new();
     for &frame in track.frames() {
@@ -223,7 +223,7 @@ pub(super) fn angles(track: &Track) -> Vec<f64> {
 }
 
 /// Tangents of a smooth way through keys: those of Catmull and Rom, with quadratic ends.
-pub(super) fn smooth(frames: &[f64], values: &[f64], width: usize) -> Vec<f64> {
+fn smooth(frames: &[f64], values: &[f64], width: usize) -> Vec<f64> {
     let last = frames.len() - 1;
     let step = |k: usize| frames[k + 1] - frames[k];
     let mean = |k: usize, i: usize| (values[(k + 1) * width + i] - values[k * width + i]) / step(k);
@@ -245,4 +245,58 @@ pub(super) fn smooth(frames: &[f64], values: &[f64], width: usize) -> Vec<f64> {
         }
     }
     shape
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Rotations by angles and by quaternions are the same at their keys.
+    #[test]
+    fn angles_become_quaternions_and_come_back() {
+        let turns = [
+            [30.0, 20.0, 10.0],
+            [170.0, -40.0, 5.0],
+            [200.0, 60.0, -90.0],
+        ];
+        let track = Track::new(
+            Channel::Rotation,
+            Interpolation::EulerLinear,
+            vec![1.0, 10.0, 20.0],
+            turns.concat(),
+            Vec::new(),
+        );
+        let track = track.unwrap();
+        let by_quaternions = Track::new(
+            Channel::Rotation,
+            Interpolation::Linear,
+            track.frames().to_vec(),
+            quaternions(&track),
+            Vec::new(),
+        );
+        let back = angles(&by_quaternions.unwrap());
+        for (found, wanted) in back.iter().zip(turns.concat()) {
+            assert!((found - wanted).abs() < 1e-9, "{back:?}");
+        }
+    }
+
+    /// The tangents that a track gets are those of the same curve where it is smooth already.
+    #[test]
+    fn tangents_are_those_of_catmull_and_rom() {
+        let frames = vec![0.0, 3.0, 10.0, 11.0];
+        let values = vec![1.0, 4.0, -2.0, 0.5];
+        let of = |by, shape| Track::new(Channel::Roll, by, frames.clone(), values.clone(), shape);
+        let known = of(Interpolation::CatmullRom, Vec::new()).unwrap();
+        let shape = smooth(&frames, &values, 1);
+        let hermite = of(Interpolation::Hermite, shape).unwrap();
+        for step in 0..=110_u8 {
+            let at = f64::from(step) * 0.1;
+            let value = |track: &Track| {
+                let mut out = [0.0];
+                track.numbers(at, &mut out, &mut Default::default());
+                out[0]
+            };
+            assert!((value(&known) - value(&hermite)).abs() < 1e-12, "{at}");
+        }
+    }
 }

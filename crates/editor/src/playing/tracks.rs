@@ -228,17 +228,16 @@ pub(super) fn channel_name(editor: &Editor, channel: &Channel) -> String {
     }
 }
 
-/// Shows the rows in `rect`, their names in `captions` points at the left of it; words above them
+/// Shows these rows in `rect`, their names in `captions` points at the left of it; words above them
 /// end at `top`.
 pub(super) fn show(
     editor: &Editor,
     memory: &mut Memory,
     ui: &mut Ui,
     (rect, captions, top): (Rect, f32, f32),
-    axis: &Axis,
+    (rows, axis): (&[Row], &Axis),
     actions: &mut Vec<Action>,
 ) {
-    let rows = rows(editor, memory);
     let inside = UiBuilder::new().max_rect(rect).id_salt("tracks");
     ui.scope_builder(inside, |ui| {
         ui.set_clip_rect(rect.intersect(ui.clip_rect()));
@@ -256,7 +255,7 @@ pub(super) fn show(
                 let ground = Rect::from_x_y_ranges(along, right.y_range());
                 let selected = editor.selected_keys();
                 let shown = Shown {
-                    rows: &rows,
+                    rows,
                     time: Time::new(editor, axis),
                     top: top_of_rows,
                     ground,

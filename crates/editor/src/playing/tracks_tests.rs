@@ -285,6 +285,15 @@ fn keys_are_selected_by_clicks_and_by_a_box() {
     ];
     assert_eq!(selected(&harness), all);
     assert!(!harness.state().document.can_undo());
+    // With Ctrl besides those.
+    hold(&mut harness, Modifiers::CTRL);
+    let (from, to) = (at(&harness, 55.0), place(&harness, INTENSITY, 65.0));
+    drag(&mut harness, from, to);
+    assert_eq!(selected(&harness).len(), 4);
+    hold(&mut harness, Modifiers::NONE);
+    let (from, to) = (at(&harness, 15.0), place(&harness, INTENSITY, 45.0));
+    drag(&mut harness, from, to);
+    assert_eq!(selected(&harness), all);
     tap(&mut harness, Key::Delete, Modifiers::NONE);
     assert_eq!(frames(&harness, &Channel::Position), [5.0, 60.0]);
     assert_eq!(frames(&harness, &Channel::Intensity), [10.0]);
@@ -453,55 +462,6 @@ fn a_track_has_a_menu() {
     }
 }
 
-/// Rotations by angles and by quaternions are the same at their keys.
-#[test]
-fn angles_become_quaternions_and_come_back() {
-    let turns = [
-        [30.0, 20.0, 10.0],
-        [170.0, -40.0, 5.0],
-        [200.0, 60.0, -90.0],
-    ];
-    let track = Track::new(
-        Channel::Rotation,
-        Interpolation::EulerLinear,
-        vec![1.0, 10.0, 20.0],
-        turns.concat(),
-        Vec::new(),
-    );
-    let track = track.unwrap();
-    let by_quaternions = Track::new(
-        Channel::Rotation,
-        Interpolation::Linear,
-        track.frames().to_vec(),
-        track_menu::quaternions(&track),
-        Vec::new(),
-    );
-    let back = track_menu::angles(&by_quaternions.unwrap());
-    for (found, wanted) in back.iter().zip(turns.concat()) {
-        assert!((found - wanted).abs() < 1e-9, "{back:?}");
-    }
-}
-
-/// The tangents that a track gets are those of the same curve where it is smooth already.
-#[test]
-fn tangents_are_those_of_catmull_and_rom() {
-    let frames = vec![0.0, 3.0, 10.0, 11.0];
-    let values = vec![1.0, 4.0, -2.0, 0.5];
-    let of = |by, shape| Track::new(Channel::Roll, by, frames.clone(), values.clone(), shape);
-    let smooth = of(Interpolation::CatmullRom, Vec::new()).unwrap();
-    let shape = track_menu::smooth(&frames, &values, 1);
-    let hermite = of(Interpolation::Hermite, shape).unwrap();
-    for step in 0..=110_u8 {
-        let at = f64::from(step) * 0.1;
-        let value = |track: &Track| {
-            let mut out = [0.0];
-            track.numbers(at, &mut out, &mut Default::default());
-            out[0]
-        };
-        assert!((value(&smooth) - value(&hermite)).abs() < 1e-12, "{at}");
-    }
-}
-
 /// Rows scroll with the wheel; with Ctrl it zooms.
 #[test]
 fn rows_scroll_and_fold() {
@@ -542,4 +502,54 @@ fn rows_scroll_and_fold() {
         let scrolled = harness.query_by_label(&name).is_none() || first(&harness) < top;
         assert_eq!(scrolled, !zooms);
     }
+}
+
+/// Rows cost where they are seen: ten thousand of them scroll nearly as fast as a hundred.
+#[test]
+fn many_rows_scroll_as_fast_as_few() {
+    let mut scene = Scene::new();
+    for number in 0..10_000_u32 {
+        let mut lamp = Node::new(&format!("lamp {number}"), Kind::Light(Default::default()));
+        lamp.rest.intensity = 0.5;
+        scene.add(lamp).unwrap();
+        let frames = [1.0, 10.0 + f64::from(number % 80), 100.0];
+        scene
+            .set_track(number as usize, track(Channel::Position, &frames, 3))
+            .unwrap();
+    }
+    let mut document = Document::new();
+    document.apply(Edit::ReplaceScene(Box::new(scene))).unwrap();
+    let options = crate::Options {
+        document: document.as_opened(),
+        ..options(Language::English)
+    };
+    let mut harness = window_of(options, LARGE, 1.0, Theme::Dark);
+    let mut best = [f64::INFINITY; 2];
+    for round in 0..6 {
+        let few = round % 2 == 0;
+        let count = if few { 50 } else { 5_000 };
+        harness.state_mut().select_nodes((0..count).collect());
+        steps_on(&mut harness);
+        let at = place(&harness, 1, 30.0);
+        motion(&mut harness, at);
+        let start = std::time::Instant::now();
+        for pass in 0..30 {
+            harness.event(Event::MouseWheel {
+                unit: MouseWheelUnit::Line,
+                delta: vec2(0.0, if pass < 15 { -2.0 } else { 2.0 }),
+                phase: egui::TouchPhase::Move,
+                source: egui::MouseWheelSource::Wheel,
+                modifiers: Modifiers::NONE,
+            });
+            harness.step();
+        }
+        let spent = start.elapsed().as_secs_f64();
+        best[round % 2] = best[round % 2].min(spent);
+    }
+    let ratio = best[1] / best[0];
+    println!(
+        "{:.1} ms a pass, {ratio:.2} times that of a hundred rows",
+        best[1] * 1e3 / 30.0
+    );
+    assert!(ratio <= 1.2, "{ratio}");
 }

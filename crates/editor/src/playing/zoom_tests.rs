@@ -140,3 +140,34 @@ fn the_middle_button_moves_what_is_seen_and_home_shows_all() {
         assert_eq!(harness.state().position_on_bar(), 1.0);
     }
 }
+
+/// Gone to by keys or played, the playhead is in sight.
+#[test]
+fn the_playhead_stays_in_sight() {
+    let mut harness = pyramid_window();
+    let sees = |harness: &Window| {
+        let axis = axis(harness);
+        let at = harness.state().position_on_bar();
+        (axis.first()..=axis.last()).contains(&at)
+    };
+    let at = rows(&harness, 0.1)[0];
+    wheel(&mut harness, at, 10.0, Modifiers::NONE);
+    let span = axis(&harness).last() - axis(&harness).first();
+    for _ in 0..4 {
+        tap(&mut harness, Key::Period, Modifiers::NONE);
+        steps_on(&mut harness);
+        assert!(sees(&harness));
+    }
+    assert!(harness.state().position_on_bar() > 400.0);
+    tap(&mut harness, Key::Comma, Modifiers::NONE);
+    steps_on(&mut harness);
+    assert!(sees(&harness));
+    let axis = axis(&harness);
+    assert!((axis.last() - axis.first() - span).abs() < 1e-6);
+    harness.state_mut().scrub(axis.last() - 2.0);
+    harness.get_by_label("Play").click();
+    for _ in 0..10 {
+        harness.step();
+        assert!(sees(&harness));
+    }
+}
