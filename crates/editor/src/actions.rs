@@ -232,9 +232,12 @@ impl Editor {
             Action::SwitchKeepsLength => self.switch_keeps_length(),
             Action::SwitchMovesAlong => self.switch_moves_along(),
             Action::Retime(retiming) => self.retime(retiming),
+            Action::MoveKeys(motion) => self.move_keys(&motion),
+            Action::MoveMarker { name, to } => self.move_marker(&name, to),
             Action::SwitchSliders => self.switch_sliders(),
             Action::SwitchWireframe => self.switch_wireframe(),
             Action::Fold(fold) => self.switch_fold(fold),
+            Action::See(seen) => self.playing.see(seen),
             Action::RulerInFrames(frames) => self.choose_ruler(frames),
             Action::GraphHeight(height) => self.set_graph_height(height),
             Action::CameraShare(share) => {

@@ -44,6 +44,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     if !editor.windows.has_modal() {
         points_list::take_keys(editor, &context);
         scene_view::take_keys(editor, &context);
+        playing::take_keys(editor, &context);
         windows::take_keys(editor, &context);
         let scene = editor.document.edited_scene().is_some();
         actions.extend(keys::pressed(&context, scene));

@@ -249,6 +249,7 @@ impl Editor {
     fn take_up(&mut self, document: Document, file: Option<&Path>) {
         self.known = document.fingerprint();
         self.document = document;
+        self.playing.see(None);
         self.handed_state = None;
         self.windows.path_replaced();
         self.file = file.map(Path::to_owned);

@@ -2,9 +2,7 @@
 //! selects what it has made. What is refused is told in the output field and changes nothing.
 
 use glam::{DAffine3, DVec3};
-use vides_engine::scene::{
-    Channel, Geometry, Keep, KeyList, Kind, Light, Node, Object, Part, Rest, Scene,
-};
+use vides_engine::scene::{Channel, Geometry, Keep, Kind, Light, Node, Object, Part, Scene};
 
 use crate::document::Edit;
 use crate::error::Result;
@@ -233,32 +231,9 @@ impl Editor {
 
     /// Sets a key at the playhead where there is a track, else what holds at rest.
     fn show_node(&mut self, node: usize, visible: bool) {
-        let frame = self.frame();
-        let edited = self.document.edited_scene();
-        let of = edited.and_then(|edited| edited.scene().nodes().get(node));
-        let (Some(of), Ok(frame)) = (of, frame) else {
-            return;
-        };
-        let channel = Channel::Visible;
-        let part = match of.keys().track(&channel) {
-            Some(_) => Part::Keys {
-                node,
-                channel,
-                remove: Vec::new(),
-                put: KeyList {
-                    frames: vec![frame],
-                    values: vec![f64::from(u8::from(visible))],
-                    shape: Vec::new(),
-                },
-            },
-            None => {
-                let mut rest = Rest::of(of);
-                rest.values.visible = visible;
-                let rest = Box::new(rest);
-                Part::Rest { node, rest }
-            }
-        };
-        self.edit_all([self::part(part)]);
+        self.document.end_step();
+        let seen = f64::from(u8::from(visible));
+        self.set_channel(node, &Channel::Visible, &[seen]);
     }
 }
 
