@@ -153,6 +153,9 @@ impl Editor {
         let edited = self.document.edited_scene();
         let old = edited.and_then(|edited| edited.scene().nodes().get(node));
         let old = old.map(|old| old.name.clone()).unwrap_or_default();
+        if name.is_empty() {
+            return self.complain(fill(self.texts().scene.needs_name, &[&old]));
+        }
         let new = name.clone();
         if self.edit_all([part(Part::Name { node, name })]) {
             self.scene_view.list.get_mut().renamed(&old, &new);

@@ -17,7 +17,7 @@ use crate::files::Purpose;
 use crate::path::CameraPath;
 use crate::screenshots::screenshot;
 use crate::space::Camera;
-use crate::space::tests::{motion, press as press_at, release};
+use crate::space::tests::{self as space, motion, press as press_at, release};
 use crate::tests::*;
 use vides_engine::scene::{Channel, Node, Scene, Warnings};
 
@@ -346,7 +346,9 @@ fn clicks_and_arrows_select_without_a_step() {
 #[test]
 fn a_name_is_typed_in_its_row() {
     for language in BOTH {
-        let mut window = window_of_parts(language);
+        // Passes are short enough for a double click.
+        let editor = space::editor(parts(), language);
+        let mut window = space::window(editor, LARGE.into(), 1.0);
         let before = names(&window);
         click(&mut window, &fill(language.texts().scene.fold, &[&"wheel"]));
         click_on(&mut window, "wheel", NONE);
@@ -376,9 +378,18 @@ fn a_name_is_typed_in_its_row() {
             release(&mut window, at, LEFT);
         }
         window.run();
+        let field = language.texts().scene.name;
+        assert!(window.query_by_label(field).is_some());
         window.event(Event::Text("x".to_owned()));
         window.run();
         press(&mut window, NONE, Key::Escape);
+        assert!(window.query_by_label(field).is_none());
+        // None at all is refused, too.
+        press(&mut window, NONE, Key::F2);
+        press(&mut window, NONE, Key::Delete);
+        press(&mut window, NONE, Key::Enter);
+        let told = fill(language.texts().scene.needs_name, &[&"box"]);
+        assert_eq!(said(&window), Some(told));
         assert_eq!(names(&window), before);
         assert!(!window.state().document().is_modified());
     }
@@ -424,7 +435,8 @@ fn a_row_dragged_onto_another_is_put_into_it() {
         assert_eq!(parent(&window, "hub").as_deref(), Some("wheel"));
         // A drag that ends beside the list does nothing.
         let now = scene_of(&window);
-        drag(&mut window, "wheel", egui::pos2(600.0, 300.0));
+        let beside = egui::pos2(600.0, row(&window, "lamp").y);
+        drag(&mut window, "wheel", beside);
         assert_eq!(scene_of(&window), now);
         // Nothing comes into what is in it.
         let to = row(&window, "lamp");
@@ -498,6 +510,7 @@ fn keys_mean_nodes_where_the_list_has_the_keyboard() {
         click_on(&mut window, "wheel", NONE);
         press(&mut window, NONE, Key::Delete);
         assert_eq!(names(&window), ["camera", "car", "lamp", "box"]);
+        assert_eq!(selected(&window), [""; 0]);
         press(&mut window, Modifiers::CTRL, Key::Z);
         assert_eq!(scene_of(&window), before);
         for key in [Key::C, Key::X, Key::V] {
@@ -514,6 +527,12 @@ fn keys_mean_nodes_where_the_list_has_the_keyboard() {
             (Some(6), vec!["camera 2".to_owned()])
         );
         press(&mut window, Modifiers::CTRL, Key::Z);
+        assert_eq!(scene_of(&window), before);
+        // Several are, in the order in which they were.
+        click_on(&mut window, "car", NONE);
+        click_on(&mut window, "box", Modifiers::CTRL);
+        press(&mut window, Modifiers::CTRL, Key::D);
+        assert_eq!(selected(&window), ["box 2", "car 2"]);
         // Elsewhere Delete is the points'.
         let mut window = window_of_parts(language);
         click(&mut window, language.texts().position.add);

@@ -30,6 +30,7 @@ texts! {
         row_hint: "Double click or F2: rename; drag onto another one: put into it; Del: remove; Ctrl+D: copy",
             "Doppelklick oder F2: umbenennen; auf einen anderen ziehen: hineintun; Entf: löschen; Strg+D: kopieren";
         name: "Name of the node", "Name des Knotens";
+        needs_name: "{0} needs a name", "{0} braucht einen Namen";
         filter: "Look for a name", "Namen suchen";
         filter_hint: "Only nodes whose names contain this, and what they are in",
             "Nur Knoten, deren Namen dies enthalten, und worin sie liegen";
