@@ -3,7 +3,7 @@
 use egui::{Event, Key, Modifiers, MouseWheelUnit, PointerButton};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
-use vides_engine::scene::{Extrapolation, Interpolation, Kind, Scene};
+use vides_engine::scene::{Extrapolation, Interpolation, Kind, Part, Scene};
 
 use super::*;
 use crate::document::{Document, Edit};
@@ -51,7 +51,7 @@ fn document() -> Document {
         track(Channel::Intensity, &[10.0, 20.0], 1),
     ] {
         let channel = track.channel().clone();
-        let part = vides_engine::scene::Part::track(1, channel, Some(track)).unwrap();
+        let part = Part::track(1, channel, Some(track)).unwrap();
         document.apply(Edit::Part(Box::new(part))).unwrap();
     }
     document.as_opened()
@@ -189,7 +189,7 @@ fn diamonds_stand_at_their_frames() {
             .collect();
         frames.sort_by(f64::total_cmp);
         frames.dedup();
-        let part = vides_engine::scene::Part::track(
+        let part = Part::track(
             1,
             Channel::Position,
             Some(track(Channel::Position, &frames, 3)),
@@ -396,6 +396,26 @@ fn a_bracket_scales_the_time_of_a_selection() {
     );
     tap(&mut harness, Key::Z, Modifiers::CTRL);
     assert!(!harness.state().document.can_undo());
+    // Tangents are by frame: half the time, twice as steep.
+    let hermite = Track::new(
+        Channel::Position,
+        Interpolation::Hermite,
+        frames(&harness, &Channel::Position),
+        values(&harness),
+        vec![1.0; 24],
+    );
+    let part = Part::track(1, Channel::Position, Some(hermite.unwrap())).unwrap();
+    let edit = Edit::Part(Box::new(part));
+    harness.state_mut().document.apply(edit).unwrap();
+    steps_on(&mut harness);
+    drag(&mut harness, from, to);
+    drag(&mut harness, bracket, bracket + vec2(gone, 0.0));
+    let edited = harness.state().document.edited_scene().unwrap();
+    let keys = edited.scene().nodes()[1].keys();
+    let track = keys.track(&Channel::Position).unwrap();
+    assert_eq!(track.frames(), [5.0, 20.0, 30.0, 40.0]);
+    let steep = [vec![1.0; 6], vec![2.0; 18]].concat();
+    assert_eq!(track.shape(), steep);
 }
 
 /// A path's bar moves its start, and nothing else of it.
