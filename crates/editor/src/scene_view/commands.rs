@@ -186,11 +186,11 @@ impl Editor {
         let nodes = edited.scene().nodes();
         // The copies stand behind all, in the order of their originals.
         let within = with_all_in(nodes, &selected);
-        let mut number = nodes.len();
         let mut copies = vec![0; nodes.len()];
-        for (copy, _) in copies.iter_mut().zip(within).filter(|(_, within)| *within) {
+        let all = copies.iter_mut().zip(within);
+        let copied = all.filter(|(_, within)| *within);
+        for (number, (copy, _)) in (nodes.len()..).zip(copied) {
             *copy = number;
-            number += 1;
         }
         let path = nodes[current].path().map(|_| copies[current]);
         let new = selected.iter().map(|&at| copies[at]).collect();
