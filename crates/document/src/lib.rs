@@ -48,7 +48,7 @@ pub use error::{Error, Result};
 pub use fingerprint::Fingerprint;
 pub use info::{Info, Object, ObjectPoint};
 pub use keys_to_path::{FittedKeys, KeysToPath, keys_to_path};
-pub use mesh_file::{Watcher, load_mesh, load_object, mesh_source, watch_meshes};
+pub use mesh_file::{Watcher, load_mesh, load_object, mesh_source, reload_mesh, watch_meshes};
 #[doc(hidden)]
 pub use not_a_file::NotAFile;
 pub use notes::Note;

@@ -34,6 +34,14 @@ pub fn load_mesh(file: &Path) -> Result<(MeshSource, Mesh)> {
     load_part(file, None)
 }
 
+/// The mesh that a scene notes as its file has it now, with the file as it is noted then.
+///
+/// # Errors
+/// As [`load_mesh`].
+pub fn reload_mesh(source: &MeshSource) -> Result<(MeshSource, Mesh)> {
+    load_part(Path::new(&source.file), source.part)
+}
+
 /// As [`load_mesh`], or the mesh of a glTF file that has this number there.
 fn load_part(file: &Path, part: Option<u32>) -> Result<(MeshSource, Mesh)> {
     let name = file.display().to_string();

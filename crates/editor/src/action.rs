@@ -12,7 +12,8 @@ use crate::limits::SPEEDS;
 use crate::number::Entry;
 use crate::panels::orientation::OwnedMotion;
 use crate::path::UpVector;
-use crate::playing::{Pace, Retiming};
+use crate::playing::{KeyMotion, Pace, Retiming, Seen};
+use crate::scene_view::{KeyAt, NodeAction, NodeCommand};
 use crate::selected::SelectionChange;
 use crate::setup::{CameraPlace, Fold, Setup, Theme, View};
 use crate::space::{Camera, Gesture, Joint};
@@ -155,10 +156,16 @@ pub(super) enum Action {
     Fly(Option<Camera>),
     PlayOrPause,
     Keys,
-    /// Edit the path of this node, or of none.
-    EditNode(Option<usize>),
+    /// Select nodes of the scene, the current one first; no step.
+    SelectNodes(Vec<usize>),
+    /// Do something to nodes of the scene.
+    Nodes(NodeCommand),
+    /// Select keys of the scene; no step.
+    SelectKeys(Vec<KeyAt>),
     /// Let a camera follow a path in place of its keys.
     KeysToPath(usize),
+    /// Something in the panels of a node.
+    Node(NodeAction),
     Edit(Edit),
     /// An entry into a number of the path.
     Enter(Entry<Edit>),
@@ -185,8 +192,17 @@ pub(super) enum Action {
     SwitchMovesAlong,
     /// Move or copy a key in time, in place of what the open step has done.
     Retime(Retiming),
+    /// Move or copy keys of the scene, likewise.
+    MoveKeys(Box<KeyMotion>),
+    /// Move a marker to a frame of the scene, likewise.
+    MoveMarker {
+        name: String,
+        to: f64,
+    },
     /// The ruler counts frames, or seconds.
     RulerInFrames(bool),
+    /// Show this part of the time on the timeline, or all.
+    See(Option<Seen>),
     GraphHeight(f32),
     /// How much of the space's room the camera's picture beside it takes.
     CameraShare(f32),
@@ -240,19 +256,24 @@ impl Action {
                 | Self::Enter(_)
                 | Self::EnterMissing(_)
                 | Self::Gesture(_)
+                | Self::Node(_)
                 | Self::View(_)
                 | Self::Playhead(_)
                 | Self::SwitchLoops
                 | Self::SwitchKeepsLength
                 | Self::SwitchMovesAlong
                 | Self::Retime(_)
+                | Self::MoveKeys(_)
+                | Self::MoveMarker { .. }
                 | Self::SwitchSliders
                 | Self::SwitchWireframe
                 | Self::Fold(_)
                 | Self::RulerInFrames(_)
+                | Self::See(_)
                 | Self::GraphHeight(_)
                 | Self::CameraShare(_)
                 | Self::Pace(_)
+                | Self::SelectKeys(_)
                 | Self::Setup(_)
                 | Self::Language(_)
                 | Self::CopySpeeds(_)
@@ -306,6 +327,7 @@ impl Action {
                 | Self::SwitchWireframe
                 | Self::Fold(_)
                 | Self::RulerInFrames(_)
+                | Self::See(_)
                 | Self::GraphHeight(_)
                 | Self::CameraShare(_)
                 | Self::Pace(_)

@@ -208,8 +208,11 @@ impl Editor {
             Action::SwitchSpeedGraph => self.switch_speed_graph(),
             Action::PlayOrPause => self.play_or_pause(context),
             Action::Keys => windows::open::<HelpWindow>(self, context),
-            Action::EditNode(node) => self.edit_node(node),
+            Action::SelectNodes(nodes) => self.select_nodes(nodes),
+            Action::Nodes(command) => self.do_to_nodes(command),
+            Action::SelectKeys(keys) => self.select_keys(keys),
             Action::KeysToPath(node) => self.keys_to_path(node),
+            Action::Node(action) => self.node_action(action),
             Action::Edit(edit) => {
                 self.edit_selected(edit);
             }
@@ -231,9 +234,12 @@ impl Editor {
             Action::SwitchKeepsLength => self.switch_keeps_length(),
             Action::SwitchMovesAlong => self.switch_moves_along(),
             Action::Retime(retiming) => self.retime(retiming),
+            Action::MoveKeys(motion) => self.move_keys(&motion),
+            Action::MoveMarker { name, to } => self.move_marker(&name, to),
             Action::SwitchSliders => self.switch_sliders(),
             Action::SwitchWireframe => self.switch_wireframe(),
             Action::Fold(fold) => self.switch_fold(fold),
+            Action::See(seen) => self.playing.see(seen),
             Action::RulerInFrames(frames) => self.choose_ruler(frames),
             Action::GraphHeight(height) => self.set_graph_height(height),
             Action::CameraShare(share) => {
@@ -268,7 +274,7 @@ impl Editor {
     }
 
     /// Edits the path of another node at the same moment of the scene.
-    fn edit_node(&mut self, node: Option<usize>) {
+    pub(crate) fn edit_node(&mut self, node: Option<usize>) {
         self.document.end_step();
         let moment = self.frame();
         if self.edit(Edit::EditNode(node))

@@ -43,15 +43,21 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     let mut actions = Vec::from_iter(editor.waiting.take());
     if !editor.windows.has_modal() {
         points_list::take_keys(editor, &context);
+        scene_view::take_keys(editor, &context);
+        playing::take_keys(editor, &context);
         windows::take_keys(editor, &context);
-        actions.extend(keys::pressed(&context));
+        let scene = editor.document.edited_scene().is_some();
+        actions.extend(keys::pressed(&context, scene));
         let dropped: Vec<_> = context.input(|input| {
             let files = input.raw.dropped_files.iter();
             files.map(|file| file.path().to_owned()).collect()
         });
         actions.extend((!dropped.is_empty()).then_some(Action::Dropped(dropped)));
     }
-    if !actions.is_empty() {
+    // Those of a scene are no keys while a text is typed; undone, a node is deleted again by the
+    // same key.
+    let of_scene = |action: &Action| matches!(action, Action::Node(_));
+    if !actions.iter().all(of_scene) && !scene_view::has_keyboard(&context) {
         keys::release(&context);
     }
     let palette = editor.setup.theme().palette();
@@ -89,13 +95,8 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
         ui.scope_builder(inside, |ui| {
             if docked {
                 // A window stands there.
-            } else if editor.document.edits_path() {
-                panels::show(editor, ui);
             } else {
-                let show = |editor: &Editor, actions: &mut _| {
-                    scene_view::no_path(editor, ui, actions);
-                };
-                editor.part(&context, show);
+                scene_view::beside(editor, ui);
             }
         });
     });

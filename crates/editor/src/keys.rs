@@ -6,6 +6,7 @@
 use egui::{Context, Event, Id, Key, Modifiers};
 
 use crate::action::Action;
+use crate::scene_view::NodeAction;
 use crate::selected::SelectionChange;
 use crate::texts::Language;
 
@@ -30,6 +31,7 @@ pub(super) const SHORTCUTS: &[(Modifiers, Key, Action)] = &[
     (CTRL, Key::E, Action::Export),
     (NONE, Key::Insert, Action::AddPoint),
     (CTRL, Key::K, Action::AddHere),
+    (NONE, Key::K, Action::Node(NodeAction::SetKeys)),
     (CTRL, Key::I, Action::AskPoints),
     (NONE, Key::Delete, Action::RemovePoint),
     (CTRL, Key::L, Action::SwitchClosed),
@@ -80,11 +82,14 @@ const OF_TEXTS: &[Action] = &[
     Action::Cut,
     Action::Paste,
     Action::Choose(SelectionChange::All),
+    Action::Node(NodeAction::SetKeys),
 ];
 
-/// Takes the actions whose keys were pressed out of the input, in their order.
-pub(super) fn pressed(context: &Context) -> Vec<Action> {
+/// Takes the actions whose keys were pressed out of the input, in their order. Without a `scene`
+/// its keys mean nothing; in an open menu they are its letters.
+pub(super) fn pressed(context: &Context, scene: bool) -> Vec<Action> {
     let typing = context.text_edit_focused();
+    let scene = scene && !egui::Popup::is_any_open(context);
     context.input_mut(|input| {
         let mut found = Vec::new();
         input.events.retain(|event| {
@@ -102,7 +107,9 @@ pub(super) fn pressed(context: &Context) -> Vec<Action> {
                 Event::Paste(text) if !typing => Some(Action::Pasted(text.clone())),
                 _ => None,
             };
-            let action = action.filter(|action| !(typing && OF_TEXTS.contains(action)));
+            let action = action
+                .filter(|action| !(typing && OF_TEXTS.contains(action)))
+                .filter(|action| scene || !matches!(action, Action::Node(_)));
             let other = action.is_none();
             found.extend(action);
             other

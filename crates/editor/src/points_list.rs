@@ -62,10 +62,16 @@ struct Row {
     is_point: bool,
 }
 
-/// A name that is being typed.
+/// The name of a point that is being typed.
 #[derive(Debug)]
 struct Renaming {
     point: usize,
+    name: NameField,
+}
+
+/// A name that is being typed in its row.
+#[derive(Debug)]
+pub(crate) struct NameField {
     text: String,
     /// It does not have the keyboard yet.
     fresh: bool,
@@ -329,8 +335,7 @@ impl PointsList {
         self.shown = None;
         self.renaming = Some(Renaming {
             point,
-            text: of_point.name.clone().unwrap_or_default(),
-            fresh: true,
+            name: NameField::new(of_point.name.clone().unwrap_or_default()),
         });
     }
 
@@ -420,8 +425,30 @@ fn by_keys(editor: &Editor, ui: &Ui, actions: &mut Vec<Action>) {
 impl Renaming {
     /// The field in which it is typed; at the end returns what is to be done.
     fn show(&mut self, editor: &Editor, ui: &mut Ui, field: Rect) -> Option<Option<Action>> {
-        let texts = &editor.texts().points_list;
         let id = Id::unique("name of a point");
+        let label = editor.texts().points_list.name;
+        let done = self.name.show(ui, id, label, field)?;
+        let rename = |name: String| {
+            let name = Some(name).filter(|name| !name.is_empty());
+            Action::Edit(Edit::set(At::Point(self.point), "name", name))
+        };
+        Some(done.map(rename))
+    }
+}
+
+impl NameField {
+    pub(crate) const fn new(text: String) -> Self {
+        Self { text, fresh: true }
+    }
+
+    /// The field; at the end the name that was typed, none if the old one stays.
+    pub(crate) fn show(
+        &mut self,
+        ui: &mut Ui,
+        id: Id,
+        label: &str,
+        field: Rect,
+    ) -> Option<Option<String>> {
         if self.fresh {
             theme::select(ui, id, &self.text);
             ui.memory_mut(|memory| memory.request_focus(id));
@@ -437,16 +464,12 @@ impl Renaming {
         inside.spacing_mut().interact_size.y = field.height();
         let response = inside.put(field, edit.desired_width(field.width()));
         let context = ui.ctx();
-        context.accesskit_node_builder(response.id, |node| node.set_label(texts.name));
+        context.accesskit_node_builder(response.id, |node| node.set_label(label));
         if std::mem::take(&mut self.fresh) || !response.lost_focus() {
             return None;
         }
-        if context.input(|input| input.key_pressed(Key::Escape)) {
-            return Some(None);
-        }
-        let name = Some(self.text.clone()).filter(|name| !name.is_empty());
-        let at = self.point;
-        Some(Some(Action::Edit(Edit::set(At::Point(at), "name", name))))
+        let leaves = context.input(|input| input.key_pressed(Key::Escape));
+        Some((!leaves).then(|| std::mem::take(&mut self.text)))
     }
 }
 

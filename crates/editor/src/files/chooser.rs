@@ -78,7 +78,10 @@ impl FileWindow {
             Purpose::SaveBlock => (format!("{}.vid", texts.block), "*.vid"),
             Purpose::Import => (String::new(), importable.as_str()),
             Purpose::SavePath(_) => (editor.proposal(texts.proposal, "vid"), "*.vid"),
-            Purpose::LoadObject(_) => (String::new(), OBJECTS),
+            Purpose::LoadObject(_)
+            | Purpose::AddObject
+            | Purpose::LoadMesh(_)
+            | Purpose::LoadShape(_) => (String::new(), OBJECTS),
             Purpose::Export => (editor.proposal(texts.poses, "txt"), exported.as_str()),
             Purpose::LoadSetup => (String::new(), "*.toml"),
             Purpose::SaveSetup => (folders::SETUP_NAME.to_owned(), "*.toml"),
@@ -118,12 +121,15 @@ impl FileWindow {
             Purpose::LoadPath => texts.load_path,
             Purpose::SavePath(_) => texts.save_path,
             Purpose::LoadObject(_) => texts.load_object,
+            Purpose::AddObject => texts.add_object,
             Purpose::Export => texts.export,
             Purpose::LoadSetup => texts.load_setup,
             Purpose::SaveSetup => texts.save_setup,
             Purpose::LoadBlock => texts.load_block,
             Purpose::SaveBlock => texts.save_block,
             Purpose::Import => texts.import,
+            Purpose::LoadMesh(_) => editor.texts().node.mesh_title,
+            Purpose::LoadShape(_) => editor.texts().node.shape_title,
         };
         let mut done = Done::default();
         let asks = self.overwrite.is_some();
@@ -187,6 +193,9 @@ impl FileWindow {
             self.purpose,
             Purpose::LoadPath
                 | Purpose::LoadObject(_)
+                | Purpose::LoadMesh(_)
+                | Purpose::LoadShape(_)
+                | Purpose::AddObject
                 | Purpose::LoadSetup
                 | Purpose::LoadBlock
                 | Purpose::Import

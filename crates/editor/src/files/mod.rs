@@ -6,6 +6,7 @@ mod exchange;
 pub(crate) mod folders;
 mod listing;
 mod naming;
+mod node_meshes;
 mod picture;
 mod question;
 mod recent;
@@ -35,9 +36,11 @@ pub(crate) use recovery_window::RecoveryWindow;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
+use vides_engine::scene::{Geometry, MeshSource};
+
 use crate::document::mesh::Format;
 use crate::document::tool::{Tool, ToolInput};
-use crate::document::{At, Document, Edit, Fingerprint, load_object, save};
+use crate::document::{At, Document, Edit, Fingerprint, load_mesh, load_object, save};
 use crate::error::{EngineError, Error, Result, TooMany};
 use crate::host::Warnings;
 use crate::limits;
@@ -54,6 +57,8 @@ pub(crate) enum Purpose {
     SavePath(Option<AfterSave>),
     /// A mesh or a point cloud to be shown, and the tool that waits for it.
     LoadObject(Option<Tool>),
+    /// A mesh or a point cloud to be a node of the scene.
+    AddObject,
     Export,
     LoadSetup,
     SaveSetup,
@@ -63,6 +68,10 @@ pub(crate) enum Purpose {
     SaveBlock,
     /// Another program's file: a scene, or poses to make a path of.
     Import,
+    /// The mesh of an object of the scene.
+    LoadMesh(usize),
+    /// Another shape for an object of the scene.
+    LoadShape(usize),
 }
 
 /// What waits until unsaved work is saved or given up.
@@ -190,6 +199,7 @@ impl Editor {
                     self.open_tool(tool);
                 }
             }),
+            Purpose::AddObject => self.add_object(file),
             Purpose::Export => {
                 let chosen = window.as_ref().and_then(FileWindow::format);
                 self.export(file, chosen)
@@ -199,6 +209,8 @@ impl Editor {
             Purpose::LoadBlock => self.load_block(file),
             Purpose::Import => self.import(file),
             Purpose::SaveBlock => self.save_block(file),
+            Purpose::LoadMesh(node) => self.load_mesh_of(node, file),
+            Purpose::LoadShape(node) => self.load_shape(node, file),
         };
         match done {
             Ok(()) => {
@@ -237,6 +249,7 @@ impl Editor {
     fn take_up(&mut self, document: Document, file: Option<&Path>) {
         self.known = document.fingerprint();
         self.document = document;
+        self.playing.see(None);
         self.handed_state = None;
         self.windows.path_replaced();
         self.file = file.map(Path::to_owned);
@@ -338,6 +351,20 @@ impl Editor {
             _ => texts.output.loaded,
         };
         self.say(fill(text, &[&short(file)]));
+        Ok(())
+    }
+
+    /// Adds the mesh of a file to the scene, as an object called after the file.
+    fn add_object(&mut self, file: &Path) -> Result<(), String> {
+        let name = file.file_stem().unwrap_or_default().to_string_lossy();
+        let read = load_mesh(file).and_then(|(source, mesh)| {
+            let file = std::path::absolute(file).unwrap_or_else(|_| file.to_owned());
+            let file = file.display().to_string();
+            let mesh = Geometry::new(mesh, Some(MeshSource { file, ..source }))?;
+            self.add_mesh(&name, mesh)
+        });
+        read.map_err(|error| self.refusal(self.texts().errors.cannot_load, file, &error))?;
+        self.say(fill(self.texts().output.loaded, &[&short(file)]));
         Ok(())
     }
 

@@ -65,7 +65,10 @@ pub(super) fn with_ending(path: PathBuf, purpose: Purpose, format: Option<&str>)
             }
         }
         Purpose::LoadSetup | Purpose::SaveSetup => "toml",
-        Purpose::LoadObject(_) => "obj",
+        Purpose::LoadObject(_)
+        | Purpose::AddObject
+        | Purpose::LoadMesh(_)
+        | Purpose::LoadShape(_) => "obj",
         Purpose::Import => "csv",
         Purpose::LoadPath | Purpose::SavePath(_) | Purpose::LoadBlock | Purpose::SaveBlock => "vid",
     };

@@ -19,6 +19,7 @@ use crate::document::StepName;
 use crate::document::tool::{self, Needs};
 use crate::keys;
 use crate::limits::MIN_POINTS;
+use crate::scene_view::{NewNode, NodeCommand};
 use crate::selected::SelectionChange;
 use crate::setup::Theme;
 use crate::state::Editor;
@@ -217,7 +218,24 @@ fn edit(editor: &Editor) -> Vec<Entry> {
     let edits_path = editor.document.edits_path();
     let only_path = editor.texts().tools.only_path;
     let of_path = of_path.map(|entry| entry.only_if(edits_path, only_path));
-    travels.into_iter().chain(of_path).collect()
+    travels
+        .into_iter()
+        .chain(of_path)
+        .chain(nodes(editor))
+        .collect()
+}
+
+/// What adds a node to the scene, or makes one of a path.
+fn nodes(editor: &Editor) -> [Entry; 4] {
+    let (texts, hints) = (&editor.texts().menu, &editor.texts().menu_hints);
+    let add = |text, hint, command| Entry::new(text, hint, Action::Nodes(command));
+    let new = NodeCommand::Add;
+    [
+        add(texts.add_object, hints.add_object, NodeCommand::AddObject).apart(),
+        add(texts.add_light, hints.add_light, new(NewNode::Light)),
+        add(texts.add_camera, hints.add_camera, new(NewNode::Camera)),
+        add(texts.add_group, hints.add_group, new(NewNode::Group)),
+    ]
 }
 
 /// An entry for undo or redo that says what it takes back or does again.

@@ -24,7 +24,7 @@ use crate::state::Editor;
 use crate::theme;
 
 /// Width of the panels, which two, three or four columns with gaps fill exactly.
-pub(super) const WIDTH: f32 = 236.0;
+pub(crate) const WIDTH: f32 = 236.0;
 
 /// A lower window has smaller gaps between the rows.
 const MIN_HEIGHT_FOR_GAPS: f32 = 545.0;
@@ -33,7 +33,7 @@ const MIN_HEIGHT_FOR_GAPS: f32 = 545.0;
 const APART: f32 = 8.0;
 
 /// Shows the panels, which scroll in a low window; each one's actions are done before the next.
-pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
+pub(crate) fn show(editor: &mut Editor, ui: &mut Ui) {
     let height = ui.available_height();
     let mut panel = |ui: &mut Ui, show: &dyn Fn(&Editor, &mut Ui, &mut Vec<Action>)| {
         let context = ui.ctx().clone();
@@ -57,7 +57,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
 }
 
 /// A line between two panels.
-fn apart(ui: &mut Ui) {
+pub(crate) fn apart(ui: &mut Ui) {
     let gap = ui.spacing().item_spacing.y;
     let size = vec2(ui.available_width(), APART - gap);
     let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
@@ -76,17 +76,17 @@ const TRIANGLE: f32 = 14.0;
 const ARROW: f32 = 14.0;
 
 /// A panel's heading, which folds and unfolds it.
-struct Heading<'a> {
-    editor: &'a Editor,
-    fold: Fold,
-    text: &'a str,
+pub(crate) struct Heading<'a> {
+    pub(crate) editor: &'a Editor,
+    pub(crate) fold: Fold,
+    pub(crate) text: &'a str,
     /// At the right.
-    remark: &'a str,
+    pub(crate) remark: &'a str,
 }
 
 impl Heading<'_> {
     /// Whether the panel is open; and the row.
-    fn show(&self, ui: &mut Ui, actions: &mut Vec<Action>) -> (bool, Response) {
+    pub(crate) fn show(&self, ui: &mut Ui, actions: &mut Vec<Action>) -> (bool, Response) {
         self.with_room(ui, 0.0, actions)
     }
 
@@ -183,7 +183,7 @@ impl<'a> PanelButton<'a> {
         }
     }
 
-    const fn chosen(mut self, chosen: bool) -> Self {
+    pub(crate) const fn chosen(mut self, chosen: bool) -> Self {
         self.chosen = Some(chosen);
         self
     }

@@ -1,39 +1,146 @@
-//! The frames along the timeline: from frames to the screen and back, and the steps of a ruler.
+//! The frames along the timeline: from frames to the screen and back, the part of them that is
+//! seen, and the steps of a ruler.
 
 use egui::Rangef;
+
+/// The least frames between the ends of the rail.
+const LEAST: f64 = 1.0;
+
+/// How far beyond the rail something still shows, in points.
+const BEYOND: f32 = 8.0;
+
+/// The frames at the two ends of the rail, where not all are seen.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Seen {
+    first: f64,
+    last: f64,
+}
+
+impl Seen {
+    /// As much, moved as far as a frame needs; `pages`: so that what follows it is seen.
+    pub(super) fn showing(self, frame: f64, pages: bool) -> Self {
+        let span = self.last - self.first;
+        let first = match frame {
+            frame if frame < self.first || pages && frame > self.last => frame,
+            frame if frame > self.last => frame - span,
+            _ => return self,
+        };
+        let last = first + span;
+        Self { first, last }
+    }
+
+    /// As much of it as there is of so many frames; none: all of them are seen.
+    fn within(self, frames: f64) -> Option<Self> {
+        let span = (self.last - self.first).max(LEAST);
+        if !(span < frames && self.first.is_finite()) {
+            return None;
+        }
+        let first = self.first.clamp(1.0, 1.0 + frames - span);
+        let last = first + span;
+        Some(Self { first, last })
+    }
+}
 
 /// From frames to the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Axis {
     pub(super) rail: Rangef,
     /// From the first frame to the last one, at least 1.
-    pub(super) frames: f32,
+    frames: f32,
+    seen: Option<Seen>,
 }
 
 impl Axis {
+    /// All of so many frames, or a part of them.
     #[allow(clippy::cast_precision_loss)]
-    pub(super) fn new(rail: Rangef, frames: usize) -> Self {
+    pub(super) fn new(rail: Rangef, frames: usize, seen: Option<Seen>) -> Self {
         let frames = (frames as f32 - 1.0).max(1.0);
-        Self { rail, frames }
+        let seen = seen.and_then(|seen| seen.within(f64::from(frames)));
+        Self { rail, frames, seen }
     }
 
+    /// What is behind the last frame lies at it.
     pub(super) fn x(&self, frame: f32) -> f32 {
-        let share = ((frame - 1.0) / self.frames).min(1.0);
-        self.rail.min + self.rail.span() * share
+        match self.seen {
+            Some(_) => self.x_of(f64::from(frame)),
+            None => {
+                let share = ((frame - 1.0) / self.frames).min(1.0);
+                self.rail.min + self.rail.span() * share
+            }
+        }
     }
 
     #[allow(clippy::cast_possible_truncation)]
     pub(super) fn x_of(&self, frame: f64) -> f32 {
-        self.x(frame as f32)
+        match self.seen {
+            Some(_) => self.place(frame.min(1.0 + f64::from(self.frames))),
+            None => self.x(frame as f32),
+        }
+    }
+
+    /// The same for frames before the first and behind the last one, too.
+    #[allow(clippy::cast_possible_truncation)]
+    pub(super) fn place(&self, frame: f64) -> f32 {
+        let share = (frame - self.first()) / (self.last() - self.first());
+        (f64::from(self.rail.min) + f64::from(self.rail.span()) * share) as f32
     }
 
     /// The frame there, a whole one or not, perhaps beyond the ends.
     pub(super) fn frame(&self, x: f32) -> f64 {
-        1.0 + f64::from(x - self.rail.min) * self.frames_per_point()
+        self.first() + f64::from(x - self.rail.min) * self.frames_per_point()
     }
 
     pub(super) fn frames_per_point(&self) -> f64 {
-        f64::from(self.frames) / f64::from(self.rail.span().max(1.0))
+        (self.last() - self.first()) / f64::from(self.rail.span().max(1.0))
+    }
+
+    /// The frame at the left end of the rail.
+    pub(super) fn first(&self) -> f64 {
+        self.seen.map_or(1.0, |seen| seen.first)
+    }
+
+    /// The frame at the right end of the rail.
+    pub(super) fn last(&self) -> f64 {
+        let all = 1.0 + f64::from(self.frames);
+        self.seen.map_or(all, |seen| seen.last)
+    }
+
+    pub(super) fn shows_all(&self) -> bool {
+        self.seen.is_none()
+    }
+
+    /// Whether what stands there is to be seen.
+    pub(super) fn sees(&self, x: f32) -> bool {
+        self.rail.expand(BEYOND).contains(x)
+    }
+
+    /// The part of the rail that stands for what is seen, if that is not all.
+    #[allow(clippy::cast_possible_truncation)]
+    pub(super) fn part(&self) -> Option<Rangef> {
+        let seen = self.seen?;
+        let x = |frame: f64| {
+            let share = (frame - 1.0) / f64::from(self.frames);
+            self.rail.min + self.rail.span() * share as f32
+        };
+        Some(Rangef::new(x(seen.first), x(seen.last)))
+    }
+
+    /// With `factor` times as many frames, of which the one at `x` stays there.
+    pub(super) fn zoomed(&self, x: f32, factor: f64) -> Option<Seen> {
+        let frames = f64::from(self.frames);
+        let wanted = (self.last() - self.first()) * factor;
+        let factor = wanted.max(LEAST.min(frames)) / (self.last() - self.first());
+        let stays = self.frame(x);
+        let to = |frame: f64| stays + (frame - stays) * factor;
+        let (first, last) = (to(self.first()), to(self.last()));
+        Seen { first, last }.within(frames)
+    }
+
+    /// With what was at `x` moved by so many points.
+    pub(super) fn moved(&self, by: f32) -> Option<Seen> {
+        let by = f64::from(by) * self.frames_per_point();
+        let (first, last) = (self.first() - by, self.last() - by);
+        Seen { first, last }.within(f64::from(self.frames))
     }
 }
 
@@ -76,14 +183,61 @@ mod tests {
 
     #[test]
     fn the_screen_leads_back_to_the_frame() {
-        let axis = Axis::new(Rangef::new(152.0, 1180.0), 724);
-        for frame in [1.0, 2.0, 354.0, 724.0] {
-            assert!(
-                (axis.frame(axis.x_of(frame)) - frame).abs() < 1e-3,
-                "{frame}"
-            );
+        let all = Axis::new(Rangef::new(152.0, 1180.0), 724, None);
+        let part = Axis::new(all.rail, 724, all.zoomed(500.0, 0.1));
+        assert!(!part.shows_all());
+        for axis in [all, part] {
+            for frame in [1.0, 2.0, 354.0, 724.0] {
+                let x = axis.x_of(frame);
+                assert!((axis.frame(x) - frame).abs() < 1e-3, "{frame}");
+                assert!((axis.place(frame) - x).abs() < 1e-3, "{frame}");
+            }
+            // What is behind the end is shown at it.
+            assert_eq!(axis.x(1e9), axis.x_of(724.0));
         }
-        // What is behind the end is shown at it.
-        assert_eq!(axis.x(1e9), 1180.0);
+        assert_eq!(all.x(1e9), 1180.0);
+    }
+
+    /// What is under the pointer stays there, but for the ends, and nothing is seen beyond them.
+    #[test]
+    fn a_part_is_zoomed_about_a_place_and_moved() {
+        let mut axis = Axis::new(Rangef::new(100.0, 1100.0), 1001, None);
+        assert_eq!(axis.zoomed(300.0, 1.25), None);
+        let stays = axis.frame(300.0);
+        let with = |axis: Axis, seen| Axis::new(axis.rail, 1001, seen);
+        for _ in 0..60 {
+            axis = with(axis, axis.zoomed(300.0, 0.8));
+            assert!((axis.frame(300.0) - stays).abs() < 1e-6);
+        }
+        assert!((axis.last() - axis.first() - LEAST).abs() < 1e-9);
+        for _ in 0..20 {
+            axis = with(axis, axis.zoomed(300.0, 1.25));
+        }
+        let there = axis.frame(600.0);
+        axis = with(axis, axis.moved(40.0));
+        assert!((axis.frame(640.0) - there).abs() < 1e-6);
+        for (by, end) in [(1e6, 1.0), (-1e6, 1001.0)] {
+            let moved = with(axis, axis.moved(by));
+            let at = if by > 0.0 {
+                moved.first()
+            } else {
+                moved.last()
+            };
+            assert!((at - end).abs() < 1e-9, "{at}");
+            assert!((moved.last() - moved.first() - axis.last() + axis.first()).abs() < 1e-9);
+        }
+        for _ in 0..100 {
+            axis = with(axis, axis.zoomed(300.0, 1.25));
+        }
+        assert!(axis.shows_all());
+        assert_eq!(axis.part(), None);
+        // A path that became shorter than what was seen of it.
+        let seen = Seen {
+            first: 500.0,
+            last: 700.0,
+        };
+        assert!(Axis::new(axis.rail, 150, Some(seen)).shows_all());
+        let shorter = Axis::new(axis.rail, 400, Some(seen));
+        assert_eq!((shorter.first(), shorter.last()), (200.0, 400.0));
     }
 }

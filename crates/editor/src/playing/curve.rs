@@ -157,10 +157,7 @@ mod tests {
             })
             .collect();
         let (rail, rows) = (Rangef::new(0.0, wide), Rangef::new(0.0, 100.0));
-        let axis = Axis {
-            rail,
-            frames: 30_000.0,
-        };
+        let axis = Axis::new(rail, 30_001, None);
         let scale = Scale {
             axis,
             rows,

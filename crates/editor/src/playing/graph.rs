@@ -11,7 +11,7 @@ use super::axis::Axis;
 use super::curve::Curve;
 use super::key_row::{KeyDrag, take};
 use super::ruler::{colour_of_playhead, scrub_by_mouse};
-use super::{Marks, as_frame, plot};
+use super::{Marks, as_frame, markers, plot, tracks};
 use crate::action::Action;
 use crate::document::{Document, Edit, Selection};
 use crate::error::Result;
@@ -163,6 +163,8 @@ pub(super) struct Memory {
     /// A key is held since an earlier pass: nothing else can be taken.
     pub(super) carries: bool,
     curve: Curve,
+    pub(super) tracks: tracks::Memory,
+    pub(super) markers: markers::Memory,
 }
 
 /// Shows the graph in `rect`, with what is chosen at the left of it in `room`.
@@ -172,6 +174,7 @@ pub(super) fn show(
         held,
         carries,
         curve,
+        ..
     }: &mut Memory,
     ui: &mut Ui,
     (rect, room): (Rect, Rect),
@@ -239,7 +242,7 @@ fn borders(
     for (index, stretch) in stretches.iter().enumerate() {
         let x = scale.x(stretch.end as f32);
         let room = x - free.max(scale.x(stretch.start as f32));
-        if room < GRIP {
+        if room < GRIP || !scale.axis.sees(x) {
             continue;
         }
         free = x;
@@ -296,6 +299,9 @@ fn squares(editor: &Editor, held: &mut Held, ui: &Ui, scale: &Scale, actions: &m
     for (at, &speed) in orientation.speeds.iter().enumerate() {
         let shown = stretch.scale * speed as f32;
         let middle = pos2(ends.min + step * at as f32, scale.y(shown));
+        if !scale.axis.sees(middle.x) {
+            continue;
+        }
         let id = Id::unique(("speed in graph", at));
         // Above and below the outermost ones the borders can be dragged.
         let place = Rect::from_center_size(middle, vec2(step.min(14.0), 14.0));
@@ -303,6 +309,7 @@ fn squares(editor: &Editor, held: &mut Held, ui: &Ui, scale: &Scale, actions: &m
         let name = fill(editor.texts().speed_window.speed, &[&(at + 1)]);
         response.widget_info(|| WidgetInfo::slider(true, speed, name.as_str()));
         if response.drag_started()
+            && !ui.input(|input| input.pointer.middle_down())
             && let Some(pointer) = ui.input(|input| input.pointer.press_origin())
         {
             let joins = editor.several().is_none() && goes_on(editor, stretch, at);

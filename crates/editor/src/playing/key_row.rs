@@ -29,7 +29,7 @@ const ROOM: f32 = 24.0;
 const SIGN: f32 = 5.0;
 
 /// Factor of a drag with Shift.
-const FINE: f64 = 0.1;
+pub(super) const FINE: f64 = 0.1;
 
 /// A key that is dragged along the time.
 #[derive(Debug)]
@@ -183,7 +183,7 @@ fn as_count(frames: usize) -> i64 {
 }
 
 /// Words in a box above a place.
-fn bubble(ui: &Ui, place: Pos2, words: String) {
+pub(super) fn bubble(ui: &Ui, place: Pos2, words: String) {
     let palette = theme::palette(ui);
     let layer = egui::LayerId::new(Order::Tooltip, Id::unique("key in time"));
     let painter = ui.ctx().layer_painter(layer);
@@ -255,6 +255,9 @@ fn with_room(keys: &[Mark], axis: &Axis, current: Selection) -> Vec<(Mark, Range
     let mut shown: Vec<(Mark, f32)> = Vec::new();
     for &mark in keys {
         let x = axis.x_of(mark.first());
+        if !axis.sees(x) {
+            continue;
+        }
         let is_current = Selection::at(mark.point, mark.orientation) == current;
         match shown.last_mut() {
             Some(last) if x - last.1 < LEAST => {
@@ -293,7 +296,7 @@ fn sections(editor: &Editor, painter: &Painter, axis: &Axis, rect: Rect) {
             continue;
         }
         let rests = from - last;
-        if last > 0.0 && rests > 1.5 {
+        if last.is_finite() && rests > 1.5 {
             // The camera rests there.
             let place = Rect::from_x_y_ranges(last..=from, rows.shrink(5.0));
             painter.rect_filled(place, 1.0, palette.edge.gamma_multiply(0.5));
@@ -313,6 +316,9 @@ fn sections(editor: &Editor, painter: &Painter, axis: &Axis, rect: Rect) {
     let mut free = f32::NEG_INFINITY;
     for (at, mark) in marks.keys.iter().enumerate() {
         let x = axis.x_of(mark.first());
+        if !axis.sees(x) {
+            continue;
+        }
         let text = if mark.orientation == 0 {
             (mark.point + 1).to_string()
         } else {
@@ -424,6 +430,7 @@ pub(super) fn take(
         ui.set_cursor_icon(CursorIcon::ResizeHorizontal);
     }
     if response.drag_started()
+        && !ui.input(|input| input.pointer.middle_down())
         && let Some(pointer) = ui.input(|input| input.pointer.press_origin())
     {
         let what = (response.id, of, frame);

@@ -8,22 +8,32 @@ mod curve;
 mod fields;
 mod graph;
 mod key_row;
+mod markers;
 mod marks;
 pub(crate) mod playhead;
 mod plot;
 mod retime;
 mod ruler;
 mod section_menu;
+mod track_drag;
+mod track_keys;
+mod track_menu;
+mod track_time;
+mod tracks;
+mod zoom;
 
 use std::time::Duration;
 
-use egui::{Context, CursorIcon, Id, Rangef, Rect, Sense, Ui, UiBuilder};
+use egui::{Context, CursorIcon, Id, Rangef, Rect, Sense, Ui, UiBuilder, pos2};
 
 use self::axis::Axis;
+pub(super) use self::axis::Seen;
 pub(super) use self::fields::Pace;
 pub(super) use self::marks::Mark;
 use self::marks::Marks;
 pub(super) use self::retime::Retiming;
+pub(super) use self::track_drag::KeyMotion;
+pub(super) use self::track_keys::take_keys;
 use crate::action::Action;
 use crate::document::Selection;
 use crate::number::Entry;
@@ -84,6 +94,8 @@ pub(super) struct Playing {
     plot: plot::Plot,
     /// What follows a key moves along with it.
     moves_along: bool,
+    /// The part of the time that is seen; none: all.
+    seen: Option<Seen>,
 }
 
 impl Playing {
@@ -125,6 +137,18 @@ impl Playing {
         self.selection = selection;
         if at_it {
             self.frame = None;
+        }
+    }
+
+    /// Shows a part of the time, or all.
+    pub(super) fn see(&mut self, seen: Option<Seen>) {
+        self.seen = seen;
+    }
+
+    /// Keeps the playhead in sight.
+    fn follow(&mut self, pages: bool) {
+        if let Some(frame) = self.frame {
+            self.seen = self.seen.map(|seen| seen.showing(frame, pages));
         }
     }
 
@@ -231,6 +255,7 @@ impl Editor {
         let _ = self.playing.marks.update(&self.document);
         self.playing.frame = Some(frame.clamp(1.0, as_frame(self.playing.marks.frames)));
         self.playing.scrubbed = true;
+        self.playing.follow(false);
         self.select_at_playhead();
     }
 
@@ -313,6 +338,7 @@ impl Editor {
         }
         let frame = (from + gone).floor().min(last);
         playing.frame = Some(frame);
+        playing.follow(true);
         if frame >= last && !loops {
             playing.since = None;
             self.select_at_playhead();
@@ -353,9 +379,13 @@ fn bar(editor: &Editor, memory: &mut graph::Memory, ui: &mut Ui, actions: &mut V
     };
     let markers = match editor.playing.marks.markers.is_empty() {
         true => 0.0,
-        false => ruler::MARKERS,
+        false => markers::HEIGHT,
     };
-    let height = TRANSPORT + ruler::HEIGHT + markers + key_row::HEIGHT + graph + theme::GAP;
+    let nodes = tracks::rows(editor, &memory.tracks);
+    let count = nodes.len();
+    let tracks = tracks_height(editor, count, whole.height(), graph > 0.0);
+    let height =
+        TRANSPORT + ruler::HEIGHT + markers + key_row::HEIGHT + tracks + graph + theme::GAP;
     let panel = egui::Panel::bottom("playing")
         .resizable(false)
         .exact_size(height)
@@ -384,17 +414,31 @@ fn bar(editor: &Editor, memory: &mut graph::Memory, ui: &mut Ui, actions: &mut V
             _ => editor.playing.marks.frames,
         };
         let rail = Rangef::new(right.left() + END, right.right() - END);
-        let axis = Axis::new(rail, frames);
+        let axis = Axis::new(rail, frames, editor.playing.seen);
+        let time = Rect::from_min_max(right.min, pos2(right.right(), edge.bottom()));
         ruler::unit(editor, ui, left.shrink2(egui::vec2(0.0, 1.0)), actions);
         ruler::show(editor, ui, right, &axis, actions);
         let above = right.top();
         if markers > 0.0 {
             let (_, right) = parts(row(markers));
-            ruler::markers(ui, &editor.playing.marks, right, &axis);
+            let place = (right, above);
+            markers::show(editor, &mut memory.markers, ui, place, &axis, actions);
         }
         let (left, right) = parts(row(key_row::HEIGHT));
         ruler::caption(ui, left, editor.texts().timeline.keys);
         key_row::show(editor, memory, ui, (right, above), &axis, actions);
+        let rows = row(tracks);
+        #[allow(clippy::cast_precision_loss)]
+        let scrolls = tracks < tracks::ROW * count as f32;
+        zoom::by_mouse(ui, time, scrolls.then_some(rows), &axis, actions);
+        if count > 0 {
+            let place = (rows, captions, above);
+            let shown = (&nodes[..], &axis);
+            tracks::show(editor, &mut memory.tracks, ui, place, shown, actions);
+        }
+        if graph == 0.0 && count > 0 {
+            dragged_edge(editor, ui, edge, tracks, actions);
+        }
         if graph > 0.0 {
             let (left, right) = parts(row(graph));
             let places = (right.with_min_y(right.top() + theme::GAP), left);
@@ -410,6 +454,15 @@ fn graph_height(editor: &Editor, whole: f32) -> f32 {
     let most = (0.45 * whole).max(graph::LEAST);
     let height = editor.playing.graph_height.unwrap_or(usual);
     height.clamp(graph::LEAST, most).round()
+}
+
+/// As high as its rows, but they leave room for the rest; without a graph as high as it was dragged.
+#[allow(clippy::cast_precision_loss)]
+fn tracks_height(editor: &Editor, rows: usize, whole: f32, graph: bool) -> f32 {
+    let dragged = editor.playing.graph_height.filter(|_| !graph);
+    let most = dragged.map_or(0.2 * whole, |height| height.min(0.45 * whole));
+    let most = most.max(2.0 * tracks::ROW);
+    (tracks::ROW * rows as f32).min(most).round()
 }
 
 /// The upper edge, by which the graph is made higher.

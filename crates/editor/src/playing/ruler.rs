@@ -1,5 +1,5 @@
 //! The ruler of the timeline: seconds or frames in steps of 1, 2 and 5, the playhead, what the
-//! check has found, the scene's markers.
+//! check has found.
 
 use egui::{
     Align2, Button, CursorIcon, EventFilter, FontId, Key, Modifiers, Painter, Rect, Response, Role,
@@ -8,7 +8,7 @@ use egui::{
 
 use super::axis::{Axis, step};
 use super::retime::Retiming;
-use super::{Mark, Marks, as_frame};
+use super::{Mark, as_frame, markers};
 use crate::action::Action;
 use crate::number::Entry;
 use crate::selected::SelectionChange;
@@ -17,9 +17,6 @@ use crate::state::Editor;
 use crate::theme;
 
 pub(super) const HEIGHT: f32 = 25.0;
-
-/// Height of the markers' names below it.
-pub(super) const MARKERS: f32 = 16.0;
 
 /// A press this near to a mark, in points, means the mark.
 const SNAP: f64 = 6.0;
@@ -43,7 +40,8 @@ pub(super) fn show(
     response.widget_info(|| WidgetInfo::slider(true, at, name));
     if editor.playing.marks.frames > 0 {
         scrub_by_mouse(editor, ui, &response, axis, actions);
-        scrub_by_keys(editor, ui, &response, actions);
+        scrub_by_keys(editor, ui, &response, axis, actions);
+        markers::make(editor, &response, axis, actions);
     }
     if response.hovered() || response.dragged() {
         ui.set_cursor_icon(CursorIcon::PointingHand);
@@ -78,7 +76,8 @@ pub(super) fn scrub_by_mouse(
     actions: &mut Vec<Action>,
 ) {
     // A click may come with its press and its release in one pass.
-    if !(response.is_pointer_button_down_on() || response.clicked()) {
+    let holds = response.is_pointer_button_down_on() && !middle_down(ui);
+    if !(holds || response.clicked()) {
         return;
     }
     response.request_focus();
@@ -107,6 +106,11 @@ pub(super) fn scrub_by_mouse(
     }
 }
 
+/// The middle button moves the axis and nothing on it.
+fn middle_down(ui: &Ui) -> bool {
+    ui.input(|input| input.pointer.middle_down())
+}
+
 /// What a click with Ctrl or Shift means.
 pub(super) fn chosen_too(point: usize, held: Modifiers) -> Action {
     Action::Choose(match held.ctrl {
@@ -115,7 +119,13 @@ pub(super) fn chosen_too(point: usize, held: Modifiers) -> Action {
     })
 }
 
-fn scrub_by_keys(editor: &Editor, ui: &Ui, response: &Response, actions: &mut Vec<Action>) {
+fn scrub_by_keys(
+    editor: &Editor,
+    ui: &Ui,
+    response: &Response,
+    axis: &Axis,
+    actions: &mut Vec<Action>,
+) {
     if !response.has_focus() {
         return;
     }
@@ -147,6 +157,7 @@ fn scrub_by_keys(editor: &Editor, ui: &Ui, response: &Response, actions: &mut Ve
         actions.push(to_frame(at + step));
     }
     match end {
+        (true, _) if !axis.shows_all() => actions.push(Action::See(None)),
         (true, _) => actions.push(to_frame(1.0)),
         (_, true) => actions.push(to_frame(as_frame(editor.playing.marks.frames))),
         _ => {}
@@ -184,9 +195,12 @@ fn steps(editor: &Editor, painter: &Painter, axis: &Axis, rect: Rect) {
         true => (first, 1.0),
         false => (0.0, 1.0 / info.fps),
     };
-    let whole = f64::from(axis.frames) * each;
+    let (from, whole) = (
+        begin + (axis.first() - 1.0) * each,
+        (axis.last() - axis.first()) * each,
+    );
     let per_point = axis.frames_per_point() * each;
-    let digits = (begin + whole).abs().max(1.0).log10().floor() + 1.0;
+    let digits = (from + whole).abs().max(1.0).log10().floor() + 1.0;
     let least = per_point * (ROOM + 7.0 * digits.clamp(0.0, 12.0));
     let least = if in_frames { least.max(1.0) } else { least };
     let (wide, parts) = step(least);
@@ -211,8 +225,8 @@ fn steps(editor: &Editor, painter: &Painter, axis: &Axis, rect: Rect) {
     let mut free = f32::NEG_INFINITY;
     // Few enough, since each has room; the bound is for numbers out of the ordinary.
     for at in 0..4096_u32 {
-        let value = small * ((begin / small).ceil() + f64::from(at));
-        if value > begin + whole * (1.0 + 1e-9) {
+        let value = small * ((from / small).ceil() + f64::from(at));
+        if value > from + whole * (1.0 + 1e-9) {
             break;
         }
         let x = x_of(value);
@@ -273,8 +287,19 @@ fn rail(editor: &Editor, ui: &Ui, painter: &Painter, axis: &Axis, rect: Rect, fo
     let rail = rail_of(axis, rect);
     let at = axis.x_of(editor.position_on_bar());
     painter.rect_filled(rail, 2.0, palette.edge);
-    let done = Rect::from_min_max(rail.min, pos2(at, rail.bottom()));
+    let end = at.clamp(rail.left(), rail.right());
+    let done = Rect::from_min_max(rail.min, pos2(end, rail.bottom()));
     painter.rect_filled(done, 2.0, palette.accent);
+    if let Some(part) = axis.part() {
+        let rows = rect.bottom() - 2.0..=rect.bottom();
+        let all = Rect::from_x_y_ranges(axis.rail, rows.clone());
+        painter.rect_filled(all, 1.0, palette.line);
+        let seen = Rect::from_x_y_ranges(part.min..=part.max.max(part.min + 3.0), rows);
+        painter.rect_filled(seen, 1.0, palette.weak);
+    }
+    if !axis.sees(at) {
+        return;
+    }
     let color = colour_of_playhead(editor, ui);
     let handle = pos2(at, rail.center().y);
     painter.circle(handle, 6.0, color, Stroke::new(2.0, palette.panel));
@@ -304,25 +329,6 @@ pub(super) fn unit(editor: &Editor, ui: &mut Ui, room: Rect, actions: &mut Vec<A
     });
     if response.on_hover_text(texts.unit_tip).clicked() {
         actions.push(Action::RulerInFrames(!frames));
-    }
-}
-
-/// The scene's markers below the rail, with their names as far as there is room.
-pub(super) fn markers(ui: &Ui, marks: &Marks, rect: Rect, axis: &Axis) {
-    let (palette, painter) = (theme::palette(ui), ui.painter_at(rect));
-    let mut free = f32::NEG_INFINITY;
-    for (frame, name) in marks.markers_between(as_frame(marks.frames)) {
-        let tip = pos2(axis.x_of(*frame), rect.top());
-        let corners = [tip, tip + vec2(3.5, 6.0), tip + vec2(-3.5, 6.0)];
-        let sign = Shape::convex_polygon(corners.to_vec(), palette.weak, Stroke::NONE);
-        painter.add(sign);
-        let galley = painter.layout_no_wrap(name.clone(), FontId::proportional(11.0), palette.weak);
-        let most = (rect.right() - galley.size().x).max(rect.left());
-        let left = (tip.x + 6.0).min(most);
-        if left > free {
-            free = left + galley.size().x + 12.0;
-            painter.galley(pos2(left, tip.y - 1.0), galley, palette.weak);
-        }
     }
 }
 

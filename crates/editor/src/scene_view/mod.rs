@@ -1,13 +1,25 @@
-//! The scene around the path that is edited: everything at the playhead, as lines to be drawn, and
-//! the list of nodes to choose whose path is edited.
+//! The scene around the path that is edited: everything at the playhead, as lines to be drawn, the
+//! list of nodes, and what is done to them.
 //!
 //! It exists only where there is more than one camera on a path. The movement space is in the
 //! coordinates of the parent of the path's node; what is drawn of the scene is brought into them.
 //!
 //! It changes nothing but by the document's edits, and knows no projection.
 
+mod commands;
 mod edges;
+mod keys_panel;
+mod kind_panel;
+mod list;
+mod list_row;
+mod motion_panel;
+mod node_action;
+mod node_panel;
+mod object_panel;
 mod panel;
+mod rows;
+mod selection;
+mod values;
 mod wires;
 
 use std::cell::RefCell;
@@ -15,7 +27,12 @@ use std::cell::RefCell;
 use glam::{DAffine3, DVec3};
 use vides_engine::scene::{NodeState, Scene, Warnings};
 
-pub(super) use self::panel::{list, no_path, show};
+pub(super) use self::commands::{NewNode, NodeCommand};
+pub(super) use self::list::{has_keyboard, list, take_keys};
+pub(super) use self::node_action::NodeAction;
+pub(super) use self::node_panel::beside;
+pub(super) use self::panel::show;
+pub(super) use self::selection::{KeyAt, SceneSelection};
 pub(super) use self::wires::{Seen, each_object, other_paths, outline, wires};
 use crate::document::Document;
 use crate::error::{Error, Refused, Result};
@@ -25,6 +42,10 @@ use crate::state::Editor;
 
 #[derive(Debug, Default)]
 pub(super) struct SceneView {
+    selection: SceneSelection,
+    /// What a node has besides its path is at the right, not the path's points.
+    shows_node: bool,
+    list: RefCell<list::SceneList>,
     now: RefCell<Option<Now>>,
     pub(super) edges: RefCell<edges::Edges>,
 }

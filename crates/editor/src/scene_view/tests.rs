@@ -159,9 +159,10 @@ fn one_chooses_whose_path_is_edited() {
         click(&mut window, &format!("camera {}", texts.camera));
         assert_eq!(edited(&window), Some(2));
         assert!(window.query_by_label(texts.no_path).is_none());
-        // What follows no path cannot be chosen.
+        // With what follows no path none is edited.
         click(&mut window, &format!("crate {}", texts.object));
-        assert_eq!(edited(&window), Some(2));
+        assert_eq!(edited(&window), None);
+        assert_eq!(window.state().current_node(), Some(1));
     }
 }
 

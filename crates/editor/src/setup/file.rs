@@ -424,7 +424,9 @@ mod tests {
             safe_frame: true,
             speed_graph: false,
             ruler_frames: true,
-            folded: [true, false, false, true, false],
+            folded: [
+                true, false, false, true, false, true, false, false, true, false, true,
+            ],
             sliders: Some(true),
             wireframe: true,
             view: View {

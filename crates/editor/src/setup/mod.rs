@@ -241,6 +241,12 @@ choices! {
         View = "view",
         Lens = "lens",
         Timing = "timing",
+        Node = "node",
+        Place = "place",
+        Kind = "kind",
+        Deformations = "deformations",
+        Shapes = "shapes",
+        Motion = "motion",
     }
 }
 

@@ -136,7 +136,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
 }
 
 /// What mouse and keys do beside what the thesis names: input and meaning.
-pub(super) fn shortcut_help(texts: &Texts) -> [(&'static str, &'static str); 30] {
+pub(super) fn shortcut_help(texts: &Texts) -> [(&'static str, &'static str); 34] {
     let timeline = &texts.timeline;
     let texts = &texts.space;
     [
@@ -166,6 +166,10 @@ pub(super) fn shortcut_help(texts: &Texts) -> [(&'static str, &'static str); 30]
         (texts.speed_graph_keys, texts.speed_graph_meaning),
         (timeline.drag_mouse, timeline.drag_meaning),
         (timeline.move_keys, timeline.move_meaning),
+        (timeline.zoom_mouse, timeline.zoom_meaning),
+        (timeline.track_mouse, timeline.track_meaning),
+        (timeline.beside_keys, timeline.beside_meaning),
+        (timeline.marker_mouse, timeline.marker_meaning),
         (texts.camera_keys, texts.camera_meaning),
         (texts.camera_place_keys, texts.camera_place_meaning),
         (texts.fly_mouse, texts.fly_meaning),

@@ -7,6 +7,7 @@ texts! {
         load_path: "Open a path or an object", "Bahn oder Objekt öffnen";
         save_path: "Save path", "Bahn speichern";
         load_object: "Open object", "Objekt öffnen";
+        add_object: "Add an object", "Objekt hinzufügen";
         export: "Write to a file", "In Datei ausgeben";
         load_setup: "Load setup", "Setup laden";
         save_setup: "Save setup", "Setup speichern";

@@ -55,6 +55,20 @@ texts! {
         way_key: "Right click on its key, Delete", "Rechtsklick auf dessen Schlüssel, Entf";
         way_key_meaning: "Remove the key", "Schlüssel entfernen";
 
+        several: "Ctrl+click, Shift+click", "Strg+Klick, Umschalt+Klick";
+        several_meaning: "Select several nodes", "Mehrere Knoten wählen";
+        rename: "Double click", "Doppelklick";
+        rename_meaning: "Rename the node", "Den Knoten umbenennen";
+        put_into: "Drag onto another row", "Auf eine andere Zeile ziehen";
+        put_into_meaning: "Put the selected nodes into that one",
+            "Die gewählten Knoten in jenen tun";
+        remove_meaning: "Remove the selected nodes with all that is in them",
+            "Die gewählten Knoten löschen, mit allem, was darin liegt";
+        copy_meaning: "Copy them with all that is in them", "Sie kopieren, mit allem, was darin liegt";
+        all_meaning: "Select all nodes", "Alle Knoten wählen";
+        tree: "Arrow keys", "Pfeiltasten";
+        tree_meaning: "Go through the tree, fold and unfold", "Durch den Baum gehen, zu- und aufklappen";
+
         fields: "Numbers", "Zahlen";
         drag: "Drag", "Ziehen";
         drag_meaning: "Change the value; Shift: ten times finer",

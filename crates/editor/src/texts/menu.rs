@@ -36,6 +36,10 @@ texts! {
         paste_orientation: "Paste view", "Blick einfügen";
         speeds: "Speed curve …", "Zeitkurve …";
         space: "Space …", "Raum …";
+        add_object: "Add an object from a file …", "Objekt aus einer Datei hinzufügen …";
+        add_light: "Add a light", "Licht hinzufügen";
+        add_camera: "Add a camera", "Kamera hinzufügen";
+        add_group: "Add a group", "Gruppe hinzufügen";
         aim_all: "Aim all cameras at this target", "Alle Kameras auf dieses Ziel richten";
 
         export: "Export …", "Datei exportieren …";

@@ -31,6 +31,7 @@ mod german_files;
 mod help;
 mod menu;
 mod menu_hints;
+mod node;
 mod orientation;
 mod output;
 mod points_list;
@@ -163,6 +164,7 @@ parts! {
     help: Help;
     menu: Menu;
     menu_hints: MenuHints;
+    node: NodePanel;
     orientation: Orientation;
     output: Output;
     points_list: PointsList;

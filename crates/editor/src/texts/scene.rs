@@ -26,6 +26,25 @@ texts! {
             "Eine Bahn aus wenigen Punkten tritt an die Stelle der Schlüssel und fliegt fast dasselbe; wie genau, wird gesagt. Ein Schritt, der sich zurücknehmen lässt";
         became_path: "A path of {0} points: at most {1} and {2}° beside the keys",
             "Eine Bahn aus {0} Punkten: höchstens {1} und {2}° neben den Schlüsseln";
+        list: "List of the scene", "Liste der Szene";
+        row_hint: "Double click or F2: rename; drag onto another one: put into it; Del: remove; Ctrl+D: copy",
+            "Doppelklick oder F2: umbenennen; auf einen anderen ziehen: hineintun; Entf: löschen; Strg+D: kopieren";
+        name: "Name of the node", "Name des Knotens";
+        needs_name: "{0} needs a name", "{0} braucht einen Namen";
+        filter: "Look for a name", "Namen suchen";
+        filter_hint: "Only nodes whose names contain this, and what they are in",
+            "Nur Knoten, deren Namen dies enthalten, und worin sie liegen";
+        not_found: "No node is called so", "Kein Knoten heißt so";
+        fold: "Fold {0}", "{0} zuklappen";
+        unfold: "Unfold {0}", "{0} aufklappen";
+        hide: "Hide {0}", "{0} verbergen";
+        show: "Show {0}", "{0} zeigen";
+        eye_hint: "What is in it is hidden with it", "Was darin liegt, ist mit verborgen";
+        eye_key_hint: "Sets a key at this frame", "Setzt einen Schlüssel bei diesem Bild";
+        goes_along: "{0} moves: its own numbers stay, and it goes along with what it is in now",
+            "{0} bewegt sich: Die eigenen Zahlen bleiben, und mitgenommen wird es von dem, worin es jetzt liegt";
+        no_clipboard: "Nodes are not copied by the clipboard but at once, by Ctrl+D",
+            "Knoten werden nicht über die Zwischenablage kopiert, sondern sofort, mit Strg+D";
         at_frame: "{0}, frame {1}", "{0}, Bild {1}";
     }
 }

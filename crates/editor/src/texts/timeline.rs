@@ -41,6 +41,64 @@ texts! {
         move_keys: "Ctrl + arrow keys on the ruler", "Strg + Pfeiltasten auf dem Lineal";
         move_meaning: "Move the current key in time by one frame; Shift: by ten",
             "Aktuellen Schlüssel um ein Bild in der Zeit bewegen; Umschalt: um zehn";
+        tracks: "Keys of nodes", "Schlüssel der Knoten";
+        tracks_of: "Tracks of {0}", "Spuren von {0}";
+        channel_of: "{0} of {1}", "{0} von {1}";
+        path_of: "Path of {0}", "Bahn von {0}";
+        keys_selected: "{0} keys", "{0} Schlüssel";
+        is_pinned: "A marker holds the time of this path: a point of it is pinned to it",
+            "Eine Marke hält die Zeit dieser Bahn: ein Punkt von ihr ist dort festgesteckt";
+        position: "Position", "Position";
+        rotation: "Rotation", "Drehung";
+        scale: "Scale", "Größe";
+        visible: "Visible", "Sichtbar";
+        zoom: "Zoom", "Zoom";
+        roll: "Roll", "Rollen";
+        colour: "Colour", "Farbe";
+        intensity: "Intensity", "Helligkeit";
+        cone: "Cone", "Kegel";
+        weights: "Shapes", "Formen";
+        aim_weight: "Aim", "Zielen";
+        deformation: "Deformation {0}: {1}", "Verformung {0}: {1}";
+        step: "Steps", "Stufen";
+        linear: "Straight", "Gerade";
+        ramp: "Slow at the keys", "Langsam an den Schlüsseln";
+        sine: "Slow at the keys, by a sine", "Langsam an den Schlüsseln, mit Sinus";
+        parabolic: "Slow at the keys, by parabolas", "Langsam an den Schlüsseln, mit Parabeln";
+        catmull_rom: "Smooth (Catmull-Rom)", "Glatt (Catmull-Rom)";
+        hermite: "Own tangents", "Eigene Tangenten";
+        tcb: "Tension, continuity, bias", "Spannung, Stetigkeit, Neigung";
+        cubic: "Smoothest (cubic spline)", "Am glattesten (kubischer Spline)";
+        euler_linear: "Angles, straight", "Winkel, gerade";
+        euler_catmull_rom: "Angles, smooth", "Winkel, glatt";
+        manner_hint: "How the value goes from key to key: frames and values of the keys stay, their own tangents or tensions go; undo brings them back",
+            "Wie der Wert von Schlüssel zu Schlüssel geht: Bilder und Werte der Schlüssel bleiben, eigene Tangenten oder Spannungen gehen; Rückgängig bringt sie wieder";
+        before: "Before the first key", "Vor dem ersten Schlüssel";
+        after: "After the last key", "Nach dem letzten Schlüssel";
+        beyond: "Before and after the path", "Vor und nach der Bahn";
+        holds: "Stays", "Bleibt stehen";
+        repeats: "Repeats", "Wiederholt sich";
+        back_and_forth: "Back and forth", "Hin und zurück";
+        goes_on: "Repeats from where it ended", "Wiederholt sich von dort, wo es endete";
+        track_mouse: "Drag keys of a node on the timeline", "Schlüssel eines Knotens auf der Zeitleiste ziehen";
+        track_meaning: "To whole frames; Shift: tenths; Ctrl: copies; a number: to that time; a bracket: scales the time between",
+            "Zu ganzen Bildern; Umschalt: Zehntel; Strg: Kopien; eine Zahl: zu dieser Zeit; eine Klammer: dehnt die Zeit dazwischen";
+        beside_keys: "Comma, period", "Komma, Punkt";
+        beside_meaning: "To the key before, after", "Zum vorigen, nächsten Schlüssel";
+        marker: "Marker {0}", "Marke {0}";
+        new_marker: "Marker {0}", "Marke {0}";
+        marker_name: "Name of the marker", "Name der Marke";
+        marker_tip: "Drag: to another frame, with what is pinned to it · F2: another name · Del: remove",
+            "Ziehen: zu einem anderen Bild, mit allem, was daran festgesteckt ist · F2: anderer Name · Entf: entfernen";
+        rename_marker: "Another name …", "Anderer Name …";
+        remove_marker: "Remove this marker", "Marke löschen";
+        remove_marker_hint: "What is pinned to it is free then", "Was daran festgesteckt ist, ist dann frei";
+        marker_mouse: "Double click on the ruler", "Doppelklick auf das Lineal";
+        marker_meaning: "A marker there, in a scene; F2: another name, Del: remove",
+            "Dort eine Marke, in einer Szene; F2: anderer Name, Entf: entfernen";
+        zoom_mouse: "Wheel, middle button on the timeline", "Mausrad, mittlere Taste auf der Zeitleiste";
+        zoom_meaning: "See less or more of the time, and move it, as Shift + wheel does; Home on the ruler shows all",
+            "Weniger oder mehr von der Zeit sehen, und sie verschieben wie Umschalt + Mausrad; Pos1 auf dem Lineal zeigt alles";
         drag_mouse: "Drag a key on the timeline", "Einen Schlüssel auf der Zeitleiste ziehen";
         drag_meaning: "Another time for it; a number while dragging: to that time; Ctrl: a copy; right button: slow down or rest there",
             "Ein anderer Zeitpunkt für ihn; Zahl beim Ziehen: zu dieser Zeit; Strg: eine Kopie; rechte Taste: dort abbremsen oder verweilen";

@@ -63,7 +63,7 @@ impl SubWindow for HelpWindow {
 /// Keys or what the mouse does, and the meaning.
 type Row = (String, Cow<'static, str>);
 
-fn sections(language: Language) -> [(&'static str, Vec<Row>); 5] {
+fn sections(language: Language) -> [(&'static str, Vec<Row>); 6] {
     let texts = &language.texts().help;
     let row = |keys: &str, meaning: &'static str| (keys.to_owned(), meaning.into());
     let plain = |key| combination(language, Modifiers::NONE, key);
@@ -112,11 +112,31 @@ fn sections(language: Language) -> [(&'static str, Vec<Row>); 5] {
         row(texts.on_way, texts.on_way_meaning),
         row(texts.way_key, texts.way_key_meaning),
     ];
+    let scene = &language.texts().scene;
+    let nodes = vec![
+        row(texts.several, texts.several_meaning),
+        (
+            format!("{}, {}", texts.rename, plain(Key::F2)),
+            texts.rename_meaning.into(),
+        ),
+        row(texts.put_into, texts.put_into_meaning),
+        (plain(Key::Delete), texts.remove_meaning.into()),
+        (
+            combination(language, Modifiers::CTRL, Key::D),
+            texts.copy_meaning.into(),
+        ),
+        (
+            combination(language, Modifiers::CTRL, Key::A),
+            texts.all_meaning.into(),
+        ),
+        row(texts.tree, texts.tree_meaning),
+    ];
     [
         (texts.mouse, mouse),
         (texts.shortcuts, shortcuts),
         (texts.menus, menus),
         (language.texts().speed_window.title, speed),
+        (scene.list, nodes),
         (texts.fields, fields),
     ]
 }
@@ -170,6 +190,7 @@ pub(crate) fn meaning(language: Language, action: &Action) -> Cow<'static, str> 
         Action::Display => menu.display.into(),
         Action::LoadSetup => menu.load_setup.into(),
         Action::SaveSetup => menu.save_setup.into(),
+        Action::Node(_) => texts.node.set_keys.into(),
         _ => menu.keys.into(),
     }
 }

@@ -1,0 +1,276 @@
+//! The scene's markers below the ruler: made by a double click, dragged, renamed, removed with what
+//! is pinned to them.
+
+use egui::{
+    Button, Context, CursorIcon, FontId, Id, Key, Modifiers, Popup, PopupCloseBehavior, Rect,
+    Response, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
+};
+use vides_engine::scene::Part;
+
+use super::as_frame;
+use super::axis::Axis;
+use super::track_drag::Way;
+use super::track_time::Time;
+use crate::action::Action;
+use crate::document::Edit;
+use crate::number::Entry;
+use crate::state::Editor;
+use crate::texts::fill;
+use crate::theme;
+
+/// Height of their row.
+pub(super) const HEIGHT: f32 = 16.0;
+
+/// Width of the field for another name.
+const FIELD: f32 = 140.0;
+
+/// What the markers remember from pass to pass.
+#[derive(Debug, Default)]
+pub(super) struct Memory {
+    held: Option<Drag>,
+    renaming: Option<Renaming>,
+}
+
+/// A marker that is dragged.
+#[derive(Debug)]
+struct Drag {
+    name: String,
+    /// The scene's frames at which it stood, and to which it shall go.
+    from: f64,
+    to: f64,
+    way: Way,
+}
+
+/// A marker that gets another name.
+#[derive(Debug)]
+struct Renaming {
+    name: String,
+    text: String,
+    /// It does not have the keyboard yet.
+    fresh: bool,
+}
+
+impl Memory {
+    fn rename(&mut self, name: &str) {
+        self.renaming = Some(Renaming {
+            name: name.to_owned(),
+            text: name.to_owned(),
+            fresh: true,
+        });
+    }
+}
+
+fn id(name: &str) -> Id {
+    Id::unique(("marker", name))
+}
+
+fn set(name: &str, frame: Option<f64>) -> Edit {
+    let name = name.to_owned();
+    Edit::Part(Box::new(Part::Marker { name, frame }))
+}
+
+/// Takes F2 and Delete where a marker has the keyboard.
+pub(super) fn take_keys(editor: &mut Editor, context: &Context) {
+    let Some(focused) = context.memory(|memory| memory.focused()) else {
+        return;
+    };
+    let mut all = editor.playing.marks.markers.iter();
+    let Some(name) = all.find_map(|(_, name)| (id(name) == focused).then(|| name.clone())) else {
+        return;
+    };
+    let pressed = |key| context.input_mut(|input| input.consume_key(Modifiers::NONE, key));
+    if pressed(Key::F2) {
+        editor.playing.speeds.markers.rename(&name);
+    }
+    if pressed(Key::Delete) {
+        editor.act(Action::Edits(vec![set(&name, None)]), context);
+    }
+}
+
+/// Makes a marker where the ruler was clicked twice.
+pub(super) fn make(editor: &Editor, response: &Response, axis: &Axis, actions: &mut Vec<Action>) {
+    let Some(edited) = editor.document.edited_scene() else {
+        return;
+    };
+    if let Some(at) = response.interact_pointer_pos()
+        && response.double_clicked()
+    {
+        let frame = Time::new(editor, axis).frame(at.x).round();
+        let name = editor.texts().timeline.new_marker;
+        let names = (1..).map(|number: usize| fill(name, &[&number]));
+        let free = names
+            .into_iter()
+            .find(|name| edited.scene().marker(name).is_none());
+        actions.extend(free.map(|name| Action::Edits(vec![set(&name, Some(frame))])));
+    }
+}
+
+impl Editor {
+    /// Moves a marker in place of what the open step has done. Where it cannot go it stays where
+    /// it could last, and why is told.
+    pub(crate) fn move_marker(&mut self, name: &str, to: f64) {
+        let edited = self.document.edited_scene();
+        let last = edited.and_then(|edited| edited.scene().marker(name));
+        self.restart_step();
+        if !self.edit(set(name, Some(to))) {
+            let why = self.message.take();
+            self.edit(set(name, last));
+            self.message = why;
+        }
+    }
+}
+
+/// Shows them in `rect`, with their names as far as there is room; words above end at `top`.
+pub(super) fn show(
+    editor: &Editor,
+    memory: &mut Memory,
+    ui: &Ui,
+    (rect, top): (Rect, f32),
+    axis: &Axis,
+    actions: &mut Vec<Action>,
+) {
+    let (palette, painter) = (theme::palette(ui), ui.painter_at(rect));
+    let marks = &editor.playing.marks;
+    let mut free = f32::NEG_INFINITY;
+    for (frame, name) in marks.markers_between(as_frame(marks.frames)) {
+        let tip = pos2(axis.x_of(*frame), rect.top());
+        if !axis.sees(tip.x) {
+            continue;
+        }
+        let galley = painter.layout_no_wrap(name.clone(), FontId::proportional(11.0), palette.weak);
+        let most = (rect.right() - galley.size().x).max(rect.left());
+        let left = (tip.x + 6.0).min(most);
+        let has_room = left > free;
+        let end = if has_room {
+            left + galley.size().x
+        } else {
+            tip.x + 4.0
+        };
+        let place = Rect::from_x_y_ranges(tip.x - 4.0..=end, rect.y_range());
+        let response = one(editor, memory, ui, (place, name, top), axis, actions);
+        let colour = match response.hovered() || response.dragged() || response.has_focus() {
+            true => palette.focus,
+            false => palette.weak,
+        };
+        let corners = [tip, tip + vec2(3.5, 6.0), tip + vec2(-3.5, 6.0)];
+        painter.add(Shape::convex_polygon(
+            corners.to_vec(),
+            colour,
+            Stroke::NONE,
+        ));
+        if has_room {
+            free = end + 12.0;
+            painter.galley(pos2(left, tip.y - 1.0), galley, palette.weak);
+        }
+    }
+}
+
+/// A marker's place: dragged, renamed, removed.
+fn one(
+    editor: &Editor,
+    memory: &mut Memory,
+    ui: &Ui,
+    (place, name, top): (Rect, &str, f32),
+    axis: &Axis,
+    actions: &mut Vec<Action>,
+) -> Response {
+    let texts = &editor.texts().timeline;
+    let response = ui.interact(place, id(name), Sense::click_and_drag());
+    let label = fill(texts.marker, &[&name]);
+    response.widget_info(|| WidgetInfo::labeled(egui::Role::Button, true, label.as_str()));
+    if response.clicked() {
+        response.request_focus();
+    }
+    if response.hovered() || response.dragged() {
+        ui.set_cursor_icon(CursorIcon::ResizeHorizontal);
+    }
+    let edited = editor.document.edited_scene();
+    let now = edited.and_then(|edited| edited.scene().marker(name));
+    let time = Time::new(editor, axis);
+    if response.drag_started()
+        && !ui.input(|input| input.pointer.middle_down() || input.pointer.secondary_down())
+        && let Some((pointer, from)) = ui.input(|input| input.pointer.press_origin()).zip(now)
+    {
+        memory.held = Some(Drag {
+            name: name.to_owned(),
+            from,
+            to: from,
+            way: Way::begin(pointer.x),
+        });
+        actions.push(Action::Enter(Entry::Begin));
+    }
+    if let Some(drag) = memory.held.as_mut().filter(|drag| drag.name == name) {
+        if response.dragged() {
+            let to = drag.way.go_on(editor, ui, &response, (&time, drag.from));
+            if to != drag.to {
+                drag.to = to;
+                let name = name.to_owned();
+                actions.push(Action::MoveMarker { name, to });
+            }
+            let at = now.unwrap_or(drag.from);
+            drag.way
+                .tell(editor, ui, &label, (&time, drag.from, at), top);
+        } else {
+            memory.held = None;
+            if response.drag_stopped() {
+                actions.push(Action::Enter(Entry::of_end(ui.ctx())));
+            }
+        }
+    }
+    Popup::context_menu(&response).show(|ui| {
+        if ui.add(Button::new(texts.rename_marker)).clicked() {
+            memory.rename(name);
+            ui.close();
+        }
+        let remove = ui.add(Button::new(texts.remove_marker));
+        if remove.on_hover_text(texts.remove_marker_hint).clicked() {
+            actions.push(Action::Edits(vec![set(name, None)]));
+            ui.close();
+        }
+    });
+    renamed(editor, memory, &response, name, actions);
+    response.on_hover_text(texts.marker_tip)
+}
+
+/// The field for another name, over the marker.
+fn renamed(
+    editor: &Editor,
+    memory: &mut Memory,
+    response: &Response,
+    name: &str,
+    actions: &mut Vec<Action>,
+) {
+    let Some(renaming) = memory.renaming.as_mut().filter(|of| of.name == name) else {
+        return;
+    };
+    let texts = &editor.texts().timeline;
+    let field = Popup::from_response(response)
+        .id(response.id.with("name"))
+        .open(true)
+        .close_behavior(PopupCloseBehavior::IgnoreClicks)
+        .show(|ui| {
+            let words = (texts.marker_name, texts.marker_name);
+            let field = theme::line_edit(ui, &mut renaming.text, "name of a marker", FIELD, words);
+            if renaming.fresh {
+                field.request_focus();
+                theme::select(ui, field.id, &renaming.text);
+                renaming.fresh = false;
+            }
+            (
+                field.lost_focus(),
+                ui.input(|input| input.key_pressed(Key::Escape)),
+            )
+        });
+    let Some((true, given_up)) = field.map(|shown| shown.inner) else {
+        return;
+    };
+    let (from, to) = (name.to_owned(), renaming.text.trim().to_owned());
+    memory.renaming = None;
+    if !given_up && from != to {
+        actions.push(Action::Edits(vec![Edit::RenameMarker { from, to }]));
+    }
+}
+
+#[cfg(test)]
+#[path = "markers_tests.rs"]
+mod tests;

@@ -1,0 +1,595 @@
+//! What is dragged in the rows of tracks: keys in time, or copies of them; the end of a selection,
+//! which scales its time; the bar of a path; a box that selects.
+//!
+//! The whole motion is done from where it began, anew each time: keys that are passed over come
+//! back by themselves, and it is one step.
+
+use egui::{CursorIcon, Key, Modifiers, Pos2, Rect, Response, Stroke, StrokeKind, Ui, pos2};
+use vides_engine::scene::{Channel, Extrapolation, Interpolation, Part};
+
+use super::key_row::{FINE, bubble};
+use super::track_time::Time;
+use super::tracks::{Hit, Shown, bar_of, channel_name, frame_of};
+use crate::action::Action;
+use crate::document::{Document, Edit};
+use crate::error::Result;
+use crate::number::Entry;
+use crate::scene_view::KeyAt;
+use crate::space::Typed;
+use crate::state::Editor;
+use crate::texts::fill;
+use crate::theme;
+
+/// Parts of a frame to which keys are moved with Shift.
+const PARTS: f64 = 10.0;
+
+/// What is held in the rows.
+#[derive(Debug, Default)]
+pub(super) enum Held {
+    #[default]
+    Nothing,
+    Keys(Box<KeysDrag>),
+    Bar(Box<BarDrag>),
+    /// Where the box began: its x, and its row with a fraction; what stays selected besides.
+    Box {
+        x: f32,
+        row: f32,
+        besides: Vec<KeyAt>,
+    },
+}
+
+/// What becomes of keys in time.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct KeyMotion {
+    /// The keys as they were when it began.
+    keys: Vec<KeyAt>,
+    to: Change,
+    /// They stay, and copies of them move.
+    copies: bool,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Change {
+    /// By so many frames.
+    By(f64),
+    /// The one at `from` goes to `to`, and all others along with it as that at `about` stays.
+    Scale { about: f64, from: f64, to: f64 },
+}
+
+impl Change {
+    fn of(self, frame: f64) -> f64 {
+        match self {
+            Self::By(by) => frame + by,
+            Self::Scale { from, to, .. } if frame == from => to,
+            Self::Scale { about, .. } => about + (frame - about) * self.factor(),
+        }
+    }
+
+    fn factor(self) -> f64 {
+        match self {
+            Self::By(_) => 1.0,
+            Self::Scale { about, from, to } => (to - about) / (from - about),
+        }
+    }
+
+    fn is_nothing(self) -> bool {
+        match self {
+            Self::By(by) => by == 0.0,
+            Self::Scale { from, to, .. } => from == to,
+        }
+    }
+}
+
+/// Keys of one track, in rising order.
+type OfTrack = (usize, Channel, Vec<usize>);
+
+/// Keys by their tracks.
+pub(super) fn by_track(keys: &[KeyAt]) -> Vec<OfTrack> {
+    let mut sorted: Vec<&KeyAt> = keys.iter().collect();
+    sorted.sort_by(|a, b| {
+        let (a, b) = ((a.node, &a.channel, a.key), (b.node, &b.channel, b.key));
+        a.cmp(&b)
+    });
+    sorted.dedup();
+    let tracks = sorted.chunk_by(|a, b| (a.node, &a.channel) == (b.node, &b.channel));
+    let one = |keys: &[&KeyAt]| {
+        let which = keys.iter().map(|at| at.key).collect();
+        (keys[0].node, keys[0].channel.clone(), which)
+    };
+    tracks.map(one).collect()
+}
+
+impl KeyMotion {
+    /// The edits of a document that is as it was when the motion began, and the frames at which
+    /// the keys lie then.
+    fn edits(&self, document: &Document) -> Result<Vec<(Edit, Vec<f64>)>> {
+        let mut edits = Vec::new();
+        for (node, channel, which) in by_track(&self.keys) {
+            let nodes = document.edited_scene().map(|edited| edited.scene().nodes());
+            let of = nodes.and_then(|nodes| nodes.get(node));
+            let Some(track) = of.and_then(|node| node.keys().track(&channel)) else {
+                continue;
+            };
+            let mut put = track.keys(&which)?;
+            for frame in &mut put.frames {
+                *frame = self.to.of(*frame);
+            }
+            if *track.interpolation() == Interpolation::Hermite {
+                // They are by frame.
+                let factor = self.to.factor();
+                put.shape.iter_mut().for_each(|slope| *slope /= factor);
+            }
+            let frames = put.frames.clone();
+            let remove = if self.copies { Vec::new() } else { which };
+            let part = Part::Keys {
+                node,
+                channel,
+                remove,
+                put,
+            };
+            edits.push((Edit::Part(Box::new(part)), frames));
+        }
+        Ok(edits)
+    }
+}
+
+impl Editor {
+    /// Moves or copies keys in place of what the open step has done.
+    pub(crate) fn move_keys(&mut self, motion: &KeyMotion) {
+        self.restart_step();
+        self.select_keys(motion.keys.clone());
+        if motion.to.is_nothing() {
+            self.message = None;
+            return;
+        }
+        let (edits, frames): (Vec<_>, Vec<_>) = match motion.edits(&self.document) {
+            Ok(edits) => edits.into_iter().unzip(),
+            Err(error) => return self.complain_of(&error),
+        };
+        if self.edit_together(edits) {
+            let tracks = by_track(&motion.keys);
+            let tracks = tracks.into_iter().map(|(node, channel, _)| (node, channel));
+            self.select_keys(keys_at(&self.document, tracks.zip(frames)));
+        }
+    }
+}
+
+/// The keys of tracks at these frames.
+fn keys_at(
+    document: &Document,
+    tracks: impl Iterator<Item = ((usize, Channel), Vec<f64>)>,
+) -> Vec<KeyAt> {
+    let Some(edited) = document.edited_scene() else {
+        return Vec::new();
+    };
+    let mut keys = Vec::new();
+    for ((node, channel), frames) in tracks {
+        let of = edited.scene().nodes().get(node);
+        let Some(track) = of.and_then(|node| node.keys().track(&channel)) else {
+            continue;
+        };
+        let all = track.frames();
+        let there = |frame: f64| {
+            let key = all.partition_point(|&key| key < frame);
+            (all.get(key) == Some(&frame)).then_some(key)
+        };
+        keys.extend(frames.into_iter().filter_map(there).map(|key| KeyAt {
+            node,
+            channel: channel.clone(),
+            key,
+        }));
+    }
+    keys
+}
+
+/// The edits that remove keys.
+pub(super) fn removed(keys: &[KeyAt]) -> Vec<Edit> {
+    let of_track = |(node, channel, remove)| {
+        let put = Default::default();
+        Edit::Part(Box::new(Part::Keys {
+            node,
+            channel,
+            remove,
+            put,
+        }))
+    };
+    by_track(keys).into_iter().map(of_track).collect()
+}
+
+/// The scene's frames between which keys lie.
+pub(super) fn ends(editor: &Editor, keys: &[KeyAt]) -> Option<(f64, f64)> {
+    let edited = editor.document.edited_scene()?;
+    let frames = keys.iter().filter_map(|at| frame_of(edited, at));
+    let both = frames.map(|frame| (frame, frame));
+    both.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
+}
+
+/// How far the pointer has gone along the time, and what was typed.
+#[derive(Debug, Default)]
+pub(super) struct Way {
+    /// The pointer of the last pass.
+    pointer: f32,
+    /// Frames that it went.
+    gone: f64,
+    typed: Typed,
+}
+
+impl Way {
+    pub(super) fn begin(pointer: f32) -> Self {
+        Self {
+            pointer,
+            ..Self::default()
+        }
+    }
+
+    /// The frame to which what stood at `from` shall go: a whole one, or a tenth of one with Shift.
+    pub(super) fn go_on(
+        &mut self,
+        editor: &Editor,
+        ui: &Ui,
+        response: &Response,
+        (time, from): (&Time, f64),
+    ) -> f64 {
+        let fine = ui.input(|input| input.modifiers.shift);
+        if let Some(pointer) = response.interact_pointer_pos() {
+            let share = if fine { FINE } else { 1.0 };
+            let each = time.axis.frames_per_point();
+            self.gone += f64::from(pointer.x - self.pointer) * each * share;
+            self.pointer = pointer.x;
+        }
+        ui.input_mut(|input| input.events.retain(|event| !self.typed.take(event)));
+        let to = self.wanted(editor, time, from);
+        match fine {
+            true => (to * PARTS).round() / PARTS,
+            // What does not move stays where it is, between two frames, too.
+            false if self.gone == 0.0 && self.typed.text().is_empty() => from,
+            false => to.round(),
+        }
+    }
+
+    fn wanted(&self, editor: &Editor, time: &Time, from: f64) -> f64 {
+        let Some(number) = self.typed.number() else {
+            return from + self.gone;
+        };
+        let info = editor.document.info();
+        // A sign: from where it stood.
+        match (self.typed.has_sign(), editor.setup.ruler_frames) {
+            (true, true) => from + number,
+            (true, false) => from + number * info.fps,
+            (false, true) => time.of_axis(number - f64::from(info.first_frame) + 1.0),
+            (false, false) => time.of_axis(number * info.fps + 1.0),
+        }
+    }
+
+    /// Where it is, in numbers, above the ruler.
+    pub(super) fn tell(
+        &self,
+        editor: &Editor,
+        ui: &Ui,
+        name: &str,
+        told: (&Time, f64, f64),
+        top: f32,
+    ) {
+        let (time, from, at) = told;
+        let (language, info) = (editor.language(), editor.document.info());
+        let second = language.number((time.on_axis(at) - 1.0) / info.fps, 2);
+        let by = (at - from) / info.fps;
+        let sign = if by > 0.0 { "+" } else { "" };
+        let by = format!("{sign}{}", language.number(by, 2));
+        let frame = time.on_axis(at) - 1.0 + f64::from(info.first_frame);
+        let frame = match frame.fract() == 0.0 {
+            true => language.number(frame, 0),
+            false => language.number(frame, 1),
+        };
+        let texts = &editor.texts().timeline;
+        let mut lines = fill(texts.moved, &[&name, &second, &by, &frame]);
+        if !self.typed.text().is_empty() {
+            let unit = if editor.setup.ruler_frames { "" } else { " s" };
+            lines += &format!("\n› {}{unit}", self.typed.text());
+        }
+        bubble(ui, pos2(time.x(at), top), lines);
+    }
+}
+
+/// Keys that are dragged.
+#[derive(Debug)]
+pub(super) struct KeysDrag {
+    keys: Vec<KeyAt>,
+    /// The frame at which what was taken stood.
+    from: f64,
+    /// The other end of the selection, if its time is scaled.
+    about: Option<f64>,
+    way: Way,
+    done: KeyMotion,
+}
+
+impl KeysDrag {
+    fn new(keys: Vec<KeyAt>, from: f64, about: Option<f64>, pointer: f32) -> Self {
+        let done = KeyMotion {
+            keys: keys.clone(),
+            to: Change::By(0.0),
+            copies: false,
+        };
+        Self {
+            keys,
+            from,
+            about,
+            way: Way::begin(pointer),
+            done,
+        }
+    }
+
+    /// What is to be done, if that is another.
+    fn go_on(
+        &mut self,
+        editor: &Editor,
+        ui: &Ui,
+        response: &Response,
+        time: &Time,
+    ) -> Option<Action> {
+        let held = ui.input(|input| input.modifiers);
+        let to = self.way.go_on(editor, ui, response, (time, self.from));
+        let (to, copies) = match self.about {
+            None => (Change::By(to - self.from), held.ctrl || held.command),
+            Some(about) => {
+                let least = if held.shift { 1.0 / PARTS } else { 1.0 };
+                let from = self.from;
+                let to = match from < about {
+                    true => to.min(about - least),
+                    false => to.max(about + least),
+                };
+                (Change::Scale { about, from, to }, false)
+            }
+        };
+        let keys = self.keys.clone();
+        let wanted = KeyMotion { keys, to, copies };
+        let same = wanted == self.done || wanted.to.is_nothing() && self.done.to.is_nothing();
+        (!same).then(|| {
+            self.done = wanted.clone();
+            Action::MoveKeys(Box::new(wanted))
+        })
+    }
+
+    fn tell(&self, editor: &Editor, ui: &Ui, time: &Time, top: f32) {
+        let texts = &editor.texts().timeline;
+        let name = match (&self.keys[..], editor.document.edited_scene()) {
+            ([one], Some(edited)) => {
+                let node = edited.scene().nodes().get(one.node);
+                let node = node.map_or("", |node| node.name.as_str());
+                fill(
+                    texts.channel_of,
+                    &[&channel_name(editor, &one.channel), &node],
+                )
+            }
+            (all, _) => fill(texts.keys_selected, &[&all.len()]),
+        };
+        let name = match self.done.copies && !self.done.to.is_nothing() {
+            true => fill(texts.copy_of, &[&name]),
+            false => name,
+        };
+        let at = self.done.to.of(self.from);
+        self.way.tell(editor, ui, &name, (time, self.from, at), top);
+    }
+}
+
+/// The bar of a path that is dragged.
+#[derive(Debug)]
+pub(super) struct BarDrag {
+    node: usize,
+    from: f64,
+    at: f64,
+    beyond: Extrapolation,
+    /// No pin holds it.
+    free: bool,
+    way: Way,
+}
+
+impl BarDrag {
+    fn new(editor: &Editor, node: usize, pointer: f32) -> Option<Self> {
+        let edited = editor.document.edited_scene()?;
+        let (from, _) = bar_of(editor, edited, node)?;
+        let path = edited.scene().nodes().get(node)?.path()?;
+        let scene = editor.document.scene().ok()?;
+        let free = scene.pins().iter().all(|pin| pin.node != node);
+        Some(Self {
+            node,
+            from,
+            at: from,
+            beyond: path.extrapolation(),
+            free,
+            way: Way::begin(pointer),
+        })
+    }
+
+    fn go_on(
+        &mut self,
+        editor: &Editor,
+        ui: &Ui,
+        response: &Response,
+        time: &Time,
+    ) -> Option<Action> {
+        let to = self.way.go_on(editor, ui, response, (time, self.from));
+        if to == self.at || !self.free {
+            return None;
+        }
+        self.at = to;
+        let edit = Edit::Part(Box::new(Part::Start {
+            node: self.node,
+            start_frame: to,
+            beyond: self.beyond,
+        }));
+        Some(Action::Enter(Entry::Drag(edit)))
+    }
+
+    fn tell(&self, editor: &Editor, ui: &Ui, time: &Time, top: f32) {
+        let texts = &editor.texts().timeline;
+        if !self.free {
+            return bubble(ui, pos2(time.x(self.from), top), texts.is_pinned.to_owned());
+        }
+        let nodes = editor
+            .document
+            .edited_scene()
+            .map(|edited| edited.scene().nodes());
+        let node = nodes.and_then(|nodes| nodes.get(self.node));
+        let name = fill(
+            texts.path_of,
+            &[&node.map_or("", |node| node.name.as_str())],
+        );
+        self.way
+            .tell(editor, ui, &name, (time, self.from, self.at), top);
+    }
+}
+
+/// Takes what is under the pointer when a drag begins, and goes on with what is held.
+pub(super) fn show(
+    editor: &Editor,
+    held: &mut Held,
+    ui: &Ui,
+    response: &Response,
+    (shown, top): (&Shown<'_>, f32),
+    actions: &mut Vec<Action>,
+) {
+    if response.drag_started()
+        && !ui.input(|input| input.pointer.middle_down() || input.pointer.secondary_down())
+        && let Some(at) = ui.input(|input| input.pointer.press_origin())
+    {
+        response.request_focus();
+        let adds = ui.input(|input| input.modifiers.ctrl || input.modifiers.shift);
+        *held = taken(editor, shown, (at, adds), actions);
+    }
+    let time = &shown.time;
+    if !response.dragged() {
+        let keys = match held {
+            Held::Keys(drag) => Some(drag.keys.clone()),
+            _ => None,
+        };
+        let is_step = matches!(held, Held::Keys(_) | Held::Bar(_));
+        *held = Held::Nothing;
+        if response.drag_stopped() && is_step {
+            let end = Entry::of_end(ui.ctx());
+            let given_back = end == Entry::Cancel;
+            actions.push(Action::Enter(end));
+            actions.extend(keys.filter(|_| given_back).map(Action::SelectKeys));
+        }
+        return;
+    }
+    match held {
+        Held::Nothing => {}
+        Held::Keys(drag) => {
+            actions.extend(drag.go_on(editor, ui, response, time));
+            drag.tell(editor, ui, time, top);
+            ui.set_cursor_icon(match drag.done.copies {
+                true => CursorIcon::Copy,
+                false => CursorIcon::ResizeHorizontal,
+            });
+        }
+        Held::Bar(drag) => {
+            actions.extend(drag.go_on(editor, ui, response, time));
+            drag.tell(editor, ui, time, top);
+            ui.set_cursor_icon(match drag.free {
+                true => CursorIcon::Grabbing,
+                false => CursorIcon::NotAllowed,
+            });
+        }
+        Held::Box { x, row, besides } => {
+            if let Some(pointer) = response.interact_pointer_pos() {
+                let from = pos2(*x, shown.top + *row * super::tracks::ROW);
+                boxed(editor, ui, shown, (from, pointer, besides), actions);
+            }
+        }
+    }
+    let enter = ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Enter));
+    if enter && matches!(held, Held::Keys(_) | Held::Bar(_)) {
+        ui.ctx().stop_dragging();
+        *held = Held::Nothing;
+        actions.push(Action::Enter(Entry::End));
+    }
+}
+
+fn taken(
+    editor: &Editor,
+    shown: &Shown<'_>,
+    (at, adds): (Pos2, bool),
+    actions: &mut Vec<Action>,
+) -> Held {
+    let drag = match shown.hit(editor, at) {
+        Hit::Nothing => {
+            let row = shown.number_at(at.y);
+            let besides = match adds {
+                true => shown.selected.clone(),
+                false => Vec::new(),
+            };
+            return Held::Box {
+                x: at.x,
+                row,
+                besides,
+            };
+        }
+        Hit::Bar(node) => BarDrag::new(editor, node, at.x).map(|drag| Held::Bar(Box::new(drag))),
+        Hit::End { first } => shown.ends.map(|(low, high)| {
+            let (from, about) = if first { (low, high) } else { (high, low) };
+            let keys = shown.selected.clone();
+            Held::Keys(Box::new(KeysDrag::new(keys, from, Some(about), at.x)))
+        }),
+        Hit::Keys(keys) => {
+            let edited = editor.document.edited_scene();
+            let from = edited.and_then(|edited| frame_of(edited, keys.first()?));
+            let all = match keys.iter().all(|key| shown.selected.contains(key)) {
+                true => shown.selected.clone(),
+                false => {
+                    actions.push(Action::SelectKeys(keys.clone()));
+                    keys
+                }
+            };
+            from.map(|from| Held::Keys(Box::new(KeysDrag::new(all, from, None, at.x))))
+        }
+    };
+    let Some(drag) = drag else {
+        return Held::Nothing;
+    };
+    actions.push(Action::Enter(Entry::Begin));
+    drag
+}
+
+/// Selects the keys in a box, and these besides.
+fn boxed(
+    editor: &Editor,
+    ui: &Ui,
+    shown: &Shown<'_>,
+    (from, to, besides): (Pos2, Pos2, &[KeyAt]),
+    actions: &mut Vec<Action>,
+) {
+    let palette = theme::palette(ui);
+    let place = Rect::from_two_pos(from, to);
+    let painter = ui.painter_at(shown.ground.intersect(ui.clip_rect()));
+    painter.rect_filled(place, 0.0, palette.accent.gamma_multiply(0.15));
+    let line = Stroke::new(1.0, palette.accent);
+    painter.rect_stroke(place, 0.0, line, StrokeKind::Inside);
+    let Some(edited) = editor.document.edited_scene() else {
+        return;
+    };
+    let [first, last] = [place.left(), place.right()].map(|x| shown.time.frame(x));
+    let mut keys = Vec::new();
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    let number = |y: f32| shown.number_at(y).max(0.0) as usize;
+    let rows = number(place.top())..=number(place.bottom());
+    for row in shown.rows.iter().take(rows.end() + 1).skip(*rows.start()) {
+        let Some(track) = row.track(edited) else {
+            continue;
+        };
+        let frames = track.frames();
+        let low = frames.partition_point(|&key| key < first);
+        let high = frames.partition_point(|&key| key <= last);
+        keys.extend((low..high).map(|key| KeyAt {
+            node: row.node,
+            channel: track.channel().clone(),
+            key,
+        }));
+    }
+    let others = besides.iter().filter(|at| !keys.contains(at));
+    let others: Vec<KeyAt> = others.cloned().collect();
+    keys.extend(others);
+    if keys != shown.selected {
+        actions.push(Action::SelectKeys(keys));
+    }
+}

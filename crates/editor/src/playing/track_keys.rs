@@ -1,0 +1,89 @@
+//! The keyboard of the rows of tracks: what is selected there is removed, all is selected; and the
+//! playhead goes from key to key.
+
+use egui::{Context, Key, Modifiers};
+
+use super::track_drag::removed;
+use super::tracks::id;
+use super::{as_frame, markers};
+use crate::action::Action;
+use crate::scene_view::KeyAt;
+use crate::state::Editor;
+
+/// Takes the keys that are the timeline's before anybody else has them.
+pub(crate) fn take_keys(editor: &mut Editor, context: &Context) {
+    if context.text_edit_focused() || editor.document.in_step() {
+        return;
+    }
+    let pressed = |modifiers, key| context.input_mut(|input| input.consume_key(modifiers, key));
+    for (key, forward) in [(Key::Comma, false), (Key::Period, true)] {
+        if pressed(Modifiers::NONE, key)
+            && let Some(frame) = beside(editor, forward)
+        {
+            editor.scrub(frame);
+        }
+    }
+    markers::take_keys(editor, context);
+    if !context.memory(|memory| memory.has_focus(id())) {
+        return;
+    }
+    let keys = editor.selected_keys();
+    if !keys.is_empty() && pressed(Modifiers::NONE, Key::Delete) {
+        editor.act(Action::Edits(removed(&keys)), context);
+        editor.select_keys(Vec::new());
+    }
+    if pressed(Modifiers::CTRL, Key::A) {
+        editor.select_keys(all(editor));
+    }
+}
+
+/// All keys of the selected nodes.
+fn all(editor: &Editor) -> Vec<KeyAt> {
+    let Some(edited) = editor.document.edited_scene() else {
+        return Vec::new();
+    };
+    let mut keys = Vec::new();
+    for node in editor.selected_nodes() {
+        for track in edited.scene().nodes()[node].keys().tracks() {
+            keys.extend((0..track.frames().len()).map(|key| KeyAt {
+                node,
+                channel: track.channel().clone(),
+                key,
+            }));
+        }
+    }
+    keys
+}
+
+/// The frame of the nearest key before or after the playhead, as the axis counts it.
+fn beside(editor: &Editor, forward: bool) -> Option<f64> {
+    let at = editor.position_on_bar();
+    let marks = &editor.playing.marks;
+    let offset = editor.document.frame_of_path(0.0);
+    let mut near: Option<f64> = None;
+    let mut offer = |frame: f64| {
+        let there = (1.0..=as_frame(marks.frames)).contains(&frame);
+        let better = near.is_none_or(|known| (frame < known) == forward);
+        if there && better && frame != at && (frame > at) == forward {
+            near = Some(frame);
+        }
+    };
+    marks.keys.iter().for_each(|mark| offer(mark.first()));
+    if let Some(edited) = editor.document.edited_scene() {
+        for node in editor.selected_nodes() {
+            for track in edited.scene().nodes()[node].keys().tracks() {
+                let frames = track.frames();
+                let behind = frames.partition_point(|&key| key + offset < at);
+                let here = frames.get(behind).is_some_and(|&key| key + offset == at);
+                let next = match forward {
+                    true => Some(behind + usize::from(here)),
+                    false => behind.checked_sub(1),
+                };
+                if let Some(&frame) = next.and_then(|next| frames.get(next)) {
+                    offer(frame + offset);
+                }
+            }
+        }
+    }
+    near
+}

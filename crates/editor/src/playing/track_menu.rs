@@ -1,0 +1,302 @@
+//! The menu of a row of the timeline: how a track goes from key to key, and what comes before and
+//! after its keys, or a node's path.
+
+use egui::{Button, Popup, Response, RichText, Ui};
+use vides_engine::math::euler::EulerAngles;
+use vides_engine::scene::{Channel, Extrapolation, Interpolation, Manner, Part, Track, Warnings};
+
+use super::tracks::{Row, bar_of, channel_name};
+use crate::action::Action;
+use crate::document::Edit;
+use crate::error::Result;
+use crate::state::Editor;
+use crate::texts::refusals::of_edit;
+use crate::texts::{Texts, fill};
+
+pub(super) fn show(editor: &Editor, response: &Response, row: Row, actions: &mut Vec<Action>) {
+    Popup::context_menu(response).show(|ui| {
+        let Some(edited) = editor.document.edited_scene() else {
+            return;
+        };
+        let Some(node) = row.node(edited) else {
+            return;
+        };
+        let texts = &editor.texts().timeline;
+        if let Some(track) = row.track(edited) {
+            let channel = channel_name(editor, track.channel());
+            ui.label(RichText::new(fill(texts.channel_of, &[&channel, &node.name])).weak());
+            of_track(editor, ui, (row, track), actions);
+            return;
+        }
+        ui.label(RichText::new(node.name.as_str()).weak());
+        if let Some((path, (start_frame, _))) = node.path().zip(bar_of(editor, edited, row.node)) {
+            ui.label(texts.beyond);
+            let edit = |beyond| {
+                let node = row.node;
+                Ok(part(Part::Start {
+                    node,
+                    start_frame,
+                    beyond,
+                }))
+            };
+            let three = &BEYOND[..3];
+            beyond(editor, ui, (path.extrapolation(), three), edit, actions);
+        }
+    });
+}
+
+const BEYOND: [Extrapolation; 4] = [
+    Extrapolation::Hold,
+    Extrapolation::Repeat,
+    Extrapolation::PingPong,
+    Extrapolation::Offset,
+];
+
+fn part(part: Part) -> Edit {
+    Edit::Part(Box::new(part))
+}
+
+/// Does an edit, or tells why it cannot be.
+fn push(editor: &Editor, edit: Result<Edit>, actions: &mut Vec<Action>) {
+    actions.push(match edit {
+        Ok(edit) => Action::Edits(vec![edit]),
+        Err(error) => Action::Complain(of_edit(editor.language(), &error)),
+    });
+}
+
+/// What may come beyond the ends, and what does.
+fn beyond(
+    editor: &Editor,
+    ui: &mut Ui,
+    (now, all): (Extrapolation, &[Extrapolation]),
+    edit: impl Fn(Extrapolation) -> Result<Edit>,
+    actions: &mut Vec<Action>,
+) {
+    let texts = &editor.texts().timeline;
+    for &each in all {
+        let words = match each {
+            Extrapolation::Hold => texts.holds,
+            Extrapolation::Repeat => texts.repeats,
+            Extrapolation::PingPong => texts.back_and_forth,
+            Extrapolation::Offset => texts.goes_on,
+        };
+        if ui.add(Button::selectable(each == now, words)).clicked() {
+            if each != now {
+                push(editor, edit(each), actions);
+            }
+            ui.close();
+        }
+    }
+}
+
+fn of_track(editor: &Editor, ui: &mut Ui, (row, track): (Row, &Track), actions: &mut Vec<Action>) {
+    let texts = &editor.texts().timeline;
+    let now = track.interpolation();
+    for name in Interpolation::names(Some(track.channel())) {
+        let Ok(each) = Interpolation::parse(name) else {
+            continue;
+        };
+        if matches!(each, Interpolation::Host(_)) {
+            continue;
+        }
+        let words = interpolation_name(editor.texts(), &each);
+        let button = ui.add(Button::selectable(each == *now, words));
+        if button.on_hover_text(texts.manner_hint).clicked() {
+            if each != *now {
+                push(editor, with(row.node, track, each), actions);
+            }
+            ui.close();
+        }
+    }
+    ui.separator();
+    let (before, after) = track.extrapolation();
+    let count = match track.channel() {
+        // It is on or off: nothing is added to it.
+        Channel::Visible => 3,
+        _ => 4,
+    };
+    let changed = |change: &dyn Fn(&mut Manner)| {
+        let mut manner = track.manner();
+        change(&mut manner);
+        manner_of(row.node, track, manner)
+    };
+    ui.menu_button(texts.before, |ui| {
+        let edit = |to| Ok(changed(&|manner| manner.before = to));
+        beyond(editor, ui, (before, &BEYOND[..count]), edit, actions);
+    });
+    ui.menu_button(texts.after, |ui| {
+        let edit = |to| Ok(changed(&|manner| manner.after = to));
+        beyond(editor, ui, (after, &BEYOND[..count]), edit, actions);
+    });
+}
+
+fn manner_of(node: usize, track: &Track, manner: Manner) -> Edit {
+    part(Part::Manner {
+        node,
+        channel: track.channel().clone(),
+        manner: Box::new(manner),
+    })
+}
+
+fn interpolation_name(texts: &Texts, interpolation: &Interpolation) -> String {
+    let texts = &texts.timeline;
+    let words = match interpolation {
+        Interpolation::Step => texts.step,
+        Interpolation::Linear => texts.linear,
+        Interpolation::Ramp => texts.ramp,
+        Interpolation::Sine => texts.sine,
+        Interpolation::Parabolic => texts.parabolic,
+        Interpolation::CatmullRom => texts.catmull_rom,
+        Interpolation::Hermite => texts.hermite,
+        Interpolation::Tcb => texts.tcb,
+        Interpolation::Cubic => texts.cubic,
+        Interpolation::EulerLinear => texts.euler_linear,
+        Interpolation::EulerCatmullRom => texts.euler_catmull_rom,
+        Interpolation::Host(name) => return format!("host:{name}"),
+    };
+    words.to_owned()
+}
+
+fn by_angles(interpolation: &Interpolation) -> bool {
+    matches!(
+        interpolation,
+        Interpolation::EulerLinear | Interpolation::EulerCatmullRom
+    )
+}
+
+/// The edit that lets a track go from key to key in another way. Frames and values stay; angles
+/// become quaternions, and these angles.
+fn with(node: usize, track: &Track, interpolation: Interpolation) -> Result<Edit> {
+    let keys = track.frames().len();
+    let values = match (by_angles(track.interpolation()), by_angles(&interpolation)) {
+        (true, false) => quaternions(track),
+        (false, true) => angles(track),
+        _ => track.values().to_vec(),
+    };
+    let shape = match interpolation {
+        Interpolation::Hermite => smooth(track.frames(), &values, values.len() / keys),
+        Interpolation::Tcb => vec![0.0; 3 * keys],
+        _ => Vec::new(),
+    };
+    if by_angles(track.interpolation()) == by_angles(&interpolation) {
+        let (before, after) = track.extrapolation();
+        let manner = Manner {
+            interpolation,
+            shape,
+            before,
+            after,
+        };
+        return Ok(manner_of(node, track, manner));
+    }
+    let (channel, frames) = (track.channel().clone(), track.frames().to_vec());
+    let new = Track::new(channel.clone(), interpolation, frames, values, shape)?;
+    let (before, after) = track.extrapolation();
+    let new = new.with_extrapolation(before, after)?;
+    Ok(part(Part::track(node, channel, Some(new))?))
+}
+
+/// The quaternions at the keys of angles.
+fn quaternions(track: &Track) -> Vec<f64> {
+    let warnings = &mut Warnings::default();
+    let frames = track.frames().iter();
+    let turns = frames.map(|&frame| track.rotation(frame, warnings));
+    turns
+        .flat_map(|turn| [turn.w, turn.x, turn.y, turn.z])
+        .collect()
+}
+
+/// Yaw, pitch and roll in degrees at the keys, each as near as can be to the one before.
+fn angles(track: &Track) -> Vec<f64> {
+    let warnings = &mut Warnings::default();
+    let mut all: Vec<f64> = Vec::new();
+    for &frame in track.frames() {
+        let angles = EulerAngles::from_quaternion(track.rotation(frame, warnings));
+        for angle in [angles.yaw, angles.pitch, angles.roll] {
+            let mut angle = angle.to_degrees();
+            if let Some(before) = all.len().checked_sub(3) {
+                angle += 360.0 * ((all[before] - angle) / 360.0).round();
+            }
+            all.push(angle);
+        }
+    }
+    all
+}
+
+/// Tangents of a smooth way through keys: those of Catmull and Rom, with quadratic ends.
+fn smooth(frames: &[f64], values: &[f64], width: usize) -> Vec<f64> {
+    let last = frames.len() - 1;
+    let step = |k: usize| frames[k + 1] - frames[k];
+    let mean = |k: usize, i: usize| (values[(k + 1) * width + i] - values[k * width + i]) / step(k);
+    let inner = |k: usize, i: usize| {
+        let (before, after) = (step(k - 1), step(k));
+        (after * mean(k - 1, i) + before * mean(k, i)) / (before + after)
+    };
+    let mut shape = Vec::with_capacity(2 * values.len());
+    for k in 0..=last {
+        let slope = |i: usize| match k {
+            _ if last == 0 => 0.0,
+            _ if last == 1 => mean(0, i),
+            0 => 2.0 * mean(0, i) - inner(1, i),
+            k if k == last => 2.0 * mean(k - 1, i) - inner(k - 1, i),
+            k => inner(k, i),
+        };
+        for _ in 0..2 {
+            shape.extend((0..width).map(slope));
+        }
+    }
+    shape
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Rotations by angles and by quaternions are the same at their keys.
+    #[test]
+    fn angles_become_quaternions_and_come_back() {
+        let turns = [
+            [30.0, 20.0, 10.0],
+            [170.0, -40.0, 5.0],
+            [200.0, 60.0, -90.0],
+        ];
+        let track = Track::new(
+            Channel::Rotation,
+            Interpolation::EulerLinear,
+            vec![1.0, 10.0, 20.0],
+            turns.concat(),
+            Vec::new(),
+        );
+        let track = track.unwrap();
+        let by_quaternions = Track::new(
+            Channel::Rotation,
+            Interpolation::Linear,
+            track.frames().to_vec(),
+            quaternions(&track),
+            Vec::new(),
+        );
+        let back = angles(&by_quaternions.unwrap());
+        for (found, wanted) in back.iter().zip(turns.concat()) {
+            assert!((found - wanted).abs() < 1e-9, "{back:?}");
+        }
+    }
+
+    /// The tangents that a track gets are those of the same curve where it is smooth already.
+    #[test]
+    fn tangents_are_those_of_catmull_and_rom() {
+        let frames = vec![0.0, 3.0, 10.0, 11.0];
+        let values = vec![1.0, 4.0, -2.0, 0.5];
+        let of = |by, shape| Track::new(Channel::Roll, by, frames.clone(), values.clone(), shape);
+        let known = of(Interpolation::CatmullRom, Vec::new()).unwrap();
+        let shape = smooth(&frames, &values, 1);
+        let hermite = of(Interpolation::Hermite, shape).unwrap();
+        for step in 0..=110_u8 {
+            let at = f64::from(step) * 0.1;
+            let value = |track: &Track| {
+                let mut out = [0.0];
+                track.numbers(at, &mut out, &mut Default::default());
+                out[0]
+            };
+            assert!((value(&known) - value(&hermite)).abs() < 1e-12, "{at}");
+        }
+    }
+}

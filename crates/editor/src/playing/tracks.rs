@@ -1,0 +1,542 @@
+//! Rows of the selected nodes below the keys of the path: their paths as bars, their tracks as
+//! diamonds. What is dragged there is [`super::track_drag`]'s.
+
+use std::collections::HashSet;
+use std::ops::Range;
+
+use egui::{
+    Align2, CursorIcon, Id, Painter, Pos2, Rangef, Rect, Response, Role, ScrollArea, Sense, Shape,
+    Stroke, StrokeKind, Ui, UiBuilder, WidgetInfo, pos2, vec2,
+};
+use vides_engine::scene::{Channel, FollowPath, Node, Track};
+
+use super::as_frame;
+use super::axis::Axis;
+use super::track_drag::{self, Held};
+use super::track_menu;
+use super::track_time::{APART, REACH, Time};
+use crate::action::Action;
+use crate::document::EditedScene;
+use crate::path::Sampler;
+use crate::scene_view::KeyAt;
+use crate::state::Editor;
+use crate::texts::fill;
+use crate::theme;
+
+pub(super) const ROW: f32 = 20.0;
+
+/// Half of a key's sign; of that of a node, which stands for keys of several tracks.
+const SIGN: f32 = 4.5;
+const SMALL: f32 = 3.0;
+
+/// A bracket stands this far outside of the keys between which it scales the time.
+const OUTSIDE: f32 = 10.0;
+
+/// Indent of the tracks' names.
+const INDENT: f32 = 12.0;
+
+/// What the rows remember from pass to pass.
+#[derive(Debug, Default)]
+pub(super) struct Memory {
+    pub(super) held: Held,
+    /// Nodes whose tracks are not shown.
+    folded: HashSet<usize>,
+    /// The row whose menu is open.
+    menu: Option<Row>,
+}
+
+/// A row: a node, or one of its tracks by number.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Row {
+    pub(super) node: usize,
+    pub(super) track: Option<usize>,
+}
+
+impl Row {
+    pub(super) fn node(self, edited: &EditedScene) -> Option<&Node> {
+        edited.scene().nodes().get(self.node)
+    }
+
+    pub(super) fn track(self, edited: &EditedScene) -> Option<&Track> {
+        self.node(edited)?.keys().tracks().get(self.track?)
+    }
+
+    /// The tracks that it shows: its own, or all of its node.
+    fn tracks(self, edited: &EditedScene) -> &[Track] {
+        let Some(node) = self.node(edited) else {
+            return &[];
+        };
+        let all = node.keys().tracks();
+        match self.track {
+            Some(at) => all.get(at..=at).unwrap_or_default(),
+            None => all,
+        }
+    }
+}
+
+/// What lies under the pointer.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Hit {
+    Nothing,
+    Keys(Vec<KeyAt>),
+    /// The bracket before the first selected key, or that behind the last one.
+    End {
+        first: bool,
+    },
+    /// The bar of a node's path.
+    Bar(usize),
+}
+
+/// The rows of the selected nodes that move.
+pub(super) fn rows(editor: &Editor, memory: &Memory) -> Vec<Row> {
+    let Some(edited) = editor.document.edited_scene() else {
+        return Vec::new();
+    };
+    let nodes = edited.scene().nodes();
+    let mut rows = Vec::new();
+    for node in editor.selected_nodes() {
+        let tracks = nodes[node].keys().tracks().len();
+        if tracks == 0 && nodes[node].path().is_none() {
+            continue;
+        }
+        rows.push(Row { node, track: None });
+        if !memory.folded.contains(&node) {
+            rows.extend((0..tracks).map(|track| Row {
+                node,
+                track: Some(track),
+            }));
+        }
+    }
+    rows
+}
+
+/// What has the keyboard where keys are selected.
+pub(super) fn id() -> Id {
+    Id::unique("tracks of nodes")
+}
+
+/// The rows as they stand on the screen.
+pub(super) struct Shown<'a> {
+    pub(super) rows: &'a [Row],
+    pub(super) time: Time,
+    /// Where the first one begins; what is seen of them.
+    pub(super) top: f32,
+    pub(super) ground: Rect,
+    /// The selected keys, and the scene's frames between which they lie.
+    pub(super) selected: Vec<KeyAt>,
+    pub(super) ends: Option<(f64, f64)>,
+}
+
+impl Shown<'_> {
+    pub(super) fn number_at(&self, y: f32) -> f32 {
+        (y - self.top) / ROW
+    }
+
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    pub(super) fn row_at(&self, y: f32) -> Option<Row> {
+        let number = self.number_at(y);
+        let there = number >= 0.0;
+        self.rows.get(number as usize).copied().filter(|_| there)
+    }
+
+    /// What is there of keys, brackets and bars.
+    pub(super) fn hit(&self, editor: &Editor, at: Pos2) -> Hit {
+        let Some((edited, row)) = editor.document.edited_scene().zip(self.row_at(at.y)) else {
+            return Hit::Nothing;
+        };
+        let tracks = row.tracks(edited);
+        let near = |track: &Track| {
+            let key = self.time.nearest(track.frames(), at.x)?;
+            Some(track.frames()[key])
+        };
+        let away = |frame: &f64| (self.time.x(*frame) - at.x).abs();
+        let frames = tracks.iter().filter_map(near);
+        if let Some(frame) = frames.min_by(|a, b| away(a).total_cmp(&away(b))) {
+            let same = |track: &Track| {
+                let frames = track.frames();
+                let key = frames.partition_point(|&key| key < frame);
+                (frames.get(key) == Some(&frame)).then(|| KeyAt {
+                    node: row.node,
+                    channel: track.channel().clone(),
+                    key,
+                })
+            };
+            return Hit::Keys(tracks.iter().filter_map(same).collect());
+        }
+        if let Some(brackets) = self.brackets() {
+            for (x, first) in brackets.into_iter().zip([true, false]) {
+                if (x - at.x).abs() <= 0.5 * REACH {
+                    return Hit::End { first };
+                }
+            }
+        }
+        let bar = row
+            .track
+            .is_none()
+            .then(|| bar_of(editor, edited, row.node));
+        match bar.flatten() {
+            Some((first, last)) if (self.time.x(first)..=self.time.x(last)).contains(&at.x) => {
+                Hit::Bar(row.node)
+            }
+            _ => Hit::Nothing,
+        }
+    }
+
+    /// Where the brackets stand by which the time between the selected keys is scaled.
+    fn brackets(&self) -> Option<[f32; 2]> {
+        let (first, last) = self.ends.filter(|(first, last)| first < last)?;
+        Some([self.time.x(first) - OUTSIDE, self.time.x(last) + OUTSIDE])
+    }
+}
+
+/// The scene's frames between which a node's path moves it.
+pub(super) fn bar_of(editor: &Editor, edited: &EditedScene, node: usize) -> Option<(f64, f64)> {
+    let path = edited.scene().nodes().get(node)?.path()?;
+    if edited.node() == Some(node) {
+        // The path as it is now.
+        let first = editor.document.start_frame();
+        let frames = as_frame(editor.playing.marks.frames.max(1));
+        return Some((first, first + frames - 1.0));
+    }
+    Some(path.first_and_last())
+}
+
+/// The frame of a key.
+pub(super) fn frame_of(edited: &EditedScene, at: &KeyAt) -> Option<f64> {
+    let node = edited.scene().nodes().get(at.node)?;
+    let track = node.keys().track(&at.channel)?;
+    track.frames().get(at.key).copied()
+}
+
+/// What a channel is called.
+pub(super) fn channel_name(editor: &Editor, channel: &Channel) -> String {
+    let texts = &editor.texts().timeline;
+    match channel {
+        Channel::Position => texts.position.to_owned(),
+        Channel::Rotation => texts.rotation.to_owned(),
+        Channel::Scale => texts.scale.to_owned(),
+        Channel::Visible => texts.visible.to_owned(),
+        Channel::Zoom => texts.zoom.to_owned(),
+        Channel::Roll => texts.roll.to_owned(),
+        Channel::Colour => texts.colour.to_owned(),
+        Channel::Intensity => texts.intensity.to_owned(),
+        Channel::Cone => texts.cone.to_owned(),
+        Channel::Weights => texts.weights.to_owned(),
+        Channel::AimWeight => texts.aim_weight.to_owned(),
+        Channel::Deformation { at, parameter } => fill(texts.deformation, &[&(at + 1), parameter]),
+        Channel::Value { name, .. } => name.clone(),
+    }
+}
+
+/// Shows these rows in `rect`, their names in `captions` points at the left of it; words above them
+/// end at `top`.
+pub(super) fn show(
+    editor: &Editor,
+    memory: &mut Memory,
+    ui: &mut Ui,
+    (rect, captions, top): (Rect, f32, f32),
+    (rows, axis): (&[Row], &Axis),
+    actions: &mut Vec<Action>,
+) {
+    let inside = UiBuilder::new().max_rect(rect).id_salt("tracks");
+    ui.scope_builder(inside, |ui| {
+        ui.set_clip_rect(rect.intersect(ui.clip_rect()));
+        ui.spacing_mut().item_spacing.y = 0.0;
+        ScrollArea::vertical()
+            .id_salt("tracks")
+            .max_height(rect.height())
+            .auto_shrink(false)
+            .show_viewport(ui, |ui, _| {
+                #[allow(clippy::cast_precision_loss)]
+                ui.set_height(ROW * rows.len() as f32);
+                let top_of_rows = ui.max_rect().top();
+                let (left, right) = rect.split_left_right_at_x(rect.left() + captions);
+                let along = axis.rail.expand(8.0);
+                let ground = Rect::from_x_y_ranges(along, right.y_range());
+                let selected = editor.selected_keys();
+                let shown = Shown {
+                    rows,
+                    time: Time::new(editor, axis),
+                    top: top_of_rows,
+                    ground,
+                    ends: track_drag::ends(editor, &selected),
+                    selected,
+                };
+                all(editor, memory, ui, (&shown, left));
+                let response = ui.interact(ground, id(), Sense::click_and_drag());
+                let name = editor.texts().timeline.tracks;
+                response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, name));
+                pressed(editor, memory, ui, &shown, &response, actions);
+                let words = (&shown, top);
+                track_drag::show(editor, &mut memory.held, ui, &response, words, actions);
+            });
+    });
+}
+
+/// Paints the rows that are seen, with their names.
+#[allow(clippy::cast_precision_loss)]
+fn all(editor: &Editor, memory: &mut Memory, ui: &Ui, (shown, left): (&Shown<'_>, Rect)) {
+    let Some(edited) = editor.document.edited_scene() else {
+        return;
+    };
+    let palette = theme::palette(ui);
+    let painter = ui.painter_at(shown.ground.intersect(ui.clip_rect()));
+    for number in seen(shown) {
+        let row = shown.rows[number];
+        let y = shown.top + ROW * number as f32;
+        let rows = Rangef::new(y, y + ROW);
+        let ground = Rect::from_x_y_ranges(shown.ground.x_range(), rows);
+        painter.rect_filled(ground.shrink2(vec2(0.0, 1.0)), 3.0, palette.field);
+        let room = Rect::from_x_y_ranges(left.x_range(), rows);
+        let room = room.with_max_x(room.right() - theme::GAP);
+        caption(editor, memory, ui, (row, room), edited);
+        match row.track(edited) {
+            Some(track) => diamonds(shown, ui, &painter, (row, track), rows.center()),
+            None => of_node(editor, edited, shown, ui, &painter, (row, rows)),
+        }
+    }
+    if let Some(brackets) = shown.brackets() {
+        for (x, way) in brackets.into_iter().zip([3.0, -3.0]) {
+            let rows = shown.ground.y_range();
+            let stroke = Stroke::new(1.5, palette.accent);
+            painter.vline(x, rows, stroke);
+            for y in [rows.min + 1.0, rows.max - 1.0] {
+                painter.hline(Rangef::new(x.min(x + way), x.max(x + way)), y, stroke);
+            }
+        }
+    }
+    let at = shown.time.axis.x_of(editor.position_on_bar());
+    let colour = super::ruler::colour_of_playhead(editor, ui);
+    painter.vline(at, shown.ground.y_range(), Stroke::new(1.0, colour));
+}
+
+/// The numbers of the rows that are seen.
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+fn seen(shown: &Shown<'_>) -> Range<usize> {
+    let number = |y: f32| shown.number_at(y).max(0.0);
+    let (first, last) = (number(shown.ground.top()), number(shown.ground.bottom()));
+    let count = shown.rows.len();
+    (first.floor() as usize).min(count)..(last.ceil() as usize).min(count)
+}
+
+/// The name of a row; that of a node folds its tracks.
+fn caption(
+    editor: &Editor,
+    memory: &mut Memory,
+    ui: &Ui,
+    (row, room): (Row, Rect),
+    edited: &EditedScene,
+) {
+    let palette = theme::palette(ui);
+    let Some(node) = row.node(edited) else {
+        return;
+    };
+    let painter = ui.painter_at(room.intersect(ui.clip_rect()));
+    let place = room.left_center() + vec2(INDENT, 0.0);
+    if let Some(track) = row.track(edited) {
+        let words = channel_name(editor, track.channel());
+        painter.text(
+            place,
+            Align2::LEFT_CENTER,
+            words,
+            theme::small(),
+            palette.weak,
+        );
+        return;
+    }
+    let response = ui.interact(room, Id::unique(("tracks of", row.node)), Sense::CLICK);
+    let words = fill(editor.texts().timeline.tracks_of, &[&node.name]);
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, words.as_str()));
+    let colour = match response.hovered() {
+        true => palette.focus,
+        false => palette.text,
+    };
+    if !node.keys().tracks().is_empty() {
+        let open = !memory.folded.contains(&row.node);
+        painter.add(theme::triangle(
+            room.left_center() + vec2(5.0, 0.0),
+            open,
+            colour,
+        ));
+    }
+    painter.text(
+        place,
+        Align2::LEFT_CENTER,
+        &node.name,
+        theme::small(),
+        colour,
+    );
+    if response.clicked() && !memory.folded.remove(&row.node) {
+        memory.folded.insert(row.node);
+    }
+}
+
+/// A square on its corner.
+fn diamond(middle: Pos2, half: f32, fill: egui::Color32, line: Stroke) -> Shape {
+    let corners = [(0.0, -half), (half, 0.0), (0.0, half), (-half, 0.0)];
+    let corners = corners.map(|(x, y)| middle + vec2(x, y));
+    Shape::convex_polygon(corners.to_vec(), fill, line)
+}
+
+fn diamonds(shown: &Shown<'_>, ui: &Ui, painter: &Painter, (row, track): (Row, &Track), y: f32) {
+    let palette = theme::palette(ui);
+    let of_track = |at: &&KeyAt| at.node == row.node && at.channel.same_as(track.channel());
+    let chosen: Vec<usize> = shown
+        .selected
+        .iter()
+        .filter(of_track)
+        .map(|at| at.key)
+        .collect();
+    let line = Stroke::new(1.0, palette.field);
+    for (x, keys) in shown.time.signs(track.frames()) {
+        let fill = match chosen.iter().any(|key| keys.contains(key)) {
+            true => palette.accent,
+            false => palette.weak,
+        };
+        painter.add(diamond(pos2(x, y), SIGN, fill, line));
+    }
+}
+
+/// The bar of a node's path, and small signs for the keys of its tracks.
+fn of_node(
+    editor: &Editor,
+    edited: &EditedScene,
+    shown: &Shown<'_>,
+    ui: &Ui,
+    painter: &Painter,
+    (row, rows): (Row, Rangef),
+) {
+    let palette = theme::palette(ui);
+    if let Some((first, last)) = bar_of(editor, edited, row.node) {
+        let ends = [first, last].map(|frame| shown.time.x(frame));
+        let rows = rows.shrink(4.0);
+        let bar = Rect::from_x_y_ranges(ends[0]..=ends[1].max(ends[0] + 2.0), rows);
+        let of_edited = edited.node() == Some(row.node);
+        let part = if of_edited { 0.5 } else { 0.28 };
+        painter.rect_filled(bar, 3.0, palette.accent.gamma_multiply(part));
+        let mut free = bar.left();
+        for frame in borders(editor, edited, row.node) {
+            let x = shown.time.x(first + frame);
+            if x - free >= APART && shown.time.axis.sees(x) {
+                painter.vline(x, rows, Stroke::new(1.0, palette.field));
+                free = x;
+            }
+        }
+        if of_edited {
+            let line = Stroke::new(1.0, palette.accent);
+            painter.rect_stroke(bar, 3.0, line, StrokeKind::Inside);
+        }
+    }
+    for track in row.tracks(edited) {
+        for (x, _) in shown.time.signs(track.frames()) {
+            painter.add(diamond(
+                pos2(x, rows.center()),
+                SMALL,
+                palette.edge,
+                Stroke::NONE,
+            ));
+        }
+    }
+}
+
+/// The frames from a path's first one at which its sections end.
+fn borders(editor: &Editor, edited: &EditedScene, node: usize) -> Vec<f64> {
+    if edited.node() == Some(node) {
+        let keys = &editor.playing.marks.keys;
+        return keys.iter().map(|mark| mark.first() - 1.0).collect();
+    }
+    let path = edited.scene().nodes().get(node).and_then(Node::path);
+    path.map(sections).unwrap_or_default()
+}
+
+fn sections(follow: &FollowPath) -> Vec<f64> {
+    let path = follow.path();
+    let views: usize = path
+        .points
+        .iter()
+        .map(|point| point.orientations.len())
+        .sum();
+    let count = if path.closed { views } else { views - 1 };
+    // What cannot be prepared is told where it is evaluated.
+    let sampler = follow.sampler().ok();
+    let begins = |sampler: &Sampler| {
+        let first = |section| as_frame(sampler.first_frame(section).saturating_sub(2));
+        (0..count).map(first).collect()
+    };
+    sampler.map(begins).unwrap_or_default()
+}
+
+/// Clicks: select, and open the menu.
+fn pressed(
+    editor: &Editor,
+    memory: &mut Memory,
+    ui: &Ui,
+    shown: &Shown<'_>,
+    response: &Response,
+    actions: &mut Vec<Action>,
+) {
+    if let Some(at) = response.hover_pos() {
+        match shown.hit(editor, at) {
+            Hit::Keys(_) | Hit::End { .. } => ui.set_cursor_icon(CursorIcon::ResizeHorizontal),
+            Hit::Bar(_) => ui.set_cursor_icon(CursorIcon::Grab),
+            Hit::Nothing => {}
+        }
+    }
+    let pointer = response.interact_pointer_pos();
+    if let Some(at) = pointer.filter(|_| response.secondary_clicked()) {
+        memory.menu = shown.row_at(at.y);
+        if let Hit::Keys(keys) = shown.hit(editor, at)
+            && !keys.iter().all(|key| shown.selected.contains(key))
+        {
+            actions.push(Action::SelectKeys(keys));
+        }
+    }
+    if let Some(at) = pointer.filter(|_| response.clicked()) {
+        response.request_focus();
+        let held = ui.input(|input| input.modifiers);
+        let keys = match shown.hit(editor, at) {
+            Hit::Keys(keys) => keys,
+            Hit::End { .. } => return,
+            Hit::Nothing | Hit::Bar(_) => Vec::new(),
+        };
+        actions.push(Action::SelectKeys(chosen(shown, keys, held)));
+    }
+    if let Some(row) = memory.menu {
+        track_menu::show(editor, response, row, actions);
+    }
+}
+
+/// The selection after a click at these keys.
+fn chosen(shown: &Shown<'_>, keys: Vec<KeyAt>, held: egui::Modifiers) -> Vec<KeyAt> {
+    let mut all = shown.selected.clone();
+    if held.ctrl {
+        let taken = keys.iter().all(|key| all.contains(key));
+        all.retain(|key| !keys.contains(key));
+        if !taken {
+            all.splice(0..0, keys);
+        }
+        return all;
+    }
+    if !held.shift {
+        return keys;
+    }
+    // All up to here from the last one that was clicked in the track.
+    for key in keys {
+        let same = |at: &&KeyAt| at.node == key.node && at.channel == key.channel;
+        let from = all.iter().find(same).map_or(key.key, |at| at.key);
+        for between in from.min(key.key)..=from.max(key.key) {
+            let next = KeyAt {
+                key: between,
+                ..key.clone()
+            };
+            if !all.contains(&next) {
+                all.push(next);
+            }
+        }
+    }
+    all
+}
+
+#[cfg(test)]
+#[path = "tracks_tests.rs"]
+mod tests;

@@ -1,0 +1,175 @@
+//! What is done to a node from its panels.
+
+use vides_engine::scene::{Channel, Extrapolation, FollowPath, Keep, KeyList, Kind, Part};
+
+use crate::document::{Document, Edit, Info};
+use crate::error::{Refused, Result};
+use crate::files::Purpose;
+use crate::number::Entry;
+use crate::path::CameraPath;
+use crate::state::Editor;
+
+/// What is asked for in the panels of a node.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum NodeAction {
+    /// An entry into what the node has.
+    Enter(Box<Entry<Edit>>),
+    /// An entry into a channel, see [`Editor::set_channel`].
+    Value(usize, Channel, Entry<Vec<f64>>),
+    /// A click on a diamond.
+    SwitchKey(usize, Channel),
+    /// Keys for position, rotation and scale of the selected nodes.
+    SetKeys,
+    /// Another parent; one that moves goes along with it.
+    Parent(usize, Option<usize>),
+    Motion(usize, Moves),
+    /// Read its mesh again.
+    Reload(usize),
+    /// Ask for a file.
+    AskFile(Purpose),
+    /// Show what the node has besides its path.
+    ShowNode(bool),
+}
+
+/// What moves a node.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Moves {
+    Nothing,
+    Keys,
+    Path,
+}
+
+/// The channels that a path moves.
+const OF_PATH: [Channel; 3] = [Channel::Position, Channel::Rotation, Channel::Zoom];
+
+impl Editor {
+    pub(crate) fn node_action(&mut self, action: NodeAction) {
+        match action {
+            NodeAction::Enter(entry) => self.enter_with(*entry, |editor, edit| {
+                editor.edit(edit);
+            }),
+            NodeAction::Value(node, channel, entry) => self.enter_with(entry, |editor, value| {
+                editor.set_channel(node, &channel, &value);
+            }),
+            NodeAction::SwitchKey(node, channel) => self.switch_key(node, &channel),
+            NodeAction::SetKeys => self.set_keys(),
+            NodeAction::Parent(node, parent) => self.choose_parent(node, parent),
+            NodeAction::Motion(node, moves) => self.set_motion(node, moves),
+            NodeAction::Reload(node) => self.reload_mesh(node),
+            NodeAction::AskFile(purpose) => self.choose_file(purpose),
+            NodeAction::ShowNode(shown) => self.scene_view.shows_node = shown,
+        }
+    }
+
+    /// Does what was entered as one step.
+    fn enter_with<T>(&mut self, entry: Entry<T>, set: impl FnOnce(&mut Self, T)) {
+        match entry {
+            Entry::Idle => {}
+            Entry::Begin => self.document.begin_step(),
+            Entry::Drag(value) | Entry::Set(value) => set(self, value),
+            Entry::End => self.document.end_step(),
+            Entry::Cancel => self.document.cancel_step(),
+            Entry::Wrong(text) => self.complain(text),
+        }
+    }
+
+    /// What moves a node.
+    pub(crate) fn moves(&self, node: usize) -> Moves {
+        let Ok(of) = self.node_of_scene(node) else {
+            return Moves::Nothing;
+        };
+        match (of.path(), of.keys().tracks().is_empty()) {
+            (Some(_), _) => Moves::Path,
+            (None, false) => Moves::Keys,
+            (None, true) => Moves::Nothing,
+        }
+    }
+
+    /// Puts a node into another one, at its place if it rests.
+    fn choose_parent(&mut self, node: usize, parent: Option<usize>) {
+        let moves = self.node_of_scene(node).is_ok_and(|of| {
+            let place = [Channel::Position, Channel::Rotation, Channel::Scale];
+            let by_key = |channel: &Channel| of.keys().track(channel).is_some();
+            of.path().is_some() || place.iter().any(by_key)
+        });
+        let keep = match moves {
+            true => Keep::Numbers,
+            false => Keep::Place,
+        };
+        let edit = Edit::SetParent { node, parent, keep };
+        if self.edit_all([edit]) && moves {
+            self.say_done(self.texts().node.goes_along.to_owned());
+        }
+    }
+
+    fn set_motion(&mut self, node: usize, moves: Moves) {
+        let now = self.moves(node);
+        let texts = &self.texts().node;
+        let of = self.node_of_scene(node).ok();
+        let camera = of.is_some_and(|of| matches!(of.kind, Kind::Camera(_)));
+        let looks_at = of.is_some_and(|of| of.aim.is_some());
+        let by_key = of.is_some_and(|of| {
+            let mut all = OF_PATH.iter();
+            all.any(|channel| of.keys().track(channel).is_some())
+        });
+        let (made, said) = match (now, moves) {
+            (now, wanted) if now == wanted => return,
+            (_, Moves::Nothing) => (self.still(node), texts.rests),
+            (Moves::Path, Moves::Keys) => (self.document.path_to_keys(node), texts.became_keys),
+            (_, Moves::Keys) => {
+                self.select_nodes(vec![node]);
+                return self.set_keys();
+            }
+            (_, Moves::Path) if camera && (by_key || looks_at) => return self.keys_to_path(node),
+            (_, Moves::Path) if by_key => return self.complain(texts.only_cameras),
+            (_, Moves::Path) => (self.new_path(node), ""),
+        };
+        let edits = match made {
+            Ok(edits) => edits,
+            Err(error) => return self.complain_of(&error),
+        };
+        // What is selected stays so, though its path may go.
+        self.select_nodes(vec![node]);
+        if self.edit_all(edits) && !said.is_empty() {
+            self.say_done(said.to_owned());
+        }
+    }
+
+    /// The edits that take away path and keys; the values of the last keys stay.
+    fn still(&self, node: usize) -> Result<Vec<Edit>> {
+        let of = self.node_of_scene(node)?;
+        let mut parts = Vec::new();
+        if of.path().is_some() {
+            parts.push(Part::path(node, None)?);
+        }
+        for track in of.keys().tracks() {
+            parts.push(Part::Keys {
+                node,
+                channel: track.channel().clone(),
+                remove: (0..track.frames().len()).collect(),
+                put: KeyList::default(),
+            });
+        }
+        let edits = parts.into_iter().map(|part| Edit::Part(Box::new(part)));
+        Ok(edits.collect())
+    }
+
+    /// The edits that let a node follow a new path, which begins here and now.
+    fn new_path(&self, node: usize) -> Result<Vec<Edit>> {
+        let edited = self.document.edited_scene().ok_or(Refused::NoScene)?;
+        let of = edited.scene().node(node)?;
+        let space = edited.scene().space();
+        let mut document = Document::from_parts(CameraPath::try_new()?, Info::default())?;
+        document.apply(Edit::SetSpace { space, fit: true })?;
+        let (mut path, _) = document.into_parts();
+        let away = of.rest.position - path.points[0].position;
+        for point in &mut path.points {
+            point.position += away;
+        }
+        let start = self.frame()?.round();
+        let follow = FollowPath::new(path, start, Extrapolation::Hold)?;
+        let part = Part::path(node, Some(follow))?;
+        let part = Edit::Part(Box::new(part));
+        Ok(vec![part, Edit::EditNode(Some(node))])
+    }
+}

@@ -1,0 +1,274 @@
+//! The panels of an object's deformations and of its shapes.
+
+use egui::{Button, Popup, Role, Ui, WidgetInfo, vec2};
+use vides_engine::deform::{Deformation, identity_lattice};
+use vides_engine::scene::{Channel, Kind, Object, Part};
+
+use super::keys_panel::{Shown, Sign, Words, channel, heading, sign};
+use super::kind_panel::plain;
+use super::node_action::NodeAction;
+use crate::action::Action;
+use crate::document::Edit;
+use crate::files::Purpose;
+use crate::number::{Entry, Number};
+use crate::panels::{Heading, PanelButton, apart, button_row};
+use crate::setup::Fold;
+use crate::state::Editor;
+use crate::texts::fill;
+use crate::theme;
+
+const fn object<'a>(of: Shown<'a>) -> Option<&'a Object> {
+    match &of.node.kind {
+        Kind::Object(object) => Some(object),
+        _ => None,
+    }
+}
+
+fn edit(part: Part) -> Action {
+    Action::Edits(vec![Edit::Part(Box::new(part))])
+}
+
+pub(super) fn deformations(editor: &Editor, ui: &mut Ui, of: Shown<'_>, actions: &mut Vec<Action>) {
+    let Some(object) = object(of) else {
+        return;
+    };
+    let texts = &editor.texts().node;
+    let all = object.deformations();
+    apart(ui);
+    let count = match all.len() {
+        0 => String::new(),
+        count => count.to_string(),
+    };
+    let title = Heading {
+        editor,
+        fold: Fold::Deformations,
+        text: texts.deformations,
+        remark: &count,
+    };
+    if !title.show(ui, actions).0 {
+        return;
+    }
+    for at in 0..all.len() {
+        deformation(editor, ui, of, object, at, actions);
+    }
+    add(editor, ui, of, all.len(), actions);
+}
+
+/// What a deformation is called.
+fn called(editor: &Editor, deformation: &Deformation) -> &'static str {
+    let bulges = deformation.channel("a").is_some();
+    match bulges {
+        true => editor.texts().node.bulge,
+        false => editor.language().tool(deformation.kind()),
+    }
+}
+
+fn deformation(
+    editor: &Editor,
+    ui: &mut Ui,
+    of: Shown<'_>,
+    object: &Object,
+    at: usize,
+    actions: &mut Vec<Action>,
+) {
+    let (texts, node) = (&editor.texts().node, of.at);
+    let all = object.deformations();
+    let (this, bounds) = &all[at];
+    let name = format!("{}. {}", at + 1, called(editor, this));
+    ui.horizontal(|ui| {
+        let signs = 3.0 * (super::keys_panel::DIAMOND + theme::GAP);
+        let room = ui.available_width() - signs;
+        ui.scope(|ui| {
+            ui.set_width(room);
+            ui.horizontal(|ui| {
+                ui.label(&name);
+                if let Some(turned) = axis(editor, ui, this, &name) {
+                    actions.push(edit(Part::Deformation {
+                        node,
+                        at,
+                        deformation: turned,
+                        bounds: *bounds,
+                    }));
+                }
+            });
+        });
+        let text = fill(texts.earlier, &[&name]);
+        if sign(ui, Sign::Up, &text, at > 0) {
+            let to = at - 1;
+            actions.push(edit(Part::MoveDeformation { node, from: at, to }));
+        }
+        let text = fill(texts.later, &[&name]);
+        if sign(ui, Sign::Down, &text, at + 1 < all.len()) {
+            let to = at + 1;
+            actions.push(edit(Part::MoveDeformation { node, from: at, to }));
+        }
+        let text = fill(texts.remove_deformation, &[&name]);
+        if sign(ui, Sign::Remove, &text, true) {
+            actions.push(edit(Part::RemoveDeformation { node, at }));
+        }
+    });
+    for (parameter, width) in this.channels() {
+        let of_parameter = Channel::Deformation {
+            at,
+            parameter: parameter.to_owned(),
+        };
+        let (word, is_angle) = parameter_words(editor, parameter);
+        let words = Words::new(word, texts.parameter_hint);
+        match (width, is_angle) {
+            (1, true) => {
+                let style = &super::node_panel::degrees;
+                channel(editor, ui, of, &of_parameter, words, style, actions);
+            }
+            (1, false) => channel(editor, ui, of, &of_parameter, words, &plain, actions),
+            _ => actions.extend(heading(editor, ui, of, &of_parameter, words)),
+        }
+    }
+}
+
+/// What a parameter is called, and whether it is an angle.
+fn parameter_words<'a>(editor: &Editor, parameter: &'a str) -> (&'a str, bool) {
+    let texts = &editor.texts().node;
+    match parameter {
+        "angle" => (texts.angle, true),
+        "a" => (texts.middle_width, false),
+        "r0" => (texts.first_width, false),
+        "r1" => (texts.last_width, false),
+        "phi_min" => (texts.first_angle, true),
+        "phi_max" => (texts.last_angle, true),
+        "points" => (texts.lattice, false),
+        other => (other, false),
+    }
+}
+
+/// A button with the axis, which chooses the next one.
+fn axis(editor: &Editor, ui: &mut Ui, this: &Deformation, name: &str) -> Option<Deformation> {
+    let numbers: usize = this.channels().map(|(_, width)| width).sum();
+    let axes = this.parameters().len() - numbers;
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    let first = *this.parameters()[..axes].first()? as usize;
+    let texts = &editor.texts().node;
+    let letter = ["x", "y", "z"][first % 3];
+    let button = ui.add(Button::new(letter).min_size(vec2(theme::ROW, theme::ROW)));
+    let label = fill(texts.axis, &[&name]);
+    button.widget_info(|| WidgetInfo {
+        current_text_value: Some(letter.to_owned()),
+        ..WidgetInfo::labeled(Role::Button, true, &label)
+    });
+    if !button.on_hover_text(texts.axis_hint).clicked() {
+        return None;
+    }
+    let mut parameters = this.parameters().to_vec();
+    for axis in &mut parameters[..axes] {
+        *axis = (*axis + 1.0) % 3.0;
+    }
+    Deformation::new(this.kind(), &parameters).ok()
+}
+
+/// The menu of the kinds that there are; each begins with numbers that change nothing.
+fn add(editor: &Editor, ui: &mut Ui, of: Shown<'_>, at: usize, actions: &mut Vec<Action>) {
+    let texts = &editor.texts().node;
+    let size = vec2(ui.available_width(), theme::ROW);
+    let button = ui.add_sized(size, Button::new(texts.add_deformation));
+    Popup::menu(&button).show(|ui| {
+        let lattice = identity_lattice();
+        let kinds: [(&str, &[f64]); 5] = [
+            ("twist", &[1.0, 0.0]),
+            ("bend", &[1.0, 0.0]),
+            ("taper", &[1.0, 1.0, 1.0]),
+            ("taper", &[1.0, 1.0]),
+            ("free-form", &lattice),
+        ];
+        for (kind, parameters) in kinds {
+            let Ok(new) = Deformation::new(kind, parameters) else {
+                continue;
+            };
+            if ui.button(called(editor, &new)).clicked() {
+                actions.push(edit(Part::InsertDeformation {
+                    node: of.at,
+                    at,
+                    deformation: new,
+                    bounds: None,
+                }));
+            }
+        }
+    });
+    button.on_hover_text(texts.add_deformation_hint);
+}
+
+pub(super) fn shapes(editor: &Editor, ui: &mut Ui, of: Shown<'_>, actions: &mut Vec<Action>) {
+    let Some(object) = object(of) else {
+        return;
+    };
+    let texts = &editor.texts().node;
+    apart(ui);
+    let count = match object.shapes().len() {
+        0 => String::new(),
+        count => count.to_string(),
+    };
+    let title = Heading {
+        editor,
+        fold: Fold::Shapes,
+        text: texts.shapes,
+        remark: &count,
+    };
+    if !title.show(ui, actions).0 {
+        return;
+    }
+    if !object.shapes().is_empty() {
+        weights(editor, ui, of, object, actions);
+    }
+    let ask = Action::Node(NodeAction::AskFile(Purpose::LoadShape(of.at)));
+    let button = PanelButton::new(texts.add_shape, texts.add_shape_hint, ask);
+    button_row(editor, ui, &[button], actions);
+}
+
+/// One diamond for all weights, which are one track.
+fn weights(
+    editor: &Editor,
+    ui: &mut Ui,
+    of: Shown<'_>,
+    object: &Object,
+    actions: &mut Vec<Action>,
+) {
+    let texts = &editor.texts().node;
+    let words = Words::new(texts.weights, texts.weight_hint);
+    actions.extend(heading(editor, ui, of, &Channel::Weights, words));
+    let Some(now) = editor.channel_value(of.at, &Channel::Weights) else {
+        return;
+    };
+    for (at, (shape, &weight)) in object.shapes().iter().zip(&now).enumerate() {
+        ui.horizontal(|ui| {
+            let width = ui.available_width() - super::keys_panel::DIAMOND - theme::GAP;
+            let name = fill(texts.weight, &[&shape.name]);
+            let id = format!("{}.weight.{at}", of.at);
+            let label = cut(&shape.name);
+            let entry = Number::new(&name, weight)
+                .label(&label)
+                .hint(texts.weight_hint)
+                .show(ui, editor.language(), &id, width);
+            if entry != Entry::Idle {
+                let entry = entry.map(|weight| {
+                    let mut new = now.clone();
+                    new[at] = weight;
+                    new
+                });
+                let action = NodeAction::Value(of.at, Channel::Weights, entry);
+                actions.push(Action::Node(action));
+            }
+            let text = fill(texts.remove_shape, &[&shape.name]);
+            if sign(ui, Sign::Remove, &text, true) {
+                let node = of.at;
+                actions.push(edit(Part::RemoveShape { node, at }));
+            }
+        });
+    }
+}
+
+/// A name that leaves room for its number.
+fn cut(name: &str) -> String {
+    const MOST: usize = 16;
+    match name.char_indices().nth(MOST) {
+        Some((end, _)) => format!("{}…", &name[..end]),
+        None => name.to_owned(),
+    }
+}

@@ -1,0 +1,168 @@
+//! Texts of the panels of a node: what it has, and the diamonds of its keys.
+
+use super::texts;
+
+texts! {
+    NodePanel {
+        points_tab: "Points", "Punkte";
+        points_tab_hint: "The path's points and views", "Punkte und Blicke der Bahn";
+        node_tab: "Node", "Knoten";
+        node_tab_hint: "What the node has besides its path: parent, scale, motion",
+            "Was der Knoten außer der Bahn hat: Überordnung, Größe, Bewegung";
+        first_of: "The first of {0} selected", "Der erste von {0} gewählten";
+
+        parent: "In: {0}", "In: {0}";
+        parent_name: "Parent", "Überordnung";
+        no_parent: "the scene", "Szene";
+        parent_hint: "The node that it is in and goes along with. One at rest keeps its place in the world; one that moves keeps its numbers",
+            "Der Knoten, in dem er ist und mit dem er mitgeht. Wer ruht, bleibt an seinem Ort in der Welt; wer sich bewegt, behält seine Zahlen";
+        goes_along: "It moves, so it keeps its numbers and goes along with its parent",
+            "Er bewegt sich, also behält er seine Zahlen und geht mit";
+        aim: "Aims at: {0}", "Zielt auf: {0}";
+        aim_name: "Aim", "Ziel";
+        no_aim: "nothing", "nichts";
+        aim_hint: "The node whose pivot it looks at", "Der Knoten, auf dessen Drehpunkt er blickt";
+        aim_weight: "Aim weight", "Gewicht des Ziels";
+        aim_weight_hint: "From 0, its own direction, to 1, towards the aim",
+            "Von 0, der eigenen Richtung, bis 1, zum Ziel hin";
+        visible: "Visible", "Sichtbar";
+        visible_hint: "A hidden node hides what is in it", "Ein verborgener Knoten verbirgt, was in ihm ist";
+
+        place: "Place", "Lage";
+        position: "Position", "Ort";
+        position_hint: "In its parent: drag, or click and type",
+            "In dem, worin er ist: ziehen, oder klicken und tippen";
+        rotation: "Yaw, pitch, roll", "Gieren, Nicken, Rollen";
+        rotation_hint: "In degrees: about y, then the turned x, then the turned z axis",
+            "In Grad: um y, dann die gedrehte x-, dann die gedrehte z-Achse";
+        yaw: "yaw", "Gieren";
+        pitch: "pitch", "Nicken";
+        roll: "roll", "Rollen";
+        scale: "Scale", "Größe";
+        scale_hint: "Factors along its own axes; negative ones mirror",
+            "Faktoren längs der eigenen Achsen; negative spiegeln";
+        pivot: "Pivot", "Drehpunkt";
+        pivot_hint: "The point that stays in place when it turns and scales",
+            "Der Punkt, der liegen bleibt, wenn er sich dreht und größer wird";
+
+        zoom: "Zoom", "Zoom";
+        zoom_hint: "Focal length in mm of a 36×24 mm camera, 1 to 2000",
+            "Brennweite in mm einer Kleinbildkamera, 1 bis 2000";
+        camera_roll: "Roll", "Winkel";
+        camera_roll_hint: "Turns up about the direction of view, in degrees",
+            "Dreht oben um die Blickrichtung, in Grad";
+        near: "Nearest", "Nächstes";
+        near_hint: "Distance of the nearest thing that it shows",
+            "Abstand des Nächsten, das sie zeigt";
+        far: "Farthest", "Fernstes";
+        far_hint: "Distance of the farthest thing that it shows",
+            "Abstand des Fernsten, das sie zeigt";
+
+        directional: "Parallel", "Parallel";
+        directional_hint: "From everywhere in its direction", "Von überall her in seiner Richtung";
+        point: "Point", "Punkt";
+        point_hint: "From its place into all directions", "Von seinem Ort in alle Richtungen";
+        spot: "Spot", "Kegel";
+        spot_hint: "From its place into a cone", "Von seinem Ort in einen Kegel";
+        colour: "Colour", "Farbe";
+        colour_hint: "Red, green and blue, linear, from 0", "Rot, Grün und Blau, linear, ab 0";
+        red: "R", "R";
+        green: "G", "G";
+        blue: "B", "B";
+        intensity: "Intensity", "Stärke";
+        intensity_hint: "How bright it is, from 0", "Wie hell es ist, ab 0";
+        cone: "Cone: inner and outer half angle", "Kegel: halber Winkel innen, außen";
+        cone_hint: "In degrees, up to 90; between the two it fades",
+            "In Grad, bis 90; dazwischen wird es dunkler";
+        inner: "inner", "innen";
+        outer: "outer", "außen";
+
+        mesh: "Mesh: {0}", "Netz: {0}";
+        mesh_points: "{0} points", "{0} Punkte";
+        load: "Load …", "Laden …";
+        load_mesh_hint: "A mesh or a point cloud from a file: OBJ, PLY, STL, glTF",
+            "Ein Netz oder eine Punktwolke aus einer Datei: OBJ, PLY, STL, glTF";
+        reload: "Read again", "Neu lesen";
+        reload_hint: "Read its file as it is now", "Die Datei lesen, wie sie jetzt ist";
+        no_mesh_file: "Its mesh comes from no file", "Das Netz stammt aus keiner Datei";
+        mesh_title: "Load a mesh", "Netz laden";
+        shape_title: "Load a shape", "Form laden";
+
+        shapes: "Shapes", "Formen";
+        add_shape: "+ Shape …", "+ Form …";
+        add_shape_hint: "Another shape of its points, from a mesh file with as many; it begins with weight 0",
+            "Eine andere Form seiner Punkte, aus einer Netzdatei mit gleich vielen; sie beginnt mit Gewicht 0";
+        weight: "Weight of {0}", "Gewicht von {0}";
+        weights: "Weights of the shapes", "Gewichte der Formen";
+        weight_hint: "How much of this shape there is; the mesh takes what is left to 1",
+            "Wie viel von dieser Form; das Netz nimmt, was bis 1 fehlt";
+        remove_shape: "Remove the shape {0}", "Form {0} löschen";
+
+        deformations: "Deformations", "Verformungen";
+        add_deformation: "+ Deformation", "+ Verformung";
+        add_deformation_hint: "Deforms the object, after those that are there, within the box of its mesh",
+            "Verformt das Objekt, nach den vorhandenen, im Quader um das Netz";
+        bulge: "Bulge", "Bauchen";
+        axis: "Axis of {0}", "Achse von {0}";
+        axis_hint: "The axis along which it deforms; a click chooses the next one",
+            "Die Achse, längs der sie verformt; ein Klick wählt die nächste";
+        earlier: "{0} earlier", "{0} früher";
+        later: "{0} later", "{0} später";
+        remove_deformation: "Remove {0}", "{0} löschen";
+        angle: "Angle", "Winkel";
+        middle_width: "Width in the middle", "Breite in der Mitte";
+        first_width: "Width at the low end", "Breite unten";
+        last_width: "Width at the high end", "Breite oben";
+        first_angle: "First angle", "Erster Winkel";
+        last_angle: "Last angle", "Letzter Winkel";
+        lattice: "Control points", "Kontrollpunkte";
+        parameter_hint: "A number of the deformation, which may change in time",
+            "Eine Zahl der Verformung, die sich mit der Zeit ändern darf";
+
+        values: "Values for the program", "Werte für das Programm";
+        value_hint: "Numbers by keys that only the program knows how to use",
+            "Zahlen durch Schlüssel, die nur das Programm zu nutzen weiß";
+
+        motion: "Motion", "Bewegung";
+        none: "None", "Keine";
+        none_hint: "It rests; of keys the last ones stay", "Er ruht; von Schlüsseln bleiben die letzten";
+        by_keys: "Keys", "Schlüssel";
+        by_keys_hint: "Its values change by keys; of a path it has one a frame",
+            "Seine Werte ändern sich durch Schlüssel; aus einer Bahn einer je Bild";
+        by_path: "Path", "Bahn";
+        by_path_hint: "It follows a path of its own", "Er folgt einer eigenen Bahn";
+        start: "Begins at frame", "Beginnt bei Bild";
+        start_hint: "The scene's frame of the path's first pose",
+            "Das Bild der Szene, in dem die Bahn beginnt";
+        pinned_start: "A marker holds the path in time", "Eine Marke hält die Bahn in der Zeit fest";
+        beyond: "Before and after: {0}", "Davor und danach: {0}";
+        beyond_name: "Before and after", "Davor und danach";
+        beyond_hint: "What it does before its path begins and after it ends",
+            "Was er tut, bevor seine Bahn beginnt und nachdem sie endet";
+        hold: "rests", "ruht";
+        repeat: "starts over", "von vorn";
+        pingpong: "back and forth", "hin und her";
+        path_to_keys: "Path to keys", "Bahn zu Schlüsseln";
+        path_to_keys_hint: "A key a frame takes the place of the path: it moves the same. One step, which can be undone",
+            "Ein Schlüssel je Bild tritt an die Stelle der Bahn: Er bewegt sich gleich. Ein Schritt, der sich zurücknehmen lässt";
+        keys_to_path: "Keys to path", "Schlüssel zu Bahn";
+        only_cameras: "Only the keys of a camera become a path: it is fitted to what the camera sees",
+            "Nur die Schlüssel einer Kamera werden zu einer Bahn: Sie wird dem angepasst, was die Kamera sieht";
+        became_keys: "Keys in place of the path", "Schlüssel anstelle der Bahn";
+        rests: "It rests", "Er ruht";
+
+        key_of: "Key: {0}", "Schlüssel: {0}";
+        key_no_track: "It does not move: set a first key here",
+            "Es bewegt sich nicht: hier einen ersten Schlüssel setzen";
+        key_not_here: "No key in this frame: set one with the value that is there",
+            "In diesem Bild kein Schlüssel: einen mit dem Wert setzen, der da ist";
+        key_here: "A key in this frame: remove it; the value of the last one stays",
+            "In diesem Bild ein Schlüssel: ihn löschen; der Wert des letzten bleibt";
+        by_its_path: "Its path moves this", "Das bewegt seine Bahn";
+        set_keys: "Keys for position, rotation and scale of the selected nodes",
+            "Schlüssel für Ort, Drehung und Größe der gewählten Knoten";
+        keys_set: "Keys for position, rotation and scale", "Schlüssel für Ort, Drehung und Größe";
+        keys_are_there: "There are keys for position, rotation and scale in this frame",
+            "In diesem Bild gibt es Schlüssel für Ort, Drehung und Größe";
+    }
+}
