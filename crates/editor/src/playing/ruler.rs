@@ -34,8 +34,7 @@ pub(super) fn show(
     actions: &mut Vec<Action>,
 ) {
     let texts = &editor.texts().space;
-    let id = ui.scope_id().with("ruler");
-    let response = ui.interact(rect, id, Sense::click_and_drag());
+    let response = ui.interact(rect, id(), Sense::click_and_drag());
     let (name, at) = (texts.timeline, editor.position_on_bar());
     response.widget_info(|| WidgetInfo::slider(true, at, name));
     if editor.playing.marks.frames > 0 {
@@ -55,6 +54,11 @@ pub(super) fn show(
         None => texts.timeline_tip.to_owned(),
     };
     response.on_hover_text(tip);
+}
+
+/// What the keyboard means where the ruler has it.
+pub(super) fn id() -> egui::Id {
+    egui::Id::unique("ruler of time")
 }
 
 /// Where the rail of the playhead runs.

@@ -5,7 +5,7 @@ use egui::{Context, Key, Modifiers};
 
 use super::track_drag::removed;
 use super::tracks::id;
-use super::{as_frame, markers};
+use super::{as_frame, markers, ruler};
 use crate::action::Action;
 use crate::scene_view::KeyAt;
 use crate::state::Editor;
@@ -16,6 +16,12 @@ pub(crate) fn take_keys(editor: &mut Editor, context: &Context) {
         return;
     }
     let pressed = |modifiers, key| context.input_mut(|input| input.consume_key(modifiers, key));
+    markers::take_keys(editor, context);
+    let rows = context.memory(|memory| memory.has_focus(id()));
+    // In the space they roll the camera.
+    if !rows && !context.memory(|memory| memory.has_focus(ruler::id())) {
+        return;
+    }
     for (key, forward) in [(Key::Comma, false), (Key::Period, true)] {
         if pressed(Modifiers::NONE, key)
             && let Some(frame) = beside(editor, forward)
@@ -23,8 +29,7 @@ pub(crate) fn take_keys(editor: &mut Editor, context: &Context) {
             editor.scrub(frame);
         }
     }
-    markers::take_keys(editor, context);
-    if !context.memory(|memory| memory.has_focus(id())) {
+    if !rows {
         return;
     }
     let keys = editor.selected_keys();

@@ -438,6 +438,8 @@ fn a_bar_is_dragged() {
 #[test]
 fn comma_and_period_go_from_key_to_key() {
     let mut harness = window();
+    let name = harness.state().texts().space.timeline;
+    harness.get_by_label(name).focus();
     harness.state_mut().scrub(12.0);
     steps_on(&mut harness);
     for (key, expected) in [

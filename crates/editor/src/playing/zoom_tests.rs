@@ -153,6 +153,8 @@ fn the_playhead_stays_in_sight() {
     let at = rows(&harness, 0.1)[0];
     wheel(&mut harness, at, 10.0, Modifiers::NONE);
     let span = axis(&harness).last() - axis(&harness).first();
+    let name = harness.state().texts().space.timeline;
+    harness.get_by_label(name).focus();
     for _ in 0..4 {
         tap(&mut harness, Key::Period, Modifiers::NONE);
         steps_on(&mut harness);

@@ -84,7 +84,7 @@ texts! {
         track_meaning: "To whole frames; Shift: tenths; Ctrl: copies; a number: to that time; a bracket: scales the time between",
             "Zu ganzen Bildern; Umschalt: Zehntel; Strg: Kopien; eine Zahl: zu dieser Zeit; eine Klammer: dehnt die Zeit dazwischen";
         beside_keys: "Comma, period", "Komma, Punkt";
-        beside_meaning: "To the key before, after", "Zum vorigen, nächsten Schlüssel";
+        beside_meaning: "On the timeline, to the key before, after", "Auf der Zeitleiste zum vorigen, nächsten Schlüssel";
         marker: "Marker {0}", "Marke {0}";
         new_marker: "Marker {0}", "Marke {0}";
         marker_name: "Name of the marker", "Name der Marke";
