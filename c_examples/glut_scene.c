@@ -8,9 +8,11 @@
  * editor, and draws the state of every node at the frame of the editor's playhead,
  * whether that is played, scrubbed or changed; it fills the camera's picture within the
  * editor, too. The space key gives the car's way another
- * interpolation, s shows its headlights' cones or not, Escape ends. "glut_scene --save
- * FILE.vid" writes the scene and ends.
+ * interpolation, s shows the spot lights' cones or not, Escape ends. "glut_scene FILE.vid"
+ * draws the scene of a file instead, through the camera that it shows; "glut_scene --save
+ * FILE.vid" writes the car's scene and ends.
  */
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -21,11 +23,11 @@
 #include <libvides.h>
 
 #define TICK 8 /* milliseconds */
-#define NODES 13
 
 static V_SCENE *scene;
 static V_EDITOR *editor;
-static int car, camera, lights[2];
+static int car;
+static int floor_seen; /* the car's: a file's scene brings its own */
 static double frame = 1.0;
 static Window pane; /* of this program's, in the editor's window; None: there is none */
 static int pane_width, pane_height;
@@ -143,7 +145,7 @@ static void build(void)
         "wheel front left", "wheel front right", "wheel rear left", "wheel rear right"
     };
     V_NODE node;
-    int body, arm, forearm, hand, wheel, i;
+    int body, arm, forearm, hand, wheel, camera, i;
 
     check(v_scene_new(&scene));
     check(v_scene_remove_node(scene, 0)); /* the camera on a path that it begins with */
@@ -167,8 +169,8 @@ static void build(void)
     node.intensity = 2.0;
     node.cone[0] = 15.0;
     node.cone[1] = 25.0;
-    lights[0] = add("headlight left", V_NODE_LIGHT, body, 0.04, 0.03, 0.141, &node);
-    lights[1] = add("headlight right", V_NODE_LIGHT, body, -0.04, 0.03, 0.141, &node);
+    add("headlight left", V_NODE_LIGHT, body, 0.04, 0.03, 0.141, &node);
+    add("headlight right", V_NODE_LIGHT, body, -0.04, 0.03, 0.141, &node);
 
     v_node_init(&node, V_NODE_OBJECT);
     node.colour[0] = 0.8;
@@ -202,56 +204,98 @@ static void build(void)
     check(v_scene_set_track(scene, camera, "roll", "sine", thirds, rolls, NULL, 3,
                             V_AFTER_HOLD));
     check(v_scene_set_marker(scene, "at the arm", 51.0));
+    floor_seen = 1;
 }
 
-/* A box by its sides, each with its own brightness, or a wheel by its lines. */
-static void draw_points(const double *xyz, size_t points, const double *colour)
+/* Memory that grows with what is asked of it. */
+static void *room(void **had, size_t *bytes, size_t wanted)
 {
-    size_t i;
-    double shade;
-
-    glBegin(points == 8 ? GL_TRIANGLES : GL_LINES);
-    for (i = 0; i < (points == 8 ? 36u : 30u); i++) {
-        shade = points == 8 ? 0.4 + 0.1 * (double)(i / 6) : 0.6;
-        glColor3d(shade * colour[0], shade * colour[1], shade * colour[2]);
-        glVertex3dv(xyz + 3 * (points == 8 ? sides[i] : spokes[i]));
+    if (*bytes < wanted) {
+        *had = realloc(*had, wanted);
+        if (*had == NULL) {
+            fprintf(stderr, "glut_scene: there is no memory for %lu bytes\n",
+                    (unsigned long)wanted);
+            exit(1);
+        }
+        *bytes = wanted;
     }
+    return *had;
+}
+
+/* How bright a triangle is, by which way it faces in its own coordinates. */
+static double shade(const double *a, const double *b, const double *c)
+{
+    double p[3], q[3], normal[3], length;
+    int i;
+
+    for (i = 0; i < 3; i++) {
+        p[i] = b[i] - a[i];
+        q[i] = c[i] - a[i];
+    }
+    for (i = 0; i < 3; i++)
+        normal[i] = p[(i + 1) % 3] * q[(i + 2) % 3] - p[(i + 2) % 3] * q[(i + 1) % 3];
+    length = sqrt(normal[0] * normal[0] + normal[1] * normal[1] + normal[2] * normal[2]);
+    return length > 0.0 ? 0.65 + (0.1 * normal[0] + 0.25 * normal[1] + 0.08 * normal[2]) / length
+                        : 0.65;
+}
+
+/* An object: its triangles, its lines, or where it has neither, its points. */
+static void draw_object(int node, const double *colour)
+{
+    static void *memory;
+    static size_t bytes;
+    const double *xyz, *corner[3];
+    size_t points, i, j;
+    double light;
+    V_MESH mesh;
+
+    mesh.size = sizeof mesh;
+    check(v_scene_get_geometry(scene, node, &mesh));
+    check(v_scene_vertices(scene, node, frame, NULL, 0, &points));
+    if (points == 0)
+        return;
+    xyz = room(&memory, &bytes, 3 * points * sizeof *xyz);
+    check(v_scene_vertices(scene, node, frame, memory, points, NULL));
+    glBegin(GL_TRIANGLES);
+    for (i = 0; i + 2 < mesh.corners; i += 3) {
+        for (j = 0; j < 3; j++)
+            corner[j] = xyz + 3 * mesh.triangles[i + j];
+        light = shade(corner[0], corner[1], corner[2]);
+        glColor3d(light * colour[0], light * colour[1], light * colour[2]);
+        for (j = 0; j < 3; j++)
+            glVertex3dv(corner[j]);
+    }
+    glEnd();
+    glColor3d(0.6 * colour[0], 0.6 * colour[1], 0.6 * colour[2]);
+    glBegin(GL_LINES);
+    for (i = 0; i < mesh.line_ends; i++)
+        glVertex3dv(xyz + 3 * mesh.lines[i]);
+    glEnd();
+    glBegin(GL_POINTS);
+    for (i = 0; i < points && mesh.corners == 0 && mesh.line_ends == 0; i++)
+        glVertex3dv(xyz + 3 * i);
     glEnd();
 }
 
 /* Four lines along the outer cone of a light, in its own coordinates. */
 static void draw_cone(const V_NODE_STATE *state)
 {
-    static const double radius = 0.14; /* 0.3 * tan (25 degrees) */
+    double radius = 0.3 * tan(state->cone[1] * 3.14159265358979 / 180.0);
     int i;
 
     glColor3d(1.0, 1.0, 0.6);
     glBegin(GL_LINES);
-    for (i = 0; i < 4 && state->visible; i++) {
+    for (i = 0; i < 4; i++) {
         glVertex3d(0.0, 0.0, 0.0);
         glVertex3d(i & 1 ? radius : -radius, i & 2 ? radius : -radius, 0.3);
     }
     glEnd();
 }
 
-/* What the camera sees, in the window that GL draws in. */
-static void draw_scene(int width, int height)
+static void draw_floor(void)
 {
-    static V_NODE_STATE states[NODES];
-    double view[16], projection[16], xyz[3 * 13];
-    size_t points;
     int i;
 
-    check(v_scene_evaluate(scene, frame, states, NODES, NULL));
-    check(v_pose_gl_matrix(&states[camera].pose, view));
-    check(v_pose_projection(&states[camera].pose, (double)width / height, 0.01, 10.0, V_CLIP_OPENGL,
-                            projection));
-    glViewport(0, 0, width, height);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-    glMatrixMode(GL_PROJECTION);
-    glLoadMatrixd(projection);
-    glMatrixMode(GL_MODELVIEW);
-    glLoadMatrixd(view);
     glColor3d(0.3, 0.3, 0.35);
     glBegin(GL_LINES);
     for (i = -10; i <= 10; i++) {
@@ -261,14 +305,47 @@ static void draw_scene(int width, int height)
         glVertex3d(1.0, 0.0, 0.1 * i);
     }
     glEnd();
-    for (i = 0; i < NODES; i++) {
+}
+
+/* What the shown camera sees, in the window that GL draws in. */
+static void draw_scene(int width, int height)
+{
+    static void *memory;
+    static size_t bytes;
+    V_NODE_STATE *states;
+    V_NODE node;
+    double view[16], projection[16];
+    int count, camera, i;
+
+    check(v_scene_node_count(scene, &count));
+    check(v_scene_get_camera(scene, &camera));
+    glViewport(0, 0, width, height);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    if (camera < 0)
+        return;
+    states = room(&memory, &bytes, count * sizeof *states);
+    check(v_scene_evaluate(scene, frame, states, count, NULL));
+    v_node_init(&node, V_NODE_CAMERA);
+    check(v_scene_get_node(scene, camera, &node));
+    check(v_pose_gl_matrix(&states[camera].pose, view));
+    check(v_pose_projection(&states[camera].pose, (double)width / height, node.near_plane,
+                            node.far_plane, V_CLIP_OPENGL, projection));
+    glMatrixMode(GL_PROJECTION);
+    glLoadMatrixd(projection);
+    glMatrixMode(GL_MODELVIEW);
+    glLoadMatrixd(view);
+    if (floor_seen)
+        draw_floor();
+    for (i = 0; i < count; i++) {
+        check(v_scene_get_node(scene, i, &node));
+        if (!states[i].visible)
+            continue;
         glPushMatrix();
         glMultMatrixd(states[i].matrix);
-        if (cones && (i == lights[0] || i == lights[1]))
+        if (node.kind == V_NODE_OBJECT)
+            draw_object(i, states[i].colour);
+        else if (cones && node.kind == V_NODE_LIGHT && node.light == V_LIGHT_SPOT)
             draw_cone(&states[i]);
-        else if (states[i].visible && v_scene_vertices(scene, i, frame, xyz, 13, &points) == V_OK
-                 && points > 0)
-            draw_points(xyz, points, states[i].colour);
         glPopMatrix();
     }
 }
@@ -358,7 +435,8 @@ static void key(unsigned char character, int x, int y)
         cones = !cones;
         redraw();
     }
-    if (character == ' ') {
+    /* The editor may have taken the car away, or renamed it. */
+    if (character == ' ' && v_scene_find_node(scene, "car", &car) == V_OK) {
         way = (way + 1) % 3;
         drive();
         if (v_editor_set_scene(editor, scene) != V_OK)
@@ -372,7 +450,10 @@ int main(int argc, char **argv)
 {
     V_EDITOR_OPTIONS options;
 
-    build();
+    if (argc == 2)
+        check(v_scene_load(argv[1], &scene));
+    else
+        build();
     if (argc == 3 && strcmp(argv[1], "--save") == 0) {
         check(v_scene_save(scene, argv[2]));
         return 0;

@@ -156,8 +156,8 @@ def a_flight_in_opengl(place):
     check(program.ends() == 0, "its exit status")
 
 
-CAR = (145, 21, 21)
-"""Its longest side."""
+CAR = (98, 14, 14)
+"""Its side that is seen first."""
 
 
 @test()
@@ -192,6 +192,56 @@ def a_scene_in_opengl(place):
     wait(lambda: server.picture(host).differs(driven), "the car to take another way")
     server.press(window, "ctrl+z")
     wait(lambda: not server.picture(host).differs(driven), "the way to be taken back")
+    server.press(host, "Escape")
+    check(program.ends() == 0, "its exit status")
+
+
+SCENE = """version = 1
+camera = "second"
+[[node]]
+name = "first"
+kind = "camera"
+position = [0.0, 0.0, -5.0]
+[[node]]
+name = "second"
+kind = "camera"
+position = [0.0, 0.2, 2.0]
+aim = "blue"
+[[node]]
+name = "blue"
+kind = "object"
+colour = [0.0, 0.0, 1.0]
+[node.mesh]
+points = [[-0.5, 0.0, 0.0], [0.5, 0.0, 0.0], [0.0, 0.5, 0.0]]
+triangles = [[0, 1, 2]]
+[[node.track]]
+channel = "position"
+interpolation = "linear"
+frames = [1.0, 50.0]
+values = [[0.0, 0.0, 0.0], [0.0, 0.0, -20.0]]
+"""
+
+
+@test()
+def any_scene_in_opengl(place):
+    """A file's scene is drawn through the camera that it shows, at the editor's frame."""
+    server = place.server(options=("+extension", "GLX"))
+    software = {"LIBGL_ALWAYS_SOFTWARE": "1", "GALLIUM_DRIVER": "softpipe"}
+    with open(place.path("any.vid"), "w", encoding="utf-8") as file:
+        file.write(SCENE)
+    program = place.program(server, "glut_scene", place.path("any.vid"), **software)
+    host = server.named("^glut_scene$")
+    server.place(host, 1250, 100)
+    window = server.new_window()
+
+    def blue():
+        return len(server.picture(host).find((0, 0, 186)))
+
+    near = wait(blue, "the object")
+    check(near > 10000, f"{near} pixels through the shown camera")
+    server.drawn(window)
+    server.press(window, "space")
+    wait(lambda: 0 < blue() < near // 20, "the object to fly away")
     server.press(host, "Escape")
     check(program.ends() == 0, "its exit status")
 
