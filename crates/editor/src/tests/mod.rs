@@ -1,6 +1,7 @@
 //! The window's contents driven as a user drives them, without a screen: by
 //! the labels that a person reads, in both languages.
 
+mod car;
 mod every_size;
 mod keyboard;
 mod layout;
