@@ -4,6 +4,7 @@
 mod car;
 mod every_size;
 mod keyboard;
+mod large;
 mod layout;
 mod looks;
 mod manual;
