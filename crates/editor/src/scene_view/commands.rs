@@ -253,7 +253,7 @@ fn moves(node: &Node) -> bool {
 }
 
 /// For each node whether it is one of these or in one.
-fn with_all_in(nodes: &[Node], which: &[usize]) -> Vec<bool> {
+pub(crate) fn with_all_in(nodes: &[Node], which: &[usize]) -> Vec<bool> {
     let mut chosen = vec![false; nodes.len()];
     for &at in which {
         chosen[at] = true;

@@ -17,6 +17,7 @@ mod node_action;
 mod node_panel;
 mod object_panel;
 mod panel;
+mod pivot;
 mod rows;
 mod selection;
 mod values;
@@ -27,7 +28,7 @@ use std::cell::RefCell;
 use glam::{DAffine3, DVec3};
 use vides_engine::scene::{NodeState, Scene, Warnings};
 
-pub(super) use self::commands::{NewNode, NodeCommand};
+pub(super) use self::commands::{NewNode, NodeCommand, with_all_in};
 pub(super) use self::list::{has_keyboard, list, take_keys};
 pub(super) use self::node_action::NodeAction;
 pub(super) use self::node_panel::beside;
