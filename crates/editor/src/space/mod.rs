@@ -30,6 +30,7 @@ mod strokes;
 mod tangents;
 mod trail;
 mod transform;
+mod turned;
 mod typed;
 
 use std::sync::Arc;
@@ -52,6 +53,7 @@ use self::solid::{Eye, Solid};
 pub(super) use self::start::Around;
 use self::strokes::Strokes;
 pub(super) use self::tangents::Joint;
+pub(super) use self::turned::turned_node;
 pub(super) use self::typed::Typed;
 use crate::action::Action;
 use crate::document::Document;
