@@ -160,6 +160,8 @@ pub(super) enum Action {
     SelectNodes(Vec<usize>),
     /// Do something to nodes of the scene.
     Nodes(NodeCommand),
+    /// Show the current node's rotation by quaternions and by Euler angles.
+    CompareRotations,
     /// Select keys of the scene; no step.
     SelectKeys(Vec<KeyAt>),
     /// Let a camera follow a path in place of its keys.

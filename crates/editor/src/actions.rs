@@ -15,7 +15,8 @@ use crate::state::{Editor, Request};
 use crate::texts::fill;
 use crate::texts::refusals::of_edit;
 use crate::windows::{
-    self, CheckWindow, CurveWindow, HelpWindow, PointsWindow, SpaceWindow, SpeedWindow, ToolWindow,
+    self, CheckWindow, CompareWindow, CurveWindow, HelpWindow, PointsWindow, SpaceWindow,
+    SpeedWindow, ToolWindow,
 };
 
 /// The edit that aims an orientation at a place.
@@ -210,6 +211,7 @@ impl Editor {
             Action::Keys => windows::open::<HelpWindow>(self, context),
             Action::SelectNodes(nodes) => self.select_nodes(nodes),
             Action::Nodes(command) => self.do_to_nodes(command),
+            Action::CompareRotations => windows::open::<CompareWindow>(self, context),
             Action::SelectKeys(keys) => self.select_keys(keys),
             Action::KeysToPath(node) => self.keys_to_path(node),
             Action::Node(action) => self.node_action(action),

@@ -35,6 +35,7 @@ use self::marks::Marks;
 pub(super) use self::retime::Retiming;
 pub(super) use self::track_drag::KeyMotion;
 pub(super) use self::track_keys::take_keys;
+pub(super) use self::track_menu::rotation_by;
 use crate::action::Action;
 use crate::document::Selection;
 use crate::number::Entry;

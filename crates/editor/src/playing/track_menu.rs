@@ -26,6 +26,15 @@ pub(super) fn show(editor: &Editor, response: &Response, row: Row, actions: &mut
             let channel = channel_name(editor, track.channel());
             ui.label(RichText::new(fill(texts.channel_of, &[&channel, &node.name])).weak());
             of_track(editor, ui, (row, track), actions);
+            if *track.channel() == Channel::Rotation {
+                ui.separator();
+                let texts = &editor.texts().compare;
+                let button = ui.button(texts.menu).on_hover_text(texts.menu_hint);
+                if button.clicked() {
+                    actions.push(Action::SelectNodes(vec![row.node]));
+                    actions.push(Action::CompareRotations);
+                }
+            }
             return;
         }
         ui.label(RichText::new(node.name.as_str()).weak());
@@ -188,11 +197,30 @@ fn with(node: usize, track: &Track, interpolation: Interpolation) -> Result<Edit
         };
         return Ok(manner_of(node, track, manner));
     }
+    let new = of_values(track, interpolation, values, shape)?;
+    Ok(part(Part::track(node, track.channel().clone(), Some(new))?))
+}
+
+fn of_values(
+    track: &Track,
+    interpolation: Interpolation,
+    values: Vec<f64>,
+    shape: Vec<f64>,
+) -> Result<Track> {
     let (channel, frames) = (track.channel().clone(), track.frames().to_vec());
-    let new = Track::new(channel.clone(), interpolation, frames, values, shape)?;
+    let new = Track::new(channel, interpolation, frames, values, shape)?;
     let (before, after) = track.extrapolation();
-    let new = new.with_extrapolation(before, after)?;
-    Ok(part(Part::track(node, channel, Some(new))?))
+    Ok(new.with_extrapolation(before, after)?)
+}
+
+/// The keys of a rotation gone through in another way, which needs no shape values.
+pub(crate) fn rotation_by(track: &Track, interpolation: Interpolation) -> Result<Track> {
+    let values = match (by_angles(track.interpolation()), by_angles(&interpolation)) {
+        (true, false) => quaternions(track),
+        (false, true) => angles(track),
+        _ => track.values().to_vec(),
+    };
+    of_values(track, interpolation, values, Vec::new())
 }
 
 /// The quaternions at the keys of angles.

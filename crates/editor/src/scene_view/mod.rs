@@ -17,6 +17,7 @@ mod node_action;
 mod node_panel;
 mod object_panel;
 mod panel;
+mod pivot;
 mod rows;
 mod selection;
 mod values;

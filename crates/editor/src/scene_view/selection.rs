@@ -36,6 +36,16 @@ impl Editor {
         }
     }
 
+    /// Whether what is done in the space is meant for the selected nodes: no path is edited, the
+    /// node is shown in place of its path, or there are several.
+    pub(crate) fn means_nodes(&self) -> bool {
+        if self.document.edited_scene().is_none() {
+            return false;
+        }
+        let (path, nodes) = (self.document.edits_path(), self.selected_nodes());
+        !nodes.is_empty() && (!path || self.scene_view.shows_node || nodes.len() > 1)
+    }
+
     /// The node whose numbers stand at the right.
     pub(crate) fn current_node(&self) -> Option<usize> {
         self.selected_nodes().first().copied()

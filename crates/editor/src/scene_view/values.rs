@@ -141,7 +141,7 @@ pub(super) fn path_moves(of: &Node, channel: &Channel) -> bool {
     of.path().is_some() && matches!(channel, Position | Rotation | Zoom)
 }
 
-fn not_by_path(of: &Node, channel: &Channel) -> Result<()> {
+pub(super) fn not_by_path(of: &Node, channel: &Channel) -> Result<()> {
     if path_moves(of, channel) {
         return Err(Invalid::PathMovesIt {
             node: (&of.name).into(),

@@ -13,6 +13,8 @@ use crate::state::Editor;
 /// A line of an object; one without length is a point.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Wire {
+    /// The object.
+    pub(crate) node: usize,
     pub(crate) ends: [DVec3; 2],
     /// The object's, linear.
     pub(crate) colour: [f64; 3],
@@ -34,17 +36,18 @@ pub(crate) fn outline(document: &Document) -> Result<Vec<[DVec3; 2]>> {
     let mut lines = Vec::new();
     if let Some(now) = Now::of(document, 1.0, None)? {
         of_objects(&mut Edges::default(), &now, |wire| lines.push(wire.ends));
-        other_paths(&now, |ends| lines.push(ends));
+        other_paths(&now, |_, ends| lines.push(ends));
     }
     Ok(lines)
 }
 
 fn of_objects(edges: &mut Edges, now: &Now, mut take: impl FnMut(Wire)) {
-    each_object(edges, now, |object| {
+    each_object(edges, now, |node, object| {
         let world = object.world;
         let place = |at: u32| world.transform_point3(object.points[at as usize]);
         for &[a, b] in object.drawn.wires(object.mesh) {
             take(Wire {
+                node,
                 ends: [place(a), place(b)],
                 colour: object.colour,
             });
@@ -63,7 +66,8 @@ pub(crate) struct Seen<'a> {
     pub(crate) drawn: &'a mut Drawn,
 }
 
-pub(crate) fn each_object(edges: &mut Edges, now: &Now, mut take: impl FnMut(Seen<'_>)) {
+/// All of them, each with its node.
+pub(crate) fn each_object(edges: &mut Edges, now: &Now, mut take: impl FnMut(usize, Seen<'_>)) {
     let mut moved = Vec::new();
     for (at, node) in now.scene.nodes().iter().enumerate() {
         let state = &now.states[at];
@@ -84,18 +88,19 @@ pub(crate) fn each_object(edges: &mut Edges, now: &Now, mut take: impl FnMut(See
                 points = &moved;
             }
         }
-        take(Seen {
+        let seen = Seen {
             mesh,
             points,
             world: state.world(),
             colour: state.colour,
             drawn: edges.of(now.meshes, at),
-        });
+        };
+        take(at, seen);
     }
 }
 
-/// The curves of all paths but the edited one, piece by piece.
-pub(crate) fn other_paths(now: &Now, mut take: impl FnMut([DVec3; 2])) {
+/// The curves of all paths but the edited one, piece by piece, each with its node.
+pub(crate) fn other_paths(now: &Now, mut take: impl FnMut(usize, [DVec3; 2])) {
     let others = |&(at, node): &(usize, &Node)| Some(at) != now.edited && node.path().is_some();
     let nodes = || now.scene.nodes().iter().enumerate().filter(others);
     let segments = |node: &Node| {
@@ -105,7 +110,7 @@ pub(crate) fn other_paths(now: &Now, mut take: impl FnMut([DVec3; 2])) {
     let all: usize = nodes().map(|(_, node)| segments(node)).sum();
     let steps = (PIECES / all.max(1)).clamp(1, OF_SEGMENT);
     let every = all.div_ceil(PIECES).max(1);
-    for (_, node) in nodes() {
+    for (at, node) in nodes() {
         let Some(follow) = node.path() else {
             continue;
         };
@@ -116,7 +121,7 @@ pub(crate) fn other_paths(now: &Now, mut take: impl FnMut([DVec3; 2])) {
             #[allow(clippy::cast_precision_loss)]
             let along = |step: usize| place(curve.point(step as f64 / steps as f64));
             for step in 0..steps {
-                take([along(step), along(step + 1)]);
+                take(at, [along(step), along(step + 1)]);
             }
         }
     }

@@ -24,6 +24,17 @@ pub(crate) enum Handle {
     Control(usize),
     /// The end of a tangent that the current point owns.
     Tangent(Side),
+    /// The pivot of a selected node.
+    Node(usize),
+    /// A key on the way of a selected node, from 0.
+    Key(usize, usize),
+}
+
+impl Handle {
+    /// Whether it belongs to a key of the edited path.
+    pub(super) const fn is_of_path(self) -> bool {
+        !matches!(self, Self::Node(_) | Self::Key(..))
+    }
 }
 
 /// Snap steps for a half size of the space: five between two lines of the floor.
@@ -145,7 +156,7 @@ pub(super) fn outcome(
             let to = follow(projection, tip, motion, cube);
             to.and_then(|to| move_target(document, to))
         }
-        Handle::Control(_) => return Outcome::Nothing,
+        Handle::Control(_) | Handle::Node(_) | Handle::Key(..) => return Outcome::Nothing,
         Handle::Point(at) => {
             let Some(point) = document.path().points.get(at) else {
                 return Outcome::Nothing;

@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::drag::Handle;
+use super::held_nodes::NodeChange;
 use super::tangents::Side;
 use crate::document::{At, Edit};
 use crate::number::decimals;
@@ -20,6 +21,10 @@ pub(crate) enum Gesture {
     Move(Handle, Edit),
     /// Changes all that is selected at once; the words describe it.
     Transform(Edit, String),
+    /// Changes nodes; the words describe it.
+    Nodes(NodeChange, String),
+    /// There is no such motion.
+    Refused(&'static str),
     End,
     Cancel,
 }
@@ -29,7 +34,7 @@ impl Editor {
         match gesture {
             Gesture::Press(what) => {
                 self.message = None;
-                if what.is_some() {
+                if what.is_some_and(Handle::is_of_path) {
                     // Every handle belongs to a key.
                     self.playing.leave();
                 }
@@ -53,6 +58,12 @@ impl Editor {
                     self.say(words);
                 }
             }
+            Gesture::Nodes(change, words) => {
+                if self.change_nodes(change) {
+                    self.say(words);
+                }
+            }
+            Gesture::Refused(why) => self.complain(why),
             // The open step is the tool's: only the view or a control point was dragged.
             Gesture::End | Gesture::Cancel if self.windows.tool.is_some() => {}
             Gesture::End => {
@@ -68,6 +79,39 @@ impl Editor {
                 self.message = None;
             }
         }
+    }
+
+    /// Changes nodes as a part of the open step; false: refused, and told why. What the step has done
+    /// before is taken back then.
+    fn change_nodes(&mut self, change: NodeChange) -> bool {
+        let done = match change {
+            NodeChange::Values(values) => {
+                let mut all = values.into_iter();
+                all.all(|(node, channel, value)| self.set_channel(node, &channel, &value))
+            }
+            NodeChange::Pivot(node, pivot) => {
+                // From where it began, so that nothing adds up.
+                self.restart_step();
+                match self.pivot_edits(node, pivot) {
+                    Ok(edits) => self.edit_together(edits),
+                    Err(text) => {
+                        self.complain(text);
+                        false
+                    }
+                }
+            }
+            NodeChange::Key(node, key, value) => match self.key_edit(node, key, value) {
+                Ok(edit) => self.edit(edit),
+                Err(error) => {
+                    self.complain_of(&error);
+                    false
+                }
+            },
+        };
+        if !done {
+            self.restart_step();
+        }
+        done
     }
 
     /// Limits a motion of the selection to the movement space; a point outside goes no farther out.
@@ -121,7 +165,7 @@ impl Editor {
                 Target::Absolute(target) => place(texts.target_at, target),
                 Target::Relative(offset) => place(texts.offset_at, offset),
             },
-            Handle::Control(_) => return,
+            Handle::Control(_) | Handle::Node(_) | Handle::Key(..) => return,
             Handle::Tangent(side) => {
                 let Some(own) = point.tangents else { return };
                 let tangent = match side {

@@ -5,6 +5,7 @@ use glam::{DVec2, DVec3};
 
 use super::drag::{self, DragConstraint, Handle, Motion, Outcome};
 use super::gesture::Gesture;
+use super::nodes;
 use super::projection::{from_pos, scale};
 use super::projection_of;
 use super::tangents::{self, Joint};
@@ -100,6 +101,22 @@ impl PointerPress {
         changed.in_range()
     }
 
+    /// Selects the points within the drawn box; where nodes are meant, those whose pivot is.
+    pub(super) fn within(&self, editor: &Editor, viewport: Rect) -> Action {
+        if editor.document.edits_path() {
+            return Action::Choose(self.points_within(editor, viewport));
+        }
+        let drawn = Rect::from_two_pos(self.pressed, self.now);
+        let projection = projection_of(editor, viewport);
+        let mut found = nodes::within(editor, |place| drawn.contains(projection.pos(place)));
+        if self.adds {
+            let others = editor.selected_nodes();
+            found.retain(|node| !others.contains(node));
+            found.splice(0..0, others);
+        }
+        Action::SelectNodes(found)
+    }
+
     /// The points within the drawn box, and those selected before if it adds.
     pub(super) fn points_within(&self, editor: &Editor, viewport: Rect) -> SelectionChange {
         let drawn = Rect::from_two_pos(self.pressed, self.now);
@@ -126,7 +143,7 @@ pub(super) fn place_held(editor: &Editor, what: Handle) -> Option<DVec3> {
         }
         Handle::Vpn => drag::current_tip(&editor.document),
         Handle::Tangent(side) => tangents::tip(&editor.document, side),
-        Handle::Vup => None,
+        Handle::Vup | Handle::Node(_) | Handle::Key(..) => None,
         Handle::Control(at) => {
             let cage = editor.windows.tool.as_ref()?.cage()?;
             cage.nodes.get(at).copied()

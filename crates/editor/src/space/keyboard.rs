@@ -31,8 +31,9 @@ pub(super) const NUDGES: [Key; 8] = [
 ];
 
 /// The letters that mean something here; only text fields use them otherwise.
-pub(super) const LETTERS: [Key; 9] = [
+pub(super) const LETTERS: [Key; 10] = [
     Key::M,
+    Key::P,
     Key::R,
     Key::S,
     Key::N,

@@ -12,6 +12,7 @@ mod drawing;
 mod flying;
 mod gesture;
 mod gizmo;
+mod held_nodes;
 mod hold;
 mod keyboard;
 mod menu;
@@ -28,7 +29,9 @@ mod solid;
 mod start;
 mod strokes;
 mod tangents;
+mod trail;
 mod transform;
+mod turned;
 mod typed;
 
 use std::sync::Arc;
@@ -51,6 +54,7 @@ use self::solid::{Eye, Solid};
 pub(super) use self::start::Around;
 use self::strokes::Strokes;
 pub(super) use self::tangents::Joint;
+pub(super) use self::turned::turned_node;
 pub(super) use self::typed::Typed;
 use crate::action::Action;
 use crate::document::Document;
@@ -307,7 +311,8 @@ impl MovementWindow {
         if response.hovered() || response.dragged() {
             context.set_cursor_icon(self.pointer.cursor());
         }
-        if response.double_clicked() && self.pointer.hover.is_none() {
+        if response.double_clicked() && self.pointer.hover.is_none() && !self.pointer.clicked_node()
+        {
             editor.act(Action::View(View::default()), &context);
         }
         editor.part(&context, |editor, actions| {
@@ -389,7 +394,7 @@ impl MovementWindow {
             Some((place, freedom))
         });
         let transform = pointer.transform.as_ref();
-        let through = through.or_else(|| Some(transform?.guides(editor, &projection)));
+        let through = through.or_else(|| transform?.guides(editor, &projection));
         if let Some((through, freedom)) = through {
             overlay::plane(painter, &look, through, freedom);
         }
@@ -405,6 +410,8 @@ impl MovementWindow {
             nodes::names(editor, painter, &look);
         }
         if !document.edits_path() {
+            self.draw_selected_nodes(editor, painter, &look);
+            self.draw_hint(editor, painter, &look);
             return trouble;
         }
         // Below the curve, which matters more, and below what a drag changes: not repainted then.
@@ -421,7 +428,8 @@ impl MovementWindow {
         add(tangents::show(document, &look));
         if let Some(points) = editor.several() {
             add(overlay::selected(document, &look, points));
-            if let Some(middle) = transform::handles(editor, &projection) {
+            let own = !editor.means_nodes();
+            if let Some(middle) = transform::handles(editor, &projection).filter(|_| own) {
                 add(transform::show_handles(&look, middle, pointer.meant));
             }
         }
@@ -495,21 +503,49 @@ impl MovementWindow {
         };
         let several = editor.several().unwrap_or_default();
         overlay::numbers(painter, document, &look, pointed, several);
-        if let Some(drawn) = pointer.drawn_box() {
-            overlay::drawn_box(painter, &look, drawn);
+        if editor.means_nodes() {
+            self.draw_selected_nodes(editor, painter, &look);
         }
-        let hint = match transform {
-            Some(transform) => Some(transform.hint(editor, &projection)),
+        self.draw_hint(editor, painter, &look);
+        current.and(trouble)
+    }
+
+    /// The ways, pivots and handles of the selected nodes.
+    fn draw_selected_nodes(&self, editor: &Editor, painter: &Painter, look: &Look<'_>) {
+        let viewport = look.viewport;
+        let add = |lines: Lines| {
+            painter.add(Lines::shape(&Arc::new(lines), viewport));
+        };
+        if let Some(transform) = &self.pointer.transform {
+            add(trail::guides(look, transform));
+        }
+        if !editor.means_nodes() {
+            return;
+        }
+        add(trail::lines(editor, look));
+        if let Some(middle) = transform::handles(editor, look.projection) {
+            add(transform::show_handles(look, middle, self.pointer.meant));
+        }
+    }
+
+    /// The box that selects, and what the pointer would do.
+    fn draw_hint(&self, editor: &Editor, painter: &Painter, look: &Look<'_>) {
+        let pointer = &self.pointer;
+        if let Some(drawn) = pointer.drawn_box() {
+            overlay::drawn_box(painter, look, drawn);
+        }
+        let hint = match &pointer.transform {
+            Some(transform) => Some(transform.hint(editor, look.projection)),
             None => {
                 let draws = drawing::is_wanted(editor);
-                pointer.hint(editor.texts(), &projection, several.len(), draws)
+                let several = editor.several().map_or(0, <[usize]>::len);
+                pointer.hint(editor.texts(), look.projection, several, draws)
             }
         };
         if let Some(hint) = hint {
             let color = editor.setup.theme().palette().weak;
-            overlay::hint(painter, &look, &hint, color);
+            overlay::hint(painter, look, &hint, color);
         }
-        current.and(trouble)
     }
 }
 
@@ -540,6 +576,8 @@ mod manual_tests;
 mod memory_tests;
 #[cfg(test)]
 mod menu_tests;
+#[cfg(test)]
+mod nodes_tests;
 #[cfg(test)]
 mod several_tests;
 #[cfg(test)]

@@ -272,7 +272,7 @@ pub(super) fn place_of(
     match handle {
         Handle::Vup => Some((tips.up_tip, colour(Element::Vup))),
         Handle::Vpn => Some((tips.target, colour(Element::Vpn))),
-        Handle::Control(_) => None,
+        Handle::Control(_) | Handle::Node(_) | Handle::Key(..) => None,
         Handle::Point(at) => {
             let point = document.path().points.get(at)?;
             Some((point.position, colour(Element::Segment)))

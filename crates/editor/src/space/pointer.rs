@@ -6,6 +6,7 @@ use glam::{DVec2, DVec3};
 use super::drag::{DragConstraint, Handle};
 use super::drawing::{self, Drawing};
 use super::gesture::Gesture;
+use super::held_nodes::Grip;
 use super::hold::{PointerPress, place_held};
 use super::keyboard::{self, NUDGES};
 use super::picking;
@@ -14,6 +15,7 @@ use super::projection_of;
 use super::tangents::Side;
 use super::transform::{self, Kind, Next, Transform};
 use super::typed::Typed;
+use super::{nodes, trail};
 use crate::action::Action;
 use crate::keys;
 use crate::selected::SelectionChange;
@@ -49,6 +51,8 @@ pub(super) struct PointerController {
     over: bool,
     /// Where the last right click asks for a menu, and of what.
     pub(super) menu: Option<(Pos2, Option<Handle>)>,
+    /// Where the last click was, and whether a node lay there.
+    clicked: Option<(Pos2, bool)>,
 }
 
 /// The axis across the plane in which each button drags (thesis A.3.1).
@@ -80,6 +84,11 @@ impl PointerController {
             both
         });
         events.into_iter()
+    }
+
+    /// Whether the last click was on a node.
+    pub(super) fn clicked_node(&self) -> bool {
+        self.clicked.is_some_and(|(_, node)| node)
     }
 
     /// Whether a button is down.
@@ -140,6 +149,8 @@ impl PointerController {
                 },
             )),
             (None, Some(Handle::Vup)) if !self.is_busy() => Some(texts.roll_hint.to_owned()),
+            (None, Some(Handle::Node(_))) if !self.is_busy() => Some(texts.node_hint.to_owned()),
+            (None, Some(Handle::Key(..))) if !self.is_busy() => Some(texts.key_hint.to_owned()),
             (None, Some(what)) if !self.is_busy() => {
                 let [left, middle, right] = PLANES
                     .map(|(_, axis)| DragConstraint::of_button(projection, axis).fixed.letter());
@@ -358,6 +369,15 @@ impl PointerController {
         key: Key,
         actions: &mut Vec<Action>,
     ) -> bool {
+        let pivot = key == Key::P && editor.current_node().is_some();
+        if let Some(kind) = Kind::of_key(key).filter(|_| editor.means_nodes()) {
+            self.begin_nodes(editor, surface, (kind, Grip::Nodes, None), actions);
+            return true;
+        }
+        if pivot {
+            self.begin_nodes(editor, surface, (Kind::Move, Grip::Pivot, None), actions);
+            return true;
+        }
         let transform = Transform::of_key(editor, surface, key);
         let Some(transform) = transform.filter(|_| editor.document.edits_path()) else {
             return false;
@@ -377,6 +397,32 @@ impl PointerController {
         actions.push(Action::Gesture(Gesture::Press(Some(current))));
         actions.push(Action::Gesture(Gesture::Begin));
         self.transform = Some(transform);
+    }
+
+    /// Begins a transform of nodes, or says why there is none.
+    fn begin_nodes(
+        &mut self,
+        editor: &Editor,
+        surface: &PointerContext<'_>,
+        (kind, grip, held): (Kind, Grip, Option<(PointerButton, Pos2)>),
+        actions: &mut Vec<Action>,
+    ) {
+        self.end_nudge(actions);
+        let button = held.map(|(button, _)| button);
+        match Transform::of_nodes(editor, surface, kind, grip, button) {
+            Ok(transform) => {
+                if editor.playing.is_playing() {
+                    // Else each frame that goes by would get keys.
+                    actions.push(Action::PlayOrPause);
+                }
+                actions.push(Action::Gesture(Gesture::Begin));
+                self.transform = Some(match held {
+                    Some((_, at)) => transform.pressed_at(from_pos(at)),
+                    None => transform,
+                });
+            }
+            Err(why) => actions.push(Action::Complain(why)),
+        }
     }
 
     fn press(
@@ -409,6 +455,11 @@ impl PointerController {
         let what = handle_at(editor, &projection, pos, left && held.is_none());
         let plain = left && what.is_none() && modifiers.is_none();
         let handle = transform::handle_at(editor, &projection, from_pos(pos)).filter(|_| plain);
+        if let Some(kind) = handle.filter(|_| editor.means_nodes()) {
+            let held = Some((button, pos));
+            self.begin_nodes(editor, surface, (kind, Grip::Nodes, held), actions);
+            return;
+        }
         let transform = handle.and_then(|kind| Transform::of_handle(editor, surface, kind, button));
         if let Some(transform) = transform {
             self.begin(editor, transform, actions);
@@ -463,6 +514,20 @@ impl PointerController {
             if way.x.abs().max(way.y.abs()) <= STILL {
                 return;
             }
+            let grip = match hold.what {
+                Some(Handle::Node(_)) => Some(Grip::Nodes),
+                Some(Handle::Key(node, key)) => Some(Grip::Key(node, key)),
+                _ => None,
+            };
+            if let Some(grip) = grip {
+                let held = Some((hold.button, hold.pressed));
+                self.hold = None;
+                self.begin_nodes(editor, surface, (Kind::Move, grip, held), actions);
+                if let Some(transform) = &mut self.transform {
+                    transform.take(editor, surface, &Event::PointerMoved(pos), actions);
+                }
+                return;
+            }
             hold.moved = true;
             if hold.what.is_some() && !hold.controls() {
                 if hold.adds {
@@ -490,10 +555,12 @@ impl PointerController {
             if hold.what.is_some() {
                 actions.push(Action::Gesture(Gesture::End));
             } else if hold.boxes {
-                actions.push(Action::Choose(hold.points_within(editor, viewport)));
+                actions.push(hold.within(editor, viewport));
             }
         } else if hold.button == PointerButton::Secondary {
             self.menu = Some((hold.pressed, hold.what));
+        } else if self.clicks_node(editor, viewport, &hold, actions) {
+            // A node lies there.
         } else {
             actions.extend(match hold.what {
                 Some(Handle::Control(at)) => Some(Action::MoveControl {
@@ -510,6 +577,46 @@ impl PointerController {
                 _ => None,
             });
         }
+    }
+
+    /// Selects what a click meant of the scene; false: nothing of it lies there.
+    fn clicks_node(
+        &mut self,
+        editor: &Editor,
+        viewport: Rect,
+        hold: &PointerPress,
+        actions: &mut Vec<Action>,
+    ) -> bool {
+        let before = self.clicked.replace((hold.pressed, false));
+        let left = hold.button == PointerButton::Primary;
+        if !left || hold.what.is_some_and(Handle::is_of_path) || editor.windows.tool.is_some() {
+            return false;
+        }
+        let projection = projection_of(editor, viewport);
+        let found = nodes::at(editor, &projection, viewport, hold.pressed);
+        let Some(&first) = found.first() else {
+            return false;
+        };
+        self.clicked = Some((hold.pressed, true));
+        let mut selected = editor.selected_nodes();
+        let chosen = if hold.adds || hold.boxes {
+            match selected.iter().position(|&node| node == first) {
+                Some(at) => drop(selected.remove(at)),
+                None => selected.insert(0, first),
+            }
+            selected
+        } else {
+            let again = before.is_some_and(|(at, node)| {
+                let way = (at - hold.pressed).abs();
+                node && way.x.max(way.y) <= STILL
+            });
+            // What lies behind that which the click before took.
+            let taken = found.iter().position(|node| selected.first() == Some(node));
+            let next = taken.filter(|_| again).map(|at| (at + 1) % found.len());
+            vec![found[next.unwrap_or(0)]]
+        };
+        actions.push(Action::SelectNodes(chosen));
+        true
     }
 
     fn cancel(&mut self, actions: &mut Vec<Action>) {
@@ -551,6 +658,19 @@ fn handle_at(
             let shown = &editor.setup.shown;
             picking::pick(&editor.document, projection, shown, pointer, with_vup)
         })
+        .or_else(|| of_nodes(editor, projection, pointer))
+}
+
+/// The pivot of a selected node, or a key on its way.
+fn of_nodes(editor: &Editor, projection: &Projection, pointer: DVec2) -> Option<Handle> {
+    if !editor.means_nodes() || editor.windows.tool.is_some() {
+        return None;
+    }
+    let (nodes, places): (Vec<_>, Vec<_>) = nodes::selected_pivots(editor).into_iter().unzip();
+    let pivot = picking::nearest(projection, places.into_iter(), pointer);
+    let key = || trail::key_at(editor, projection, pointer);
+    let key = || key().map(|(node, key)| Handle::Key(node, key));
+    pivot.map(|at| Handle::Node(nodes[at])).or_else(key)
 }
 
 pub(super) fn axis_of(key: Key) -> Option<Axis> {

@@ -319,7 +319,7 @@ fn each(editor: &Editor, of_path: bool, mut take: impl FnMut(Seen<'_>)) {
         } else {
             DAffine3::IDENTITY
         };
-        each_object(edges, now, |seen| {
+        each_object(edges, now, |_, seen| {
             take(Seen {
                 world: into * seen.world,
                 ..seen

@@ -1,11 +1,13 @@
 //! Moving, turning and scaling what is selected by keys: M, R or S, then the mouse or a number, X,
-//! Y or Z for an axis, Enter or a click at the end.
+//! Y or Z for an axis, Enter or a click at the end. What is selected are points of the edited path,
+//! or nodes of the scene ([`super::held_nodes`]), whose pivot P moves.
 
 use egui::{Event, Key, Modifiers, PointerButton};
-use glam::{DMat4, DVec2, DVec3};
+use glam::{DMat3, DMat4, DVec2, DVec3};
 
 use super::drag::{DragConstraint, Handle, SNAP};
 use super::gesture::Gesture;
+use super::held_nodes::{Grip, Held, Motion};
 use super::overlay;
 use super::pointer::{FINE, PointerContext, axis_of};
 use super::projection::{Axis, Projection, from_pos};
@@ -56,12 +58,28 @@ pub(super) struct Transform {
     last: Option<DVec2>,
     snaps: bool,
     axis: Option<Axis>,
+    /// The axis is the node's own: its letter came twice.
+    own: bool,
     typed: Typed,
+    /// Nodes in place of points.
+    nodes: Option<Box<Held>>,
     points: Vec<usize>,
     /// The current point, and where it was.
     current: (usize, DVec3),
-    /// The middle of the points at first.
+    /// The middle of all at first.
     middle: DVec3,
+}
+
+impl Kind {
+    /// What a key begins.
+    pub(super) const fn of_key(key: Key) -> Option<Self> {
+        match key {
+            Key::M => Some(Self::Move),
+            Key::R => Some(Self::Turn),
+            Key::S => Some(Self::Scale),
+            _ => None,
+        }
+    }
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -73,13 +91,7 @@ pub(super) enum Next {
 impl Transform {
     /// The transform that a key begins.
     pub(super) fn of_key(editor: &Editor, surface: &PointerContext<'_>, key: Key) -> Option<Self> {
-        let kind = match key {
-            Key::M => Kind::Move,
-            Key::R => Kind::Turn,
-            Key::S => Kind::Scale,
-            _ => return None,
-        };
-        Self::new(editor, surface, kind, None)
+        Self::new(editor, surface, Kind::of_key(key)?, None)
     }
 
     /// The transform that a button on a handle begins.
@@ -103,11 +115,26 @@ impl Transform {
         let middle = middle_of(editor, &points);
         let current = editor.document.selection().point;
         let projection = projection_of(editor, surface.viewport);
+        let current = (current, path.points.get(current)?.position);
+        Some(Self {
+            current,
+            points,
+            ..Self::at(surface, (kind, held), middle, &projection)
+        })
+    }
+
+    /// One that begins at the pointer, with nothing selected yet.
+    fn at(
+        surface: &PointerContext<'_>,
+        (kind, held): (Kind, Option<PointerButton>),
+        middle: DVec3,
+        projection: &Projection,
+    ) -> Self {
         let image = projection.image(middle);
         let pointer = surface.context.input(|input| input.pointer.latest_pos());
         let last = pointer.map(from_pos);
         let from = last.filter(|at| at.distance(image) >= NEAR);
-        Some(Self {
+        Self {
             kind,
             held,
             way: DVec2::ZERO,
@@ -115,16 +142,50 @@ impl Transform {
             last,
             snaps: false,
             axis: None,
+            own: false,
             typed: Typed::default(),
-            current: (current, path.points.get(current)?.position),
+            nodes: None,
+            current: (0, DVec3::ZERO),
             middle,
-            points,
+            points: Vec::new(),
+        }
+    }
+
+    /// That of nodes; an error in words.
+    pub(super) fn of_nodes(
+        editor: &Editor,
+        surface: &PointerContext<'_>,
+        kind: Kind,
+        grip: Grip,
+        held: Option<PointerButton>,
+    ) -> Result<Self, String> {
+        let nodes = Held::new(editor, grip, kind != Kind::Scale)?;
+        let projection = projection_of(editor, surface.viewport);
+        Ok(Self {
+            nodes: Some(Box::new(nodes.clone())),
+            ..Self::at(surface, (kind, held), nodes.middle(), &projection)
         })
+    }
+
+    /// What a button took lay here at first.
+    pub(super) fn pressed_at(mut self, at: DVec2) -> Self {
+        self.last = Some(at);
+        self
+    }
+
+    /// Chooses an axis: of the parent, then the node's own, then none.
+    fn choose_axis(&mut self, axis: Axis) {
+        let again = self.axis == Some(axis);
+        (self.axis, self.own) = match (again, self.own) {
+            (false, _) => (Some(axis), false),
+            (true, false) if self.nodes.is_some() => (Some(axis), true),
+            (true, _) => (None, false),
+        };
     }
 
     /// Whether it needs more points than are selected.
     pub(super) fn lacks_points(&self) -> bool {
-        self.kind != Kind::Move && self.points.len() < 2
+        self.nodes.is_none() && self.kind != Kind::Move && self.points.len() < 2
     }
 
     pub(super) fn held(&self) -> Option<PointerButton> {
@@ -181,7 +242,7 @@ impl Transform {
                 }
                 Key::Tab => return over(Gesture::End, actions),
                 key => match axis_of(*key) {
-                    Some(axis) => self.axis = (self.axis != Some(axis)).then_some(axis),
+                    Some(axis) => self.choose_axis(axis),
                     None => return Next::GoesOn,
                 },
             },
@@ -194,6 +255,9 @@ impl Transform {
     }
 
     fn gesture(&self, editor: &Editor, projection: &Projection) -> Gesture {
+        if let Some(nodes) = &self.nodes {
+            return self.of_held(editor, nodes, projection);
+        }
         match self.kind {
             Kind::Move => {
                 let (at, from) = self.current;
@@ -211,15 +275,7 @@ impl Transform {
                         let angle = self.amount(projection).to_radians();
                         DMat4::from_axis_angle(self.about(projection).unit(), angle)
                     }
-                    _ => {
-                        let factor = self.amount(projection);
-                        let mut scale = DVec3::splat(factor);
-                        if let Some(axis) = self.axis {
-                            scale = DVec3::ONE;
-                            scale[axis.index()] = factor;
-                        }
-                        DMat4::from_scale(scale)
-                    }
+                    _ => DMat4::from_scale(self.factors(projection)),
                 };
                 let edit = Edit::TransformPoints {
                     points: self.points.clone(),
@@ -231,9 +287,52 @@ impl Transform {
         }
     }
 
+    /// The same of nodes.
+    fn of_held(&self, editor: &Editor, nodes: &Held, projection: &Projection) -> Gesture {
+        let basis = nodes.basis(self.own);
+        let motion = match self.kind {
+            Kind::Move => Motion::Move(basis * self.moved(projection)),
+            Kind::Turn => {
+                let axis = self.about(projection);
+                let named = self.axis.map(|axis| (axis, self.own));
+                Motion::Turn(named, basis.col(axis.index()), self.amount(projection))
+            }
+            Kind::Scale => Motion::Scale(basis, self.factors(projection)),
+        };
+        match nodes.changed(motion) {
+            Some(change) => Gesture::Nodes(change, self.words(editor, projection)),
+            None => Gesture::Refused(editor.texts().space.pivot_of_flat),
+        }
+    }
+
+    /// Along which axes it scales, and how much.
+    fn factors(&self, projection: &Projection) -> DVec3 {
+        let factor = self.amount(projection);
+        let mut factors = DVec3::splat(factor);
+        if let Some(axis) = self.axis {
+            factors = DVec3::ONE;
+            factors[axis.index()] = factor;
+        }
+        factors
+    }
+
     /// The axis that it turns about.
     fn about(&self, projection: &Projection) -> Axis {
-        self.axis.unwrap_or_else(|| projection.facing())
+        let facing = || match &self.nodes {
+            Some(nodes) => nodes.facing(nodes.basis(false), projection),
+            None => projection.facing(),
+        };
+        self.axis.unwrap_or_else(facing)
+    }
+
+    /// Whether the axis that it turns about points away from the viewer.
+    fn turns_away(&self, projection: &Projection) -> bool {
+        let axis = self.about(projection);
+        let Some(nodes) = &self.nodes else {
+            return projection.toward()[axis.index()] < 0.0;
+        };
+        let way = nodes.way(nodes.basis(self.own).col(axis.index()));
+        (way.dot(projection.toward()) < 0.0) != nodes.is_mirrored()
     }
 
     fn moved(&self, projection: &Projection) -> DVec3 {
@@ -241,12 +340,16 @@ impl Transform {
             return self.axis.unwrap_or(Axis::X).unit() * number;
         }
         let middle = self.middle;
-        let pointer = projection.image(middle) + self.way;
-        let to = match self.axis {
-            Some(axis) => projection.point_on_line(middle, axis, pointer),
-            None => projection.point_in_plane(middle, projection.facing(), pointer),
+        let mut by = if let Some(nodes) = &self.nodes {
+            nodes.followed(nodes.basis(self.own), self.axis, projection, self.way)
+        } else {
+            let pointer = projection.image(middle) + self.way;
+            let to = match self.axis {
+                Some(axis) => projection.point_on_line(middle, axis, pointer),
+                None => projection.point_in_plane(middle, projection.facing(), pointer),
+            };
+            to.map_or(DVec3::ZERO, |to| to - middle)
         };
-        let mut by = to.map_or(DVec3::ZERO, |to| to - middle);
         if self.snaps {
             let step = projection.space().half_size / SNAP;
             by = (by / step).round() * step;
@@ -270,7 +373,7 @@ impl Transform {
         }
         // Negative, since y runs downwards on the screen.
         let seen = -from.perp_dot(to).atan2(from.dot(to)).to_degrees();
-        let away = projection.toward()[self.about(projection).index()] < 0.0;
+        let away = self.turns_away(projection);
         snapped(if away { -seen } else { seen }, STEP_TURN)
     }
 
@@ -283,26 +386,47 @@ impl Transform {
                 // Not the pointer's way: the space may have held them back.
                 let (at, from) = self.current;
                 let points = &editor.document.path().points;
-                let by = points
-                    .get(at)
-                    .map_or(DVec3::ZERO, |now| now.position - from);
+                let of_points = points.get(at).map(|now| now.position - from);
+                let by = match &self.nodes {
+                    Some(nodes) => nodes.basis(self.own) * self.moved(projection),
+                    None => of_points.unwrap_or_default(),
+                };
                 let [x, y, z] = by
                     .to_array()
                     .map(|by| language.number(by, decimals(half_size)));
-                fill(texts.moved_by, &[&x, &y, &z])
+                let pivot = self.nodes.as_ref().and_then(|nodes| nodes.pivot_of());
+                let Some(node) = pivot else {
+                    return fill(texts.moved_by, &[&x, &y, &z]);
+                };
+                let words = fill(texts.pivot_moved, &[&x, &y, &z]);
+                match editor.pivot_makes_keys(node) {
+                    true => fill(texts.pivot_keys, &[&words]),
+                    false => words,
+                }
             }
             Kind::Turn => {
-                let axis = self.about(projection).letter();
+                let axis = self.letter(editor, self.about(projection));
                 let degrees = language.number(self.amount(projection), 1);
                 fill(texts.turned_by, &[&axis, &degrees])
             }
             Kind::Scale => {
                 let factor = language.number(self.amount(projection), 3);
                 match self.axis {
-                    Some(axis) => fill(texts.scaled_along, &[&axis.letter(), &factor]),
+                    Some(axis) => {
+                        let axis = self.letter(editor, axis);
+                        fill(texts.scaled_along, &[&axis, &factor])
+                    }
                     None => fill(texts.scaled_by, &[&factor]),
                 }
             }
+        }
+    }
+
+    /// An axis in words.
+    fn letter(&self, editor: &Editor, axis: Axis) -> String {
+        match self.own {
+            true => fill(editor.texts().space.own_axis, &[&axis.letter()]),
+            false => axis.letter().to_owned(),
         }
     }
 
@@ -313,11 +437,15 @@ impl Transform {
     }
 
     /// Where its guides lead through, and along which axis or in which plane.
+    /// Those of nodes are drawn by [`Transform::line`].
     pub(super) fn guides(
         &self,
         editor: &Editor,
         projection: &Projection,
-    ) -> (DVec3, DragConstraint) {
+    ) -> Option<(DVec3, DragConstraint)> {
+        if self.nodes.is_some() {
+            return None;
+        }
         let through = match self.kind {
             Kind::Move => editor.point().map_or(self.middle, |point| point.position),
             _ => self.middle,
@@ -327,7 +455,21 @@ impl Transform {
             _ => self.axis,
         };
         let fixed = projection.facing();
-        (through, DragConstraint { fixed, along })
+        Some((through, DragConstraint { fixed, along }))
+    }
+
+    /// Where nodes are held, and the ways in the space along which they move or turn.
+    pub(super) fn lines(&self, projection: &Projection) -> Option<(DVec3, Vec<DVec3>)> {
+        let nodes = self.nodes.as_deref()?;
+        let basis: DMat3 = nodes.basis(self.own);
+        let one = match self.kind {
+            Kind::Turn => Some(self.about(projection)),
+            _ => self.axis,
+        };
+        let shown = Axis::ALL.into_iter();
+        let shown = shown.filter(|axis| one.is_none_or(|one| one == *axis));
+        let ways = shown.map(|axis| nodes.way(basis.col(axis.index())));
+        Some((nodes.middle(), ways.collect()))
     }
 }
 
@@ -340,8 +482,11 @@ fn middle_of(editor: &Editor, points: &[usize]) -> DVec3 {
     sum / count
 }
 
-/// The middle of the ring of handles, if several points are selected.
+/// The middle of the ring of handles, if several points or any nodes are selected.
 pub(super) fn handles(editor: &Editor, projection: &Projection) -> Option<DVec2> {
+    if editor.means_nodes() {
+        return Some(projection.image(super::nodes::middle(editor)?));
+    }
     let points = editor.several()?;
     Some(projection.image(middle_of(editor, points)))
 }

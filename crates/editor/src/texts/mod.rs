@@ -21,6 +21,7 @@ pub(super) use german::German;
 mod ambiguities;
 mod check;
 mod colours;
+mod compare;
 mod curve;
 mod display;
 mod errors;
@@ -157,6 +158,7 @@ macro_rules! parts {
 parts! {
     check: Check;
     colours: Colours;
+    compare: Compare;
     curve: Curve;
     display: DisplayWindow;
     errors: Errors;

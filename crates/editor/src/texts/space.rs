@@ -61,6 +61,19 @@ texts! {
         turned_by: "Turned about {0} by {1}°", "Um {0} gedreht um {1}°";
         scaled_by: "Scaled by {0}", "Skaliert mit {0}";
         scaled_along: "Scaled along {0} by {1}", "Längs {0} skaliert mit {1}";
+        own_axis: "its own {0}", "das eigene {0}";
+        needs_nodes: "Select a node of the scene first", "Erst einen Knoten der Szene auswählen";
+        path_moves_it: "“{0}” follows a path, which moves and turns it: move the path's points, or give it keys",
+            "„{0}“ folgt einer Bahn, die es bewegt und dreht: deren Punkte bewegen, oder ihm Schlüssel geben";
+        pivot_of_flat: "It is flat: with a scale of 0 its pivot cannot be moved",
+            "Es ist flach: Bei einer Größe von 0 lässt sich der Drehpunkt nicht bewegen";
+        pivot_too_long: "“{0}” turns or scales by keys: its position would need a key in each of more than {1} frames",
+            "„{0}“ dreht oder skaliert sich durch Schlüssel: Sein Ort brauchte einen Schlüssel in jedem von mehr als {1} Bildern";
+        pivot_moved: "Pivot moved by x {0}  y {1}  z {2}", "Drehpunkt bewegt um x {0}  y {1}  z {2}";
+        pivot_keys: "{0} · its position gets a key a frame", "{0} · sein Ort bekommt einen Schlüssel je Bild";
+        node_hint: "Drag: move what is selected · X, Y, Z: along an axis, twice: its own · M, R, S, P: move, turn, scale, pivot",
+            "Ziehen: Ausgewählte bewegen · X, Y, Z: längs einer Achse, zweimal: der eigenen · M, R, S, P: bewegen, drehen, skalieren, Drehpunkt";
+        key_hint: "Drag: move this key of its position", "Ziehen: diesen Schlüssel seines Ortes bewegen";
         needs_several: "Select several points first: Shift + click, Ctrl + drag, Ctrl + A",
             "Erst mehrere Punkte auswählen: Umschalt + Klick, Strg + Ziehen, Strg + A";
         corner_mouse: "Right click on a corner of the object", "Rechtsklick auf eine Ecke des Objekts";

@@ -48,6 +48,7 @@ impl Windows {
     pub(crate) fn front(&self) -> Option<&'static str> {
         let is_open = |id: &&str| match *id {
             super::CheckWindow::ID => self.check.is_some(),
+            super::CompareWindow::ID => self.compare.is_some(),
             super::SpeedWindow::ID => self.speed.is_some(),
             ColourWindow::ID => self.colours.is_some(),
             DisplayWindow::ID => self.display.is_some(),

@@ -7,6 +7,7 @@
 //! gives all the same frame and the same ways to close.
 
 mod check;
+mod compare;
 mod curve;
 mod dock;
 mod help;
@@ -16,6 +17,7 @@ mod speed;
 mod tool;
 
 pub(super) use check::CheckWindow;
+pub(super) use compare::CompareWindow;
 pub(super) use curve::CurveWindow;
 pub(crate) use dock::{docked, place};
 pub(super) use help::HelpWindow;
@@ -47,6 +49,7 @@ pub(super) struct Windows {
     pub(super) space: Option<SpaceWindow>,
     pub(super) help: Option<HelpWindow>,
     pub(super) check: Option<CheckWindow>,
+    pub(super) compare: Option<CompareWindow>,
     /// It shows what is in the open step of the document.
     pub(super) tool: Option<ToolWindow>,
     /// A file is being chosen: modal.
@@ -136,6 +139,7 @@ pub(super) fn show(editor: &mut Editor, context: &egui::Context) {
     };
     show_slot(editor, context, CheckWindow::slot, keep_up);
     show_one::<CheckWindow>(editor, context);
+    show_one::<CompareWindow>(editor, context);
     if editor.windows.files.is_none() {
         // The file that it asked for was not chosen.
         editor.windows.tool.take_if(|window| window.waits());
@@ -150,7 +154,7 @@ pub(super) fn show(editor: &mut Editor, context: &egui::Context) {
 }
 
 /// The sub-windows that lie about; [`ToolWindow`] and the modal ones beside.
-const ALL: [&str; 10] = [
+const ALL: [&str; 11] = [
     CurveWindow::ID,
     SpeedWindow::ID,
     ColourWindow::ID,
@@ -159,6 +163,7 @@ const ALL: [&str; 10] = [
     SpaceWindow::ID,
     HelpWindow::ID,
     CheckWindow::ID,
+    CompareWindow::ID,
     RecoveryWindow::ID,
     ToolWindow::ID,
 ];
