@@ -3,12 +3,14 @@
 
 mod car;
 mod every_size;
+mod hands;
 mod keyboard;
 mod large;
 mod layout;
 mod looks;
 mod manual;
 mod pictures;
+mod scenes;
 
 pub(crate) use egui::{Key, Modifiers, Role, vec2};
 pub(crate) use egui_kittest::Harness;
