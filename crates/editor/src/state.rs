@@ -369,12 +369,18 @@ impl Editor {
 
     /// Does what was entered into a [`Number`](crate::number::Number) as one undoable step.
     pub(super) fn enter(&mut self, entry: Entry<Edit>) {
+        self.enter_with(entry, |editor, edit| {
+            editor.edit_selected(edit);
+        });
+    }
+
+    /// Does what was entered as one step. A drag ends where a host has changed what is dragged.
+    pub(super) fn enter_with<T>(&mut self, entry: Entry<T>, set: impl FnOnce(&mut Self, T)) {
         match entry {
             Entry::Idle => {}
             Entry::Begin => self.document.begin_step(),
-            Entry::Drag(edit) | Entry::Set(edit) => {
-                self.edit_selected(edit);
-            }
+            Entry::Drag(_) if !self.document.in_step() => {}
+            Entry::Drag(value) | Entry::Set(value) => set(self, value),
             Entry::End => self.document.end_step(),
             Entry::Cancel => self.document.cancel_step(),
             Entry::Wrong(text) => self.complain(text),

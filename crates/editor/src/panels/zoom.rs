@@ -66,7 +66,11 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         }
         if response.changed() {
             let missing = missing && !response.drag_started();
-            actions.push(Action::enter(missing, Entry::Drag(edit(zoom))));
+            let entry = match response.dragged() {
+                true => Entry::Drag(edit(zoom)),
+                false => Entry::Set(edit(zoom)),
+            };
+            actions.push(Action::enter(missing, entry));
         }
         if response.drag_stopped() {
             actions.push(Action::Enter(Entry::End));

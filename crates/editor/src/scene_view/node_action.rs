@@ -58,18 +58,6 @@ impl Editor {
         }
     }
 
-    /// Does what was entered as one step.
-    fn enter_with<T>(&mut self, entry: Entry<T>, set: impl FnOnce(&mut Self, T)) {
-        match entry {
-            Entry::Idle => {}
-            Entry::Begin => self.document.begin_step(),
-            Entry::Drag(value) | Entry::Set(value) => set(self, value),
-            Entry::End => self.document.end_step(),
-            Entry::Cancel => self.document.cancel_step(),
-            Entry::Wrong(text) => self.complain(text),
-        }
-    }
-
     /// What moves a node.
     pub(crate) fn moves(&self, node: usize) -> Moves {
         let Ok(of) = self.node_of_scene(node) else {

@@ -10,6 +10,7 @@ mod layout;
 mod looks;
 mod manual;
 mod pictures;
+mod scene_hosts;
 mod scenes;
 
 pub(crate) use egui::{Key, Modifiers, Role, vec2};
