@@ -1,10 +1,11 @@
-//! Points and views as text for a clipboard, in the words of a `.vid` file, and points from it.
+//! Points, views and keys as text for a clipboard, in the words of a `.vid` file, and from it.
 
 use super::editing::Document;
 use super::{Edit, Info, vid};
 use crate::error::Result;
 use crate::path::{CameraPath, Orientation};
 use crate::tools::block;
+use vides_engine::scene::Track;
 
 impl Document {
     /// The text of a `.vid` file with these points alone, ascending, at least two. A range keeps
@@ -42,5 +43,25 @@ impl Document {
     /// `ErrorKind::Memory`.
     pub fn view_as_text(view: &Orientation) -> Result<String> {
         vid::view_to_toml(view)
+    }
+
+    /// The lines with which tracks stand in a `.vid` file, of each node with its name.
+    ///
+    /// # Errors
+    /// `ErrorKind::Memory`.
+    pub fn keys_as_text(nodes: &[(String, Vec<Track>)]) -> Result<String> {
+        vid::keys_to_toml(nodes)
+    }
+
+    /// The tracks in such a text by node, whose name is empty if it has none; `None` if there is no
+    /// track. Whatever else nodes have there is passed over.
+    ///
+    /// # Errors
+    /// `ErrorKind::Format` with the line, as for a file; `Limit`, `Memory`.
+    pub fn keys_of_text(text: &str) -> Result<Option<Vec<(String, Vec<Track>)>>> {
+        if !text.contains("[[node.track]]") {
+            return Ok(None);
+        }
+        Ok(Some(vid::keys_from_toml(text)?).filter(|nodes| !nodes.is_empty()))
     }
 }

@@ -1,11 +1,12 @@
 //! The menu of a row of the timeline: how a track goes from key to key, and what comes before and
 //! after its keys, or a node's path.
 
-use egui::{Button, Popup, Response, RichText, Ui};
+use egui::{Button, Popup, PopupCloseBehavior, Response, RichText, Ui};
 use vides_engine::math::euler::EulerAngles;
 use vides_engine::scene::{Channel, Extrapolation, Interpolation, Manner, Part, Track, Warnings};
 
 use super::tracks::{Row, bar_of, channel_name};
+use super::{key_menu, track_graph};
 use crate::action::Action;
 use crate::document::Edit;
 use crate::error::Result;
@@ -13,8 +14,17 @@ use crate::state::Editor;
 use crate::texts::refusals::of_edit;
 use crate::texts::{Texts, fill};
 
-pub(super) fn show(editor: &Editor, response: &Response, row: Row, actions: &mut Vec<Action>) {
-    Popup::context_menu(response).show(|ui| {
+pub(super) fn show(
+    editor: &Editor,
+    graph: &mut track_graph::Memory,
+    response: &Response,
+    row: Row,
+    actions: &mut Vec<Action>,
+) {
+    let menu = Popup::context_menu(response);
+    // Numbers are dragged in it.
+    let menu = menu.close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+    menu.show(|ui| {
         let Some(edited) = editor.document.edited_scene() else {
             return;
         };
@@ -25,6 +35,7 @@ pub(super) fn show(editor: &Editor, response: &Response, row: Row, actions: &mut
         if let Some(track) = row.track(edited) {
             let channel = channel_name(editor, track.channel());
             ui.label(RichText::new(fill(texts.channel_of, &[&channel, &node.name])).weak());
+            key_menu::show(editor, graph, ui, (row.node, track), actions);
             of_track(editor, ui, (row, track), actions);
             return;
         }
@@ -157,7 +168,7 @@ fn interpolation_name(texts: &Texts, interpolation: &Interpolation) -> String {
     words.to_owned()
 }
 
-fn by_angles(interpolation: &Interpolation) -> bool {
+pub(super) fn by_angles(interpolation: &Interpolation) -> bool {
     matches!(
         interpolation,
         Interpolation::EulerLinear | Interpolation::EulerCatmullRom
@@ -196,7 +207,7 @@ fn with(node: usize, track: &Track, interpolation: Interpolation) -> Result<Edit
 }
 
 /// The quaternions at the keys of angles.
-fn quaternions(track: &Track) -> Vec<f64> {
+pub(super) fn quaternions(track: &Track) -> Vec<f64> {
     let warnings = &mut Warnings::default();
     let frames = track.frames().iter();
     let turns = frames.map(|&frame| track.rotation(frame, warnings));
@@ -206,7 +217,7 @@ fn quaternions(track: &Track) -> Vec<f64> {
 }
 
 /// Yaw, pitch and roll in degrees at the keys, each as near as can be to the one before.
-fn angles(track: &Track) -> Vec<f64> {
+pub(super) fn angles(track: &Track) -> Vec<f64> {
     let warnings = &mut Warnings::default();
     let mut all: Vec<f64> = Vec::new();
     for &frame in track.frames() {
@@ -223,7 +234,7 @@ fn angles(track: &Track) -> Vec<f64> {
 }
 
 /// Tangents of a smooth way through keys: those of Catmull and Rom, with quadratic ends.
-fn smooth(frames: &[f64], values: &[f64], width: usize) -> Vec<f64> {
+pub(super) fn smooth(frames: &[f64], values: &[f64], width: usize) -> Vec<f64> {
     let last = frames.len() - 1;
     let step = |k: usize| frames[k + 1] - frames[k];
     let mean = |k: usize, i: usize| (values[(k + 1) * width + i] - values[k * width + i]) / step(k);
