@@ -9,8 +9,8 @@ use super::axis::Axis;
 use super::graph::{Held, Memory, ended};
 use super::retime::{Beside, Retiming};
 use super::ruler::chosen_too;
-use super::section_menu;
 use super::{Mark, as_frame};
+use super::{pins, section_menu};
 use crate::action::Action;
 use crate::document::Selection;
 use crate::number::Entry;
@@ -238,6 +238,7 @@ pub(super) fn show(
             );
         }
     }
+    pins::of_keys(editor, &painter, axis, rect.y_range());
     let at = axis.x_of(editor.position_on_bar());
     let color = super::ruler::colour_of_playhead(editor, ui);
     painter.vline(at, rect.y_range(), Stroke::new(1.0, color));

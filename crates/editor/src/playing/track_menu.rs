@@ -3,7 +3,9 @@
 
 use egui::{Button, Popup, PopupCloseBehavior, Response, RichText, Ui};
 use vides_engine::math::euler::EulerAngles;
-use vides_engine::scene::{Channel, Extrapolation, Interpolation, Manner, Part, Track, Warnings};
+use vides_engine::scene::{
+    Channel, Extrapolation, Interpolation, Manner, Part, Track, Warnings, host,
+};
 
 use super::tracks::{Row, bar_of, channel_name};
 use super::{key_menu, track_graph};
@@ -103,13 +105,7 @@ fn beyond(
 fn of_track(editor: &Editor, ui: &mut Ui, (row, track): (Row, &Track), actions: &mut Vec<Action>) {
     let texts = &editor.texts().timeline;
     let now = track.interpolation();
-    for name in Interpolation::names(Some(track.channel())) {
-        let Ok(each) = Interpolation::parse(name) else {
-            continue;
-        };
-        if matches!(each, Interpolation::Host(_)) {
-            continue;
-        }
+    for each in interpolations(track) {
         let words = interpolation_name(editor.texts(), &each);
         let button = ui.add(Button::selectable(each == *now, words));
         if button.on_hover_text(texts.manner_hint).clicked() {
@@ -139,6 +135,25 @@ fn of_track(editor: &Editor, ui: &mut Ui, (row, track): (Row, &Track), actions: 
         let edit = |to| Ok(changed(&|manner| manner.after = to));
         beyond(editor, ui, (after, &BEYOND[..count]), edit, actions);
     });
+}
+
+/// The ways from key to key that a track may have, those of the program around at the end.
+fn interpolations(track: &Track) -> Vec<Interpolation> {
+    let mut all = Vec::new();
+    for name in Interpolation::names(Some(track.channel())) {
+        match Interpolation::parse(name) {
+            Ok(Interpolation::Host(_)) => {
+                all.extend(host::names().into_iter().map(Interpolation::Host));
+            }
+            Ok(plain) => all.push(plain),
+            Err(_) => {}
+        }
+    }
+    // One that is not registered any more.
+    if !all.contains(track.interpolation()) {
+        all.push(track.interpolation().clone());
+    }
+    all
 }
 
 fn manner_of(node: usize, track: &Track, manner: Manner) -> Edit {

@@ -14,7 +14,7 @@ use super::as_frame;
 use super::axis::Axis;
 use super::track_drag::{self, Held};
 use super::track_time::{APART, REACH, Time};
-use super::{graph_paint, track_graph, track_menu};
+use super::{graph_paint, pins, track_graph, track_menu};
 use crate::action::Action;
 use crate::document::EditedScene;
 use crate::path::Sampler;
@@ -459,6 +459,8 @@ fn of_node(
             let line = Stroke::new(1.0, palette.accent);
             painter.rect_stroke(bar, 3.0, line, StrokeKind::Inside);
         }
+        let place = (row.node, shown.ground.top(), rows);
+        pins::of_bar(edited, painter, &shown.time, place);
     }
     for track in row.tracks(edited) {
         for (x, _) in shown.time.signs(track.frames()) {

@@ -575,3 +575,68 @@ fn many_rows_scroll_as_fast_as_few() {
     );
     assert!(ratio <= 1.2, "{ratio}");
 }
+
+/// What the program around has registered is in the menu, by its name.
+#[test]
+fn functions_of_the_host_are_in_the_menu() {
+    use vides_engine::scene::host;
+    let first = |question: host::Question<'_>, out: &mut [f64]| {
+        out.copy_from_slice(&question.values[..question.width]);
+        true
+    };
+    host::register("bounce", Some(std::sync::Arc::new(first))).unwrap();
+    let mut harness = window();
+    let at = place(&harness, POSITION, 30.0);
+    click(&mut harness, at, PointerButton::Secondary);
+    harness.get_by_label("host:bounce").click();
+    steps_on(&mut harness);
+    let edited = harness.state().document.edited_scene().unwrap();
+    let track = edited.scene().nodes()[1].keys().track(&Channel::Position);
+    let by = track.unwrap().interpolation();
+    assert_eq!(*by, Interpolation::Host("bounce".to_owned()));
+    // Not where it does not fit, and gone with its function.
+    host::register("bounce", None).unwrap();
+    tap(&mut harness, Key::Z, Modifiers::CTRL);
+    click(&mut harness, at, PointerButton::Primary);
+    click(&mut harness, at, PointerButton::Secondary);
+    assert!(harness.query_by_label("host:bounce").is_none());
+}
+
+/// Shift and Home show the selected keys, else what moves the nodes; Home shows everything.
+#[test]
+fn shift_and_home_show_the_selection() {
+    let mut harness = window();
+    let at = place(&harness, POSITION, 20.0);
+    click(&mut harness, at, PointerButton::Primary);
+    hold(&mut harness, Modifiers::SHIFT);
+    let at = place(&harness, POSITION, 40.0);
+    click(&mut harness, at, PointerButton::Primary);
+    hold(&mut harness, Modifiers::NONE);
+    let ruler = harness.get_by_label("Frame").rect();
+    let rail = Rangef::new(ruler.left() + 8.0, ruler.right() - 8.0);
+    let axis = |harness: &Window| {
+        let playing = &harness.state().playing;
+        Axis::new(rail, playing.marks.frames, playing.seen)
+    };
+    tap(&mut harness, Key::Home, Modifiers::SHIFT);
+    steps_on(&mut harness);
+    let time = |harness: &Window| Time::new(harness.state(), &axis(harness));
+    let ends = [20.0, 40.0].map(|frame| time(&harness).x(frame));
+    // All of them, with little room beside.
+    assert!(rail.contains(ends[0]) && rail.contains(ends[1]), "{ends:?}");
+    assert!(ends[1] - ends[0] > 0.8 * rail.span(), "{ends:?}");
+    tap(&mut harness, Key::Home, Modifiers::NONE);
+    steps_on(&mut harness);
+    assert!(axis(&harness).shows_all());
+    // Without a key all that moves: from the first one to the end of the drone's path.
+    harness.state_mut().select_keys(Vec::new());
+    harness.state_mut().select_nodes(vec![1]);
+    steps_on(&mut harness);
+    let name = harness.state().texts().space.timeline;
+    harness.get_by_label(name).focus();
+    tap(&mut harness, Key::Home, Modifiers::SHIFT);
+    steps_on(&mut harness);
+    let ends = [5.0, 60.0].map(|frame| time(&harness).x(frame));
+    assert!(rail.contains(ends[0]) && rail.contains(ends[1]), "{ends:?}");
+    assert!(ends[1] - ends[0] > 0.8 * rail.span(), "{ends:?}");
+}

@@ -118,6 +118,15 @@ texts! {
             "Die kopierten Schlüssel sind von {0} Knoten, und gewählt sind {1}: nichts wurde eingefügt";
         fits_no_channel: "The copied keys fit no channel of the selected nodes: nothing was pasted",
             "Die kopierten Schlüssel passen zu keinem Kanal der gewählten Knoten: nichts wurde eingefügt";
+        pin_to: "Pin to", "Feststecken an";
+        pin_hint: "The path is at this point at the marker's frame: the first pin moves its start, the sections between two share the frames",
+            "Die Bahn ist beim Bild der Marke an diesem Punkt: der erste festgesteckte verschiebt den Anfang, die Abschnitte zwischen zweien teilen sich die Bilder";
+        no_marker: "No marker", "Keine Marke";
+        no_markers: "There is no marker: a double click on the ruler makes one",
+            "Es gibt keine Marke: ein Doppelklick auf das Lineal macht eine";
+        home_keys: "Shift + Home on the timeline", "Umschalt + Pos1 auf der Zeitleiste";
+        home_meaning: "See the selected keys, else all that moves the selected nodes; Home: everything",
+            "Die gewählten Schlüssel sehen, sonst alles, was die gewählten Knoten bewegt; Pos1: alles";
         marker: "Marker {0}", "Marke {0}";
         new_marker: "Marker {0}", "Marke {0}";
         marker_name: "Name of the marker", "Name der Marke";
