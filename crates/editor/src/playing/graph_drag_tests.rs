@@ -308,3 +308,76 @@ fn numbers_stay_in_range() {
     drag(&mut harness, from, from - vec2(0.0, 30.0));
     assert!(number(&harness, &Channel::Intensity, 0, 0) > 0.01);
 }
+
+/// A pass in which a key is dragged costs little more than one that scrubs, in a scene of ten
+/// thousand nodes with a million keys.
+#[test]
+fn a_dragged_key_costs_little_more_than_scrubbing() {
+    use vides_engine::scene::{Kind, Node, Scene};
+    let mut scene = Scene::new();
+    let frames: Vec<f64> = (0..100).map(|key| 1.0 + 3.0 * f64::from(key)).collect();
+    let values: Vec<f64> = (0..300).map(|at| 0.01 * f64::from(at % 37)).collect();
+    for number in 0..10_000_u32 {
+        let at = scene
+            .add(Node::new(&format!("node {number}"), Kind::Group))
+            .unwrap();
+        let (frames, values) = (frames.clone(), values.clone());
+        let by = Interpolation::CatmullRom;
+        let track = Track::new(Channel::Position, by, frames, values, Vec::new());
+        scene.set_track(at, track.unwrap()).unwrap();
+    }
+    let mut document = crate::document::Document::new();
+    let edit = crate::document::Edit::ReplaceScene(Box::new(scene));
+    document.apply(edit).unwrap();
+    let options = crate::Options {
+        document: document.as_opened(),
+        ..crate::tests::options(crate::texts::Language::English)
+    };
+    let mut harness = crate::tests::window_of(options, LARGE, 1.0, Theme::Dark);
+    harness.state_mut().select_nodes(vec![1]);
+    steps_on(&mut harness);
+    let name = harness.state().texts().timeline.graph_switch;
+    harness.get_by_label(name).click();
+    steps_on(&mut harness);
+    let spent = |harness: &mut Window, pass: &mut dyn FnMut(&mut Window, u8)| {
+        let mut all: Vec<f64> = (0..15_u8)
+            .map(|number| {
+                let before = milliseconds();
+                pass(harness, number);
+                harness.step();
+                milliseconds() - before
+            })
+            .collect();
+        all.sort_by(f64::total_cmp);
+        all[all.len() / 2]
+    };
+    let scrubbed = spent(&mut harness, &mut |harness, number| {
+        harness.state_mut().scrub(100.0 + f64::from(number));
+    });
+    let value = number(&harness, &Channel::Position, 40, 1);
+    let from = place(&harness, 121.0, value);
+    take(&mut harness, from, from + vec2(20.0, 20.0));
+    let mut values = vec![value];
+    let dragged = spent(&mut harness, &mut |harness, number| {
+        values.push(self::number(harness, &Channel::Position, 40, 1));
+        let to = from + vec2(0.0, 20.0 + f32::from(number));
+        harness.event(egui::Event::PointerMoved(to));
+    });
+    // Each pass has moved it.
+    values.dedup();
+    assert!(values.len() >= 15, "{values:?}");
+    let ratio = dragged / scrubbed;
+    println!("{dragged:.1} ms a pass, {ratio:.2} times one that scrubs");
+    assert!(ratio <= 1.5, "{ratio}: {dragged} and {scrubbed} ms");
+}
+
+/// The time that a processor has spent on this thread, else the clock's.
+fn milliseconds() -> f64 {
+    let spent = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
+    let spent = spent.and_then(|spent| spent.split(' ').next()?.parse::<f64>().ok());
+    let clock = || std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
+    spent.map_or_else(
+        || clock().unwrap().as_secs_f64() * 1e3,
+        |spent| 1e-6 * spent,
+    )
+}

@@ -132,7 +132,10 @@ pub(super) fn show(
     let (palette, painter) = (theme::palette(ui), ui.painter_at(rect));
     let marks = &editor.playing.marks;
     let mut free = f32::NEG_INFINITY;
-    for (frame, name) in marks.markers_between(as_frame(marks.frames)) {
+    // From left to right, so that each name has the room up to the next one.
+    let mut all: Vec<_> = marks.markers_between(as_frame(marks.frames)).collect();
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    for (frame, name) in all {
         let tip = pos2(axis.x_of(*frame), rect.top());
         if !axis.sees(tip.x) {
             continue;
