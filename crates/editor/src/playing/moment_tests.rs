@@ -6,7 +6,7 @@ use vides_engine::scene::{
     Channel, Extrapolation, FollowPath, Interpolation, Kind, Light, Node, Scene, Track,
 };
 
-use crate::document::{Document, Edit};
+use crate::document::{At, Document, Edit};
 use crate::path::CameraPath;
 use crate::playing::playhead::Missing;
 use crate::screenshots::screenshot;
@@ -134,6 +134,23 @@ fn people_read_what_the_first_frame_makes_of_it() {
     let heading = window.get_by_role_and_label(Role::ComboBox, heading);
     let heading = heading.value().unwrap_or_default();
     assert!(heading.starts_with("first, frame 222"), "{heading}");
+    // So does the list of points.
+    let list = |window: &Window| {
+        let shapes = window.output().shapes.iter();
+        let words = shapes.filter_map(|clipped| match &clipped.shape {
+            egui::Shape::Text(text) => Some(text.galley.text().to_owned()),
+            _ => None,
+        });
+        words.collect::<Vec<String>>()
+    };
+    let words = list(&window);
+    assert!(words.iter().any(|word| word == "121"), "{words:?}");
+    assert!(words.iter().any(|word| word == "241"), "{words:?}");
+    window.state_mut().select_nodes(vec![1]);
+    window.run();
+    let words = list(&window);
+    assert!(words.iter().any(|word| word == "96.5"), "{words:?}");
+    window.state_mut().select_nodes(vec![0]);
     window.state_mut().set_frame(21.0).unwrap();
     window.run();
     // The seconds are those from frame 1 on.
@@ -241,6 +258,25 @@ fn only_what_is_selected_is_played() {
     window.get_by_label(texts.play).click();
     let (_, high) = seen(&mut window, 60);
     assert!(high > last + 5.0, "all of it plays: {high}");
+}
+
+/// What the check finds of a path is a frame of that; the playhead goes to the scene's.
+#[test]
+fn a_finding_leads_to_the_frame_of_the_scene() {
+    let mut window = window_with(Extrapolation::Hold, Language::English);
+    let position = glam::DVec3::new(0.5, 1.5, 0.8);
+    let edit = Edit::set(At::Point(1), "position", position);
+    assert!(window.state_mut().edit(edit));
+    let found = window.state().document().check(None).unwrap();
+    let outside = found.iter().find(|finding| finding.kind.name() == "space");
+    let finding = *outside.unwrap();
+    window.state_mut().go_to(&finding);
+    window.run();
+    let frame = 20.0 + finding.first_frame;
+    assert_eq!(window.state().frame().unwrap(), frame);
+    let follow = window.state().document().scene().unwrap();
+    let pose = follow.nodes()[0].path().unwrap().pose(frame).unwrap();
+    assert!(pose.vrp[1] > 1.0, "there it is outside: {pose:?}");
 }
 
 /// A path alone has no such switch.

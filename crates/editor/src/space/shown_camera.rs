@@ -70,3 +70,7 @@ pub(super) fn choice(
     });
     heading.on_hover_text(texts.shown_camera_hint)
 }
+
+#[cfg(test)]
+#[path = "shown_camera_tests.rs"]
+mod tests;
