@@ -199,3 +199,7 @@ impl Poses<'_> {
 
 /// States evaluated at once.
 const BLOCK: usize = 512;
+
+#[cfg(test)]
+#[path = "shown_tests.rs"]
+mod tests;

@@ -121,3 +121,7 @@ fn nearly_whole(frame: f64) -> f64 {
         frame
     }
 }
+
+#[cfg(test)]
+#[path = "moment_tests.rs"]
+mod tests;

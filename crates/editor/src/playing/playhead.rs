@@ -202,6 +202,8 @@ impl Editor {
         // Of several keys at one frame the current one.
         let here = current.filter(|mark| mark.begins_at(frame));
         let Some(mark) = here.or_else(|| self.playing.mark_before(frame)) else {
+            // No path is edited.
+            self.playing.selected(self.document.selection(), false);
             return;
         };
         if Selection::at(mark.point, mark.orientation) != self.document.selection() {

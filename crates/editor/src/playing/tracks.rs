@@ -278,6 +278,7 @@ fn shown_as_rows(
         ScrollArea::vertical()
             .id_salt("tracks")
             .max_height(rect.height())
+            .min_scrolled_height(0.0)
             .auto_shrink(false)
             .show_viewport(ui, |ui, _| {
                 #[allow(clippy::cast_precision_loss)]

@@ -469,7 +469,7 @@ fn caption(editor: &Editor, ui: &mut Ui, size: Vec2, camera: &Camera, actions: &
                 .color(theme::palette(ui).weak);
             let label = Label::new(words).truncate().selectable(false);
             let label = match cameras.len() > 1 {
-                true => shown_camera::choice(editor, ui, label, &cameras, actions),
+                true => shown_camera::choice(editor, ui, (label, &text), &cameras, actions),
                 false => ui.add(label),
             };
             if shown != Some(&text) {

@@ -30,7 +30,7 @@ pub(super) fn all(editor: &Editor) -> Vec<usize> {
 pub(super) fn choice(
     editor: &Editor,
     ui: &mut Ui,
-    heading: Label,
+    (heading, words): (Label, &str),
     cameras: &[usize],
     actions: &mut Vec<Action>,
 ) -> Response {
@@ -42,7 +42,7 @@ pub(super) fn choice(
     let (texts, shown) = (&editor.texts().scene, scene.shown_camera());
     let name = |at: usize| scene.nodes()[at].name.as_str();
     heading.widget_info(|| egui::WidgetInfo {
-        current_text_value: shown.map(|at| name(at).to_owned()),
+        current_text_value: Some(words.to_owned()),
         ..egui::WidgetInfo::labeled(egui::Role::ComboBox, true, texts.shown_camera)
     });
     let palette = theme::palette(ui);
@@ -70,3 +70,7 @@ pub(super) fn choice(
     });
     heading.on_hover_text(texts.shown_camera_hint)
 }
+
+#[cfg(test)]
+#[path = "shown_camera_tests.rs"]
+mod tests;
