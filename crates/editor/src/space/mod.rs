@@ -521,6 +521,10 @@ impl MovementWindow {
         if !editor.means_nodes() {
             return;
         }
+        if let Some(cage) = editor.cage_in_space() {
+            let palette = editor.setup.theme().palette();
+            add(overlay::cage(look, &cage, usize::MAX, palette));
+        }
         add(trail::lines(editor, look));
         if let Some(middle) = transform::handles(editor, look.projection) {
             add(transform::show_handles(look, middle, self.pointer.meant));
