@@ -80,8 +80,10 @@ pub(super) fn rows(
         });
     }
     let size = vec2(ui.available_width(), theme::ROW);
-    let button = egui::Button::new(texts.box_of_mesh).min_size(size);
-    let button = ui.add_enabled(own.is_some(), button);
+    let button = egui::Button::new(texts.box_of_mesh);
+    let button = ui
+        .add_enabled_ui(own.is_some(), |ui| ui.add_sized(size, button))
+        .inner;
     let text = fill(texts.box_of_mesh_of, &[&name]);
     button.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Button, own.is_some(), &text));
     if button.on_hover_text(texts.box_of_mesh_hint).clicked() {

@@ -61,6 +61,7 @@ texts! {
         turned_by: "Turned about {0} by {1}°", "Um {0} gedreht um {1}°";
         scaled_by: "Scaled by {0}", "Skaliert mit {0}";
         scaled_along: "Scaled along {0} by {1}", "Längs {0} skaliert mit {1}";
+        nudged: "Along {0} by {1}", "Längs {0} um {1}";
         own_axis: "its own {0}", "das eigene {0}";
         needs_nodes: "Select a node of the scene first", "Erst einen Knoten der Szene auswählen";
         path_moves_it: "“{0}” follows a path, which moves and turns it: move the path's points, or give it keys",
