@@ -140,7 +140,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
 }
 
 /// What mouse and keys do beside what the thesis names: input and meaning.
-pub(super) fn shortcut_help(texts: &Texts) -> [(&'static str, &'static str); 34] {
+pub(super) fn shortcut_help(texts: &Texts) -> [(&'static str, &'static str); 37] {
     let timeline = &texts.timeline;
     let texts = &texts.space;
     [
@@ -151,6 +151,9 @@ pub(super) fn shortcut_help(texts: &Texts) -> [(&'static str, &'static str); 34]
         (texts.tool_keys, texts.tool_meaning),
         (texts.axis_keys, texts.axis_meaning),
         (texts.handle_mouse, texts.handle_meaning),
+        (texts.node_mouse, texts.node_meaning),
+        (texts.pivot_keys_name, texts.pivot_meaning),
+        (texts.way_mouse, texts.way_meaning),
         (texts.tangent_mouse, texts.tangent_meaning),
         (texts.list_keys, texts.list_meaning),
         (texts.corner_mouse, texts.corner_meaning),
