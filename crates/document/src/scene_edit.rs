@@ -309,7 +309,7 @@ impl Edits<'_, '_> {
     }
 
     fn remove(&mut self, which: Vec<usize>) -> Result<()> {
-        let gone = self.with_all_in(&which)?;
+        let gone = self.scene().with_all_in(&which)?;
         if self.0.edited.node().is_some_and(|node| gone[node]) {
             self.synchronise()?;
             let mut left = self.scene().nodes().iter().enumerate();
@@ -321,27 +321,6 @@ impl Edits<'_, '_> {
         self.exchange(Part::Remove(which))
     }
 
-    /// For each node whether it is one of these or in one.
-    fn with_all_in(&self, which: &[usize]) -> Result<Vec<bool>> {
-        let nodes = self.scene().nodes();
-        let mut within = vec_with_room(nodes.len())?;
-        within.resize(nodes.len(), false);
-        for &at in which {
-            self.scene().node(at)?;
-            within[at] = true;
-        }
-        for mut at in 0..nodes.len() {
-            let begin = at;
-            while let Some(parent) = nodes[at].parent.filter(|_| !within[at]) {
-                at = parent;
-            }
-            if within[at] {
-                within[begin] = true;
-            }
-        }
-        Ok(within)
-    }
-
     /// Puts nodes behind the others; they count on from there.
     pub(super) fn add(&mut self, nodes: Vec<Node>) -> Result<()> {
         can_allocate(size_of::<NodeList>())?;
@@ -351,7 +330,7 @@ impl Edits<'_, '_> {
 
     /// Copies nodes with all that is in them. Aims among them go along; pins stay.
     pub(super) fn copy(&mut self, which: &[usize]) -> Result<()> {
-        let within = self.with_all_in(which)?;
+        let within = self.scene().with_all_in(which)?;
         let (scene, edited) = (self.scene(), self.0.edited);
         let count = scene.nodes().len();
         let mut places: Vec<usize> = vec_with_room(count)?;

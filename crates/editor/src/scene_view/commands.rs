@@ -2,8 +2,9 @@
 //! selects what it has made. What is refused is told in the output field and changes nothing.
 
 use glam::{DAffine3, DVec3};
-use vides_engine::scene::{Channel, Geometry, Keep, Kind, Light, Node, Object, Part, Scene};
+use vides_engine::scene::{Geometry, Keep, Kind, Light, Node, Object, Part, Scene};
 
+use super::values::PLACE;
 use crate::document::Edit;
 use crate::error::Result;
 use crate::files::Purpose;
@@ -26,10 +27,8 @@ pub(crate) enum NodeCommand {
     Remove,
     /// Copy the selected ones with all that is in them.
     Copy,
-    /// Put the selected ones into this node, or into the scene itself.
-    PutInto(Option<usize>),
-    /// Show a node, or hide it.
-    Show(usize, bool),
+    /// Put these into a node, or into the scene itself.
+    PutInto(Vec<usize>, Option<usize>),
 }
 
 /// A node that begins without a file.
@@ -61,8 +60,7 @@ impl Editor {
             NodeCommand::Rename(node, name) => self.rename_node(node, name),
             NodeCommand::Remove => self.remove_nodes(),
             NodeCommand::Copy => self.copy_nodes(),
-            NodeCommand::PutInto(parent) => self.put_into(parent),
-            NodeCommand::Show(node, visible) => self.show_node(node, visible),
+            NodeCommand::PutInto(nodes, parent) => self.put_into(nodes, parent),
         }
     }
 
@@ -185,7 +183,9 @@ impl Editor {
         };
         let nodes = edited.scene().nodes();
         // The copies stand behind all, in the order of their originals.
-        let within = with_all_in(nodes, &selected);
+        let Ok(within) = edited.scene().with_all_in(&selected) else {
+            return;
+        };
         let mut copies = vec![0; nodes.len()];
         let all = copies.iter_mut().zip(within);
         let copied = all.filter(|(_, within)| *within);
@@ -200,16 +200,17 @@ impl Editor {
     }
 
     /// Nodes at rest keep their place; those that move keep their numbers, which is told.
-    fn put_into(&mut self, parent: Option<usize>) {
-        let selected = self.selected_nodes();
+    fn put_into(&mut self, which: Vec<usize>, parent: Option<usize>) {
         let Some(edited) = self.document.edited_scene() else {
             return;
         };
         let nodes = edited.scene().nodes();
-        let within = with_all_in(nodes, &selected);
+        let Ok(within) = edited.scene().with_all_in(&which) else {
+            return;
+        };
         let mut moving = None;
         let mut edits = Vec::new();
-        for node in selected {
+        for node in which {
             let of = &nodes[node];
             // What is in another one of these goes along with that.
             let goes_along = of.parent.is_some_and(|parent| within[parent]);
@@ -231,13 +232,6 @@ impl Editor {
             self.say_done(fill(self.texts().scene.goes_along, &[&name]));
         }
     }
-
-    /// Sets a key at the playhead where there is a track, else what holds at rest.
-    fn show_node(&mut self, node: usize, visible: bool) {
-        self.document.end_step();
-        let seen = f64::from(u8::from(visible));
-        self.set_channel(node, &Channel::Visible, &[seen]);
-    }
 }
 
 /// Above the middle of the space.
@@ -247,20 +241,8 @@ fn above(space: Space) -> DVec3 {
 
 /// Whether a path or keys move a node in its parent.
 fn moves(node: &Node) -> bool {
-    let channels = [Channel::Position, Channel::Rotation, Channel::Scale];
-    let mut tracks = channels.iter().map(|channel| node.keys().track(channel));
+    let mut tracks = PLACE.iter().map(|channel| node.keys().track(channel));
     node.path().is_some() || tracks.any(|track| track.is_some())
-}
-
-/// For each node whether it is one of these or in one.
-pub(crate) fn with_all_in(nodes: &[Node], which: &[usize]) -> Vec<bool> {
-    let mut chosen = vec![false; nodes.len()];
-    for &at in which {
-        chosen[at] = true;
-    }
-    let above = |at: usize| std::iter::successors(Some(at), |&up| nodes[up].parent);
-    let within = (0..nodes.len()).map(|at| above(at).any(|up| chosen[up]));
-    within.collect()
 }
 
 /// This name if no node has it, else the first one with a number.

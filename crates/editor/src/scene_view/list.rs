@@ -54,7 +54,6 @@ pub(crate) fn list(editor: &Editor, ui: &mut Ui, highest: f32, actions: &mut Vec
     let shown = Shown {
         editor,
         scene: edited.scene(),
-        frame: editor.frame().unwrap_or(1.0),
         current: selected.first().copied(),
         selected: {
             selected.sort_unstable();
@@ -431,7 +430,10 @@ impl SceneList {
             );
             ui.set_cursor_icon(CursorIcon::Grabbing);
         } else if of.scene.nodes().get(dragged).is_some() {
-            actions.push(Action::Nodes(NodeCommand::PutInto(target)));
+            actions.push(Action::Nodes(NodeCommand::PutInto(
+                of.editor.selected_nodes(),
+                target,
+            )));
         }
     }
 

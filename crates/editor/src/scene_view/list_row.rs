@@ -4,12 +4,13 @@ use egui::{
     Align2, Color32, CornerRadius, Painter, Pos2, Rect, Response, Role, Sense, Shape, Stroke, Ui,
     WidgetInfo, pos2, vec2,
 };
-use vides_engine::scene::{Channel, Kind, Node, Scene, Warnings};
+use vides_engine::scene::{Channel, Kind, Node, Scene};
 
-use super::commands::NodeCommand;
 use super::list::id;
+use super::node_action::NodeAction;
 use super::rows::Row;
 use crate::action::Action;
+use crate::number::Entry;
 use crate::state::Editor;
 use crate::texts::fill;
 use crate::theme;
@@ -21,7 +22,6 @@ pub(super) const EYE: f32 = 22.0;
 pub(super) struct Shown<'a> {
     pub(super) editor: &'a Editor,
     pub(super) scene: &'a Scene,
-    pub(super) frame: f64,
     pub(super) current: Option<usize>,
     /// In rising order.
     pub(super) selected: Vec<usize>,
@@ -85,7 +85,7 @@ pub(super) fn paint(of: &Shown<'_>, ui: &Ui, room: Rect, row: Row, response: &Re
 /// The eye at the end of a row, which hides a node or shows it.
 pub(super) fn show_eye(of: &Shown<'_>, ui: &Ui, rect: Rect, at: usize, actions: &mut Vec<Action>) {
     let node = &of.scene.nodes()[at];
-    let visible = is_visible(node, of.frame);
+    let visible = of.editor.channel_value(at, &Channel::Visible) != Some(vec![0.0]);
     let texts = &of.editor.texts().scene;
     let name = if visible { texts.hide } else { texts.show };
     let name = fill(name, &[&node.name]);
@@ -99,18 +99,10 @@ pub(super) fn show_eye(of: &Shown<'_>, ui: &Ui, rect: Rect, at: usize, actions: 
         texts.eye_hint
     };
     if response.on_hover_text(format!("{name}. {hint}")).clicked() {
-        actions.push(Action::Nodes(NodeCommand::Show(at, !visible)));
+        let value = Entry::Set(vec![f64::from(u8::from(!visible))]);
+        let action = NodeAction::Value(at, Channel::Visible, value);
+        actions.push(Action::Node(action));
     }
-}
-
-/// Whether a node by itself is visible at a frame of the scene.
-fn is_visible(node: &Node, frame: f64) -> bool {
-    let Some(track) = node.keys().track(&Channel::Visible) else {
-        return node.rest.visible;
-    };
-    let mut value = [0.0];
-    track.numbers(frame, &mut value, &mut Warnings::default());
-    value != [0.0]
 }
 
 fn paint_eye(painter: &Painter, centre: Pos2, open: bool, color: Color32) {

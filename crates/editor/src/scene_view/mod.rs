@@ -29,7 +29,7 @@ use std::cell::RefCell;
 use glam::{DAffine3, DVec3};
 use vides_engine::scene::{NodeState, Scene, Warnings};
 
-pub(super) use self::commands::{NewNode, NodeCommand, with_all_in};
+pub(super) use self::commands::{NewNode, NodeCommand};
 pub(super) use self::list::{has_keyboard, list, take_keys};
 pub(super) use self::node_action::NodeAction;
 pub(super) use self::node_panel::beside;

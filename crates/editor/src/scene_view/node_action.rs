@@ -1,6 +1,6 @@
 //! What is done to a node from its panels.
 
-use vides_engine::scene::{Channel, Extrapolation, FollowPath, Keep, KeyList, Kind, Part};
+use vides_engine::scene::{Channel, Extrapolation, FollowPath, KeyList, Kind, Part};
 
 use crate::document::{Document, Edit, Info};
 use crate::error::{Refused, Result};
@@ -20,8 +20,6 @@ pub(crate) enum NodeAction {
     SwitchKey(usize, Channel),
     /// Keys for position, rotation and scale of the selected nodes.
     SetKeys,
-    /// Another parent; one that moves goes along with it.
-    Parent(usize, Option<usize>),
     Motion(usize, Moves),
     /// Read its mesh again.
     Reload(usize),
@@ -55,7 +53,6 @@ impl Editor {
             }),
             NodeAction::SwitchKey(node, channel) => self.switch_key(node, &channel),
             NodeAction::SetKeys => self.set_keys(),
-            NodeAction::Parent(node, parent) => self.choose_parent(node, parent),
             NodeAction::Motion(node, moves) => self.set_motion(node, moves),
             NodeAction::Reload(node) => self.reload_mesh(node),
             NodeAction::AskFile(purpose) => self.choose_file(purpose),
@@ -85,23 +82,6 @@ impl Editor {
             (Some(_), _) => Moves::Path,
             (None, false) => Moves::Keys,
             (None, true) => Moves::Nothing,
-        }
-    }
-
-    /// Puts a node into another one, at its place if it rests.
-    fn choose_parent(&mut self, node: usize, parent: Option<usize>) {
-        let moves = self.node_of_scene(node).is_ok_and(|of| {
-            let place = [Channel::Position, Channel::Rotation, Channel::Scale];
-            let by_key = |channel: &Channel| of.keys().track(channel).is_some();
-            of.path().is_some() || place.iter().any(by_key)
-        });
-        let keep = match moves {
-            true => Keep::Numbers,
-            false => Keep::Place,
-        };
-        let edit = Edit::SetParent { node, parent, keep };
-        if self.edit_all([edit]) && moves {
-            self.say_done(self.texts().node.goes_along.to_owned());
         }
     }
 

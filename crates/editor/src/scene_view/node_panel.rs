@@ -4,6 +4,7 @@ use egui::{Button, Popup, Role, ScrollArea, Ui, WidgetInfo, vec2};
 use glam::DVec3;
 use vides_engine::scene::{Channel, Node, Part, Rest};
 
+use super::commands::NodeCommand;
 use super::keys_panel::{AXES, Shown, Words, channel, diamond, indent};
 use super::node_action::NodeAction;
 use super::{kind_panel, list_row, motion_panel, object_panel, panel};
@@ -110,7 +111,8 @@ fn links(editor: &Editor, ui: &mut Ui, of: Shown<'_>, actions: &mut Vec<Action>)
     }
     let words = (texts.parent_name, texts.parent, texts.no_parent);
     if let Some(parent) = node_menu(editor, ui, of.at, words, of.node.parent, texts.parent_hint) {
-        actions.push(Action::Node(NodeAction::Parent(of.at, parent)));
+        let command = NodeCommand::PutInto(vec![of.at], parent);
+        actions.push(Action::Nodes(command));
     }
     if of.node.kind.looks() {
         let words = (texts.aim_name, texts.aim, texts.no_aim);

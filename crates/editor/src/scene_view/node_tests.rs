@@ -269,9 +269,10 @@ fn parents_and_aims_are_chosen_and_refused_in_words() {
         click(&mut window, texts.node_tab);
         choose(&mut window, texts.parent_name, "camera");
         assert_eq!(node(&window, DRONE).parent, Some(CAMERA));
+        let goes_along = language.texts().scene.goes_along;
         assert_eq!(
-            crate::tests::said(&window).as_deref(),
-            Some(texts.goes_along)
+            crate::tests::said(&window),
+            Some(fill(goes_along, &[&"drone"]))
         );
     }
 }

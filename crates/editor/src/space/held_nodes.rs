@@ -10,9 +10,10 @@ use vides_engine::scene::Channel;
 
 use super::projection::{Axis, Projection};
 use crate::math::euler::EulerAngles;
-use crate::scene_view::{Now, with_all_in};
+use crate::scene_view::Now;
 use crate::state::Editor;
 use crate::texts::fill;
+use crate::texts::refusals::reason_of;
 
 /// A plane of axes seen with less of its area than this is taken as edge-on: nothing moves.
 const EDGE_ON: f64 = 1e-3;
@@ -87,13 +88,16 @@ impl Held {
         let texts = &editor.texts().space;
         let nothing = || texts.needs_nodes.to_owned();
         let scene = editor.document.edited_scene().map(|edited| edited.scene());
-        let nodes = scene.ok_or_else(nothing)?.nodes();
+        let scene = scene.ok_or_else(nothing)?;
+        let nodes = scene.nodes();
         let selected = match grip {
             Grip::Nodes => editor.selected_nodes(),
             Grip::Pivot => editor.current_node().into_iter().collect(),
             Grip::Key(node, _) => vec![node],
         };
-        let within = with_all_in(nodes, &selected);
+        let told = |error| reason_of(editor.language(), &error);
+        let within = scene.with_all_in(&selected);
+        let within = within.map_err(|error| told(error.into()))?;
         // What is in another one of these goes along with that.
         let free = |node: &usize| nodes[*node].parent.is_none_or(|parent| !within[parent]);
         let edited = editor.document.edited_scene().and_then(|of| of.node());
@@ -133,7 +137,7 @@ impl Held {
                 start.world = parent_in_space(now, start.parent);
             }
         });
-        found.map_err(|error| crate::texts::refusals::reason_of(editor.language(), &error))?;
+        found.map_err(told)?;
         let mut held = Self {
             grip,
             middle: DVec3::ZERO,

@@ -5,7 +5,7 @@ use glam::{DMat3, DQuat, DVec3};
 
 use super::held_nodes::parent_in_space;
 use super::projection::Projection;
-use crate::scene_view::{wires, with_all_in};
+use crate::scene_view::wires;
 use crate::setup::{Element, View};
 use crate::state::Editor;
 use crate::theme;
@@ -30,7 +30,7 @@ pub(crate) fn turned_node(editor: &Editor, ui: &Ui, rect: Rect, node: usize, tur
     let found = editor.with_scene(|now| {
         let nodes = now.scene.nodes();
         let of = nodes.get(node)?;
-        let within = with_all_in(nodes, &[node]);
+        let within = now.scene.with_all_in(&[node]).ok()?;
         let into = now.states[node].world().inverse();
         let mut lines: Vec<[DVec3; 2]> = Vec::new();
         wires(editor, now, |wire| {

@@ -16,8 +16,6 @@ texts! {
         no_parent: "the scene", "Szene";
         parent_hint: "The node that it is in and goes along with. One at rest keeps its place in the world; one that moves keeps its numbers",
             "Der Knoten, in dem er ist und mit dem er mitgeht. Wer ruht, bleibt an seinem Ort in der Welt; wer sich bewegt, behält seine Zahlen";
-        goes_along: "It moves, so it keeps its numbers and goes along with its parent",
-            "Er bewegt sich, also behält er seine Zahlen und geht mit";
         aim: "Aims at: {0}", "Zielt auf: {0}";
         aim_name: "Aim", "Ziel";
         no_aim: "nothing", "nichts";

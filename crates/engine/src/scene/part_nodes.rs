@@ -145,18 +145,27 @@ impl Scene {
         Ok(numbers)
     }
 
-    /// Takes nodes out, with all that is in them.
-    pub(super) fn remove_nodes(&mut self, which: &[usize]) -> Result<NodeList> {
-        let mut gone = vec_with_room(self.nodes.len())?;
-        gone.resize(self.nodes.len(), false);
+    /// For each node whether it is one of these or in one.
+    ///
+    /// # Errors
+    /// [`Error::Range`] if there is no such node; [`Error::Memory`].
+    pub fn with_all_in(&self, which: &[usize]) -> Result<Vec<bool>> {
+        let mut within = vec_with_room(self.nodes.len())?;
+        within.resize(self.nodes.len(), false);
         for &at in which {
             self.node(at)?;
-            gone[at] = true;
+            within[at] = true;
         }
         // Parents come before what is in them.
         for &at in &self.order {
-            gone[at] |= self.nodes[at].parent.is_some_and(|parent| gone[parent]);
+            within[at] |= self.nodes[at].parent.is_some_and(|parent| within[parent]);
         }
+        Ok(within)
+    }
+
+    /// Takes nodes out, with all that is in them.
+    pub(super) fn remove_nodes(&mut self, which: &[usize]) -> Result<NodeList> {
+        let gone = self.with_all_in(which)?;
         let mut places = vec_with_room(gone.iter().filter(|&&gone| gone).count())?;
         places.extend((0..gone.len()).filter(|&at| gone[at]));
         self.take_out(&places)
