@@ -402,10 +402,9 @@ pub unsafe extern "C" fn v_editor_close(editor: *mut V_EDITOR) -> c_int {
 }
 
 /// A copy of the path as it is in the window now; of a scene that of the camera that is
-/// shown: the first one on a path. *path is the caller's, to be freed with
-/// v_path_free().
+/// shown (v_scene_get_camera()). *path is the caller's, to be freed with v_path_free().
 /// The thread that opened the window; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no camera of the scene has a path),
+/// V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no camera, or it follows no path),
 /// V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_get_path(
@@ -428,7 +427,7 @@ pub unsafe extern "C" fn v_editor_get_path(
 /// scene it takes the place of the path of the camera that is shown, which is
 /// edited then.
 /// The thread that opened the window; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no camera of the scene has a path),
+/// V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no camera, or it follows no path),
 /// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_set_path(editor: *mut V_EDITOR, path: *const V_PATH) -> c_int {

@@ -74,8 +74,8 @@ pub unsafe extern "C" fn v_editor_get_frame(
 
 /// The playhead goes to a frame, from 1 to v_path_frame_count(), also between two,
 /// and stays there. The orientation from which the camera comes there is current
-/// then. In a scene it is a frame of the scene, of those in which the path that is
-/// edited moves; where no path is edited, of the whole scene.
+/// then. In a scene it is a frame of the scene, any from the first to the last one
+/// of v_scene_frame_range(), whatever is selected.
 /// The thread that opened the window; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]

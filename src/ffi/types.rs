@@ -183,9 +183,10 @@ pub type V_EDITOR = v_editor;
 
 /// ==== Reasons of callbacks ====
 ///
-/// Why on_view and on_frame are called: another point or orientation became current; something
-/// is being dragged or was changed; another frame was chosen; it plays; nothing
-/// moves any more (the last of a row of the others: time for the good picture).
+/// Why on_view and on_frame are called: another point or orientation became current, or
+/// another camera is shown; something is being dragged or was changed; another frame was
+/// chosen; it plays; nothing moves any more (the last of a row of the others: time for the
+/// good picture).
 pub const V_VIEW_SELECTED: c_int = 0;
 pub const V_VIEW_EDITED: c_int = 1;
 pub const V_VIEW_SCRUBBED: c_int = 2;

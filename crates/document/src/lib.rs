@@ -34,6 +34,7 @@ pub mod save;
 mod scene;
 mod scene_edit;
 mod set;
+mod shown;
 mod step_name;
 mod target;
 pub mod tool;
@@ -42,7 +43,7 @@ pub mod vid;
 mod wireframe;
 
 pub use edit::{At, Edit};
-pub use edited_scene::{EditedScene, Poses};
+pub use edited_scene::EditedScene;
 pub use editing::{Document, Selection};
 pub use error::{Error, Result};
 pub use fingerprint::Fingerprint;
@@ -58,6 +59,7 @@ pub use prepare::no_longer_ahead;
 pub use property::properties;
 pub use remedy::planned::is_planned;
 pub use scene::SceneDocument;
+pub use shown::Poses;
 pub use step_name::StepName;
 #[doc(hidden)]
 pub use vid::read_bytes;

@@ -188,6 +188,7 @@ pub(super) enum Action {
     /// An entry into the play bar's frame.
     Playhead(Entry),
     SwitchLoops,
+    SwitchOnlySelected,
     /// Keep the length of the path whatever is changed, or no longer.
     SwitchKeepsLength,
     /// What follows a key that is moved in time moves along, or no longer.
@@ -262,6 +263,7 @@ impl Action {
                 | Self::View(_)
                 | Self::Playhead(_)
                 | Self::SwitchLoops
+                | Self::SwitchOnlySelected
                 | Self::SwitchKeepsLength
                 | Self::SwitchMovesAlong
                 | Self::Retime(_)
@@ -323,6 +325,7 @@ impl Action {
                 | Self::Playhead(_)
                 | Self::PlayOrPause
                 | Self::SwitchLoops
+                | Self::SwitchOnlySelected
                 | Self::SwitchKeepsLength
                 | Self::SwitchMovesAlong
                 | Self::SwitchSliders

@@ -5,7 +5,7 @@ use vides_engine::planner::DEFAULT_MARGIN;
 
 use crate::action::Action;
 use crate::document::tool::ToolInput;
-use crate::document::{At, Edit, Selection, no_longer_ahead};
+use crate::document::{At, Document, Edit, Selection, no_longer_ahead};
 use crate::error::{Invalid, Result};
 use crate::files::{AfterSave, Purpose};
 use crate::path::{CameraPath, Tangents, Target, insertion};
@@ -237,6 +237,7 @@ impl Editor {
             Action::View(view) => self.setup.view = view,
             Action::Playhead(entry) => self.enter_frame(entry),
             Action::SwitchLoops => self.switch_loops(context),
+            Action::SwitchOnlySelected => self.switch_only_selected(context),
             Action::SwitchKeepsLength => self.switch_keeps_length(),
             Action::SwitchMovesAlong => self.switch_moves_along(),
             Action::Retime(retiming) => self.retime(retiming),
@@ -286,21 +287,33 @@ impl Editor {
         if self.edit(Edit::EditNode(node))
             && let Ok(moment) = moment
         {
-            // As far as the other path goes.
-            self.scrub(self.document.frame_of_path(moment));
+            self.stay_at(moment);
         }
     }
 
     fn undo(&mut self) {
-        if !self.document.undo() {
+        if !self.travel(Document::undo) {
             self.say(self.texts().output.nothing_to_undo);
         }
     }
 
     fn redo(&mut self) {
-        if !self.document.redo() {
+        if !self.travel(Document::redo) {
             self.say(self.texts().output.nothing_to_redo);
         }
+    }
+
+    /// Undoes or redoes; where another path is edited then, the playhead stays where it is.
+    fn travel(&mut self, way: impl FnOnce(&mut Document) -> bool) -> bool {
+        let node = |editor: &Self| editor.document.edited_scene().map(|edited| edited.node());
+        let (before, moment) = (node(self), self.frame());
+        let done = way(&mut self.document);
+        if let Ok(moment) = moment
+            && node(self) != before
+        {
+            self.stay_at(moment);
+        }
+        done
     }
 
     /// Does an edit; a refusal goes to the output field.

@@ -535,13 +535,14 @@ fn paint_number(ui: &Ui, rect: Rect, at: Selection, color: Color32) {
         .text(place, Align2::RIGHT_CENTER, number, theme::text(), color);
 }
 
-/// The frame of a row at the right; returns where it begins.
+/// The frame of a row at the right, as people count; returns where it begins.
 fn frame(editor: &Editor, painter: &Painter, rect: Rect, at: Selection, color: Color32) -> f32 {
     let Some(mark) = editor.playing.mark_of(at) else {
         return rect.right();
     };
     let place = pos2(rect.right() - 8.0, rect.center().y);
-    let frame = format!("{:.0}", mark.first());
+    let frame = editor.document.frame_of_scene(mark.first());
+    let frame = editor.frame_for_people(frame);
     let font = theme::small();
     painter
         .text(place, Align2::RIGHT_CENTER, frame, font, color)

@@ -63,7 +63,7 @@ pub struct HostView {
 /// Why the host is told of the camera at the playhead.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reason {
-    /// Another point or orientation became current.
+    /// Another point, orientation or camera became current.
     Selected,
     /// Something is being dragged or was changed.
     Edited,

@@ -16,7 +16,7 @@ use glam::DVec3;
 
 use crate::action::Action;
 use crate::document::{At, Edit, Object, Selection};
-use crate::error::{EngineError, OutOfRange, Refused, Result};
+use crate::error::{OutOfRange, Refused, Result};
 use crate::math::{orientation, view::View};
 use crate::path::{Change, Orientation, Overrides, Pose, Space, Target};
 use crate::space::Camera;
@@ -31,6 +31,8 @@ const TARGET: f64 = 0.4;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlayheadState {
     revision: u64,
+    /// The shown camera of a scene, and how many nodes that has: their numbers may have changed.
+    camera: Option<(Option<usize>, usize)>,
     selection: Selection,
     frame: Option<f64>,
     plays: bool,
@@ -38,10 +40,19 @@ pub struct PlayheadState {
 }
 
 impl PlayheadState {
+    fn shows_another(&self, before: &Self) -> bool {
+        match (self.camera, before.camera) {
+            (Some((camera, nodes)), Some((other, same))) => camera != other && nodes == same,
+            _ => false,
+        }
+    }
+
     /// What led here from `before`.
     pub fn reason(&self, before: &Self) -> Reason {
         if self.plays || before.plays {
             Reason::Played
+        } else if self.shows_another(before) {
+            Reason::Selected
         } else if self.revision != before.revision {
             Reason::Edited
         } else if self.scrubbed {
@@ -57,6 +68,10 @@ impl Editor {
     pub fn standing(&self) -> PlayheadState {
         PlayheadState {
             revision: self.document.revision(),
+            camera: self.document.edited_scene().map(|edited| {
+                let scene = edited.scene();
+                (scene.shown_camera(), scene.nodes().len())
+            }),
             selection: self.document.selection(),
             frame: self.playing.frame(),
             plays: self.playing.is_playing(),
@@ -79,11 +94,6 @@ impl Editor {
     /// # Errors
     /// `ErrorKind::Memory`; `ErrorKind::Limit` for too many frames.
     pub fn frame(&self) -> Result<f64> {
-        Ok(self.document.frame_of_scene(self.path_frame()?))
-    }
-
-    /// The frame of the path at the playhead.
-    pub(super) fn path_frame(&self) -> Result<f64> {
         if let Some(frame) = self.playing.frame() {
             return Ok(frame);
         }
@@ -101,7 +111,7 @@ impl Editor {
             Some((at, _)) => sampler.first_frame(at) - 1 - hold,
         };
         #[allow(clippy::cast_precision_loss)]
-        Ok(frame as f64)
+        Ok(self.document.frame_of_scene(frame as f64))
     }
 
     /// The camera at the playhead, with its frame.
@@ -117,26 +127,20 @@ impl Editor {
         Ok((pose, frame))
     }
 
-    /// Moves the playhead to a frame, from 1, and leaves it there; in a scene, to a frame of the
-    /// scene at which the edited path moves.
+    /// Moves the playhead to a frame, from 1, and leaves it there; in a scene, to any frame of its
+    /// range.
     ///
     /// # Errors
     /// `ErrorKind::Range` if there is no such frame; as [`Editor::frame`].
     pub fn set_frame(&mut self, frame: f64) -> Result<()> {
-        let at = self.document.frame_of_path(frame);
-        let first_of_path = self.document.frame_of_path(1.0);
-        let of_scene = |error| match error {
-            // As the caller counts them, who gave one of the scene.
-            EngineError::Range(OutOfRange::NoFrame { first, last, .. }) => OutOfRange::NoFrame {
-                frame,
-                first: first + 1.0 - first_of_path,
-                last: last + 1.0 - first_of_path,
-            }
-            .into(),
-            other => other,
-        };
-        self.document.sampler()?.pose(at).map_err(of_scene)?;
-        self.scrub(at);
+        if self.document.edited_scene().is_none() {
+            self.document.sampler()?.pose(frame)?;
+        }
+        let (first, last) = self.document.frame_range()?;
+        if !(first..=last).contains(&frame) {
+            return Err(OutOfRange::NoFrame { frame, first, last }.into());
+        }
+        self.scrub(frame);
         Ok(())
     }
 

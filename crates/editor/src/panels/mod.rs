@@ -35,6 +35,7 @@ const APART: f32 = 8.0;
 /// Shows the panels, which scroll in a low window; each one's actions are done before the next.
 pub(crate) fn show(editor: &mut Editor, ui: &mut Ui) {
     let height = ui.available_height();
+    let there = editor.outside_path().is_none();
     let mut panel = |ui: &mut Ui, show: &dyn Fn(&Editor, &mut Ui, &mut Vec<Action>)| {
         let context = ui.ctx().clone();
         editor.part(&context, |editor, actions| show(editor, ui, actions));
@@ -43,6 +44,11 @@ pub(crate) fn show(editor: &mut Editor, ui: &mut Ui) {
         ui.set_width(WIDTH);
         if height < MIN_HEIGHT_FOR_GAPS {
             ui.spacing_mut().item_spacing.y -= 1.0;
+        }
+        if !there {
+            panel(ui, &position::not_here);
+            // The rest shows what the path does here.
+            ui.disable();
         }
         panel(ui, &position::show);
         apart(ui);

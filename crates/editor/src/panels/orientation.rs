@@ -11,7 +11,7 @@ use crate::error::Result;
 use crate::math::rotation_minimising::turned;
 use crate::number::Number;
 use crate::path::{CameraPath, Orientation, OrientationOverrides, Target, Up, UpVector, ahead};
-use crate::playing::playhead::Shown;
+use crate::playing::playhead::{Missing, Shown};
 use crate::setup::Fold;
 use crate::state::Editor;
 use crate::texts::fill;
@@ -44,7 +44,7 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     if !heading.show(ui, actions).0 {
         return;
     }
-    if missing && !shown.has_no_point() {
+    if shown.missing == Missing::Orientation {
         add_here(editor, ui, &shown, actions);
     }
     button_row(

@@ -213,6 +213,10 @@ fn columns(editor: &Editor) -> Vec<Column> {
         Missing::Nothing => {
             ahead::view(editor.document.path(), shown.at.point, shown.at.orientation)
         }
+        Missing::Outside => editor.camera().map_or_else(
+            || orientation.view(shown.position),
+            |(camera, _)| camera.view,
+        ),
         Missing::Point | Missing::Orientation => orientation.view(shown.position),
     };
     let three = |v: [f64; 3], digits| v.map(|value| language.number(value, digits)).to_vec();

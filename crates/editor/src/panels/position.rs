@@ -1,9 +1,9 @@
 //! The position of the current point (thesis A.4.1).
 
-use egui::Ui;
+use egui::{RichText, Ui};
 use glam::DVec3;
 
-use super::{Heading, PanelButton, button_row, share, words};
+use super::{Heading, PanelButton, apart, button_row, share, words};
 use crate::action::Action;
 use crate::document::{At, Edit};
 use crate::number::Number;
@@ -46,6 +46,20 @@ pub(super) fn add_here(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mu
     button_row(editor, ui, &[button], actions);
     let width = ui.available_width();
     words(ui, texts.in_between, width, theme::palette(ui).weak);
+}
+
+/// Where the path has not begun or is over: why no point can be added.
+pub(super) fn not_here(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
+    let Some(why) = editor.why_not_here() else {
+        return;
+    };
+    let text = editor.texts().position.add_here;
+    ui.add_enabled_ui(false, |ui| {
+        let button = PanelButton::new(text, &why, Action::AddHere);
+        button_row(editor, ui, &[button], actions);
+    });
+    ui.label(RichText::new(&why).color(theme::palette(ui).weak));
+    apart(ui);
 }
 
 fn coordinates(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Action>) {

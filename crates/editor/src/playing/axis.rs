@@ -29,15 +29,21 @@ impl Seen {
         Self { first, last }
     }
 
-    /// As much of it as there is of so many frames; none: all of them are seen.
-    fn within(self, frames: f64) -> Option<Self> {
+    /// As much of it as there is of so many frames from `begin` on; none: all of them are seen.
+    fn within(self, begin: f64, frames: f64) -> Option<Self> {
         let span = (self.last - self.first).max(LEAST);
         if !(span < frames && self.first.is_finite()) {
             return None;
         }
-        let first = self.first.clamp(1.0, 1.0 + frames - span);
+        let first = self.first.clamp(begin, begin + frames - span);
         let last = first + span;
         Some(Self { first, last })
+    }
+
+    /// The same, with each frame `by` more.
+    fn counted(self, by: f64) -> Self {
+        let (first, last) = (self.first + by, self.last + by);
+        Self { first, last }
     }
 }
 
@@ -45,26 +51,48 @@ impl Seen {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Axis {
     pub(super) rail: Rangef,
+    /// The first frame.
+    begin: f64,
     /// From the first frame to the last one, at least 1.
     frames: f32,
+    /// What is behind this frame lies at it.
+    end: f64,
     seen: Option<Seen>,
 }
 
 impl Axis {
-    /// All of so many frames, or a part of them.
-    #[allow(clippy::cast_precision_loss)]
-    pub(super) fn new(rail: Rangef, frames: usize, seen: Option<Seen>) -> Self {
-        let frames = (frames as f32 - 1.0).max(1.0);
-        let seen = seen.and_then(|seen| seen.within(f64::from(frames)));
-        Self { rail, frames, seen }
+    /// All frames from a first to a last one, or a part of them.
+    #[allow(clippy::cast_possible_truncation)]
+    pub(super) fn new(rail: Rangef, (begin, last): (f64, f64), seen: Option<Seen>) -> Self {
+        let frames = ((last - begin) as f32).max(1.0);
+        let seen = seen.and_then(|seen| seen.within(begin, f64::from(frames)));
+        let end = begin + f64::from(frames);
+        Self {
+            rail,
+            begin,
+            frames,
+            end,
+            seen,
+        }
+    }
+
+    /// The same with each frame counted as `by` more, for what ends at `end`.
+    pub(super) fn counted(&self, by: f64, end: f64) -> Self {
+        Self {
+            begin: self.begin + by,
+            end: end.max(self.end + by),
+            seen: self.seen.map(|seen| seen.counted(by)),
+            ..*self
+        }
     }
 
     /// What is behind the last frame lies at it.
     pub(super) fn x(&self, frame: f32) -> f32 {
         match self.seen {
             Some(_) => self.x_of(f64::from(frame)),
+            #[allow(clippy::cast_possible_truncation)]
             None => {
-                let share = ((frame - 1.0) / self.frames).min(1.0);
+                let share = (frame.min(self.end as f32) - self.begin as f32) / self.frames;
                 self.rail.min + self.rail.span() * share
             }
         }
@@ -73,7 +101,7 @@ impl Axis {
     #[allow(clippy::cast_possible_truncation)]
     pub(super) fn x_of(&self, frame: f64) -> f32 {
         match self.seen {
-            Some(_) => self.place(frame.min(1.0 + f64::from(self.frames))),
+            Some(_) => self.place(frame.min(self.end)),
             None => self.x(frame as f32),
         }
     }
@@ -96,12 +124,12 @@ impl Axis {
 
     /// The frame at the left end of the rail.
     pub(super) fn first(&self) -> f64 {
-        self.seen.map_or(1.0, |seen| seen.first)
+        self.seen.map_or(self.begin, |seen| seen.first)
     }
 
     /// The frame at the right end of the rail.
     pub(super) fn last(&self) -> f64 {
-        let all = 1.0 + f64::from(self.frames);
+        let all = self.begin + f64::from(self.frames);
         self.seen.map_or(all, |seen| seen.last)
     }
 
@@ -119,7 +147,7 @@ impl Axis {
     pub(super) fn part(&self) -> Option<Rangef> {
         let seen = self.seen?;
         let x = |frame: f64| {
-            let share = (frame - 1.0) / f64::from(self.frames);
+            let share = (frame - self.begin) / f64::from(self.frames);
             self.rail.min + self.rail.span() * share as f32
         };
         Some(Rangef::new(x(seen.first), x(seen.last)))
@@ -133,14 +161,14 @@ impl Axis {
         let stays = self.frame(x);
         let to = |frame: f64| stays + (frame - stays) * factor;
         let (first, last) = (to(self.first()), to(self.last()));
-        Seen { first, last }.within(frames)
+        Seen { first, last }.within(self.begin, frames)
     }
 
     /// With what was at `x` moved by so many points.
     pub(super) fn moved(&self, by: f32) -> Option<Seen> {
         let by = f64::from(by) * self.frames_per_point();
         let (first, last) = (self.first() - by, self.last() - by);
-        Seen { first, last }.within(f64::from(self.frames))
+        Seen { first, last }.within(self.begin, f64::from(self.frames))
     }
 }
 
@@ -183,8 +211,8 @@ mod tests {
 
     #[test]
     fn the_screen_leads_back_to_the_frame() {
-        let all = Axis::new(Rangef::new(152.0, 1180.0), 724, None);
-        let part = Axis::new(all.rail, 724, all.zoomed(500.0, 0.1));
+        let all = Axis::new(Rangef::new(152.0, 1180.0), (1.0, 724.0), None);
+        let part = Axis::new(all.rail, (1.0, 724.0), all.zoomed(500.0, 0.1));
         assert!(!part.shows_all());
         for axis in [all, part] {
             for frame in [1.0, 2.0, 354.0, 724.0] {
@@ -198,13 +226,32 @@ mod tests {
         assert_eq!(all.x(1e9), 1180.0);
     }
 
+    /// A path that begins at frame 21 of a scene of the frames −9 to 190.
+    #[test]
+    fn a_path_is_counted_along_the_axis_of_its_scene() {
+        let all = Axis::new(Rangef::new(100.0, 1100.0), (-9.0, 190.5), None);
+        assert_eq!((all.x_of(-9.0), all.x_of(190.5)), (100.0, 1100.0));
+        let part = Axis::new(all.rail, (-9.0, 190.5), all.zoomed(500.0, 0.3));
+        for axis in [all, part] {
+            let of_path = axis.counted(-20.0, 300.0);
+            for frame in [1.0, 40.0, 170.5] {
+                let x = axis.x_of(frame + 20.0);
+                assert!((of_path.x_of(frame) - x).abs() < 1e-3, "{frame}");
+                assert!((of_path.frame(x) - frame).abs() < 1e-3, "{frame}");
+            }
+            // What goes on behind the scene's end is not piled up there.
+            assert!(of_path.x_of(250.0) > axis.x_of(190.5) + 100.0);
+            assert_eq!(of_path.x_of(300.0), of_path.x_of(1e9));
+        }
+    }
+
     /// What is under the pointer stays there, but for the ends, and nothing is seen beyond them.
     #[test]
     fn a_part_is_zoomed_about_a_place_and_moved() {
-        let mut axis = Axis::new(Rangef::new(100.0, 1100.0), 1001, None);
+        let mut axis = Axis::new(Rangef::new(100.0, 1100.0), (1.0, 1001.0), None);
         assert_eq!(axis.zoomed(300.0, 1.25), None);
         let stays = axis.frame(300.0);
-        let with = |axis: Axis, seen| Axis::new(axis.rail, 1001, seen);
+        let with = |axis: Axis, seen| Axis::new(axis.rail, (1.0, 1001.0), seen);
         for _ in 0..60 {
             axis = with(axis, axis.zoomed(300.0, 0.8));
             assert!((axis.frame(300.0) - stays).abs() < 1e-6);
@@ -236,8 +283,8 @@ mod tests {
             first: 500.0,
             last: 700.0,
         };
-        assert!(Axis::new(axis.rail, 150, Some(seen)).shows_all());
-        let shorter = Axis::new(axis.rail, 400, Some(seen));
+        assert!(Axis::new(axis.rail, (1.0, 150.0), Some(seen)).shows_all());
+        let shorter = Axis::new(axis.rail, (1.0, 400.0), Some(seen));
         assert_eq!((shorter.first(), shorter.last()), (200.0, 400.0));
     }
 }

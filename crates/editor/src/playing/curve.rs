@@ -157,7 +157,7 @@ mod tests {
             })
             .collect();
         let (rail, rows) = (Rangef::new(0.0, wide), Rangef::new(0.0, 100.0));
-        let axis = Axis::new(rail, 30_001, None);
+        let axis = Axis::new(rail, (1.0, 30_001.0), None);
         let scale = Scale {
             axis,
             rows,

@@ -56,7 +56,11 @@ impl Pace {
 
 pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let texts = &editor.texts().space;
-    let count = as_frame(editor.playing.marks.frames);
+    let (first, last) = editor.playing.marks.range;
+    let count = match editor.playing.marks.frames {
+        0 => 0.0,
+        _ => last - first + 1.0,
+    };
     // A scene ends when everything in it has ended: its length is not that of one path.
     let of_scene = editor.document.edited_scene().is_some();
     let groups = if ui.available_width() < 700.0 {
@@ -64,7 +68,8 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     } else {
         WIDE
     };
-    let others = 3.0 * BUTTON + 4.0 * SMALL + 9.0 * NARROW + 3.0 * groups;
+    let small = if of_scene { 5.0 } else { 4.0 };
+    let others = 3.0 * BUTTON + small * SMALL + (5.0 + small) * NARROW + 3.0 * groups;
     let field = (ui.available_width() - others) / 5.0;
     let field = field.clamp(FIELDS.1, FIELDS.0).floor();
     ui.horizontal_centered(|ui| {
@@ -101,10 +106,12 @@ fn numbers(
 ) {
     let texts = &editor.texts().space;
     let info = editor.document.info();
-    let (fps, first) = (info.fps, f64::from(info.first_frame));
+    // What people see is that much more than the frame.
+    let (fps, more) = (info.fps, f64::from(info.first_frame) - 1.0);
     let at = editor.position_on_bar().round();
     let language = editor.language();
-    let last = first + count - 1.0;
+    let (begin, end) = editor.playing.marks.range;
+    let (first, last) = (begin + more, end + more);
     let seconds = |frames: f64| (frames - 1.0) / fps;
     // The frames of the whole path; each section gets its share of them.
     let points = editor.document.path().points.len();
@@ -114,14 +121,14 @@ fn numbers(
         last: points.saturating_sub(1),
         frames: frames as usize,
     };
-    let entry = Number::new(texts.frame_number, first + at - 1.0)
+    let entry = Number::new(texts.frame_number, at + more)
         .label(texts.timeline)
         .hint(texts.frame_tip)
         .whole()
         .range(first..=last)
         .steps(1.0, 1.0)
         .show(ui, language, "playing.frame", field);
-    actions.push(Action::Playhead(entry.map(|value| value - first + 1.0)));
+    actions.push(Action::Playhead(entry.map(|value| value - more)));
     let entry = Number::new(texts.last_frame, last)
         .label(texts.of)
         .hint(texts.last_frame_tip)
@@ -137,7 +144,7 @@ fn numbers(
         .hint(texts.second_tip)
         .unit(" s")
         .decimals(2)
-        .range(0.0..=seconds(count))
+        .range(seconds(begin)..=seconds(end))
         .steps(1.0 / fps, 1.0 / fps)
         .show(ui, language, "playing.second", field);
     let entry = entry.map(|value| (value * fps).round() + 1.0);
@@ -263,6 +270,9 @@ fn how(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     if response.on_hover_text(texts.again_tip).clicked() {
         actions.push(Action::SwitchLoops);
     }
+    if editor.document.edited_scene().is_some() {
+        only_selected(editor, ui, actions);
+    }
     let pace = editor.playing.pace;
     let response = ui.add_sized(size, Button::new(pace.words()));
     response.widget_info(|| WidgetInfo {
@@ -271,6 +281,29 @@ fn how(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     });
     if response.on_hover_text(texts.pace_tip).clicked() {
         actions.push(Action::Pace(pace.next()));
+    }
+}
+
+/// The button by which only what is selected is played.
+fn only_selected(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
+    let texts = &editor.texts().space;
+    let on = editor.playing.only_selected;
+    let response = ui.add_sized([SMALL, theme::ROW], Button::new("").selected(on));
+    let name = texts.only_selected;
+    response.widget_info(|| WidgetInfo::selected(Role::Button, true, on, name));
+    let visuals = ui.style().interact_selectable(&response, on);
+    let (color, centre) = (visuals.fg_stroke.color, response.rect.center());
+    // A bar between two ends.
+    let bar = Rect::from_center_size(centre, vec2(9.0, 4.0));
+    ui.painter().rect_filled(bar, 1.0, color);
+    for way in [-1.0, 1.0] {
+        let at = |x: f32, y: f32| centre + vec2(way * x, y);
+        let bracket = [at(6.0, -5.5), at(9.0, -5.5), at(9.0, 5.5), at(6.0, 5.5)];
+        let stroke = Stroke::new(1.5, color);
+        ui.painter().add(Shape::line(bracket.to_vec(), stroke));
+    }
+    if response.on_hover_text(texts.only_selected_tip).clicked() {
+        actions.push(Action::SwitchOnlySelected);
     }
 }
 

@@ -197,10 +197,12 @@ pub(super) fn show(
     if marks.frames == 0 || !edits_path {
         return;
     }
-    let scale = Scale::new(*axis, ground, marks);
     if matches!(held, Held::Nothing) {
         scrub_by_mouse(editor, ui, &response, axis, actions);
     }
+    let at = axis.x_of(editor.position_on_bar());
+    let axis = &editor.axis_of_path(axis);
+    let scale = Scale::new(*axis, ground, marks);
     plot::findings(editor, &painter, &scale, ground);
     let shown = &editor.playing.shown;
     if shown.pace {
@@ -214,7 +216,6 @@ pub(super) fn show(
         .filter(|_| !response.is_pointer_button_down_on());
     let pointer = pointer.map(|pointer| axis.frame(pointer.x));
     plot::paint(editor, ui, &painter, axis, (ground, room, pointer));
-    let at = axis.x_of(editor.position_on_bar());
     let line = Stroke::new(1.0, colour_of_playhead(editor, ui));
     painter.vline(at, ground.y_range(), line);
     if shown.pace {

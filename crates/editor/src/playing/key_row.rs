@@ -45,8 +45,9 @@ pub(super) struct KeyDrag {
     /// Frames that it went, and how many a point of the screen are.
     gone: f64,
     each: f64,
-    /// All frames when it began: the scale stays meanwhile.
-    pub(super) frames: usize,
+    /// All frames when it began, and those of the axis: the scale stays meanwhile.
+    frames: usize,
+    pub(super) all: (f64, f64),
     typed: Typed,
     done: Retiming,
 }
@@ -69,6 +70,7 @@ impl KeyDrag {
             gone: 0.0,
             each: axis.frames_per_point(),
             frames: marks.frames,
+            all: editor.playing.axis,
             typed: Typed::default(),
             done: Retiming::Nothing,
         }
@@ -121,12 +123,13 @@ impl KeyDrag {
         };
         let info = editor.document.info();
         let frames = editor.setup.ruler_frames;
+        let to = |frame: f64| editor.frame_on_path(frame) - as_frame(self.from);
         // A sign: from where it stood.
         match (self.typed.has_sign(), frames) {
             (true, true) => number,
             (true, false) => number * info.fps,
-            (false, true) => number - f64::from(info.first_frame) + 1.0 - as_frame(self.from),
-            (false, false) => number * info.fps + 1.0 - as_frame(self.from),
+            (false, true) => to(number - f64::from(info.first_frame) + 1.0),
+            (false, false) => to(number * info.fps + 1.0),
         }
     }
 
@@ -146,11 +149,12 @@ impl KeyDrag {
         let texts = &editor.texts().timeline;
         let (language, info) = (editor.language(), editor.document.info());
         let at = self.at();
-        let second = language.number((as_frame(at) - 1.0) / info.fps, 2);
+        let of_scene = editor.document.frame_of_scene(as_frame(at));
+        let second = language.number((of_scene - 1.0) / info.fps, 2);
         let by = (as_frame(at) - as_frame(self.from)) / info.fps;
         let sign = if by > 0.0 { "+" } else { "" };
         let by = format!("{sign}{}", language.number(by, 2));
-        let frame = as_frame(at) - 1.0 + f64::from(info.first_frame);
+        let frame = editor.frame_for_people(of_scene);
         let name = editor.name_of(self.of.point, self.of.orientation);
         let name = match self.done {
             Retiming::Copy { .. } => fill(texts.copy_of, &[&name]),
@@ -214,6 +218,8 @@ pub(super) fn show(
     let ground = Rect::from_x_y_ranges(axis.rail.expand(8.0), rect.y_range());
     let painter = ui.painter_at(ground);
     painter.rect_filled(ground.shrink2(vec2(0.0, 1.0)), 3.0, palette.field);
+    let at = axis.x_of(editor.position_on_bar());
+    let axis = &editor.axis_of_path(axis);
     if editor.document.edits_path() {
         let id = ui.scope_id().with("sections");
         let response = ui.interact(ground, id, Sense::CLICK);
@@ -238,7 +244,6 @@ pub(super) fn show(
             );
         }
     }
-    let at = axis.x_of(editor.position_on_bar());
     let color = super::ruler::colour_of_playhead(editor, ui);
     painter.vline(at, rect.y_range(), Stroke::new(1.0, color));
     if let Held::Key(drag) = held {
@@ -398,9 +403,9 @@ fn key(
     }
     response.on_hover_ui(|ui| {
         let info = editor.document.info();
-        let second = (mark.first() - 1.0) / info.fps;
-        let second = editor.language().number(second, 2);
-        let frame = mark.first() - 1.0 + f64::from(info.first_frame);
+        let of_scene = editor.document.frame_of_scene(mark.first());
+        let second = editor.language().number((of_scene - 1.0) / info.fps, 2);
+        let frame = editor.frame_for_people(of_scene);
         ui.strong(fill(texts.key_at, &[&name, &second, &frame]));
         ui.weak(texts.key_tip);
     });

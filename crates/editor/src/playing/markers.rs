@@ -7,7 +7,6 @@ use egui::{
 };
 use vides_engine::scene::Part;
 
-use super::as_frame;
 use super::axis::Axis;
 use super::track_drag::Way;
 use super::track_time::Time;
@@ -132,7 +131,7 @@ pub(super) fn show(
     let (palette, painter) = (theme::palette(ui), ui.painter_at(rect));
     let marks = &editor.playing.marks;
     let mut free = f32::NEG_INFINITY;
-    for (frame, name) in marks.markers_between(as_frame(marks.frames)) {
+    for (frame, name) in marks.markers_there() {
         let tip = pos2(axis.x_of(*frame), rect.top());
         if !axis.sees(tip.x) {
             continue;

@@ -43,9 +43,9 @@ fn window(language: Language) -> Window {
 fn place(harness: &Window, frame: f64) -> Pos2 {
     let name = harness.state().texts().space.timeline;
     let bar = harness.get_by_label(name).rect();
-    let all = harness.state().playing.marks.frames as f64 - 1.0;
+    let (first, last) = harness.state().playing.axis;
     let width = f64::from(bar.width() - 16.0);
-    let x = f64::from(bar.left()) + 8.0 + width * (frame - 1.0) / all;
+    let x = f64::from(bar.left()) + 8.0 + width * (frame - first) / (last - first);
     pos2(x as f32, bar.center().y)
 }
 

@@ -11,10 +11,12 @@ use crate::path::{Change, Timeline};
 pub(super) struct Marks {
     pub(super) revision: Option<u64>,
     pub(super) keys: Vec<Mark>,
-    /// The scene's markers: frames of the path, and their names.
+    /// The scene's markers: its frames, and their names.
     pub(super) markers: Vec<(f64, String)>,
-    /// All frames; 0 if there are too many.
+    /// All frames of the path; 0 if there are too many.
     pub(super) frames: usize,
+    /// The first and the last frame of the scene, or of the path alone.
+    pub(super) range: (f64, f64),
     pub(super) graph: Graph,
 }
 
@@ -51,15 +53,17 @@ impl Marks {
         self.markers.clear();
         self.graph.clear();
         self.frames = 0;
+        self.range = (1.0, 1.0);
         if let Some(edited) = document.edited_scene() {
             let markers = edited.scene().markers().iter();
-            let of_path = |frame: f64| document.frame_of_path(frame);
             self.markers
-                .extend(markers.map(|marker| (of_path(marker.frame), marker.name.clone())));
+                .extend(markers.map(|marker| (marker.frame, marker.name.clone())));
         }
+        let range = document.frame_range()?;
         if !document.edits_path() {
             // No path is edited, so there are no keys to show.
             self.frames = document.timeline(Timeline::frame_count)??;
+            self.range = range;
             return Ok(());
         }
         let path = document.path();
@@ -97,6 +101,7 @@ impl Marks {
             }
             timeline.frame_count()
         })??;
+        self.range = range;
         self.graph.update(document, &self.keys)
     }
 
@@ -108,8 +113,9 @@ impl Marks {
     }
 
     /// The markers between the first frame and the last one.
-    pub(super) fn markers_between(&self, last: f64) -> impl Iterator<Item = &(f64, String)> {
-        let within = move |marker: &&(f64, String)| (1.0..=last).contains(&marker.0);
+    pub(super) fn markers_there(&self) -> impl Iterator<Item = &(f64, String)> {
+        let (first, last) = self.range;
+        let within = move |marker: &&(f64, String)| (first..=last).contains(&marker.0);
         self.markers.iter().filter(within)
     }
 

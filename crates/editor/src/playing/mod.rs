@@ -10,6 +10,7 @@ mod graph;
 mod key_row;
 mod markers;
 mod marks;
+mod moment;
 pub(crate) mod playhead;
 mod plot;
 mod retime;
@@ -65,7 +66,7 @@ const MARKS_STEP: f64 = 0.25;
 
 #[derive(Debug, Default)]
 pub(super) struct Playing {
-    /// The frame that is shown, from 1; none: the current orientation.
+    /// The frame that is shown, of the scene or of a path alone; none: the current orientation.
     frame: Option<f64>,
     /// While it plays: since when, in egui's time, and from which frame.
     since: Option<(f64, f64)>,
@@ -97,6 +98,10 @@ pub(super) struct Playing {
     moves_along: bool,
     /// The part of the time that is seen; none: all.
     seen: Option<Seen>,
+    /// Only the frames in which what is selected moves are played.
+    only_selected: bool,
+    /// The first and the last frame of the axis, which stays while something of a scene is dragged.
+    axis: (f64, f64),
 }
 
 impl Playing {
@@ -168,17 +173,12 @@ impl Editor {
     /// The camera at the frame that is played, else the current one; and whether it is of a frame.
     pub(super) fn camera(&self) -> Option<(Camera, bool)> {
         let frame = self.playing.frame;
-        if let Some(pose) = frame.and_then(|frame| self.document.sampler().ok()?.pose(frame).ok()) {
+        let there = frame.and_then(|frame| self.seen_on_path(frame));
+        if let Some(pose) = there.and_then(|frame| self.document.sampler().ok()?.pose(frame).ok()) {
             return Some((pose.into(), true));
         }
         let Selection { point, orientation } = self.document.selection();
         Camera::at(&self.document, point, orientation).map(|camera| (camera, false))
-    }
-
-    #[allow(clippy::cast_possible_truncation)]
-    pub(super) fn shown_frame(&self) -> Option<i64> {
-        let frame = self.playing.frame?.round() as i64;
-        Some(frame - 1 + i64::from(self.document.info().first_frame))
     }
 
     /// Plays, from the beginning if at the end, or stops.
@@ -187,9 +187,10 @@ impl Editor {
             self.select_at_playhead();
             return;
         }
-        let last = as_frame(self.playing.marks.frames);
+        let (first, last) = self.played();
         let at = self.position_on_bar();
-        let from = if at >= last { 1.0 } else { at };
+        let within = at >= first && at < last;
+        let from = if within { at } else { first };
         self.playing.frame = Some(from);
         self.playing.since = Some((context.input(|input| input.time), from));
     }
@@ -252,10 +253,8 @@ impl Editor {
     /// Goes to a frame; out of range to the nearest one.
     pub(super) fn scrub(&mut self, frame: f64) {
         self.playing.since = None;
-        // The path may have changed since they were shown; too many frames leave it without marks.
-        let _ = self.playing.marks.update(&self.document);
-        self.playing.frame = Some(frame.clamp(1.0, as_frame(self.playing.marks.frames)));
         self.playing.scrubbed = true;
+        self.put_playhead(frame);
         self.playing.follow(false);
         self.select_at_playhead();
     }
@@ -278,8 +277,12 @@ impl Editor {
     /// The frame at which the bar's handle stands.
     pub(super) fn position_on_bar(&self) -> f64 {
         let playing = &self.playing;
-        let current = || Some(playing.marks.of(self.document.selection())?.first());
-        playing.frame.or_else(current).unwrap_or(1.0)
+        let current = || {
+            let mark = playing.marks.of(self.document.selection())?;
+            Some(self.document.frame_of_scene(mark.first()))
+        };
+        let first = playing.marks.range.0;
+        playing.frame.or_else(current).unwrap_or(first)
     }
 
     /// Keeps the state in step with time, path and selection.
@@ -315,8 +318,11 @@ impl Editor {
         if playing.marks.frames == 0 {
             (playing.frame, playing.since) = (None, None);
         }
-        let last = as_frame(playing.marks.frames);
-        playing.frame = playing.frame.map(|frame| frame.clamp(1.0, last.max(1.0)));
+        let (first, last) = playing.marks.range;
+        playing.frame = playing.frame.map(|frame| frame.clamp(first, last));
+        if !(self.document.in_step() && self.document.edited_scene().is_some()) {
+            playing.axis = playing.marks.range;
+        }
         let ordered = playing.ordered.take();
         if ordered.is_some_and(|plays| plays != playing.is_playing()) {
             self.play_or_pause(context);
@@ -332,12 +338,14 @@ impl Editor {
         };
         let fps = self.document.info().fps * playing.pace.factor();
         let mut gone = (now - start).max(0.0) * fps;
-        let loops = playing.loops && last > 1.0;
+        let (first, last) = self.played();
+        let playing = &mut self.playing;
+        let loops = playing.loops && last > first;
         if loops {
             // The last frame is seen as long as the others.
-            gone = (from - 1.0 + gone).rem_euclid(last) - (from - 1.0);
+            gone = (from - first + gone).rem_euclid(last - first + 1.0) - (from - first);
         }
-        let frame = (from + gone).floor().min(last);
+        let frame = (from + gone).floor().max(first).min(last);
         playing.frame = Some(frame);
         playing.follow(true);
         if frame >= last && !loops {
@@ -411,8 +419,8 @@ fn bar(editor: &Editor, memory: &mut graph::Memory, ui: &mut Ui, actions: &mut V
         };
         let (left, right) = parts(row(ruler::HEIGHT));
         let frames = match &memory.held {
-            graph::Held::Key(drag) => drag.frames,
-            _ => editor.playing.marks.frames,
+            graph::Held::Key(drag) => drag.all,
+            _ => editor.playing.axis,
         };
         let rail = Rangef::new(right.left() + END, right.right() - END);
         let axis = Axis::new(rail, frames, editor.playing.seen);

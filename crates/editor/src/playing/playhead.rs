@@ -12,6 +12,7 @@ use crate::number::Entry;
 use crate::path::{Orientation, Overrides, Space, Target, UpVector};
 use crate::space::Camera;
 use crate::state::Editor;
+use crate::texts::fill;
 
 /// Length of a view direction that no key gives, in half sizes of the space.
 const DIRECTION: f64 = 0.4;
@@ -44,6 +45,8 @@ pub(crate) enum Missing {
     Point,
     /// The camera pans at a point.
     Orientation,
+    /// Nothing can be: the path has not begun there, or is over.
+    Outside,
 }
 
 impl Shown {
@@ -62,7 +65,7 @@ impl Editor {
         if !self.document.edits_path() {
             return None;
         }
-        if let Some(shown) = self.at_playhead() {
+        if let Some((shown, _)) = self.at_playhead() {
             return Some(shown);
         }
         let at = self.document.selection();
@@ -74,9 +77,18 @@ impl Editor {
         })
     }
 
-    /// The same, if the playhead shows a frame.
-    fn at_playhead(&self) -> Option<Shown> {
-        let frame = self.playing.frame()?;
+    /// The same, if the playhead shows a frame, and the path's frame that is seen there.
+    fn at_playhead(&self) -> Option<(Shown, f64)> {
+        let frame = self.seen_on_path(self.playing.frame()?)?;
+        let mut shown = self.at_frame(frame)?;
+        if self.outside_path().is_some() {
+            shown.missing = Missing::Outside;
+        }
+        Some((shown, frame))
+    }
+
+    /// What the path does at one of its frames.
+    fn at_frame(&self, frame: f64) -> Option<Shown> {
         let mark = self.playing.mark_before(frame)?;
         let points = &self.document.path().points;
         let point = points.get(mark.point)?;
@@ -141,7 +153,7 @@ impl Editor {
             orientation: number,
         } = at;
         match missing {
-            Missing::Nothing => return None,
+            Missing::Nothing | Missing::Outside => return None,
             Missing::Point => copy.apply(Edit::InsertOnCurve { frame }).ok()?,
             Missing::Orientation => copy
                 .apply(Edit::InsertOrientation {
@@ -164,17 +176,15 @@ impl Editor {
 
     /// Keeps the roll between keys, so that it is found once in a pass.
     pub(super) fn keep_between(&mut self) {
-        let shown = self.at_playhead().filter(|shown| {
+        let shown = self.at_playhead().filter(|(shown, _)| {
             shown.missing != Missing::Nothing && shown.orientation.own.up != UpVector::Axis
         });
-        self.playing.between = shown
-            .zip(self.playing.frame())
-            .map(|(shown, frame)| Between {
-                revision: self.document.revision(),
-                frame,
-                roll: shown.orientation.roll,
-                own: shown.orientation.own,
-            });
+        self.playing.between = shown.map(|(shown, frame)| Between {
+            revision: self.document.revision(),
+            frame,
+            roll: shown.orientation.roll,
+            own: shown.orientation.own,
+        });
     }
 
     /// Selects the last key at or before the playhead, which stays with the key if it is at it.
@@ -182,10 +192,18 @@ impl Editor {
         let Some(frame) = self.playing.frame() else {
             return;
         };
+        if self.outside_path().is_some() {
+            // What is selected stays so.
+            self.playing.selected(self.document.selection(), false);
+            return;
+        }
+        let frame = self.frame_on_path(frame);
         let current = self.playing.mark_of(self.document.selection());
         // Of several keys at one frame the current one.
         let here = current.filter(|mark| mark.begins_at(frame));
         let Some(mark) = here.or_else(|| self.playing.mark_before(frame)) else {
+            // No path is edited.
+            self.playing.selected(self.document.selection(), false);
             return;
         };
         if Selection::at(mark.point, mark.orientation) != self.document.selection() {
@@ -199,6 +217,13 @@ impl Editor {
             .selected(self.document.selection(), mark.begins_at(frame));
     }
 
+    /// Why nothing can be added to the path at the playhead.
+    pub(crate) fn why_not_here(&self) -> Option<String> {
+        let (first, last) = self.outside_path()?;
+        let (first, last) = (self.frame_for_people(first), self.frame_for_people(last));
+        Some(fill(self.texts().position.outside, &[&first, &last]))
+    }
+
     /// Makes a key of what the panels show, within the open step or as one of its own.
     pub(crate) fn add_here(&mut self) -> bool {
         let Some(shown) = self.shown() else {
@@ -208,13 +233,17 @@ impl Editor {
             self.say(self.texts().position.is_a_key);
             return false;
         }
+        if let Some(why) = self.why_not_here() {
+            self.complain(why);
+            return false;
+        }
         let within = self.document.in_step();
         if !within {
             self.document.begin_step();
         }
         let Selection { point, orientation } = shown.at;
         let done = match shown.missing {
-            Missing::Nothing => false,
+            Missing::Nothing | Missing::Outside => false,
             Missing::Orientation => self.edit(Edit::InsertOrientation {
                 point,
                 at: orientation,
@@ -223,6 +252,7 @@ impl Editor {
             Missing::Point => self
                 .playing
                 .frame()
+                .map(|frame| self.frame_on_path(frame))
                 .is_some_and(|frame| self.edit(Edit::InsertOnCurve { frame })),
         };
         if !done {

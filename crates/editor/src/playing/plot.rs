@@ -323,7 +323,7 @@ pub(super) fn paint(
         let line = Stroke::new(1.0, palette.weak.gamma_multiply(0.6));
         painter.vline(axis.x_of(at), ground.y_range(), line);
     }
-    let at = at.unwrap_or_else(|| editor.position_on_bar());
+    let at = at.unwrap_or_else(|| editor.frame_on_path(editor.position_on_bar()));
     let rows = (ground.top() + WORDS, ground.bottom() - 5.0);
     let scale = (curves.len() == 1 && !editor.playing.shown.pace).then_some(room);
     let (mut left, mut right) = (ground.left() + 8.0, ground.right() - 4.0);

@@ -8,7 +8,7 @@ use egui::{
 
 use super::axis::{Axis, step};
 use super::retime::Retiming;
-use super::{Mark, as_frame, markers};
+use super::{Mark, markers};
 use crate::action::Action;
 use crate::number::Entry;
 use crate::selected::SelectionChange;
@@ -86,16 +86,17 @@ pub(super) fn scrub_by_mouse(
     }
     response.request_focus();
     if let Some(pointer) = response.interact_pointer_pos() {
-        let last = as_frame(editor.playing.marks.frames);
         let frame = axis.frame(pointer.x).round();
+        let start = editor.document.start_frame();
         let pressed = ui.input(|input| input.pointer.any_pressed()) || response.clicked();
         let reach = if pressed { SNAP } else { 1.0 };
         let span = 1.0 / axis.frames_per_point();
-        let away = |mark: &Mark| (mark.first() - frame).abs() * span;
+        let of_scene = |mark: &Mark| start + (mark.first() - 1.0);
+        let away = |mark: &Mark| (of_scene(mark) - frame).abs() * span;
         let marks = editor.playing.marks.keys.iter();
         let nearest = marks.min_by(|a, b| away(a).total_cmp(&away(b)));
         let snapped = nearest.filter(|mark| away(mark) <= reach);
-        let mut markers = editor.playing.marks.markers_between(last);
+        let mut markers = editor.playing.marks.markers_there();
         let marker = markers.find(|(at, _)| (at - frame).abs() * span <= reach);
         // As in the space and in the list: one more, or all up to here.
         let held = ui.input(|input| input.modifiers);
@@ -105,7 +106,7 @@ pub(super) fn scrub_by_mouse(
             return;
         }
         let marker = marker.map_or(frame, |(at, _)| *at);
-        actions.push(to_frame(snapped.map_or(marker, |mark| mark.first())));
+        actions.push(to_frame(snapped.map_or(marker, of_scene)));
         ui.ctx().request_repaint();
     }
 }
@@ -162,8 +163,8 @@ fn scrub_by_keys(
     }
     match end {
         (true, _) if !axis.shows_all() => actions.push(Action::See(None)),
-        (true, _) => actions.push(to_frame(1.0)),
-        (_, true) => actions.push(to_frame(as_frame(editor.playing.marks.frames))),
+        (true, _) => actions.push(to_frame(editor.playing.marks.range.0)),
+        (_, true) => actions.push(to_frame(editor.playing.marks.range.1)),
         _ => {}
     }
     if plays {
@@ -265,6 +266,7 @@ fn findings(
     let colour = theme::palette(ui).error;
     let pointer = ui.input(|input| input.pointer.hover_pos());
     let pointer = pointer.filter(|at| rect.contains(*at));
+    let axis = editor.axis_of_path(axis);
     let mut words = None;
     for finding in window.found() {
         let [from, to] = [finding.first_frame, finding.last_frame].map(|frame| axis.x_of(frame));

@@ -5,7 +5,7 @@ use egui::{Context, Key, Modifiers};
 
 use super::track_drag::removed;
 use super::tracks::id;
-use super::{as_frame, markers, ruler};
+use super::{markers, ruler};
 use crate::action::Action;
 use crate::scene_view::KeyAt;
 use crate::state::Editor;
@@ -60,32 +60,33 @@ fn all(editor: &Editor) -> Vec<KeyAt> {
     keys
 }
 
-/// The frame of the nearest key before or after the playhead, as the axis counts it.
+/// The scene's frame of the nearest key before or after the playhead.
 fn beside(editor: &Editor, forward: bool) -> Option<f64> {
     let at = editor.position_on_bar();
     let marks = &editor.playing.marks;
-    let offset = editor.document.frame_of_path(0.0);
+    let (first, last) = marks.range;
     let mut near: Option<f64> = None;
     let mut offer = |frame: f64| {
-        let there = (1.0..=as_frame(marks.frames)).contains(&frame);
+        let there = (first..=last).contains(&frame);
         let better = near.is_none_or(|known| (frame < known) == forward);
         if there && better && frame != at && (frame > at) == forward {
             near = Some(frame);
         }
     };
-    marks.keys.iter().for_each(|mark| offer(mark.first()));
+    let of_path = marks.keys.iter();
+    of_path.for_each(|mark| offer(editor.document.frame_of_scene(mark.first())));
     if let Some(edited) = editor.document.edited_scene() {
         for node in editor.selected_nodes() {
             for track in edited.scene().nodes()[node].keys().tracks() {
                 let frames = track.frames();
-                let behind = frames.partition_point(|&key| key + offset < at);
-                let here = frames.get(behind).is_some_and(|&key| key + offset == at);
+                let behind = frames.partition_point(|&key| key < at);
+                let here = frames.get(behind).is_some_and(|&key| key == at);
                 let next = match forward {
                     true => Some(behind + usize::from(here)),
                     false => behind.checked_sub(1),
                 };
                 if let Some(&frame) = next.and_then(|next| frames.get(next)) {
-                    offer(frame + offset);
+                    offer(frame);
                 }
             }
         }

@@ -15,33 +15,30 @@ pub(super) const REACH: f32 = 6.0;
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Time {
     pub(super) axis: Axis,
-    /// What a frame of the path has more.
-    offset: f64,
 }
 
 impl Time {
-    pub(super) fn new(editor: &Editor, axis: &Axis) -> Self {
-        Self {
-            axis: *axis,
-            offset: editor.document.frame_of_path(0.0),
-        }
+    pub(super) fn new(_: &Editor, axis: &Axis) -> Self {
+        Self { axis: *axis }
     }
 
     pub(super) fn x(&self, frame: f64) -> f32 {
-        self.axis.place(frame + self.offset)
+        self.axis.place(frame)
     }
 
     pub(super) fn frame(&self, x: f32) -> f64 {
-        self.axis.frame(x) - self.offset
+        self.axis.frame(x)
     }
 
     /// As the axis counts it.
+    #[allow(clippy::unused_self)]
     pub(super) fn on_axis(&self, frame: f64) -> f64 {
-        frame + self.offset
+        frame
     }
 
+    #[allow(clippy::unused_self)]
     pub(super) fn of_axis(&self, frame: f64) -> f64 {
-        frame - self.offset
+        frame
     }
 
     /// The keys that are to be seen: where their sign stands, and which ones share it.

@@ -245,6 +245,7 @@ pub(super) fn show(
         ScrollArea::vertical()
             .id_salt("tracks")
             .max_height(rect.height())
+            .min_scrolled_height(0.0)
             .auto_shrink(false)
             .show_viewport(ui, |ui, _| {
                 #[allow(clippy::cast_precision_loss)]

@@ -87,10 +87,9 @@ fn x_of(harness: &Window, frame: f64) -> f32 {
     let name = harness.state().texts().space.timeline;
     let bar = harness.get_by_label(name).rect();
     let editor = harness.state();
-    let frame = editor.document.frame_of_path(frame);
-    let all = editor.playing.marks.frames as f64 - 1.0;
+    let (first, last) = editor.playing.axis;
     let width = f64::from(bar.width() - 16.0);
-    (f64::from(bar.left()) + 8.0 + width * (frame - 1.0) / all) as f32
+    (f64::from(bar.left()) + 8.0 + width * (frame - first) / (last - first)) as f32
 }
 
 /// The place of a frame in a row.
@@ -197,7 +196,7 @@ fn diamonds_stand_at_their_frames() {
         let edit = Edit::Part(Box::new(part.unwrap()));
         let editor = harness.state_mut();
         editor.document.apply(edit).unwrap();
-        let all = editor.playing.marks.frames;
+        let all = editor.document.frame_range().unwrap();
         let whole = Axis::new(rail, all, None);
         let seen = match random() < 0.5 {
             true => whole.zoomed(rail.min + 500.0, 0.05 + random()),
@@ -209,7 +208,7 @@ fn diamonds_stand_at_their_frames() {
                 let axis = Axis::new(rail, all, seen);
                 (axis.first(), axis.last())
             }
-            None => (1.0, all as f64),
+            None => all,
         };
         harness.step();
         harness.step();

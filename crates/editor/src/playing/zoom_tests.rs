@@ -15,7 +15,7 @@ fn axis(harness: &Window) -> Axis {
     let bar = harness.get_by_label("Frame").rect();
     let rail = Rangef::new(bar.left() + 8.0, bar.right() - 8.0);
     let playing = &harness.state().playing;
-    Axis::new(rail, playing.marks.frames, playing.seen)
+    Axis::new(rail, playing.marks.range, playing.seen)
 }
 
 fn wheel(harness: &mut Window, at: Pos2, steps: f32, modifiers: Modifiers) {

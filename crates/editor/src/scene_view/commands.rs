@@ -123,8 +123,7 @@ impl Editor {
         edits.push(Edit::EditNode(path));
         self.document.apply_all(edits)?;
         if let Ok(moment) = moment {
-            // As far as that path goes.
-            self.scrub(self.document.frame_of_path(moment));
+            self.stay_at(moment);
         }
         self.select_nodes(nodes);
         Ok(())

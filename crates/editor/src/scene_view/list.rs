@@ -7,7 +7,7 @@ use egui::{
 };
 
 use super::commands::NodeCommand;
-use super::list_row::{EYE, Shown, ground, kind, paint, show_eye, sign_color};
+use super::list_row::{EYE, Shown, kind, paint, show_eye, sign_color};
 use super::panel::trouble;
 use super::rows::Rows;
 use super::selection::select;
@@ -207,9 +207,9 @@ impl SceneList {
         }
         let output = area.show_rows(ui, theme::ROW, count, |ui, seen| {
             for row in seen {
-                match row.checked_sub(1) {
-                    None => whole(of, ui, actions),
-                    Some(row) => self.row(of, ui, row, actions),
+                match row == count - 1 {
+                    true => below(of, ui, actions),
+                    false => self.row(of, ui, row, actions),
                 }
             }
         });
@@ -274,7 +274,7 @@ impl SceneList {
         if std::mem::replace(&mut self.shown, of.current) == of.current {
             return None;
         }
-        let row = 1 + self.rows.of(of.current?)?;
+        let row = self.rows.of(of.current?)?;
         let (top, bottom) = self.seen;
         let begin = row as f32 * theme::ROW;
         if begin < top {
@@ -408,13 +408,11 @@ impl SceneList {
         }
         let height = pointer.y - area.top() + self.seen.0;
         let row = (height / theme::ROW).floor().max(0.0) as usize;
-        let target = match row.checked_sub(1) {
-            None => None,
-            Some(row) => match self.rows.all().get(row) {
-                Some(row) => Some(row.node),
-                None => return,
-            },
-        };
+        let rows = self.rows.all();
+        let target = rows.get(row).map(|row| row.node);
+        if row > rows.len() {
+            return;
+        }
         if !area.contains(pointer) || target == Some(dragged) {
             return;
         }
@@ -456,28 +454,17 @@ impl SceneList {
     }
 }
 
-/// The row of the whole scene.
-fn whole(of: &Shown<'_>, ui: &mut Ui, actions: &mut Vec<Action>) {
+/// The room below the last row, which is in no node.
+fn below(of: &Shown<'_>, ui: &mut Ui, actions: &mut Vec<Action>) {
     let texts = &of.editor.texts().scene;
     let size = vec2(ui.available_width(), theme::ROW);
-    let (rect, response) = ui.allocate_exact_size(size, Sense::click());
-    let chosen = of.current.is_none();
-    response.widget_info(|| WidgetInfo::selected(Role::ListItem, true, chosen, texts.whole));
-    let palette = theme::palette(ui);
-    ground(ui, rect, [chosen, chosen], response.hovered());
-    let color = if chosen {
-        palette.on_accent
-    } else {
-        palette.text
-    };
-    let at = rect.left_center() + vec2(SIGN, 0.0);
-    let painter = ui.painter();
-    painter.text(at, Align2::LEFT_CENTER, texts.whole, theme::text(), color);
+    let (_, response) = ui.allocate_exact_size(size, Sense::click());
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, texts.below));
     if response.clicked() {
         ui.memory_mut(|memory| memory.request_focus(id()));
         actions.push(Action::SelectNodes(Vec::new()));
     }
-    response.on_hover_text(texts.whole_hint);
+    response.on_hover_text(texts.below_hint);
 }
 
 #[cfg(test)]

@@ -28,7 +28,7 @@ pub(super) struct Shown<'a> {
 }
 
 /// The ground of a row: of the current one, of a selected one, of what the pointer is over.
-pub(super) fn ground(ui: &Ui, rect: Rect, [current, selected]: [bool; 2], hovered: bool) {
+fn ground(ui: &Ui, rect: Rect, [current, selected]: [bool; 2], hovered: bool) {
     let palette = theme::palette(ui);
     let ground = if current {
         Some(palette.accent)

@@ -185,7 +185,7 @@ fn what_is_added_first_makes_a_scene_of_a_path() {
             assert!(window.state().document().edited_scene().is_none());
             assert_eq!(window.state().document().path(), &before);
             assert!(!window.state().document().can_undo());
-            assert!(window.query_by_label(texts.whole).is_none());
+            assert!(window.query_by_label(texts.below).is_none());
         }
     }
 }
@@ -289,7 +289,6 @@ fn the_list_is_a_tree_that_folds() {
         let mut window = window_of_parts(language);
         let (group, object) = (texts.group, texts.object);
         let all = [
-            texts.whole.to_owned(),
             format!("camera {}", texts.camera),
             format!("car {group}"),
             format!("wheel {object}"),
@@ -299,7 +298,7 @@ fn the_list_is_a_tree_that_folds() {
         ];
         assert_eq!(rows(&window), all);
         click(&mut window, &fill(texts.fold, &[&"car"]));
-        let folded = [&all[..3], &all[5..]].concat();
+        let folded = [&all[..2], &all[4..]].concat();
         assert_eq!(rows(&window), folded);
         // A node in it that becomes current elsewhere is seen.
         window.state_mut().select_nodes(vec![3]);
@@ -323,7 +322,7 @@ fn clicks_and_arrows_select_without_a_step() {
     press(&mut window, NONE, Key::ArrowDown);
     assert_eq!(selected(&window), ["wheel"]);
     press(&mut window, NONE, Key::ArrowLeft);
-    assert_eq!(rows(&window).len(), 6);
+    assert_eq!(rows(&window).len(), 5);
     press(&mut window, NONE, Key::ArrowLeft);
     assert_eq!(selected(&window), ["car"]);
     press(&mut window, NONE, Key::ArrowRight);
@@ -338,7 +337,7 @@ fn clicks_and_arrows_select_without_a_step() {
     // A node on a path brings its panels.
     click_on(&mut window, "camera", NONE);
     assert!(window.state().document().edits_path());
-    click(&mut window, Language::English.texts().scene.whole);
+    click(&mut window, Language::English.texts().scene.below);
     assert!(!window.state().document().edits_path());
     assert_eq!(selected(&window), [""; 0]);
 }
@@ -359,7 +358,7 @@ fn a_name_is_typed_in_its_row() {
         window.run();
         press(&mut window, NONE, Key::Enter);
         assert_eq!(names(&window)[2], "tyre");
-        assert_eq!(rows(&window).len(), 6, "it stays folded");
+        assert_eq!(rows(&window).len(), 5, "it stays folded");
         // The list has the keyboard again; what another node is called is refused.
         press(&mut window, NONE, Key::F2);
         window.event(Event::Text("box".to_owned()));
@@ -428,8 +427,8 @@ fn a_row_dragged_onto_another_is_put_into_it() {
         let now = scene_of(&window);
         let (was, is) = (&before.nodes()[4], &now.nodes()[4]);
         assert_eq!((was.rest, was.keys()), (is.rest, is.keys()));
-        // Onto the whole scene.
-        let whole = window.get_by_label(texts.whole).rect().center();
+        // Into none.
+        let whole = window.get_by_label(texts.below).rect().center();
         drag(&mut window, "wheel", whole);
         assert_eq!(parent(&window, "wheel"), None);
         assert_eq!(parent(&window, "hub").as_deref(), Some("wheel"));
@@ -634,17 +633,12 @@ fn of_many_nodes_only_what_is_seen_is_made() {
     window.run();
     window.event(Event::Text("T 99988".to_owned()));
     window.run();
-    let wanted = [
-        "Whole scene",
-        "car group",
-        "part 99900 group",
-        "part 99988 group",
-    ];
+    let wanted = ["car group", "part 99900 group", "part 99988 group"];
     assert_eq!(rows(&window), wanted);
     screenshot(&mut window, "scene-filter.png");
     window.event(Event::Text("x".to_owned()));
     window.run();
-    assert_eq!(rows(&window), ["Whole scene"]);
+    assert_eq!(rows(&window), [""; 0]);
     assert!(window.query_by_label(texts.not_found).is_some());
 }
 

@@ -153,7 +153,7 @@ fn one_chooses_whose_path_is_edited() {
         let after = window.state().document().scene().unwrap();
         assert_eq!(after.nodes()[2], before.nodes()[2]);
         assert_ne!(after.nodes()[0], before.nodes()[0]);
-        click(&mut window, texts.whole);
+        click(&mut window, texts.below);
         assert_eq!(edited(&window), None);
         assert!(window.query_by_label(texts.no_path).is_some());
         click(&mut window, &format!("camera {}", texts.camera));
@@ -254,7 +254,7 @@ fn a_path_alone_has_no_list_and_no_scene() {
     let window = window(Language::English);
     assert!(
         window
-            .query_by_label(Language::English.texts().scene.whole)
+            .query_by_label(Language::English.texts().scene.below)
             .is_none()
     );
     assert!(window.state().document().edited_scene().is_none());

@@ -13,7 +13,7 @@ use glam::{DMat4, DVec2, DVec3, DVec4};
 use super::projection::{from_pos, light};
 use super::scene::{EDGE, floor, object_line};
 use super::solid::{Eye, Solid};
-use super::{Camera, drawing, flying};
+use super::{Camera, drawing, flying, shown_camera};
 use crate::action::Action;
 use crate::host::HostPane;
 use crate::keys;
@@ -445,7 +445,13 @@ fn caption(editor: &Editor, ui: &mut Ui, size: Vec2, camera: &Camera, actions: &
                 .close_behavior(PopupCloseBehavior::CloseOnClickOutside)
                 .show(|ui| menu(editor, ui, actions));
             // As much of it as there is room for: at last the number of the frame or the key.
-            let room = ui.available_width();
+            let cameras = shown_camera::all(editor);
+            let arrow = if cameras.len() > 1 {
+                shown_camera::ARROW
+            } else {
+                0.0
+            };
+            let room = ui.available_width() - arrow;
             let part = what.rsplit(" \u{b7} ").next().unwrap_or_default();
             let word = part.rsplit(' ').next().unwrap_or_default();
             let shown = [text.as_str(), &what, part, word]
@@ -461,7 +467,11 @@ fn caption(editor: &Editor, ui: &mut Ui, size: Vec2, camera: &Camera, actions: &
             let words = RichText::new(shown.unwrap_or(word))
                 .size(CAPTION_TEXT)
                 .color(theme::palette(ui).weak);
-            let label = ui.add(Label::new(words).truncate().selectable(false));
+            let label = Label::new(words).truncate().selectable(false);
+            let label = match cameras.len() > 1 {
+                true => shown_camera::choice(editor, ui, (label, &text), &cameras, actions),
+                false => ui.add(label),
+            };
             if shown != Some(&text) {
                 label.on_hover_text(&text);
             }
@@ -542,7 +552,8 @@ fn scene_label(editor: &Editor) -> String {
     let said = editor.with_scene(|now| {
         let shown = now.scene.shown_camera();
         let name = shown.map_or("", |at| now.scene.nodes()[at].name.as_str());
-        let frame = editor.language().number(now.frame.round(), 0);
+        let first = f64::from(editor.document.info().first_frame);
+        let frame = editor.language().number(now.frame.round() - 1.0 + first, 0);
         fill(editor.texts().scene.at_frame, &[&name, &frame])
     });
     said.ok().flatten().unwrap_or_default()

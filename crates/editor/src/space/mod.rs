@@ -23,6 +23,7 @@ mod pointer;
 mod projection;
 mod ribbon;
 mod scene;
+mod shown_camera;
 mod sliders;
 mod solid;
 mod start;

@@ -28,6 +28,8 @@ texts! {
             "Aus dem, was die Kamera in diesem Bild tut, einen Punkt oder einen Blick machen";
         is_a_key: "The camera is at a point in this frame: there is nothing to add",
             "In diesem Bild ist die Kamera an einem Punkt: Es gibt nichts einzufügen";
+        outside: "No point here: this path runs from frame {0} to {1}",
+            "Kein Punkt hier: Diese Bahn läuft von Bild {0} bis {1}";
         in_between: "In between: typing adds it", "Zwischenwerte: Tippen fügt ein";
         preset: "Preset {0}", "Standard {0}";
         own: "Own values", "Eigendef.";

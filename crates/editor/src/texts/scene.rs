@@ -5,9 +5,9 @@ use super::texts;
 texts! {
     Scene {
         title: "Scene", "Szene";
-        whole: "Whole scene", "Ganze Szene";
-        whole_hint: "Play all of it; no path is edited",
-            "Alles abspielen; keine Bahn wird bearbeitet";
+        below: "In no node", "In keinem Knoten";
+        below_hint: "Click: select nothing; drag a node here: put it into none",
+            "Klick: nichts auswählen; einen Knoten hierher ziehen: in keinen tun";
         edit_hint: "Edit the path of this node", "Die Bahn dieses Knotens bearbeiten";
         by_keys: "Moves by keys, not along a path",
             "Bewegt sich durch Schlüsselwerte, nicht auf einer Bahn";
@@ -45,6 +45,9 @@ texts! {
             "{0} bewegt sich: Die eigenen Zahlen bleiben, und mitgenommen wird es von dem, worin es jetzt liegt";
         no_clipboard: "Nodes are not copied by the clipboard but at once, by Ctrl+D",
             "Knoten werden nicht über die Zwischenablage kopiert, sondern sofort, mit Strg+D";
+        shown_camera: "Shown camera", "Gezeigte Kamera";
+        shown_camera_hint: "Click: choose the camera that is shown; its poses are handed over and written",
+            "Klick: die Kamera wählen, die gezeigt wird; ihre Posen werden übergeben und geschrieben";
         at_frame: "{0}, frame {1}", "{0}, Bild {1}";
     }
 }

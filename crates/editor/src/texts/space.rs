@@ -129,6 +129,9 @@ texts! {
         rate_unit: " fps", " B./s";
         again: "Loop", "Endlos";
         again_tip: "Begin anew at the end (L)", "Am Ende von vorn beginnen (L)";
+        only_selected: "Only what is selected", "Nur Ausgewähltes";
+        only_selected_tip: "Play and loop only the frames in which the selected nodes move",
+            "Nur die Bilder abspielen und wiederholen, in denen sich die gewählten Knoten bewegen";
         pace: "Playing speed", "Abspieltempo";
         pace_tip: "Half, whole or double speed", "Halbes, ganzes oder doppeltes Tempo";
         loop_keys: "L", "L";

@@ -174,7 +174,7 @@ fn row(
     let texts = &editor.texts().check;
     let first = f64::from(editor.document.info().first_frame);
     let [from, to] = [finding.first_frame, finding.last_frame].map(|frame| {
-        let frame = frame - 1.0 + first;
+        let frame = editor.document.frame_of_scene(frame) - 1.0 + first;
         editor.language().number(frame.round(), 0)
     });
     let frames = if from == to {
@@ -300,7 +300,8 @@ impl CheckWindow {
 impl Editor {
     /// Moves the playhead to a finding, and selects the key before it.
     pub(crate) fn go_to(&mut self, finding: &Finding) {
-        self.scrub(finding.first_frame);
+        let frame = self.document.frame_of_scene(finding.first_frame);
+        self.scrub(frame);
         let selection = crate::document::Selection::at(finding.point, finding.orientation);
         if self.document.selection() != selection
             && self
@@ -308,10 +309,8 @@ impl Editor {
                 .select(finding.point, finding.orientation)
                 .is_ok()
         {
-            self.playing.put_back(
-                self.playing.frame().or(Some(finding.first_frame)),
-                selection,
-            );
+            self.playing
+                .put_back(self.playing.frame().or(Some(frame)), selection);
         }
     }
 }

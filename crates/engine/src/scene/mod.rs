@@ -46,6 +46,6 @@ pub use reparent::Keep;
 pub use scene::Scene;
 pub use splice::{KeyList, Manner};
 pub use state::{NodeState, Warnings};
-pub use time::Extrapolation;
+pub use time::{Extrapolation, local_frame};
 pub use track::{Interpolation, Track};
 pub use vertices::Form;

@@ -6,6 +6,9 @@ use super::scene::Scene;
 use crate::error::{Invalid, Result, TooMany};
 use crate::limits::MAX_FRAMES;
 
+/// A part of a frame that is rounding: from 1.1 to 4.1 it is three steps.
+const HAIR: f64 = 1e-6;
+
 impl Scene {
     /// The number of the camera that is shown: the one chosen, else the first on a path, else the
     /// first.
@@ -94,7 +97,7 @@ impl Scene {
 fn count(first: f64, last: f64) -> Result<usize> {
     // Frames are at most 1e9.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-    let count = (last - first).floor() as usize + 1;
+    let count = (last - first + HAIR).floor() as usize + 1;
     if count > MAX_FRAMES {
         return Err(TooMany::SceneFrames.into());
     }
