@@ -27,7 +27,9 @@ pub(super) fn bounds(kind: &str, places: &[DVec3]) -> Bounds {
 }
 
 impl Cage {
-    pub(super) fn new(bounds: Bounds, deformation: &Deformation) -> Self {
+    /// A box as a deformation makes it.
+    #[must_use]
+    pub fn new(bounds: Bounds, deformation: &Deformation) -> Self {
         let nodes: Vec<_> = match deformation.channel("points") {
             Some(lattice) => lattice
                 .chunks_exact(3)

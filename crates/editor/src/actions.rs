@@ -9,6 +9,7 @@ use crate::document::{At, Document, Edit, Selection, no_longer_ahead};
 use crate::error::{Invalid, Result};
 use crate::files::{AfterSave, Purpose};
 use crate::path::{CameraPath, Tangents, Target, insertion};
+use crate::scene_view::NodeCommand;
 use crate::setup::{ColourWindow, DisplayWindow};
 use crate::space::LEAST_SHARE;
 use crate::state::{Editor, Request};
@@ -87,6 +88,9 @@ impl Editor {
             Action::AddPoints(points) => self.add_points(points, context),
             Action::AddHere => {
                 self.add_here();
+            }
+            Action::RemovePoint if !self.document.edits_path() => {
+                self.do_to_nodes(NodeCommand::Remove);
             }
             Action::RemovePoint => {
                 let count = self.all_selected().len();

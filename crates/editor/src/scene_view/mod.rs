@@ -6,6 +6,7 @@
 //!
 //! It changes nothing but by the document's edits, and knows no projection.
 
+mod boxes;
 mod commands;
 mod edges;
 mod keys_panel;
@@ -44,6 +45,8 @@ use crate::state::Editor;
 #[derive(Debug, Default)]
 pub(super) struct SceneView {
     selection: SceneSelection,
+    /// The deformation whose box is shown: its node and its number there.
+    deformation: Option<(usize, usize)>,
     /// What a node has besides its path is at the right, not the path's points.
     shows_node: bool,
     list: RefCell<list::SceneList>,

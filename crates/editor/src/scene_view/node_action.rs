@@ -27,6 +27,8 @@ pub(crate) enum NodeAction {
     AskFile(Purpose),
     /// Show what the node has besides its path.
     ShowNode(bool),
+    /// Show the box of a deformation of a node, or no longer.
+    ShowBox(Option<(usize, usize)>),
 }
 
 /// What moves a node.
@@ -54,6 +56,7 @@ impl Editor {
             NodeAction::Motion(node, moves) => self.set_motion(node, moves),
             NodeAction::Reload(node) => self.reload_mesh(node),
             NodeAction::AskFile(purpose) => self.choose_file(purpose),
+            NodeAction::ShowBox(shown) => self.scene_view.deformation = shown,
             NodeAction::ShowNode(shown) => self.scene_view.shows_node = shown,
         }
     }

@@ -81,7 +81,13 @@ fn deformation(
         ui.scope(|ui| {
             ui.set_width(room);
             ui.horizontal(|ui| {
-                ui.label(&name);
+                let node = of.at;
+                let chosen = editor.chosen_deformation() == Some((node, at));
+                let button = ui.selectable_label(chosen, &name);
+                if button.on_hover_text(texts.choose_box_hint).clicked() {
+                    let shown = (!chosen).then_some((node, at));
+                    actions.push(Action::Node(NodeAction::ShowBox(shown)));
+                }
                 if let Some(turned) = axis(editor, ui, this, &name) {
                     actions.push(edit(Part::Deformation {
                         node,
@@ -94,17 +100,16 @@ fn deformation(
         });
         let text = fill(texts.earlier, &[&name]);
         if sign(ui, Sign::Up, &text, at > 0) {
-            let to = at - 1;
-            actions.push(edit(Part::MoveDeformation { node, from: at, to }));
+            swap(editor, (node, at, at - 1), actions);
         }
         let text = fill(texts.later, &[&name]);
         if sign(ui, Sign::Down, &text, at + 1 < all.len()) {
-            let to = at + 1;
-            actions.push(edit(Part::MoveDeformation { node, from: at, to }));
+            swap(editor, (node, at, at + 1), actions);
         }
         let text = fill(texts.remove_deformation, &[&name]);
         if sign(ui, Sign::Remove, &text, true) {
             actions.push(edit(Part::RemoveDeformation { node, at }));
+            actions.push(Action::Node(NodeAction::ShowBox(None)));
         }
     });
     for (parameter, width) in this.channels() {
@@ -123,6 +128,20 @@ fn deformation(
             _ => actions.extend(heading(editor, ui, of, &of_parameter, words)),
         }
     }
+    if editor.chosen_deformation() == Some((node, at)) {
+        super::boxes::rows(editor, ui, (of, object), (at, &name), actions);
+    }
+}
+
+/// Lets a deformation act before or after the one beside it; the box that is shown goes along.
+fn swap(editor: &Editor, (node, from, to): (usize, usize, usize), actions: &mut Vec<Action>) {
+    actions.push(edit(Part::MoveDeformation { node, from, to }));
+    let shown = match editor.chosen_deformation() {
+        Some((_, at)) if at == from => to,
+        Some((_, at)) if at == to => from,
+        _ => return,
+    };
+    actions.push(Action::Node(NodeAction::ShowBox(Some((node, shown)))));
 }
 
 /// What a parameter is called, and whether it is an angle.
@@ -189,6 +208,8 @@ fn add(editor: &Editor, ui: &mut Ui, of: Shown<'_>, at: usize, actions: &mut Vec
                     deformation: new,
                     bounds: None,
                 }));
+                let shown = Some((of.at, at));
+                actions.push(Action::Node(NodeAction::ShowBox(shown)));
             }
         }
     });

@@ -13,6 +13,7 @@ use crate::math::euler::EulerAngles;
 use crate::scene_view::Now;
 use crate::state::Editor;
 use crate::texts::fill;
+use crate::texts::refusals::reason_of;
 
 /// A plane of axes seen with less of its area than this is taken as edge-on: nothing moves.
 const EDGE_ON: f64 = 1e-3;
@@ -94,7 +95,9 @@ impl Held {
             Grip::Pivot => editor.current_node().into_iter().collect(),
             Grip::Key(node, _) => vec![node],
         };
-        let within = scene.with_all_in(&selected).map_err(|_| nothing())?;
+        let told = |error| reason_of(editor.language(), &error);
+        let within = scene.with_all_in(&selected);
+        let within = within.map_err(|error| told(error.into()))?;
         // What is in another one of these goes along with that.
         let free = |node: &usize| nodes[*node].parent.is_none_or(|parent| !within[parent]);
         let edited = editor.document.edited_scene().and_then(|of| of.node());
@@ -134,7 +137,7 @@ impl Held {
                 start.world = parent_in_space(now, start.parent);
             }
         });
-        found.map_err(|error| crate::texts::refusals::reason_of(editor.language(), &error))?;
+        found.map_err(told)?;
         let mut held = Self {
             grip,
             middle: DVec3::ZERO,

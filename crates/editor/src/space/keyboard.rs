@@ -2,18 +2,21 @@
 //! best, Page Up and Page Down across it; with Alt they move the target.
 
 use egui::{Key, Modifiers, Rect};
-use glam::DVec3;
+use glam::{DMat3, DVec2, DVec3};
 
 use super::drag::{self, Handle};
 use super::gesture::Gesture;
+use super::held_nodes::{Grip, Held, Motion, NodeChange};
 use super::pointer::{PointerController, WHEEL, resized};
 use super::projection::{Axis, Projection};
 use super::projection_of;
 use crate::action::Action;
 use crate::actions::step_around;
 use crate::document::{At, Edit, Selection};
+use crate::number::decimals;
 use crate::setup::{CameraPlace, View};
 use crate::state::Editor;
+use crate::texts::fill;
 
 /// How far an arrow key moves, in half sizes of the space: without and with Shift.
 const STEPS: [f64; 2] = [0.01, 0.1];
@@ -77,10 +80,17 @@ pub(super) fn press(
         _ if modifiers.alt => Handle::Vpn,
         _ => Handle::Point(selection.point),
     };
+    if editor.means_nodes() && NUDGES.contains(&key) {
+        if !matches!(key, Key::Comma | Key::Period) && !modifiers.alt {
+            nudge_nodes(controller, editor, &projection, (key, step), actions);
+        }
+        return;
+    }
     let resized = |factor| Action::View(resized(&editor.setup.view, viewport, None, factor));
     let edit = match key {
         Key::ArrowLeft | Key::ArrowRight | Key::ArrowUp | Key::ArrowDown => {
-            let (axis, sign) = direction_of(&projection, key);
+            let way = |axis: Axis| projection.image_of_way(axis.unit());
+            let (axis, sign) = direction_of(projection.facing(), way, key);
             nudge(editor, &projection, what, axis, sign * step)
         }
         Key::PageUp | Key::PageDown => {
@@ -132,14 +142,54 @@ pub(super) fn press(
     }
 }
 
-/// The axis and direction in which an arrow key moves, in the plane that is seen best.
-fn direction_of(projection: &Projection, key: Key) -> (Axis, f64) {
-    let [a, b] = projection.facing().others();
-    let way = |axis: Axis| {
-        let mut unit = DVec3::ZERO;
-        unit[axis.index()] = 1.0;
-        projection.image_of_way(unit)
+/// Moves the selected nodes by a step along an axis of the parent of the first one.
+fn nudge_nodes(
+    controller: &mut PointerController,
+    editor: &Editor,
+    projection: &Projection,
+    (key, step): (Key, f64),
+    actions: &mut Vec<Action>,
+) {
+    let held = match Held::new(editor, Grip::Nodes, true) {
+        Ok(held) => held,
+        Err(why) => return actions.push(Action::Complain(why)),
     };
+    let facing = held.facing(DMat3::IDENTITY, projection);
+    let way = |axis: Axis| held.way(axis.unit());
+    let (axis, sign) = match key {
+        Key::PageUp | Key::PageDown => {
+            let away = -projection.toward().dot(way(facing)).signum();
+            (facing, if key == Key::PageUp { away } else { -away })
+        }
+        _ => direction_of(facing, |axis| projection.image_of_way(way(axis)), key),
+    };
+    let half_size = projection.space().half_size;
+    let Some(mut change) = held.changed(Motion::Move(axis.unit() * (sign * step * half_size)))
+    else {
+        return;
+    };
+    if let NodeChange::Values(values) = &mut change {
+        for (_, _, numbers) in values {
+            // Steps of a hundredth stay hundredths.
+            let number = &mut numbers[axis.index()];
+            *number = rounded(*number, half_size) + 0.0;
+        }
+    }
+    if !(controller.nudging && editor.document.in_step()) {
+        controller.nudging = true;
+        actions.push(Action::Gesture(Gesture::Begin));
+    }
+    let number = editor
+        .language()
+        .number(sign * step * half_size, decimals(half_size));
+    let words = fill(editor.texts().space.nudged, &[&axis.letter(), &number]);
+    actions.push(Action::Gesture(Gesture::Nodes(change, words)));
+}
+
+/// The axis and direction in which an arrow key moves, in the plane that is seen best; `way`: how an
+/// axis is seen.
+fn direction_of(facing: Axis, way: impl Fn(Axis) -> DVec2, key: Key) -> (Axis, f64) {
+    let [a, b] = facing.others();
     // The axis that runs more sideways is the one for left and right.
     let (side, other) = if way(a).x.abs() * way(b).y.abs() >= way(b).x.abs() * way(a).y.abs() {
         (a, b)

@@ -152,6 +152,9 @@ pub(super) fn shortcut_help(texts: &Texts) -> [(&'static str, &'static str); 37]
         (texts.tool_keys, texts.tool_meaning),
         (texts.axis_keys, texts.axis_meaning),
         (texts.handle_mouse, texts.handle_meaning),
+        (texts.node_mouse, texts.node_meaning),
+        (texts.pivot_keys_name, texts.pivot_meaning),
+        (texts.way_mouse, texts.way_meaning),
         (texts.tangent_mouse, texts.tangent_meaning),
         (texts.list_keys, texts.list_meaning),
         (texts.corner_mouse, texts.corner_meaning),
@@ -524,6 +527,10 @@ impl MovementWindow {
         }
         if !editor.means_nodes() {
             return;
+        }
+        if let Some(cage) = editor.cage_in_space() {
+            let palette = editor.setup.theme().palette();
+            add(overlay::cage(look, &cage, usize::MAX, palette));
         }
         add(trail::lines(editor, look));
         if let Some(middle) = transform::handles(editor, look.projection) {

@@ -755,6 +755,93 @@ fn keys_on_the_way_of_a_node_are_dragged() {
 }
 
 #[test]
+fn arrow_keys_move_nodes_and_delete_removes_them() {
+    let mut harness = window_of(scene(), &[OTHER]);
+    let before = text(&harness);
+    let of = |harness: &Window<'_>| {
+        harness.state().document.scene().unwrap().nodes()[OTHER]
+            .rest
+            .position
+    };
+    let from = of(&harness);
+    let ways = [
+        (Key::ArrowRight, vec2(1.0, 0.0)),
+        (Key::ArrowLeft, vec2(-1.0, 0.0)),
+        (Key::ArrowUp, vec2(0.0, -1.0)),
+        (Key::ArrowDown, vec2(0.0, 1.0)),
+    ];
+    for (key, way) in ways {
+        let at = image(&harness, pivot_of(&harness, OTHER));
+        tap(&mut harness, key, Modifiers::SHIFT);
+        let seen = image(&harness, pivot_of(&harness, OTHER)) - at;
+        assert!(seen.dot(way) > 0.0, "{key:?} {seen:?}");
+        let by = of(&harness) - from;
+        assert!((by.abs().element_sum() - 0.1).abs() < 1e-12, "{by}");
+        harness.step();
+        is_one_step(&mut harness, &before);
+        harness.step();
+    }
+    tap(&mut harness, Key::Delete, NONE);
+    harness.step();
+    let scene = harness.state().document.scene().unwrap();
+    assert_eq!(scene.find("other"), None);
+    assert_eq!(scene.nodes().len(), 5);
+    assert!(harness.state_mut().document.undo());
+    assert_eq!(text(&harness), before);
+}
+
+/// A pass of a drag in a scene of 200,000 keys, and one that scrubs it. What else the machine does
+/// only makes passes longer, so the least ones count.
+#[test]
+fn a_drag_costs_about_as_much_as_scrubbing() {
+    let mut large = Scene::new();
+    for at in 0..200 {
+        let mut node = Node::new(&format!("node {at}"), Kind::Group);
+        let far = f64::from(at) * 0.005;
+        node.rest.position = DVec3::new(far, 0.5 - far, -far);
+        let at = large.add(node).unwrap();
+        let frames: Vec<f64> = (1..=1_000).map(f64::from).collect();
+        let values = (0..3_000).map(|k| 0.5 * (0.01 * f64::from(k)).sin());
+        let by = Interpolation::Linear;
+        let track = Track::new(Channel::Position, by, frames, values.collect(), Vec::new());
+        large.set_track(at, track.unwrap()).unwrap();
+    }
+    let mut harness = window_of(large, &[100]);
+    let (mut scrub, mut drag) = (f64::INFINITY, f64::INFINITY);
+    let pass = |least: &mut f64, harness: &mut Window<'_>| {
+        let begin = std::time::Instant::now();
+        harness.step();
+        *least = least.min(begin.elapsed().as_secs_f64());
+    };
+    for round in 0..30 {
+        if round >= 3 && drag <= 1.5 * scrub {
+            break;
+        }
+        for at in 0..20_u8 {
+            harness.state_mut().set_frame(20.0 + f64::from(at)).unwrap();
+            pass(&mut scrub, &mut harness);
+        }
+        harness.state_mut().set_frame(20.0).unwrap();
+        harness.step();
+        let from = image(&harness, pivot_of(&harness, 100));
+        press(&mut harness, from, PointerButton::Primary);
+        motion(&mut harness, from + vec2(5.0, 5.0));
+        assert!(harness.state().document.in_step());
+        for at in 0..20_u8 {
+            harness.event(Event::PointerMoved(from + vec2(6.0 + f32::from(at), 7.0)));
+            pass(&mut drag, &mut harness);
+        }
+        tap(&mut harness, Key::Escape, NONE);
+        release(&mut harness, from, PointerButton::Primary);
+    }
+    println!(
+        "a pass of a drag takes {:.2} of one that scrubs",
+        drag / scrub
+    );
+    assert!(drag <= 1.5 * scrub, "drag {drag}, scrub {scrub}");
+}
+
+#[test]
 fn pictures_of_selected_nodes() {
     for (language, theme, size, name) in [
         (

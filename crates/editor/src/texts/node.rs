@@ -100,6 +100,15 @@ texts! {
         add_deformation: "+ Deformation", "+ Verformung";
         add_deformation_hint: "Deforms the object, after those that are there, within the box of its mesh",
             "Verformt das Objekt, nach den vorhandenen, im Quader um das Netz";
+        choose_box_hint: "Show its box in the space, and its numbers here",
+            "Den Quader im Raum zeigen, und hier die Zahlen";
+        box_low: "Box from", "Quader von";
+        box_high: "Box to", "Quader bis";
+        box_hint: "The deformation is relative to this box, in the object's own coordinates",
+            "Die Verformung richtet sich nach diesem Quader, in den eigenen Koordinaten des Objekts";
+        box_of_mesh: "Box of the mesh", "Quader des Netzes";
+        box_of_mesh_of: "Box of the mesh: {0}", "Quader des Netzes: {0}";
+        box_of_mesh_hint: "Let it follow the bounds of the mesh again", "Wieder nach den Grenzen des Netzes";
         bulge: "Bulge", "Bauchen";
         axis: "Axis of {0}", "Achse von {0}";
         axis_hint: "The axis along which it deforms; a click chooses the next one",

@@ -48,19 +48,28 @@ texts! {
         scale_hint: "Drag: scale them about their middle · X, Y, Z: along an axis · type a number",
             "Ziehen: um ihre Mitte skalieren · X, Y, Z: längs einer Achse · Zahl tippen";
         handle_mouse: "Drag the ring or its square", "Am Ring oder seinem Quadrat ziehen";
-        handle_meaning: "Turn or scale several selected points", "Mehrere ausgewählte Punkte drehen oder skalieren";
+        handle_meaning: "Turn or scale several selected points, or nodes",
+            "Mehrere ausgewählte Punkte oder Knoten drehen oder skalieren";
         list_keys: "F2, double click in the list", "F2, Doppelklick in der Liste";
         list_meaning: "Type the name of a point; dragging there: another order",
             "Name des Punkts tippen; Ziehen dort: andere Reihenfolge";
         axis_keys: "X, Y, Z, a number, Enter with these", "X, Y, Z, eine Zahl, Enter mit diesen";
-        axis_meaning: "Along an axis or about it, and by so much",
-            "Längs einer Achse oder um sie, und um so viel";
+        axis_meaning: "Along an axis or about it, and by so much; a node's own axis: the letter twice",
+            "Längs einer Achse oder um sie, und um so viel; eigene Achse eines Knotens: Buchstabe zweimal";
+        node_mouse: "Click on something of a scene", "Klick auf etwas aus einer Szene";
+        node_meaning: "Select it; again: what lies behind; Ctrl, Shift: several. Drag its pivot: move it",
+            "Es auswählen; nochmal: was dahinter liegt; Strg, Umschalt: mehrere. Am Drehpunkt ziehen: bewegen";
+        pivot_keys_name: "P", "P";
+        pivot_meaning: "Move the pivot of the selected node, which stays", "Drehpunkt des gewählten Knotens bewegen, der bleibt";
+        way_mouse: "Drag a square on the way of a node", "Ein Quadrat auf dem Weg eines Knotens ziehen";
+        way_meaning: "Move that key of its position", "Diesen Schlüssel seines Ortes bewegen";
         tool_hint: "{0} · X, Y, Z: axis · type a number · Ctrl: in steps · Shift: finer · Enter, click: done · Esc: back",
             "{0} · X, Y, Z: Achse · Zahl tippen · Strg: in Schritten · Umschalt: feiner · Enter, Klick: fertig · Esc: zurück";
         moved_by: "Moved by x {0}  y {1}  z {2}", "Bewegt um x {0}  y {1}  z {2}";
         turned_by: "Turned about {0} by {1}°", "Um {0} gedreht um {1}°";
         scaled_by: "Scaled by {0}", "Skaliert mit {0}";
         scaled_along: "Scaled along {0} by {1}", "Längs {0} skaliert mit {1}";
+        nudged: "Along {0} by {1}", "Längs {0} um {1}";
         own_axis: "its own {0}", "das eigene {0}";
         needs_nodes: "Select a node of the scene first", "Erst einen Knoten der Szene auswählen";
         path_moves_it: "“{0}” follows a path, which moves and turns it: move the path's points, or give it keys",
