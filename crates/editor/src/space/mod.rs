@@ -141,7 +141,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
 }
 
 /// What mouse and keys do beside what the thesis names: input and meaning.
-pub(super) fn shortcut_help(texts: &Texts) -> [(&'static str, &'static str); 37] {
+pub(super) fn shortcut_help(texts: &Texts) -> [(&'static str, &'static str); 40] {
     let timeline = &texts.timeline;
     let texts = &texts.space;
     [
