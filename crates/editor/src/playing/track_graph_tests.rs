@@ -284,6 +284,9 @@ fn curves_and_keys_stand_where_the_engine_says() {
         let part = Part::track(1, channel.clone(), Some(track.clone())).unwrap();
         editor.document.apply(Edit::Part(Box::new(part))).unwrap();
         editor.playing.speeds.tracks.graph.chosen = vec![(1, channel)];
+        // The keys may have changed the scene's range.
+        harness.step();
+        let editor = harness.state_mut();
         let frames = editor.playing.marks.range;
         let whole = Axis::new(rail, frames, None);
         let seen = match random.next() < 0.5 {
