@@ -407,6 +407,12 @@ fn bar(editor: &Editor, memory: &mut graph::Memory, ui: &mut Ui, actions: &mut V
     };
     let height =
         TRANSPORT + ruler::HEIGHT + markers + key_row::HEIGHT + tracks + graph + theme::GAP;
+    // Where no path is edited, keys of nodes have the room of its keys and its graph.
+    let of_path = count == 0 || editor.document.edits_path();
+    let (of_nodes, below) = match of_path {
+        true => (tracks, graph),
+        false => (key_row::HEIGHT + tracks + graph, 0.0),
+    };
     let panel = egui::Panel::bottom("playing")
         .resizable(false)
         .exact_size(height)
@@ -446,26 +452,29 @@ fn bar(editor: &Editor, memory: &mut graph::Memory, ui: &mut Ui, actions: &mut V
             let place = (right, above);
             markers::show(editor, &mut memory.markers, ui, place, &axis, actions);
         }
-        let (left, right) = parts(row(key_row::HEIGHT));
-        ruler::caption(ui, left, editor.texts().timeline.keys);
-        key_row::show(editor, memory, ui, (right, above), &axis, actions);
-        let rows = row(tracks);
+        if of_path {
+            let (left, right) = parts(row(key_row::HEIGHT));
+            ruler::caption(ui, left, editor.texts().timeline.keys);
+            key_row::show(editor, memory, ui, (right, above), &axis, actions);
+        }
+        let rows = row(of_nodes);
         #[allow(clippy::cast_precision_loss)]
-        let scrolls = !memory.tracks.curves && tracks < tracks::ROW * count as f32;
+        let scrolls = !memory.tracks.curves && of_nodes < tracks::ROW * count as f32;
         zoom::by_mouse(ui, time, scrolls.then_some(rows), &axis, actions);
         if count > 0 {
             let place = (rows, captions, above);
             let shown = (&nodes[..], &axis);
             tracks::show(editor, &mut memory.tracks, ui, place, shown, actions);
         }
-        if graph == 0.0 && count > 0 {
-            dragged_edge(editor, ui, edge, tracks, actions);
-        }
-        if graph > 0.0 {
-            let (left, right) = parts(row(graph));
+        if below > 0.0 {
+            let (left, right) = parts(row(below));
             let places = (right.with_min_y(right.top() + theme::GAP), left);
             graph::show(editor, memory, ui, places, &axis, actions);
+        }
+        if graph > 0.0 {
             dragged_edge(editor, ui, edge, graph, actions);
+        } else if count > 0 {
+            dragged_edge(editor, ui, edge, tracks, actions);
         }
     });
 }

@@ -157,8 +157,7 @@ impl Hands {
         let row = tracks.iter().position(|track| track.channel() == channel);
         let name = self.window.state().texts().timeline.tracks;
         let rows = self.window.get_by_role_and_label(Role::Canvas, name).rect();
-        let height = rows.height() / (tracks.len() + 1) as f32;
-        let down = height * (row.unwrap() as f32 + 1.5);
+        let down = 20.0 * (row.unwrap() as f32 + 1.5);
         pos2(rows.left() + along * rows.width(), rows.top() + down)
     }
 

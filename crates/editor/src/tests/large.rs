@@ -45,7 +45,7 @@ fn a_key_of_a_million_is_dragged_as_the_time_is_scrubbed() {
     let rows = window.get_by_role_and_label(Role::Canvas, rows).rect();
     let rail = ruler.shrink(8.0);
     let x = |frame: f32| rail.left() + (frame - 1.0) / (LAST - 1.0) * rail.width();
-    let below = rows.top() + 0.75 * rows.height();
+    let below = rows.top() + 30.0;
     let mut best = [f64::INFINITY; 2];
     for round in 0..6 {
         let drags = round % 2 == 1;
