@@ -22,7 +22,7 @@ const DOTS: f64 = 2_000.0;
 /// Of more keys there are no squares: they would be one line.
 const KEYS: usize = 2_000;
 
-/// Of more selected nodes there are no ways.
+/// Of more selected nodes there are no ways, and of pivots only dots.
 const NODES: usize = 32;
 
 /// Radius of a dot, half the side of a key's square, radius of a pivot's ring and length of its
@@ -86,8 +86,13 @@ pub(super) fn lines(editor: &Editor, look: &Look<'_>) -> Lines {
             way(&mut strokes, look, now, (node, track), color);
         });
     });
-    for (_, pivot) in nodes::selected_pivots(editor) {
-        sign(&mut strokes, look, pivot, color);
+    let pivots = nodes::selected_pivots(editor);
+    let few = pivots.len() <= NODES;
+    for (_, pivot) in pivots {
+        match few {
+            true => sign(&mut strokes, look, pivot, color),
+            false => strokes.disc(look.projection.image(pivot), 2.0 * DOT, color),
+        }
     }
     strokes.finish()
 }
