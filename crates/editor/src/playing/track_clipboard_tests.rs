@@ -296,7 +296,7 @@ fn keys_become_those_of_the_track_that_is_there() {
             channel.clone(),
             by,
             &[100.0, 110.0],
-            &[&turned[..], &turn].concat()[..2 * width].to_vec(),
+            &[&turned[..], &turn].concat()[..2 * width],
         );
         let there = match (channel, width) {
             (Channel::Rotation, 4) => track(Channel::Rotation, Linear, &[100.0, 110.0], &turn),

@@ -73,7 +73,7 @@ fn scale(harness: &Window) -> impl Fn(f64) -> f64 + use<> {
     };
     for shape in shapes {
         if let Shape::Text(text) = &shape.shape
-            && (text.pos.x - ground.left() - 4.0).abs() < 0.01
+            && (text.pos.x - ground.left() - 12.0).abs() < 0.01
             && text.pos.y > ground.top() + 14.0
             && ground.contains(text.pos)
             && let Ok(value) = text.galley.text().replace('−', "-").parse::<f64>()
