@@ -700,6 +700,25 @@ fn a_click_selects_signs_before_lines_and_then_what_lies_behind() {
 }
 
 #[test]
+fn a_sign_is_taken_within_six_points_and_no_farther() {
+    let mut alone = Scene::new();
+    alone.add(Node::new("far", Kind::Group)).unwrap();
+    let mut one = Node::new("one", Kind::Group);
+    one.rest.position = DVec3::new(0.4, 0.3, -0.2);
+    one.pivot = DVec3::new(0.1, 0.1, 0.1);
+    alone.add(one).unwrap();
+    let harness = window_of(alone, &[0]);
+    let place = world_image(&harness, 1, DVec3::splat(0.1));
+    let viewport = viewport(&harness);
+    let projection = projection_of(harness.state(), viewport);
+    for turn in 0..16_u8 {
+        let way = egui::Vec2::angled(f32::from(turn));
+        let at = |far: f32| nodes::at(harness.state(), &projection, viewport, place + far * way);
+        assert_eq!((at(5.99), at(6.01)), (vec![1], vec![]), "{turn}");
+    }
+}
+
+#[test]
 fn points_of_the_edited_path_come_before_nodes() {
     let mut crowded = scene();
     let start = CameraPath::default().points[0].position;

@@ -558,7 +558,7 @@ impl PointerController {
                 actions.push(hold.within(editor, viewport));
             }
         } else if hold.button == PointerButton::Secondary {
-            self.menu = Some((hold.pressed, hold.what));
+            self.menu = Some((hold.pressed, hold.what.filter(|what| what.is_of_path())));
         } else if self.clicks_node(editor, viewport, &hold, actions) {
             // A node lies there.
         } else {
