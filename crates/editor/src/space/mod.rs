@@ -17,6 +17,7 @@ mod hold;
 mod keyboard;
 mod menu;
 mod nodes;
+mod of_nodes;
 mod overlay;
 mod picking;
 mod pointer;
@@ -416,7 +417,7 @@ impl MovementWindow {
             nodes::names(editor, painter, &look);
         }
         if !document.edits_path() {
-            self.draw_selected_nodes(editor, painter, &look);
+            trail::paint(&self.pointer, editor, painter, &look);
             self.draw_hint(editor, painter, &look);
             return trouble;
         }
@@ -510,32 +511,10 @@ impl MovementWindow {
         let several = editor.several().unwrap_or_default();
         overlay::numbers(painter, document, &look, pointed, several);
         if editor.means_nodes() {
-            self.draw_selected_nodes(editor, painter, &look);
+            trail::paint(&self.pointer, editor, painter, &look);
         }
         self.draw_hint(editor, painter, &look);
         current.and(trouble)
-    }
-
-    /// The ways, pivots and handles of the selected nodes.
-    fn draw_selected_nodes(&self, editor: &Editor, painter: &Painter, look: &Look<'_>) {
-        let viewport = look.viewport;
-        let add = |lines: Lines| {
-            painter.add(Lines::shape(&Arc::new(lines), viewport));
-        };
-        if let Some(transform) = &self.pointer.transform {
-            add(trail::guides(look, transform));
-        }
-        if !editor.means_nodes() {
-            return;
-        }
-        if let Some(cage) = editor.cage_in_space() {
-            let palette = editor.setup.theme().palette();
-            add(overlay::cage(look, &cage, usize::MAX, palette));
-        }
-        add(trail::lines(editor, look));
-        if let Some(middle) = transform::handles(editor, look.projection) {
-            add(transform::show_handles(look, middle, self.pointer.meant));
-        }
     }
 
     /// The box that selects, and what the pointer would do.
@@ -586,6 +565,8 @@ mod manual_tests;
 mod memory_tests;
 #[cfg(test)]
 mod menu_tests;
+#[cfg(test)]
+mod node_clicks_tests;
 #[cfg(test)]
 mod nodes_tests;
 #[cfg(test)]

@@ -9,13 +9,13 @@ use super::gesture::Gesture;
 use super::held_nodes::Grip;
 use super::hold::{PointerPress, place_held};
 use super::keyboard::{self, NUDGES};
+use super::of_nodes;
 use super::picking;
 use super::projection::{Axis, Projection, from_pos, scale};
 use super::projection_of;
 use super::tangents::Side;
 use super::transform::{self, Kind, Next, Transform};
 use super::typed::Typed;
-use super::{nodes, trail};
 use crate::action::Action;
 use crate::keys;
 use crate::selected::SelectionChange;
@@ -25,7 +25,7 @@ use crate::texts::{Texts, fill};
 use crate::windows::ToolWindow;
 
 /// A press that moves no farther than this, in points, is no drag: hands tremble.
-const STILL: f32 = 2.0;
+pub(super) const STILL: f32 = 2.0;
 
 /// A drag with Shift is this many times finer.
 pub(super) const FINE: f64 = 10.0;
@@ -52,7 +52,7 @@ pub(super) struct PointerController {
     /// Where the last right click asks for a menu, and of what.
     pub(super) menu: Option<(Pos2, Option<Handle>)>,
     /// Where the last click was, and whether a node lay there.
-    clicked: Option<(Pos2, bool)>,
+    pub(super) clicked: Option<(Pos2, bool)>,
 }
 
 /// The axis across the plane in which each button drags (thesis A.3.1).
@@ -84,11 +84,6 @@ impl PointerController {
             both
         });
         events.into_iter()
-    }
-
-    /// Whether the last click was on a node.
-    pub(super) fn clicked_node(&self) -> bool {
-        self.clicked.is_some_and(|(_, node)| node)
     }
 
     /// Whether a button is down.
@@ -369,13 +364,7 @@ impl PointerController {
         key: Key,
         actions: &mut Vec<Action>,
     ) -> bool {
-        let pivot = key == Key::P && editor.current_node().is_some();
-        if let Some(kind) = Kind::of_key(key).filter(|_| editor.means_nodes()) {
-            self.begin_nodes(editor, surface, (kind, Grip::Nodes, None), actions);
-            return true;
-        }
-        if pivot {
-            self.begin_nodes(editor, surface, (Kind::Move, Grip::Pivot, None), actions);
+        if self.begins_with_nodes(editor, surface, key, actions) {
             return true;
         }
         let transform = Transform::of_key(editor, surface, key);
@@ -397,32 +386,6 @@ impl PointerController {
         actions.push(Action::Gesture(Gesture::Press(Some(current))));
         actions.push(Action::Gesture(Gesture::Begin));
         self.transform = Some(transform);
-    }
-
-    /// Begins a transform of nodes, or says why there is none.
-    fn begin_nodes(
-        &mut self,
-        editor: &Editor,
-        surface: &PointerContext<'_>,
-        (kind, grip, held): (Kind, Grip, Option<(PointerButton, Pos2)>),
-        actions: &mut Vec<Action>,
-    ) {
-        self.end_nudge(actions);
-        let button = held.map(|(button, _)| button);
-        match Transform::of_nodes(editor, surface, kind, grip, button) {
-            Ok(transform) => {
-                if editor.playing.is_playing() {
-                    // Else each frame that goes by would get keys.
-                    actions.push(Action::PlayOrPause);
-                }
-                actions.push(Action::Gesture(Gesture::Begin));
-                self.transform = Some(match held {
-                    Some((_, at)) => transform.pressed_at(from_pos(at)),
-                    None => transform,
-                });
-            }
-            Err(why) => actions.push(Action::Complain(why)),
-        }
     }
 
     fn press(
@@ -558,7 +521,7 @@ impl PointerController {
                 actions.push(hold.within(editor, viewport));
             }
         } else if hold.button == PointerButton::Secondary {
-            self.menu = Some((hold.pressed, hold.what));
+            self.menu = Some((hold.pressed, hold.what.filter(|what| what.is_of_path())));
         } else if self.clicks_node(editor, viewport, &hold, actions) {
             // A node lies there.
         } else {
@@ -577,46 +540,6 @@ impl PointerController {
                 _ => None,
             });
         }
-    }
-
-    /// Selects what a click meant of the scene; false: nothing of it lies there.
-    fn clicks_node(
-        &mut self,
-        editor: &Editor,
-        viewport: Rect,
-        hold: &PointerPress,
-        actions: &mut Vec<Action>,
-    ) -> bool {
-        let before = self.clicked.replace((hold.pressed, false));
-        let left = hold.button == PointerButton::Primary;
-        if !left || hold.what.is_some_and(Handle::is_of_path) || editor.windows.tool.is_some() {
-            return false;
-        }
-        let projection = projection_of(editor, viewport);
-        let found = nodes::at(editor, &projection, viewport, hold.pressed);
-        let Some(&first) = found.first() else {
-            return false;
-        };
-        self.clicked = Some((hold.pressed, true));
-        let mut selected = editor.selected_nodes();
-        let chosen = if hold.adds || hold.boxes {
-            match selected.iter().position(|&node| node == first) {
-                Some(at) => drop(selected.remove(at)),
-                None => selected.insert(0, first),
-            }
-            selected
-        } else {
-            let again = before.is_some_and(|(at, node)| {
-                let way = (at - hold.pressed).abs();
-                node && way.x.max(way.y) <= STILL
-            });
-            // What lies behind that which the click before took.
-            let taken = found.iter().position(|node| selected.first() == Some(node));
-            let next = taken.filter(|_| again).map(|at| (at + 1) % found.len());
-            vec![found[next.unwrap_or(0)]]
-        };
-        actions.push(Action::SelectNodes(chosen));
-        true
     }
 
     fn cancel(&mut self, actions: &mut Vec<Action>) {
@@ -658,19 +581,7 @@ fn handle_at(
             let shown = &editor.setup.shown;
             picking::pick(&editor.document, projection, shown, pointer, with_vup)
         })
-        .or_else(|| of_nodes(editor, projection, pointer))
-}
-
-/// The pivot of a selected node, or a key on its way.
-fn of_nodes(editor: &Editor, projection: &Projection, pointer: DVec2) -> Option<Handle> {
-    if !editor.means_nodes() || editor.windows.tool.is_some() {
-        return None;
-    }
-    let (nodes, places): (Vec<_>, Vec<_>) = nodes::selected_pivots(editor).into_iter().unzip();
-    let pivot = picking::nearest(projection, places.into_iter(), pointer);
-    let key = || trail::key_at(editor, projection, pointer);
-    let key = || key().map(|(node, key)| Handle::Key(node, key));
-    pivot.map(|at| Handle::Node(nodes[at])).or_else(key)
+        .or_else(|| of_nodes::grip_at(editor, projection, pointer))
 }
 
 pub(super) fn axis_of(key: Key) -> Option<Axis> {

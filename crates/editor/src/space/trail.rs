@@ -1,16 +1,18 @@
 //! The ways of selected nodes that move by keys: a dot a frame, a square a key; and their pivots.
 
-use egui::Color32;
+use std::sync::Arc;
+
+use egui::{Color32, Painter};
 use glam::{DVec2, DVec3};
 use vides_engine::scene::{Channel, Track, Warnings};
 
 use super::held_nodes::parent_in_space;
-use super::nodes;
-use super::picking;
+use super::pointer::PointerController;
 use super::projection::Projection;
 use super::scene::{Look, THIN};
 use super::strokes::Strokes;
-use super::transform::Transform;
+use super::transform::{self, Transform};
+use super::{nodes, overlay, picking};
 use crate::raster::Lines;
 use crate::scene_view::Now;
 use crate::setup::Element;
@@ -76,8 +78,34 @@ pub(super) fn key_at(
     found.ok().flatten().flatten()
 }
 
+/// The box of the deformation that was chosen, the ways, pivots and handles of the selected nodes.
+pub(super) fn paint(
+    pointer: &PointerController,
+    editor: &Editor,
+    painter: &Painter,
+    look: &Look<'_>,
+) {
+    let add = |lines: Lines| {
+        painter.add(Lines::shape(&Arc::new(lines), look.viewport));
+    };
+    if let Some(transform) = &pointer.transform {
+        add(guides(look, transform));
+    }
+    if !editor.means_nodes() {
+        return;
+    }
+    if let Some(cage) = editor.cage_in_space() {
+        let palette = editor.setup.theme().palette();
+        add(overlay::cage(look, &cage, usize::MAX, palette));
+    }
+    add(lines(editor, look));
+    if let Some(middle) = transform::handles(editor, look.projection) {
+        add(transform::show_handles(look, middle, pointer.meant));
+    }
+}
+
 /// The ways, and a sign at each selected node's pivot.
-pub(super) fn lines(editor: &Editor, look: &Look<'_>) -> Lines {
+fn lines(editor: &Editor, look: &Look<'_>) -> Lines {
     let mut strokes = Strokes::new(look.projection, look.viewport);
     let color = look.colours.of(Element::Segment);
     // An error was reported when the nodes were drawn.
@@ -133,7 +161,7 @@ fn way(
 /// A ring with four arms.
 fn sign(strokes: &mut Strokes<'_>, look: &Look<'_>, pivot: DVec3, color: Color32) {
     let centre = look.projection.image(pivot);
-    for (from, to) in super::overlay::corners(look, RING) {
+    for (from, to) in overlay::corners(look, RING) {
         strokes.flat(centre + from * RING, centre + to * RING, 1.4, color);
     }
     for way in [DVec2::X, DVec2::Y, -DVec2::X, -DVec2::Y] {
@@ -142,7 +170,7 @@ fn sign(strokes: &mut Strokes<'_>, look: &Look<'_>, pivot: DVec3, color: Color32
 }
 
 /// The lines along which held nodes move or turn, out to the sides of the space.
-pub(super) fn guides(look: &Look<'_>, transform: &Transform) -> Lines {
+fn guides(look: &Look<'_>, transform: &Transform) -> Lines {
     let mut strokes = Strokes::new(look.projection, look.viewport);
     if let Some((through, ways)) = transform.lines(look.projection)
         && let Some(color) = look.of(Element::Axes)

@@ -80,8 +80,8 @@ texts! {
             "„{0}“ dreht oder skaliert sich durch Schlüssel: Sein Ort brauchte einen Schlüssel in jedem von mehr als {1} Bildern";
         pivot_moved: "Pivot moved by x {0}  y {1}  z {2}", "Drehpunkt bewegt um x {0}  y {1}  z {2}";
         pivot_keys: "{0} · its position gets a key a frame", "{0} · sein Ort bekommt einen Schlüssel je Bild";
-        node_hint: "Drag: move what is selected · X, Y, Z: along an axis, twice: its own · M, R, S, P: move, turn, scale, pivot",
-            "Ziehen: Ausgewählte bewegen · X, Y, Z: längs einer Achse, zweimal: der eigenen · M, R, S, P: bewegen, drehen, skalieren, Drehpunkt";
+        node_hint: "Drag: move · X, Y, Z: along an axis, twice: its own · M, R, S: move, turn, scale · P: pivot",
+            "Ziehen: bewegen · X, Y, Z: Achse, zweimal: eigene · M, R, S: bewegen, drehen, skalieren · P: Drehpunkt";
         key_hint: "Drag: move this key of its position", "Ziehen: diesen Schlüssel seines Ortes bewegen";
         needs_several: "Select several points first: Shift + click, Ctrl + drag, Ctrl + A",
             "Erst mehrere Punkte auswählen: Umschalt + Klick, Strg + Ziehen, Strg + A";

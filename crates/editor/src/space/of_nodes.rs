@@ -1,0 +1,119 @@
+//! What the pointer does with nodes: a click selects them, a drag or a key begins a transform.
+
+use egui::{Key, PointerButton, Pos2, Rect};
+use glam::DVec2;
+
+use super::drag::Handle;
+use super::gesture::Gesture;
+use super::held_nodes::Grip;
+use super::hold::PointerPress;
+use super::pointer::{PointerContext, PointerController, STILL};
+use super::projection::{Projection, from_pos};
+use super::transform::{Kind, Transform};
+use super::{nodes, picking, projection_of, trail};
+use crate::action::Action;
+use crate::state::Editor;
+
+impl PointerController {
+    /// Whether the last click was on a node.
+    pub(super) fn clicked_node(&self) -> bool {
+        self.clicked.is_some_and(|(_, node)| node)
+    }
+
+    /// Begins the transform of nodes that a key asks for; false: it means something else.
+    pub(super) fn begins_with_nodes(
+        &mut self,
+        editor: &Editor,
+        surface: &PointerContext<'_>,
+        key: Key,
+        actions: &mut Vec<Action>,
+    ) -> bool {
+        let begun = match Kind::of_key(key) {
+            Some(kind) if editor.means_nodes() => (kind, Grip::Nodes, None),
+            None if key == Key::P && editor.current_node().is_some() => {
+                (Kind::Move, Grip::Pivot, None)
+            }
+            _ => return false,
+        };
+        self.begin_nodes(editor, surface, begun, actions);
+        true
+    }
+
+    /// Begins a transform of nodes, or says why there is none.
+    pub(super) fn begin_nodes(
+        &mut self,
+        editor: &Editor,
+        surface: &PointerContext<'_>,
+        (kind, grip, held): (Kind, Grip, Option<(PointerButton, Pos2)>),
+        actions: &mut Vec<Action>,
+    ) {
+        self.end_nudge(actions);
+        let button = held.map(|(button, _)| button);
+        match Transform::of_nodes(editor, surface, kind, grip, button) {
+            Ok(transform) => {
+                if editor.playing.is_playing() {
+                    // Else each frame that goes by would get keys.
+                    actions.push(Action::PlayOrPause);
+                }
+                actions.push(Action::Gesture(Gesture::Begin));
+                self.transform = Some(match held {
+                    Some((_, at)) => transform.pressed_at(from_pos(at)),
+                    None => transform,
+                });
+            }
+            Err(why) => actions.push(Action::Complain(why)),
+        }
+    }
+
+    /// Selects what a click meant of the scene; false: nothing of it lies there.
+    pub(super) fn clicks_node(
+        &mut self,
+        editor: &Editor,
+        viewport: Rect,
+        hold: &PointerPress,
+        actions: &mut Vec<Action>,
+    ) -> bool {
+        let before = self.clicked.replace((hold.pressed, false));
+        let left = hold.button == PointerButton::Primary;
+        if !left || hold.what.is_some_and(Handle::is_of_path) || editor.windows.tool.is_some() {
+            return false;
+        }
+        let projection = projection_of(editor, viewport);
+        let found = nodes::at(editor, &projection, viewport, hold.pressed);
+        let Some(&first) = found.first() else {
+            return false;
+        };
+        self.clicked = Some((hold.pressed, true));
+        let mut selected = editor.selected_nodes();
+        let chosen = if hold.adds || hold.boxes {
+            match selected.iter().position(|&node| node == first) {
+                Some(at) => drop(selected.remove(at)),
+                None => selected.insert(0, first),
+            }
+            selected
+        } else {
+            let again = before.is_some_and(|(at, node)| {
+                let way = (at - hold.pressed).abs();
+                node && way.x.max(way.y) <= STILL
+            });
+            // What lies behind that which the click before took.
+            let taken = found.iter().position(|node| selected.first() == Some(node));
+            let next = taken.filter(|_| again).map(|at| (at + 1) % found.len());
+            vec![found[next.unwrap_or(0)]]
+        };
+        actions.push(Action::SelectNodes(chosen));
+        true
+    }
+}
+
+/// The pivot of a selected node, or a key on its way.
+pub(super) fn grip_at(editor: &Editor, projection: &Projection, pointer: DVec2) -> Option<Handle> {
+    if !editor.means_nodes() || editor.windows.tool.is_some() {
+        return None;
+    }
+    let (nodes, places): (Vec<_>, Vec<_>) = nodes::selected_pivots(editor).into_iter().unzip();
+    let pivot = picking::nearest(projection, places.into_iter(), pointer);
+    let key = || trail::key_at(editor, projection, pointer);
+    let key = || key().map(|(node, key)| Handle::Key(node, key));
+    pivot.map(|at| Handle::Node(nodes[at])).or_else(key)
+}
