@@ -72,7 +72,7 @@ pub(super) fn by_keys(editor: &Editor, ui: &Ui, axis: &Axis, actions: &mut Vec<A
 }
 
 /// The scene's frames between which the selected nodes move.
-fn of_nodes(editor: &Editor) -> Option<(f64, f64)> {
+pub(super) fn of_nodes(editor: &Editor) -> Option<(f64, f64)> {
     let edited = editor.document.edited_scene()?;
     let nodes = edited.scene().nodes();
     let of_node = |node: usize| {
