@@ -51,8 +51,12 @@ fn numbers_out_of_range_are_told_and_nothing_changes() {
         .state_mut()
         .act(Action::SelectNodes(Vec::new()), &context);
     harness.step();
-    tap(&mut harness, Key::M, NONE);
-    assert!(harness.state().space.pointer.transform.is_none());
+    for key in [Key::M, Key::P] {
+        tap(&mut harness, key, NONE);
+        assert!(harness.state().space.pointer.transform.is_none());
+        let wanted = harness.state().texts().space.needs_nodes.to_owned();
+        assert_eq!(message(&harness), Some((wanted, true)));
+    }
 }
 
 fn click(harness: &mut Window<'_>, at: Pos2, held: Modifiers) {

@@ -28,9 +28,11 @@ impl PointerController {
         key: Key,
         actions: &mut Vec<Action>,
     ) -> bool {
+        let no_path = !editor.document.edits_path();
+        let nodes = no_path || editor.means_nodes();
         let begun = match Kind::of_key(key) {
-            Some(kind) if editor.means_nodes() => (kind, Grip::Nodes, None),
-            None if key == Key::P && editor.current_node().is_some() => {
+            Some(kind) if nodes => (kind, Grip::Nodes, None),
+            None if key == Key::P && (no_path || editor.current_node().is_some()) => {
                 (Kind::Move, Grip::Pivot, None)
             }
             _ => return false,
