@@ -10,6 +10,7 @@ mod cage;
 mod change;
 mod check;
 mod copied;
+mod copied_nodes;
 mod draw;
 mod edit;
 mod edited_scene;
@@ -37,10 +38,12 @@ mod set;
 mod step_name;
 mod target;
 pub mod tool;
+mod touched;
 #[doc(hidden)]
 pub mod vid;
 mod wireframe;
 
+pub use copied_nodes::CopiedNodes;
 pub use edit::{At, Edit};
 pub use edited_scene::{EditedScene, Poses};
 pub use editing::{Document, Selection};
@@ -52,6 +55,7 @@ pub use mesh_file::{Watcher, load_mesh, load_object, mesh_source, reload_mesh, w
 #[doc(hidden)]
 pub use not_a_file::NotAFile;
 pub use notes::Note;
+pub use path_to_keys::PathToKeys;
 pub use wireframe::{coarse, features, sharp_lines};
 
 pub use prepare::no_longer_ahead;
@@ -59,6 +63,7 @@ pub use property::properties;
 pub use remedy::planned::is_planned;
 pub use scene::SceneDocument;
 pub use step_name::StepName;
+pub use touched::Touched;
 #[doc(hidden)]
 pub use vid::read_bytes;
 

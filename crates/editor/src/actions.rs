@@ -56,6 +56,7 @@ impl Editor {
         self.done(action, context);
         self.settle_length();
         self.selected.follow(&self.document);
+        self.scene_view.follow(&self.document);
     }
 
     fn done(&mut self, action: Action, context: &egui::Context) {
@@ -286,14 +287,16 @@ impl Editor {
     }
 
     fn undo(&mut self) {
-        if !self.document.undo() {
-            self.say(self.texts().output.nothing_to_undo);
+        match self.document.undo() {
+            true => self.select_touched(),
+            false => self.say(self.texts().output.nothing_to_undo),
         }
     }
 
     fn redo(&mut self) {
-        if !self.document.redo() {
-            self.say(self.texts().output.nothing_to_redo);
+        match self.document.redo() {
+            true => self.select_touched(),
+            false => self.say(self.texts().output.nothing_to_redo),
         }
     }
 
