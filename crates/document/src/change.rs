@@ -55,7 +55,7 @@ impl State {
     }
 
     /// The node whose path is edited; none: there is no scene, or no path is.
-    fn node(&self) -> Option<usize> {
+    pub(super) fn node(&self) -> Option<usize> {
         self.edited_scene.as_ref().and_then(|edited| edited.node())
     }
 

@@ -122,7 +122,8 @@ pub enum Edit {
     },
     /// Which axis stands upright; all poses stay.
     ChangeUp(Up),
-    /// Edits the path of another node of the scene, or of none. Files do not record this.
+    /// Edits the path of another node of the scene, or of none. Files do not record this, and by
+    /// itself it is no step.
     EditNode(Option<usize>),
     /// Exchanges a part of the scene ([`Part`]); a path becomes a scene with a camera on it first,
     /// and is a path again where nothing else is left. What must goes along: tracks and pins of

@@ -14,6 +14,7 @@ use super::editing::{Document, fresh_revision};
 use super::info::Info;
 use super::prepare::normalise;
 use super::scene::SceneDocument;
+use super::touched::{came, went};
 use super::vid;
 use crate::error::{Invalid, OutOfRange, Refused, Result, can_allocate, vec_with_room};
 use crate::limits::MAX_FRAMES;
@@ -31,6 +32,15 @@ pub struct EditedScene {
     pins: Pins,
     /// The newest changes: the number before, and the one node that differs since; none: more.
     changed: VecDeque<(u64, Option<usize>)>,
+    numbering: u64,
+    /// The newest nodes that came or went: the numbering before, and their places.
+    renumbered: VecDeque<(u64, Moved)>,
+}
+
+#[derive(Debug, Clone)]
+enum Moved {
+    Came(Vec<usize>),
+    Went(Vec<usize>),
 }
 
 /// Changes that are remembered.
@@ -100,6 +110,8 @@ impl EditedScene {
             meshes: fresh_revision(),
             pins,
             changed,
+            numbering: fresh_revision(),
+            renumbered: VecDeque::new(),
         })
     }
 
@@ -119,15 +131,12 @@ impl EditedScene {
         match part {
             // What is to be removed has come.
             Part::Remove(places) => {
-                for &place in &*places {
-                    self.node = self.node.map(|node| node + usize::from(place <= node));
-                }
+                self.node = self.node.map(|node| came(places, node));
+                self.renumber(places, Moved::Came);
             }
             Part::Insert(list) => {
-                let places = list.places();
-                self.node = self
-                    .node
-                    .map(|node| node - places.partition_point(|&place| place < node));
+                self.node = self.node.and_then(|node| went(list.places(), node));
+                self.renumber(list.places(), Moved::Went);
             }
             _ => {}
         }
@@ -136,6 +145,48 @@ impl EditedScene {
         }
         self.renew(node);
         Ok(())
+    }
+
+    fn renumber(&mut self, places: &[usize], moved: fn(Vec<usize>) -> Moved) {
+        let before = std::mem::replace(&mut self.numbering, fresh_revision());
+        if self.renumbered.len() == REMEMBERED {
+            self.renumbered.pop_front();
+        }
+        let mut copy = Vec::new();
+        let room = copy.try_reserve_exact(places.len()).is_ok();
+        if room && self.renumbered.try_reserve(1).is_ok() {
+            copy.extend_from_slice(places);
+            self.renumbered.push_back((before, moved(copy)));
+        } else {
+            // Nobody can tell what came before.
+            self.renumbered.clear();
+        }
+    }
+
+    /// Changes whenever nodes come or go, and so get other numbers.
+    #[must_use]
+    pub const fn numbering(&self) -> u64 {
+        self.numbering
+    }
+
+    /// The numbers that nodes have now which had these when [`EditedScene::numbering`] was `since`;
+    /// none for those that have gone. None at all: it was in another scene, or too long ago.
+    #[must_use]
+    pub fn renumbered(&self, nodes: &[usize], since: u64) -> Option<Vec<Option<usize>>> {
+        let mut all: Vec<Option<usize>> = nodes.iter().copied().map(Some).collect();
+        if since == self.numbering {
+            return Some(all);
+        }
+        let begin = self.renumbered.iter().position(|moved| moved.0 == since)?;
+        for (_, moved) in self.renumbered.range(begin..) {
+            for node in &mut all {
+                *node = node.and_then(|node| match moved {
+                    Moved::Came(places) => Some(came(places, node)),
+                    Moved::Went(places) => went(places, node),
+                });
+            }
+        }
+        Some(all)
     }
 
     /// Exchanges the number of the node whose path is edited.

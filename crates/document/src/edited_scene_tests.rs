@@ -345,6 +345,8 @@ fn pins_of_points_that_another_path_lacks_go_the_others_hold() {
     while pinned(&document).is_empty() {
         assert!(document.undo());
     }
+    // The choice of the node has gone back, too.
+    document.apply(Edit::EditNode(Some(0))).unwrap();
     assert_eq!((pinned(&document), document.path()), (vec![3], &long));
     document.apply(Edit::Repeat(2)).unwrap();
     assert_eq!(

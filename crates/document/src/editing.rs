@@ -10,6 +10,7 @@ use super::history::{History, Record, Step};
 use super::info::{Info, Object};
 use super::prepare;
 use super::step_name::StepName;
+use super::touched::Touched;
 use crate::error::Result;
 use crate::limits;
 use crate::path::up_vector::check_ups;
@@ -44,6 +45,9 @@ pub struct Document {
     history: History,
     /// The open step, which collects edits.
     open: Option<Step>,
+    /// The way from the node whose path was edited at the newest step to the one that is now, closed.
+    away: Option<Step>,
+    touched: Touched,
     /// Number of the present state; each edit makes a new one.
     number: u64,
     newest: u64,
@@ -133,6 +137,8 @@ impl Document {
             selection: Selection::default(),
             history: History::new(limits::MAX_HISTORY_STEPS),
             open: None,
+            away: None,
+            touched: Touched::default(),
             number: 0,
             newest: 0,
             saved: 0,
@@ -161,7 +167,7 @@ impl Document {
     /// The same document without a history from now on: `undo` has nothing to take back.
     #[must_use]
     pub fn without_history(mut self) -> Self {
-        self.open = None;
+        (self.open, self.away) = (None, None);
         self.history = History::new(0);
         self
     }
@@ -230,10 +236,38 @@ impl Document {
     }
 
     /// Does an edit: one step of the history, or part of the open one, unless it changes nothing.
+    /// Another node to edit by itself is no step: it goes back with the next one.
     ///
     /// # Errors
     /// Why the edit is impossible; the document is unchanged then.
     pub fn apply(&mut self, edit: Edit) -> Result<()> {
+        let node = match edit {
+            Edit::EditNode(node) if self.open.is_none() && self.history.keeps_any() => node,
+            other => return self.done(other, true),
+        };
+        let edit = Edit::EditNode(node);
+        let Some(mut away) = self.away.take_if(|_| self.state.node() != node) else {
+            return self.done(edit, false);
+        };
+        // One way back is enough, however many nodes were visited.
+        if let Err(error) = self.exchange(&mut away) {
+            self.away = Some(away);
+            return Err(error);
+        }
+        let done = self.done(edit, false);
+        if done.is_err() {
+            // It was just exchanged, and can be again.
+            let _ = self.exchange(&mut away);
+            self.away = Some(away);
+        } else if self.away.is_none() {
+            // It is that node again; what was selected there still goes back with the next step.
+            self.away = Some(Step::new(self.selection, self.number));
+            self.selection = Selection::default();
+        }
+        done
+    }
+
+    fn done(&mut self, edit: Edit, is_step: bool) -> Result<()> {
         let same_for_a_file = matches!(edit, Edit::EditNode(_));
         let name = StepName::of(&edit, self.path(), self.info());
         let (change, selection) = prepare::prepare(&self.state, edit)?;
@@ -285,7 +319,10 @@ impl Document {
         }
         if self.open.is_none() {
             own.close();
-            self.history.push(own);
+            match is_step {
+                true => self.keep(own),
+                false => self.away = Some(own),
+            }
         }
         if let Some(selection) = selection {
             self.selection = selection;
@@ -296,6 +333,24 @@ impl Document {
         }
         self.revision = fresh_revision();
         Ok(())
+    }
+
+    /// Adds a closed step to the history, with the way to the node that it changes.
+    fn keep(&mut self, mut step: Step) {
+        if step.is_empty() {
+            return;
+        }
+        if let Some(mut away) = self.away.take()
+            && away.reserve_for(&step).is_ok()
+        {
+            away.reopen();
+            step.reopen();
+            away.name = None;
+            away.append(step);
+            away.close();
+            step = away;
+        }
+        self.history.push(step);
     }
 
     /// Does several edits as one step of the history, or as part of the open step.
@@ -348,6 +403,12 @@ impl Document {
         self.open = self.history.pop();
         if let Some(step) = &mut self.open {
             step.reopen();
+            if let Some(mut away) = self.away.take()
+                && step.reserve_for(&away).is_ok()
+            {
+                away.reopen();
+                step.append(away);
+            }
         }
         self.open.is_some()
     }
@@ -374,7 +435,7 @@ impl Document {
             step.close();
             // Out of memory: the edits stand but cannot be undone.
             if self.history.reserve().is_ok() {
-                self.history.push(step);
+                self.keep(step);
             }
         }
     }
@@ -418,10 +479,33 @@ impl Document {
 
     fn travel(&mut self, redo: bool) -> bool {
         self.end_step();
+        let possible = match redo {
+            true => self.history.can_redo(),
+            false => self.history.can_undo(),
+        };
+        let mut away = self.away.take_if(|_| possible);
+        if let Some(back) = &mut away
+            && self.exchange(back).is_err()
+        {
+            self.away = away;
+            return false;
+        }
+        self.touched.clear();
         let mut history = std::mem::replace(&mut self.history, History::new(0));
         let done = history.exchange(redo, |step| self.exchange(step));
         self.history = history;
+        if let Some(mut away) = away.filter(|_| !done) {
+            // It was just exchanged, and can be again.
+            let _ = self.exchange(&mut away);
+            self.away = Some(away);
+        }
         done
+    }
+
+    /// What the last undo or redo has changed of the scene.
+    #[must_use]
+    pub const fn touched(&self) -> &Touched {
+        &self.touched
     }
 
     /// Whether there is a step to undo.
@@ -437,7 +521,11 @@ impl Document {
     }
 
     fn exchange(&mut self, step: &mut Step) -> Result<()> {
-        step.exchange(|change| change.apply(&mut self.state, &mut self.plan))?;
+        step.exchange(|change| {
+            change.apply(&mut self.state, &mut self.plan)?;
+            self.touched.note(change, self.state.node());
+            Ok(())
+        })?;
         std::mem::swap(&mut step.selection, &mut self.selection);
         std::mem::swap(&mut step.number, &mut self.number);
         self.revision = fresh_revision();

@@ -1,8 +1,8 @@
-//! A camera that moves by keys comes to follow a path, fitted to its poses.
+//! A node that moves by keys comes to follow a path, fitted to its poses.
 
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 use vides_engine::scene::{
-    Channel, Extrapolation, FollowPath, Kind, NodeState, Part, Rest, Scene, Warnings,
+    Channel, Extrapolation, FollowPath, NodeState, Part, Rest, Scene, Values, Warnings,
 };
 use vides_engine::tools::fit::Tolerance;
 
@@ -42,21 +42,28 @@ pub struct KeysToPath {
 }
 
 impl Document {
-    /// The edits that let a camera of the scene follow a path in place of its keys and its aim,
+    /// How near a path or keys come if nobody says it.
+    #[must_use]
+    pub fn usual_tolerance(&self) -> Tolerance {
+        let edited = self.edited_scene();
+        let space = edited.map_or(self.path().space, |edited| edited.scene().space());
+        Tolerance {
+            position: NEAR * space.half_size,
+            angle: ANGLE,
+        }
+    }
+
+    /// The edits that let a node of the scene follow a path in place of its keys, and of its aim,
     /// from the scene's first frame to its last.
     ///
     /// # Errors
-    /// `ErrorKind::Argument` without a scene or for a node that is no camera; `ErrorKind::Range` if
-    /// there is no such node; those of [`vides_engine::tools::fit`].
-    pub fn keys_to_path(&self, node: usize) -> Result<KeysToPath> {
+    /// `ErrorKind::Argument` without a scene; `ErrorKind::Range` if there is no such node; those of
+    /// [`vides_engine::tools::fit`].
+    pub fn keys_to_path(&self, node: usize, tolerance: Tolerance) -> Result<KeysToPath> {
         if self.edited_scene().is_none() {
             return Err(Refused::NoScene.into());
         }
         let mut scene = self.scene()?;
-        let tolerance = Tolerance {
-            position: NEAR * scene.space().half_size,
-            angle: ANGLE,
-        };
         let fitted = keys_to_path(&mut scene, node, self.info().fps, tolerance)?;
         let made = &scene.nodes()[node];
         let mut parts = vec_with_room(MOVED.len() + 3)?;
@@ -99,7 +106,7 @@ pub struct FittedKeys {
     pub turned: f64,
 }
 
-/// Lets a camera follow a path in place of its keys and its aim, from the scene's first frame to
+/// Lets a node follow a path in place of its keys and its aim, from the scene's first frame to
 /// its last, within a tolerance. If it fails the scene may be half changed.
 ///
 /// # Errors
@@ -110,10 +117,10 @@ pub fn keys_to_path(
     fps: f64,
     tolerance: Tolerance,
 ) -> Result<FittedKeys> {
-    if !matches!(scene.node(node)?.kind, Kind::Camera(_)) {
-        return Err(Refused::NoCamera.into());
-    }
-    let (start, poses) = poses_in_parent(scene, node)?;
+    let (start, poses) = match scene.node(node)?.kind.looks() {
+        true => poses_in_parent(scene, node)?,
+        false => own_poses(scene, node)?,
+    };
     let like = CameraPath {
         space: scene.space(),
         ..CameraPath::try_new()?
@@ -137,14 +144,44 @@ pub fn keys_to_path(
     })
 }
 
-/// The scene's first frame, and the poses from there on in the coordinates of the node's parent.
-fn poses_in_parent(scene: &Scene, node: usize) -> Result<(f64, Vec<Pose>)> {
+/// As [`poses_in_parent`] of a node that looks nowhere: where it is, and how it is turned.
+fn own_poses(scene: &Scene, node: usize) -> Result<(f64, Vec<Pose>)> {
+    let (first, count) = frames(scene)?;
+    let mut poses = vec_with_room(count)?;
+    let mut warnings = Warnings::default();
+    for at in 0..count {
+        #[allow(clippy::cast_precision_loss)]
+        let frame = first + at as f64;
+        let mut value = |channel| scene.value(node, &channel, frame, &mut warnings);
+        let turn = value(Channel::Rotation)?;
+        let turn = DQuat::from_xyzw(turn[1], turn[2], turn[3], turn[0]);
+        poses.push(Pose {
+            vrp: DVec3::from_slice(&value(Channel::Position)?).to_array(),
+            vpn: (turn * DVec3::Z).to_array(),
+            vup: (turn * DVec3::Y).to_array(),
+            zoom: Values::default().zoom,
+            ..Pose::default()
+        });
+    }
+    warnings
+        .into_error()
+        .map_or(Ok((first, poses)), |error| Err(error.into()))
+}
+
+/// The first frame of a scene, and how many whole steps it has.
+fn frames(scene: &Scene) -> Result<(f64, usize)> {
     let (first, last) = scene.frame_range();
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     let count = (last - first).floor() as usize + 1;
-    if count > MAX_FRAMES {
-        return Err(TooMany::SceneFrames.into());
+    match count > MAX_FRAMES {
+        true => Err(TooMany::SceneFrames.into()),
+        false => Ok((first, count)),
     }
+}
+
+/// The scene's first frame, and the poses from there on in the coordinates of the node's parent.
+fn poses_in_parent(scene: &Scene, node: usize) -> Result<(f64, Vec<Pose>)> {
+    let (first, count) = frames(scene)?;
     let states = |node: usize| -> Result<Vec<NodeState>> {
         let mut states = vec_with_room(count)?;
         states.resize(count, NodeState::default());
@@ -192,6 +229,8 @@ fn missed(path: &CameraPath, poses: &[Pose]) -> Result<(f64, f64)> {
 
 #[cfg(test)]
 mod tests {
+    use vides_engine::scene::{Interpolation, Node, Track};
+
     use super::*;
 
     /// The example's camera looks at a car that drives; its keys move it along.
@@ -210,7 +249,9 @@ mod tests {
             states.iter().map(|state| state.pose).collect::<Vec<_>>()
         };
         let before = all(&document);
-        let made = document.keys_to_path(camera).unwrap();
+        let made = document
+            .keys_to_path(camera, document.usual_tolerance())
+            .unwrap();
         assert!(made.points >= 2 && made.points < 40, "{}", made.points);
         document.apply_all(made.edits).unwrap();
         assert!(document.edits_path());
@@ -228,7 +269,97 @@ mod tests {
         }
         // It is one step.
         assert!(document.undo() && !document.edits_path() && !document.can_undo());
-        assert!(document.keys_to_path(99).is_err());
-        assert!(Document::new().keys_to_path(0).is_err());
+        let near = document.usual_tolerance();
+        assert!(document.keys_to_path(99, near).is_err());
+        assert!(Document::new().keys_to_path(0, near).is_err());
+        let none = Tolerance {
+            position: 0.0,
+            angle: 1.0,
+        };
+        assert!(document.keys_to_path(camera, none).is_err());
+    }
+
+    /// A group's keys become a path, and that becomes few keys; both stay as near as asked, and
+    /// what is told is what it is.
+    #[test]
+    fn keys_of_a_group_become_a_path_and_few_keys_again() {
+        let mut group = Node::new("drone", vides_engine::scene::Kind::Group);
+        group.pivot = DVec3::new(0.1, 0.0, 0.2);
+        let track = |channel: Channel, values: &[f64]| {
+            let frames = vec![1.0, 20.0, 45.0, 70.0];
+            let by = Interpolation::CatmullRom;
+            Track::new(channel, by, frames, values.to_vec(), Vec::new()).unwrap()
+        };
+        let places = [0.0, 0.0, 0.0, 0.5, 0.1, 0.0, 0.6, 0.2, 0.5, 0.0, 0.4, 0.7];
+        group.set_track(track(Channel::Position, &places)).unwrap();
+        let turns: Vec<f64> = [0.0, 0.4, 0.7, 0.2]
+            .into_iter()
+            .flat_map(|turn: f64| [turn.cos(), 0.0, turn.sin(), 0.0])
+            .collect();
+        group.set_track(track(Channel::Rotation, &turns)).unwrap();
+        let mut document = Document::new();
+        document.apply(Edit::AddNodes(vec![group])).unwrap();
+        let values = |document: &Document| -> Vec<(DVec3, DQuat)> {
+            let scene = document.scene().unwrap();
+            let value = |channel: Channel, frame: f64| {
+                let warnings = &mut Warnings::default();
+                scene.value(1, &channel, frame, warnings).unwrap()
+            };
+            let at = |frame: i32| {
+                let frame = f64::from(frame);
+                let q = value(Channel::Rotation, frame);
+                let place = DVec3::from_slice(&value(Channel::Position, frame));
+                (place, DQuat::from_xyzw(q[1], q[2], q[3], q[0]))
+            };
+            (1..=70).map(at).collect()
+        };
+        let missed = |a: &[(DVec3, DQuat)], b: &[(DVec3, DQuat)]| {
+            a.iter()
+                .zip(b)
+                .fold((0.0_f64, 0.0_f64), |(off, turned), (a, b)| {
+                    let turn = 2.0 * a.1.dot(b.1).abs().min(1.0).acos().to_degrees();
+                    (off.max(a.0.distance(b.0)), turned.max(turn))
+                })
+        };
+        let before = values(&document);
+        for (position, angle) in [(0.01, 1.0), (0.001, 0.1)] {
+            let near = Tolerance { position, angle };
+            let made = document.keys_to_path(1, near).unwrap();
+            let (told_off, told_turned) = (made.off, made.turned);
+            document.apply_all(made.edits).unwrap();
+            let along = values(&document);
+            let (off, turned) = missed(&before, &along);
+            assert!(
+                off <= 1.01 * position && turned <= 1.01 * angle,
+                "{off} {turned}"
+            );
+            assert!((off - told_off).abs() < 1e-9 && (turned - told_turned).abs() < 1e-4);
+            // And back: as few as a tenth of the frames.
+            let made = document.path_to_few_keys(1, near).unwrap();
+            let (told_off, told_turned, keys) = (made.off, made.turned, made.keys);
+            document.apply_all(made.edits).unwrap();
+            let (off, turned) = missed(&along, &values(&document));
+            assert!(off <= position && turned <= angle + 1e-5, "{off} {turned}");
+            assert!((off - told_off).abs() < 1e-9 && (turned - told_turned).abs() < 1e-4);
+            assert!((4..40).contains(&keys), "{keys}");
+            let scene = document.scene().unwrap();
+            let tracks = scene.nodes()[1].keys().tracks().iter();
+            assert_eq!(
+                tracks.map(|track| track.frames().len()).sum::<usize>(),
+                keys
+            );
+            assert!(document.undo() && document.undo());
+            assert_eq!(values(&document), before);
+        }
+        let none = Tolerance {
+            position: f64::NAN,
+            angle: 1.0,
+        };
+        assert!(document.path_to_few_keys(0, none).is_err());
+        assert!(
+            document
+                .path_to_few_keys(1, document.usual_tolerance())
+                .is_err()
+        );
     }
 }

@@ -10,6 +10,7 @@ mod cage;
 mod change;
 mod check;
 mod copied;
+mod copied_nodes;
 mod draw;
 mod edit;
 mod edited_scene;
@@ -38,10 +39,12 @@ mod shown;
 mod step_name;
 mod target;
 pub mod tool;
+mod touched;
 #[doc(hidden)]
 pub mod vid;
 mod wireframe;
 
+pub use copied_nodes::CopiedNodes;
 pub use edit::{At, Edit};
 pub use edited_scene::EditedScene;
 pub use editing::{Document, Selection};
@@ -53,6 +56,7 @@ pub use mesh_file::{Watcher, load_mesh, load_object, mesh_source, reload_mesh, w
 #[doc(hidden)]
 pub use not_a_file::NotAFile;
 pub use notes::Note;
+pub use path_to_keys::PathToKeys;
 pub use wireframe::{coarse, features, sharp_lines};
 
 pub use prepare::no_longer_ahead;
@@ -61,6 +65,7 @@ pub use remedy::planned::is_planned;
 pub use scene::SceneDocument;
 pub use shown::Poses;
 pub use step_name::StepName;
+pub use touched::Touched;
 #[doc(hidden)]
 pub use vid::read_bytes;
 

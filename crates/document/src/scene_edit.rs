@@ -360,6 +360,17 @@ impl Edits<'_, '_> {
     pub(super) fn parent(&mut self, node: usize, parent: Option<usize>, keep: Keep) -> Result<()> {
         let old = self.scene().node(node)?;
         let (aim, name) = (old.aim, &old.name);
+        if keep == Keep::Way {
+            let parts = match self.0.edited.present_path(&self.0.state.path)? {
+                Some(_) => self
+                    .0
+                    .edited
+                    .with(&self.0.state.path)?
+                    .way_in(node, parent)?,
+                None => self.scene().way_in(node, parent)?,
+            };
+            return parts.into_iter().try_for_each(|part| self.part(part));
+        }
         if keep == Keep::Place {
             let place = |error: vides_engine::Error| {
                 error.at(vides_engine::error::Place::Node(name.into()))
@@ -379,7 +390,11 @@ impl Edits<'_, '_> {
 }
 
 /// A name that no node has: this one with a number.
-fn new_name(scene: &Scene, others: &std::collections::HashSet<String>, name: &str) -> String {
+pub(super) fn new_name(
+    scene: &Scene,
+    others: &std::collections::HashSet<String>,
+    name: &str,
+) -> String {
     let stem = name.rsplit_once(' ').filter(|(_, number)| {
         !number.is_empty() && number.bytes().all(|byte| byte.is_ascii_digit())
     });

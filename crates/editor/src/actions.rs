@@ -58,6 +58,7 @@ impl Editor {
         self.done(action, context);
         self.settle_length();
         self.selected.follow(&self.document);
+        self.scene_view.follow(&self.document);
     }
 
     fn done(&mut self, action: Action, context: &egui::Context) {
@@ -292,14 +293,16 @@ impl Editor {
     }
 
     fn undo(&mut self) {
-        if !self.travel(Document::undo) {
-            self.say(self.texts().output.nothing_to_undo);
+        match self.travel(Document::undo) {
+            true => self.select_touched(),
+            false => self.say(self.texts().output.nothing_to_undo),
         }
     }
 
     fn redo(&mut self) {
-        if !self.travel(Document::redo) {
-            self.say(self.texts().output.nothing_to_redo);
+        match self.travel(Document::redo) {
+            true => self.select_touched(),
+            false => self.say(self.texts().output.nothing_to_redo),
         }
     }
 

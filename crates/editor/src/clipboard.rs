@@ -87,6 +87,10 @@ impl Editor {
             self.paste_view();
             return;
         }
+        // Nodes are nodes wherever they are pasted; of points each belongs to a path of its own.
+        if !text.contains("[[point]]") && self.paste_nodes(text) {
+            return;
+        }
         let texts = &self.texts().output;
         let block = match Document::points_of_text(text) {
             Ok(Some(block)) => Box::new(block),

@@ -25,6 +25,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     let context = ui.ctx().clone();
     // The host edits the path, too.
     editor.selected.follow(&editor.document);
+    editor.scene_view.follow(&editor.document);
     if !editor.document.in_step() {
         editor.look_at_length();
     }
@@ -39,6 +40,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     }
     if context.input(|input| input.events.contains(&Event::WindowFocused(true))) {
         editor.look_after_file();
+        editor.look_after_meshes();
     }
     let mut actions = Vec::from_iter(editor.waiting.take());
     if !editor.windows.has_modal() {

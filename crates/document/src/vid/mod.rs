@@ -53,9 +53,10 @@ use crate::limits::MAX_FILE_BYTES;
 pub(super) use comments::{Comments, insert_points, remove_points};
 pub(super) use keys_text::{keys_from_toml, keys_to_toml};
 pub(super) use read::{
-    PATH_KEYS, from_toml, point_keys, scene_from_toml, shown_from_toml, value_of, view_keys,
+    PATH_KEYS, from_toml, nodes_from_toml, point_keys, scene_from_toml, shown_from_toml, value_of,
+    view_keys,
 };
-pub(super) use scene_write::{alone, scene_to_toml};
+pub(super) use scene_write::{alone, nodes_to_toml, scene_to_toml};
 pub(super) use write::{quoted, to_toml, view_to_toml};
 
 /// The format version that is written, and the newest that is read.

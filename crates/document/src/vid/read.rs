@@ -87,6 +87,14 @@ pub(crate) fn scene_from_toml(text: &str) -> Result<(Scene, Info)> {
     reader.scene(end)
 }
 
+/// The nodes of a text, and which of them aim at nodes that are not in it, by name; there they aim
+/// at none.
+pub(crate) fn nodes_from_toml(text: &str) -> Result<(Scene, Vec<(usize, String)>)> {
+    let (mut reader, end) = Reader::of(text)?;
+    let aims = reader.scene.take_aims_beyond()?;
+    Ok((reader.scene(end)?.0, aims))
+}
+
 struct Reader {
     path: CameraPath,
     info: Info,

@@ -102,6 +102,22 @@ impl Drafts {
         Ok(())
     }
 
+    /// Takes out aims at nodes that are not among them.
+    pub(super) fn take_aims_beyond(&mut self) -> Result<Vec<(usize, String)>> {
+        let mut names: Vec<String> = vec_with_room(self.nodes.len())?;
+        names.extend(self.nodes.iter().map(|draft| draft.node.name.clone()));
+        names.sort_unstable();
+        let mut aims = Vec::new();
+        for (at, draft) in self.nodes.iter_mut().enumerate() {
+            let beyond = |aim: &mut Named| names.binary_search(&aim.1).is_err();
+            if let Some((_, name)) = draft.aim.take_if(beyond) {
+                aims.try_reserve(1)?;
+                aims.push((at, name));
+            }
+        }
+        Ok(aims)
+    }
+
     pub(super) fn finish(mut self, text: &str) -> Result<Scene> {
         let source = Source { text, start: 0 };
         let placed = |offset, error| placed(source.line(offset), error);

@@ -44,6 +44,33 @@ pub(crate) fn scene_to_toml(
     comments.put_into(out.0)
 }
 
+/// The text of these nodes of a scene, without pins; in others they are no longer.
+pub(crate) fn nodes_to_toml(scene: &Scene, which: &[bool], info: &Info) -> Result<String> {
+    let mut out = Text(String::new());
+    let mut write = || {
+        head(&mut out, info)?;
+        space(&mut out, scene.space(), info, None)?;
+        let nodes = scene.nodes().iter().zip(which);
+        for (of, _) in nodes.filter(|(_, chosen)| **chosen) {
+            match of.parent.is_some_and(|parent| !which[parent]) {
+                true => {
+                    let mut top = of.clone();
+                    top.parent = None;
+                    node(&mut out, scene, &top, &[], None)?;
+                }
+                false => node(&mut out, scene, of, &[], None)?,
+            }
+        }
+        Ok(())
+    };
+    // Only running out of memory fails here.
+    write().map_err(|_: fmt::Error| EngineError::Memory)?;
+    if out.0.len() as u64 > MAX_FILE_BYTES {
+        return Err(too_large(MAX_FILE_BYTES));
+    }
+    Ok(out.0)
+}
+
 /// The path of a scene that is nothing but a camera on it.
 pub(crate) fn alone(scene: &Scene) -> Option<&FollowPath> {
     let [node] = scene.nodes() else {

@@ -12,7 +12,7 @@ use vides_document::{Document, Edit};
 use vides_engine::path::CameraPath;
 use vides_engine::scene::{
     Channel, Extrapolation, FollowPath, Interpolation, KeyList, Kind, Light, Mesh, Node, NodeState,
-    Object, Part, Shape, Track, Warnings,
+    Object, Part, Scene, Shape, Track, Warnings,
 };
 
 fn part(part: Part) -> Edit {
@@ -30,6 +30,70 @@ fn assert_saved(document: &Document) {
     assert!(both[0] == both[1], "a bit differs in\n{text}");
 }
 
+/// A scene, and its numbering.
+type Before = (Scene, Option<u64>);
+
+fn before_travel(document: &Document) -> Before {
+    let edited = document.edited_scene();
+    (
+        document.scene().unwrap(),
+        edited.map(|edited| edited.numbering()),
+    )
+}
+
+/// What undo or redo of an edit has changed is told: all nodes that differ from those of the same
+/// name that were there, and keys that were not there.
+fn assert_touched(document: &Document, (before, since): &Before, edit: &Edit) {
+    let touched = document.touched();
+    let now = document.scene().unwrap();
+    let nodes = touched.nodes();
+    assert!(nodes.is_sorted_by(|a, b| a < b), "{nodes:?}");
+    let (Some(edited), Some(since)) = (document.edited_scene(), since) else {
+        return;
+    };
+    // Nodes are found under their new numbers.
+    let all: Vec<usize> = (0..before.nodes().len()).collect();
+    let renamed = matches!(edit, Edit::Part(part) if matches!(**part, Part::Name { .. }));
+    let numbers = edited.renumbered(&all, *since);
+    for (old, new) in before.nodes().iter().zip(numbers.into_iter().flatten()) {
+        let there = now.find(&old.name);
+        assert!(there == new || renamed, "{} after {edit:?}", old.name);
+    }
+    for (at, node) in now.nodes().iter().enumerate() {
+        let parent = |scene: &Scene, node: &Node| {
+            let parent = node.parent;
+            parent.map(|parent| scene.nodes()[parent].name.clone())
+        };
+        let what = |scene: &Scene, node: &Node| {
+            let mut alone = node.clone();
+            (alone.parent, alone.aim) = (None, None);
+            (parent(scene, node), alone)
+        };
+        let old = before.find(&node.name).map(|old| &before.nodes()[old]);
+        let of_parent = parent(&now, node).is_some_and(|name| before.find(&name).is_none());
+        let same = old.is_some_and(|old| what(before, old) == what(&now, node));
+        // A marker moves what is pinned to it.
+        let of_marker = matches!(edit, Edit::Part(part) if matches!(**part, Part::Marker { .. }));
+        assert!(
+            same || of_parent || of_marker || nodes.contains(&at),
+            "{} after {edit:?}: {nodes:?}",
+            node.name
+        );
+        for track in node.keys().tracks() {
+            let old = old.and_then(|old| old.keys().track(track.channel()));
+            let told = touched
+                .keys()
+                .find(|of| (of.0, of.1) == (at, track.channel()));
+            let told = told.map_or(&[][..], |of| of.2);
+            assert!(told.iter().all(|&key| key < track.frames().len()));
+            let new = track.frames().iter().enumerate();
+            let new = new.filter(|(_, frame)| old.is_some_and(|old| !old.frames().contains(frame)));
+            let of_keys = matches!(edit, Edit::Part(part) if matches!(**part, Part::Keys { .. }));
+            assert!(!of_keys || new.clone().all(|(key, _)| told.contains(&key)));
+        }
+    }
+}
+
 /// 10,000 edits that were done, in scenes that grow to 200 nodes.
 #[test]
 fn any_edits_of_scenes_can_be_undone_and_done_again() {
@@ -43,28 +107,37 @@ fn any_edits_of_scenes_can_be_undone_and_done_again() {
         while states.len() <= 250 {
             let edit = make.edit(&document);
             let name = kinds(&edit);
-            let before = document.revision();
+            let (before, now) = (document.revision(), whole(&document));
             match document.apply(edit.clone()) {
                 Err(error) => {
                     assert!(!error.to_string().is_empty());
                     assert_eq!(document.revision(), before);
                     if make.now_and_then(8) {
-                        assert_eq!(
-                            &whole(&document),
-                            states.last().unwrap(),
-                            "{edit:?}: {error}"
-                        );
+                        assert_eq!(whole(&document), now, "{edit:?}: {error}");
                     }
                 }
                 Ok(()) if document.revision() == before => {}
+                // To choose a node is no step; it goes back with the next one.
+                Ok(()) if name == "edit-node" => {
+                    seen.insert(name);
+                }
                 Ok(()) => {
                     seen.insert(name);
                     done += 1;
-                    let after = whole(&document);
+                    let (after, scene) = (whole(&document), before_travel(&document));
                     assert!(document.undo());
                     assert_eq!(&whole(&document), states.last().unwrap(), "{edit:?}");
+                    assert_touched(&document, &scene, &edit);
+                    let scene = before_travel(&document);
+                    // Looking at other nodes is no step, and does no harm to those that are.
+                    for node in [None, Some(0), Some(2), Some(5)] {
+                        if make.now_and_then(4) {
+                            let _ = document.apply(Edit::EditNode(node));
+                        }
+                    }
                     assert!(document.redo());
                     assert_eq!(whole(&document), after, "{edit:?}");
+                    assert_touched(&document, &scene, &edit);
                     states.push(after);
                     saved.push(document.to_toml().unwrap());
                     if make.now_and_then(16) {
@@ -333,6 +406,13 @@ fn a_step_of_many_edits_is_one() {
         for _ in 0..60 {
             let _ = document.apply(make.edit(&document));
         }
+        // A node that was chosen goes into a step.
+        let title = "settled".to_owned();
+        let info = vides_document::Info {
+            title,
+            ..Default::default()
+        };
+        document.apply(Edit::SetInfo(Box::new(info))).unwrap();
         for _ in 0..4 {
             let before = whole(&document);
             document.begin_step();

@@ -28,6 +28,7 @@ mod unsaved_tests;
 
 pub(crate) use chooser::FileWindow;
 pub use folders::Folders;
+pub(crate) use node_meshes::MeshFiles;
 pub(crate) use picture::{Picture, Pictures};
 pub(crate) use question::Question;
 pub(crate) use recent::PICTURE;

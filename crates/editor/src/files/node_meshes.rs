@@ -1,6 +1,8 @@
 //! Meshes and shapes that an object of a scene takes from files.
 
+use std::collections::HashMap;
 use std::path::{Path, absolute};
+use std::time::SystemTime;
 
 use vides_engine::scene::{Geometry, Kind, Mesh, MeshSource, Part, Shape};
 
@@ -10,7 +12,66 @@ use crate::error::Result;
 use crate::state::Editor;
 use crate::texts::fill;
 
+/// When a file was written, and how long it is; none: it is gone.
+type Written = Option<(SystemTime, u64)>;
+
+/// The files of meshes, as they were when they were last looked at.
+#[derive(Debug, Default)]
+pub(crate) struct MeshFiles(HashMap<String, Written>);
+
 impl Editor {
+    /// Reads meshes of the scene again whose files another program has written since they were last
+    /// looked at; called when the window gets the keyboard. Of a file that is gone the
+    /// last mesh stays, and so it does of one that will not do; both are told.
+    pub(crate) fn look_after_meshes(&mut self) {
+        let known = std::mem::take(&mut self.scene_view.mesh_files.0);
+        let mut looked = HashMap::new();
+        for (node, source) in self.mesh_sources() {
+            let now = *looked.entry(source.file.clone()).or_insert_with(|| {
+                let state = std::fs::metadata(&source.file).ok()?;
+                Some((state.modified().ok()?, state.len()))
+            });
+            // Of one that was not looked at yet the length is known.
+            let other = now.is_some_and(|(_, len)| source.bytes > 0 && len != source.bytes);
+            let before = known.get(&source.file).copied();
+            let before = before.or(other.then_some(None));
+            let Some(before) = before.filter(|before| *before != now) else {
+                continue;
+            };
+            let file = Path::new(&source.file);
+            let done = match (before, now) {
+                (_, Some(_)) => {
+                    let read = reload_mesh(&source);
+                    if let Ok((read, _)) = &read
+                        && (read.bytes, read.checksum) == (source.bytes, source.checksum)
+                    {
+                        continue;
+                    }
+                    self.take_mesh(node, file, read)
+                }
+                (Some(_), None) => Err(fill(self.texts().node.mesh_gone, &[&short(file)])),
+                (None, None) => continue,
+            };
+            if let Err(text) = done {
+                self.complain(text);
+            }
+        }
+        self.scene_view.mesh_files = MeshFiles(looked);
+    }
+
+    /// The objects whose meshes come from files.
+    fn mesh_sources(&self) -> Vec<(usize, MeshSource)> {
+        let edited = self.document.edited_scene();
+        let nodes = edited.map_or(&[][..], |edited| edited.scene().nodes());
+        let sources = nodes.iter().enumerate().filter_map(|(at, node)| {
+            let Kind::Object(object) = &node.kind else {
+                return None;
+            };
+            Some((at, object.source()?.clone()))
+        });
+        sources.collect()
+    }
+
     /// Gives an object the mesh of a file.
     pub(super) fn load_mesh_of(&mut self, node: usize, file: &Path) -> Result<(), String> {
         self.take_mesh(node, file, load_mesh(file))

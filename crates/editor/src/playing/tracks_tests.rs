@@ -352,6 +352,9 @@ fn keys_are_dragged_in_time() {
 #[test]
 fn copies_and_typed_times() {
     let mut harness = window();
+    // Undo selects what it changes; the rows stay where they are.
+    harness.state_mut().select_nodes(vec![1]);
+    steps_on(&mut harness);
     harness.state_mut().setup.ruler_frames = true;
     let [from, to] = [20.0, 30.0].map(|frame| place(&harness, POSITION, frame));
     hold(&mut harness, Modifiers::CTRL);
@@ -380,6 +383,8 @@ fn copies_and_typed_times() {
 #[test]
 fn a_bracket_scales_the_time_of_a_selection() {
     let mut harness = window();
+    harness.state_mut().select_nodes(vec![1]);
+    steps_on(&mut harness);
     let (from, to) = (
         place(&harness, POSITION, 15.0),
         place(&harness, POSITION, 70.0),
@@ -460,6 +465,8 @@ fn comma_and_period_go_from_key_to_key() {
 fn a_track_has_a_menu() {
     for language in BOTH {
         let mut harness = window_in(language, LARGE, Theme::Light);
+        harness.state_mut().select_nodes(vec![1]);
+        steps_on(&mut harness);
         let texts = &language.texts().timeline;
         let before = values(&harness);
         let at = place(&harness, POSITION, 30.0);

@@ -4,7 +4,7 @@
 use glam::{DAffine3, DVec3};
 use vides_engine::scene::{Geometry, Keep, Kind, Light, Node, Object, Part, Scene};
 
-use super::values::PLACE;
+use super::parent_window::ParentWindow;
 use crate::document::Edit;
 use crate::error::Result;
 use crate::files::Purpose;
@@ -27,8 +27,12 @@ pub(crate) enum NodeCommand {
     Remove,
     /// Copy the selected ones with all that is in them.
     Copy,
+    /// Add those of a text.
+    Paste(String),
     /// Put these into a node, or into the scene itself.
     PutInto(Vec<usize>, Option<usize>),
+    /// The same, where those that move keep this.
+    PutAs(Vec<usize>, Option<usize>, Keep),
 }
 
 /// A node that begins without a file.
@@ -60,7 +64,13 @@ impl Editor {
             NodeCommand::Rename(node, name) => self.rename_node(node, name),
             NodeCommand::Remove => self.remove_nodes(),
             NodeCommand::Copy => self.copy_nodes(),
+            NodeCommand::Paste(text) => {
+                if !self.paste_nodes(&text) {
+                    self.complain(self.texts().scene.no_nodes);
+                }
+            }
             NodeCommand::PutInto(nodes, parent) => self.put_into(nodes, parent),
+            NodeCommand::PutAs(nodes, parent, keep) => self.put_as(nodes, parent, keep),
         }
     }
 
@@ -112,7 +122,7 @@ impl Editor {
     }
 
     /// Does edits in one step after which these nodes are selected, and this one's path is edited.
-    fn edit_and_select(
+    pub(super) fn edit_and_select(
         &mut self,
         mut edits: Vec<Edit>,
         nodes: Vec<usize>,
@@ -198,37 +208,69 @@ impl Editor {
         }
     }
 
-    /// Nodes at rest keep their place; those that move keep their numbers, which is told.
+    /// Nodes at rest keep their place; of those that move it is asked.
     fn put_into(&mut self, which: Vec<usize>, parent: Option<usize>) {
+        let (nodes, moving) = self.that_change(&which, parent);
+        if moving.is_empty() {
+            return self.put_as(nodes, parent, Keep::Place);
+        }
         let Some(edited) = self.document.edited_scene() else {
             return;
         };
-        let nodes = edited.scene().nodes();
-        let Ok(within) = edited.scene().with_all_in(&which) else {
-            return;
-        };
-        let mut moving = None;
-        let mut edits = Vec::new();
-        for node in which {
-            let of = &nodes[node];
-            // What is in another one of these goes along with that.
-            let goes_along = of.parent.is_some_and(|parent| within[parent]);
-            if goes_along || of.parent == parent {
-                continue;
-            }
-            let keep = if moves(of) {
-                moving.get_or_insert_with(|| of.name.clone());
-                Keep::Numbers
-            } else {
-                Keep::Place
-            };
-            edits.push(Edit::SetParent { node, parent, keep });
+        // What is refused either way is not asked about.
+        let within = edited.scene().with_all_in(&nodes).unwrap_or_default();
+        if parent.is_some_and(|parent| within.get(parent) != Some(&false)) {
+            return self.put_as(nodes, parent, Keep::Numbers);
         }
+        self.windows.parent = ParentWindow::of(self, nodes, parent, &moving);
+    }
+
+    /// Those of some nodes that get another parent by themselves, and those of them that move; what
+    /// is in another one of them goes along with that.
+    fn that_change(&self, which: &[usize], parent: Option<usize>) -> (Vec<usize>, Vec<usize>) {
+        let Some(edited) = self.document.edited_scene() else {
+            return Default::default();
+        };
+        let (scene, nodes) = (edited.scene(), edited.scene().nodes());
+        let within = scene.with_all_in(which).unwrap_or_default();
+        let changes = |&node: &usize| {
+            let old = nodes[node].parent;
+            old != parent && !old.is_some_and(|old| within[old])
+        };
+        let nodes_there = which.iter().copied().filter(|&node| node < within.len());
+        let changed: Vec<usize> = nodes_there.filter(changes).collect();
+        let moving = changed.iter().copied().filter(|&node| nodes[node].moves());
+        let moving = moving.collect();
+        (changed, moving)
+    }
+
+    /// Puts nodes into another one; those that move keep this, the others their place.
+    fn put_as(&mut self, which: Vec<usize>, parent: Option<usize>, keep: Keep) {
+        let (changed, moving) = self.that_change(&which, parent);
+        let edits: Vec<Edit> = changed
+            .iter()
+            .map(|&node| {
+                let keep = match moving.contains(&node) {
+                    true => keep,
+                    false => Keep::Place,
+                };
+                Edit::SetParent { node, parent, keep }
+            })
+            .collect();
+        let named = moving.first().and_then(|&node| {
+            let edited = self.document.edited_scene()?;
+            Some(edited.scene().nodes().get(node)?.name.clone())
+        });
         if edits.is_empty() || !self.edit_all(edits) {
             return;
         }
-        if let Some(name) = moving {
-            self.say_done(fill(self.texts().scene.goes_along, &[&name]));
+        if let Some(name) = named {
+            let texts = &self.texts().scene;
+            let text = match keep {
+                Keep::Way => texts.keeps_way,
+                _ => texts.goes_along,
+            };
+            self.say_done(fill(text, &[&name]));
         }
     }
 }
@@ -236,12 +278,6 @@ impl Editor {
 /// Above the middle of the space.
 fn above(space: Space) -> DVec3 {
     space.centre + space.up.world(DVec3::Y) * (ABOVE * space.half_size)
-}
-
-/// Whether a path or keys move a node in its parent.
-fn moves(node: &Node) -> bool {
-    let mut tracks = PLACE.iter().map(|channel| node.keys().track(channel));
-    node.path().is_some() || tracks.any(|track| track.is_some())
 }
 
 /// This name if no node has it, else the first one with a number.

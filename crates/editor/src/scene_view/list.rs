@@ -107,11 +107,8 @@ pub(crate) fn take_keys(editor: &mut Editor, context: &Context) {
         all.extend((0..count).filter(|&node| Some(node) != current));
         actions.push(Action::SelectNodes(all));
     }
-    if takes_clipboard(context) {
-        let text = editor.texts().scene.no_clipboard;
-        actions.push(Action::Complain(text.to_owned()));
-    }
     editor.act_all(actions, context);
+    take_clipboard(editor, context);
 }
 
 /// Whether a key was pressed; one that is held counts once.
@@ -135,18 +132,34 @@ fn pressed(context: &Context, with: Modifiers, wanted: Key) -> bool {
     found
 }
 
-/// What would copy, cut or paste points; nodes are copied by another key.
-fn takes_clipboard(context: &Context) -> bool {
-    let keys = [Key::C, Key::X, Key::V].map(|key| pressed(context, Modifiers::CTRL, key));
-    let mut events = false;
+/// Copies, cuts and pastes nodes, and not points.
+fn take_clipboard(editor: &mut Editor, context: &Context) {
+    let [mut copies, mut cuts, pastes] =
+        [Key::C, Key::X, Key::V].map(|key| pressed(context, Modifiers::CTRL, key));
+    let mut pasted = Vec::new();
     context.input_mut(|input| {
-        input.events.retain(|event| {
-            let of_clipboard = matches!(event, Event::Copy | Event::Cut | Event::Paste(_));
-            events |= of_clipboard;
-            !of_clipboard
+        input.events.retain_mut(|event| {
+            match event {
+                Event::Copy => copies = true,
+                Event::Cut => cuts = true,
+                Event::Paste(text) => pasted.push(std::mem::take(text)),
+                _ => return true,
+            }
+            false
         });
     });
-    events || keys.contains(&true)
+    if copies {
+        editor.copy_nodes_out(context);
+    }
+    if cuts {
+        editor.cut_nodes(context);
+    }
+    if pastes {
+        // It comes as an event.
+        Editor::ask_for_clipboard(context);
+    }
+    let paste = |text| Action::Nodes(NodeCommand::Paste(text));
+    editor.act_all(pasted.into_iter().map(paste), context);
 }
 
 impl SceneList {
@@ -469,4 +482,4 @@ fn below(of: &Shown<'_>, ui: &mut Ui, actions: &mut Vec<Action>) {
 
 #[cfg(test)]
 #[path = "list_tests.rs"]
-mod tests;
+pub(super) mod tests;

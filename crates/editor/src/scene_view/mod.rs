@@ -7,6 +7,7 @@
 //! It changes nothing but by the document's edits, and knows no projection.
 
 mod boxes;
+mod clipboard;
 mod commands;
 mod edges;
 mod keys_panel;
@@ -18,6 +19,7 @@ mod node_action;
 mod node_panel;
 mod object_panel;
 mod panel;
+mod parent_window;
 mod pivot;
 mod rows;
 mod selection;
@@ -28,16 +30,19 @@ use std::cell::RefCell;
 
 use glam::{DAffine3, DVec3};
 use vides_engine::scene::{NodeState, Scene, Warnings};
+use vides_engine::tools::fit::Tolerance;
 
 pub(super) use self::commands::{NewNode, NodeCommand};
 pub(super) use self::list::{has_keyboard, list, take_keys};
 pub(super) use self::node_action::NodeAction;
 pub(super) use self::node_panel::beside;
 pub(super) use self::panel::show;
+pub(super) use self::parent_window::ParentWindow;
 pub(super) use self::selection::{KeyAt, SceneSelection};
 pub(super) use self::wires::{Seen, each_object, other_paths, outline, wires};
 use crate::document::Document;
 use crate::error::{Error, Refused, Result};
+use crate::files::MeshFiles;
 use crate::path::{Pose, Space};
 use crate::space::Camera;
 use crate::state::Editor;
@@ -49,9 +54,19 @@ pub(super) struct SceneView {
     deformation: Option<(usize, usize)>,
     /// What a node has besides its path is at the right, not the path's points.
     shows_node: bool,
+    pub(super) mesh_files: MeshFiles,
+    /// How near a path comes to keys and keys to a path; none: as usual.
+    tolerance: Option<Tolerance>,
     list: RefCell<list::SceneList>,
     now: RefCell<Option<Now>>,
     pub(super) edges: RefCell<edges::Edges>,
+}
+
+impl SceneView {
+    /// Brings what is selected up to date.
+    pub(super) fn follow(&mut self, document: &Document) {
+        self.selection.follow(document);
+    }
 }
 
 /// The scene at the playhead.

@@ -1,15 +1,16 @@
 //! The panel of what moves a node: nothing, keys or a path.
 
 use egui::{Button, Popup, Role, Ui, WidgetInfo, vec2};
-use vides_engine::scene::{Extrapolation, Kind, Part};
+use vides_engine::scene::{Extrapolation, Part};
+use vides_engine::tools::fit::Tolerance;
 
 use super::keys_panel::Shown;
 use super::node_action::{Moves, NodeAction};
 use crate::action::Action;
 use crate::document::Edit;
 use crate::limits::MAX_COORDINATE;
-use crate::number::{Entry, Number};
-use crate::panels::{Heading, PanelButton, apart, button_row};
+use crate::number::{Entry, Number, decimals};
+use crate::panels::{Heading, PanelButton, apart, button_row, share};
 use crate::setup::Fold;
 use crate::state::Editor;
 use crate::texts::fill;
@@ -43,22 +44,65 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, of: Shown<'_>, actions: &mut Ve
         Moves::Path => {
             start(editor, ui, of, actions);
             beyond(editor, ui, of, actions);
-            let action = Action::Node(NodeAction::Motion(of.at, Moves::Keys));
-            let button = PanelButton::new(texts.path_to_keys, texts.path_to_keys_hint, action);
-            button_row(editor, ui, &[button], actions);
+            let action = |action| Action::Node(action);
+            let each = action(NodeAction::Motion(of.at, Moves::Keys));
+            let few = action(NodeAction::FewKeys(of.at));
+            let buttons = [
+                PanelButton::new(texts.path_to_keys, texts.path_to_keys_hint, each),
+                PanelButton::new(texts.few_keys, texts.few_keys_hint, few),
+            ];
+            near(editor, ui, actions);
+            button_row(editor, ui, &buttons, actions);
         }
         Moves::Keys => {
-            let camera = matches!(of.node.kind, Kind::Camera(_));
+            near(editor, ui, actions);
             let size = vec2(ui.available_width(), theme::ROW);
-            let button = Button::new(texts.keys_to_path).min_size(size);
-            let button = ui.add_enabled(camera, button);
-            let button = button.on_disabled_hover_text(texts.only_cameras);
+            let button = ui.add_sized(size, Button::new(texts.keys_to_path));
             let hint = editor.texts().scene.keys_to_path_hint;
             if button.on_hover_text(hint).clicked() {
                 actions.push(Action::Node(NodeAction::Motion(of.at, Moves::Path)));
             }
         }
     }
+}
+
+/// How near a path comes to keys, and keys to a path.
+fn near(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
+    let texts = &editor.texts().node;
+    let Tolerance { position, angle } = editor.tolerance();
+    let half_size = editor.shown_space().half_size;
+    ui.horizontal(|ui| {
+        let width = share(ui, 2);
+        let least = 1e-6 * half_size;
+        let far = Number::new(texts.nearness, position)
+            .label("±")
+            .hint(texts.nearness_hint)
+            .decimals(decimals(half_size) + 1)
+            .range(least..=half_size)
+            .steps(1e-3 * half_size, 1e-4 * half_size)
+            .show(ui, editor.language(), "near.position", width);
+        let turned = Number::new(texts.nearness_angle, angle)
+            .label("±")
+            .hint(texts.nearness_angle_hint)
+            .unit("°")
+            .decimals(2)
+            .range(0.01..=90.0)
+            .steps(0.1, 0.01)
+            .show(ui, editor.language(), "near.angle", width);
+        for (entry, is_angle) in [(far, false), (turned, true)] {
+            match entry {
+                Entry::Drag(value) | Entry::Set(value) => {
+                    let (position, angle) = match is_angle {
+                        true => (position, value),
+                        false => (value, angle),
+                    };
+                    actions.push(Action::Node(NodeAction::Near(position, angle)));
+                }
+                Entry::Wrong(text) => actions.push(Action::Complain(text)),
+                _ => {}
+            }
+        }
+    });
 }
 
 /// The frame in which the path begins, as people count.

@@ -1,6 +1,7 @@
 //! What is done to a node from its panels.
 
-use vides_engine::scene::{Channel, Extrapolation, FollowPath, KeyList, Kind, Part};
+use vides_engine::scene::{Channel, Extrapolation, FollowPath, KeyList, Part};
+use vides_engine::tools::fit::Tolerance;
 
 use crate::document::{Document, Edit, Info};
 use crate::error::{Refused, Result};
@@ -21,6 +22,10 @@ pub(crate) enum NodeAction {
     /// Keys for position, rotation and scale of the selected nodes.
     SetKeys,
     Motion(usize, Moves),
+    /// Few keys in place of its path.
+    FewKeys(usize),
+    /// How near: position, and degrees.
+    Near(f64, f64),
     /// Read its mesh again.
     Reload(usize),
     /// Ask for a file.
@@ -54,6 +59,10 @@ impl Editor {
             NodeAction::SwitchKey(node, channel) => self.switch_key(node, &channel),
             NodeAction::SetKeys => self.set_keys(),
             NodeAction::Motion(node, moves) => self.set_motion(node, moves),
+            NodeAction::FewKeys(node) => self.path_to_few_keys(node),
+            NodeAction::Near(position, angle) => {
+                self.scene_view.tolerance = Some(Tolerance { position, angle });
+            }
             NodeAction::Reload(node) => self.reload_mesh(node),
             NodeAction::AskFile(purpose) => self.choose_file(purpose),
             NodeAction::ShowBox(shown) => self.scene_view.deformation = shown,
@@ -77,7 +86,6 @@ impl Editor {
         let now = self.moves(node);
         let texts = &self.texts().node;
         let of = self.node_of_scene(node).ok();
-        let camera = of.is_some_and(|of| matches!(of.kind, Kind::Camera(_)));
         let looks_at = of.is_some_and(|of| of.aim.is_some());
         let by_key = of.is_some_and(|of| {
             let mut all = OF_PATH.iter();
@@ -91,8 +99,7 @@ impl Editor {
                 self.select_nodes(vec![node]);
                 return self.set_keys();
             }
-            (_, Moves::Path) if camera && (by_key || looks_at) => return self.keys_to_path(node),
-            (_, Moves::Path) if by_key => return self.complain(texts.only_cameras),
+            (_, Moves::Path) if by_key || looks_at => return self.keys_to_path(node),
             (_, Moves::Path) => (self.new_path(node), ""),
         };
         let edits = match made {

@@ -263,11 +263,13 @@ fn parents_and_aims_are_chosen_and_refused_in_words() {
         );
         choose(&mut window, texts.aim_name, texts.no_aim);
         assert_eq!(node(&window, LAMP).aim, None);
-        // One that moves keeps its numbers, and that is told.
+        // Of one that moves it is asked.
         window.state_mut().select_nodes(vec![DRONE]);
         window.run();
         click(&mut window, texts.node_tab);
         choose(&mut window, texts.parent_name, "camera");
+        assert_eq!(node(&window, DRONE).parent, None);
+        click(&mut window, language.texts().scene.go_along);
         assert_eq!(node(&window, DRONE).parent, Some(CAMERA));
         let goes_along = language.texts().scene.goes_along;
         assert_eq!(
@@ -385,9 +387,19 @@ fn what_moves_a_node_is_chosen() {
                 assert!((a - b).abs() < 1e-12);
             }
         }
-        // Keys of what is no camera do not become a path, and that is said.
-        click(&mut window, texts.by_path);
-        assert_eq!(said(&window).as_deref(), Some(texts.only_cameras));
+        // And back, as near as asked, which is told; then few keys.
+        enter(&mut window, texts.nearness, "0.01");
+        enter(&mut window, texts.nearness_angle, "2");
+        click(&mut window, texts.keys_to_path);
+        let points = node(&window, DRONE).path().unwrap().path().points.len();
+        let told = said(&window).unwrap();
+        assert!(told.contains(&points.to_string()), "{told}");
+        window.state_mut().select_nodes(vec![DRONE]);
+        click(&mut window, texts.few_keys);
+        let tracks = node(&window, DRONE).keys().tracks().to_vec();
+        let keys: usize = tracks.iter().map(|track| track.frames().len()).sum();
+        assert!(said(&window).unwrap().starts_with(&keys.to_string()));
+        assert!(keys < 40, "{keys}");
         click(&mut window, texts.none);
         assert!(node(&window, DRONE).keys().tracks().is_empty());
         click(&mut window, texts.by_path);
@@ -463,6 +475,18 @@ fn meshes_and_shapes_come_from_files() {
         file("first.obj", "v 0 0 0\nv 3 0 0\nv 0 1 0\nf 1 2 3\n");
         click(&mut window, texts.reload);
         assert_eq!(object(&window).mesh().points[1].x, 3.0);
+        // Again: it is read when the window gets the keyboard.
+        let look = |window: &mut Window| {
+            window.event(egui::Event::WindowFocused(true));
+            window.run();
+        };
+        look(&mut window);
+        for (text, x) in [("4.25", 4.25), ("3", 3.0)] {
+            let text = format!("v 0 0 0\nv {text} 0 0\nv 0 1 0\nf 1 2 3\n");
+            file("first.obj", &text);
+            look(&mut window);
+            assert_eq!(object(&window).mesh().points[1].x, x);
+        }
         let choose = |window: &mut Window, file| {
             window
                 .state_mut()
@@ -480,6 +504,9 @@ fn meshes_and_shapes_come_from_files() {
         assert_eq!(object(&window).weights(), [0.5]);
         // A mesh that is gone is told, and the one that was there stays.
         std::fs::remove_file(&first).unwrap();
+        look(&mut window);
+        assert_eq!(said(&window), Some(fill(texts.mesh_gone, &[&"first.obj"])));
+        assert_eq!(object(&window).mesh().points[1].x, 3.0);
         click(&mut window, texts.reload);
         assert!(said(&window).unwrap().contains("first.obj"));
         assert_eq!(object(&window).mesh().points[1].x, 3.0);

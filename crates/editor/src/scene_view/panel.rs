@@ -3,6 +3,8 @@
 use egui::{Button, Context, Rect, RichText, Ui, vec2};
 
 use super::list::list;
+use vides_engine::tools::fit::Tolerance;
+
 use crate::action::Action;
 use crate::document::StepName;
 use crate::number::decimals;
@@ -75,9 +77,31 @@ fn camera_by_keys(editor: &Editor) -> Option<(usize, String)> {
 }
 
 impl Editor {
+    /// How near a path comes to keys, and keys to a path.
+    pub(super) fn tolerance(&self) -> Tolerance {
+        let chosen = self.scene_view.tolerance;
+        chosen.unwrap_or_else(|| self.document.usual_tolerance())
+    }
+
+    /// Lets a node move by as few keys as stay near its path, in one step.
+    pub(super) fn path_to_few_keys(&mut self, node: usize) {
+        let made = match self.document.path_to_few_keys(node, self.tolerance()) {
+            Ok(made) => made,
+            Err(error) => return self.complain_of(&error),
+        };
+        self.select_nodes(vec![node]);
+        if self.edit_all(made.edits) {
+            let language = self.language();
+            let off = language.number(made.off, decimals(self.shown_space().half_size) + 1);
+            let turned = language.number(made.turned, 2);
+            let text = self.texts().node.became_few_keys;
+            self.say_done(fill(text, &[&made.keys, &off, &turned]));
+        }
+    }
+
     /// Lets a camera follow a path in place of its keys, in one step.
     pub(crate) fn keys_to_path(&mut self, node: usize) {
-        let made = match self.document.keys_to_path(node) {
+        let made = match self.document.keys_to_path(node, self.tolerance()) {
             Ok(made) => made,
             Err(error) => return self.complain_of(&error),
         };

@@ -3,6 +3,7 @@
 use vides_engine::scene::Channel;
 
 use crate::action::Action;
+use crate::document::{Document, EditedScene};
 use crate::state::Editor;
 
 /// A key of a track, from 0.
@@ -13,12 +14,87 @@ pub(crate) struct KeyAt {
     pub(crate) key: usize,
 }
 
-/// What is selected of a scene.
+/// What is selected of a scene. It follows numbers that change: those of nodes by what the document
+/// tells, in another scene by names; those of keys by their frames.
 #[derive(Debug, Default)]
 pub(crate) struct SceneSelection {
     /// The current one first.
     nodes: Vec<usize>,
+    /// Their names.
+    names: Vec<String>,
     keys: Vec<KeyAt>,
+    /// Their frames, and the names of their nodes.
+    frames: Vec<(f64, String)>,
+    /// [`EditedScene::numbering`] and [`EditedScene::number`] of the scene in which it is so.
+    made_of: (u64, u64),
+}
+
+impl SceneSelection {
+    #[cfg(test)]
+    pub(super) fn numbers(&self) -> &[usize] {
+        &self.nodes
+    }
+
+    #[cfg(test)]
+    pub(super) fn names(&self) -> Vec<String> {
+        self.names.clone()
+    }
+
+    /// Brings it up to date with the document.
+    pub(crate) fn follow(&mut self, document: &Document) {
+        let Some(edited) = document.edited_scene() else {
+            *self = Self::default();
+            return;
+        };
+        let made_of = (edited.numbering(), edited.number());
+        if self.made_of == made_of {
+            return;
+        }
+        let scene = edited.scene();
+        let number = |nodes: &[usize], names: &[&String]| {
+            let known = edited.renumbered(nodes, self.made_of.0);
+            known.unwrap_or_else(|| names.iter().map(|name| scene.find(name)).collect())
+        };
+        let names: Vec<&String> = self.names.iter().collect();
+        let nodes = number(&self.nodes, &names);
+        let of_keys: Vec<usize> = self.keys.iter().map(|at| at.node).collect();
+        let names: Vec<&String> = self.frames.iter().map(|at| &at.1).collect();
+        let of_keys = number(&of_keys, &names);
+        self.nodes = nodes.into_iter().flatten().collect();
+        let keys = self.keys.drain(..).zip(&self.frames).zip(of_keys);
+        let keys = keys.filter_map(|((at, &(frame, _)), node)| {
+            let track = scene.nodes()[node?].keys().track(&at.channel)?;
+            let there = |key: &usize| track.frames().get(*key) == Some(&frame);
+            let key = Some(at.key).filter(there).or_else(|| {
+                let key = track.frames().partition_point(|key| *key < frame);
+                Some(key).filter(there)
+            })?;
+            let node = node?;
+            Some(KeyAt { node, key, ..at })
+        });
+        self.keys = keys.collect();
+        self.take_down(edited);
+    }
+
+    /// Takes down what tells nodes and keys apart when numbers change.
+    fn take_down(&mut self, edited: &EditedScene) {
+        self.made_of = (edited.numbering(), edited.number());
+        let nodes = edited.scene().nodes();
+        let name = |node: usize| nodes.get(node).map_or("", |of| &of.name);
+        self.names.resize(self.nodes.len(), String::new());
+        for (&node, known) in self.nodes.iter().zip(&mut self.names) {
+            if known != name(node) {
+                name(node).clone_into(known);
+            }
+        }
+        let frame = |at: &KeyAt| {
+            let track = nodes.get(at.node)?.keys().track(&at.channel)?;
+            track.frames().get(at.key).copied()
+        };
+        let keys = self.keys.iter();
+        let frames = keys.map(|at| (frame(at).unwrap_or(f64::NAN), name(at.node).to_owned()));
+        self.frames = frames.collect();
+    }
 }
 
 impl Editor {
@@ -77,14 +153,52 @@ impl Editor {
         };
         let of_path = nodes.first().and_then(path);
         let other = edited.is_some_and(|edited| edited.node() != of_path);
+        // Keys are where they were before nodes get other numbers.
+        self.scene_view.selection.follow(&self.document);
         self.scene_view.selection.nodes = nodes;
+        if let Some(edited) = self.document.edited_scene() {
+            self.scene_view.selection.take_down(edited);
+        }
         if other {
             self.edit_node(of_path);
         }
     }
 
     pub(crate) fn select_keys(&mut self, keys: Vec<KeyAt>) {
-        self.scene_view.selection.keys = keys;
+        let selection = &mut self.scene_view.selection;
+        selection.follow(&self.document);
+        selection.keys = keys;
+        if let Some(edited) = self.document.edited_scene() {
+            selection.take_down(edited);
+        }
+    }
+
+    /// Selects the nodes and keys that undo or redo has changed; of nodes that are selected the
+    /// current one stays so.
+    pub(crate) fn select_touched(&mut self) {
+        self.scene_view.selection.follow(&self.document);
+        let touched = self.document.touched();
+        let mut nodes = touched.nodes().to_vec();
+        if nodes.is_empty() {
+            return;
+        }
+        let keys = touched.keys().flat_map(|(node, channel, keys)| {
+            keys.iter().map(move |&key| KeyAt {
+                node,
+                channel: channel.clone(),
+                key,
+            })
+        });
+        let keys: Vec<KeyAt> = keys.collect();
+        if let Some(current) = self.current_node()
+            && let Ok(at) = nodes.binary_search(&current)
+        {
+            nodes[..=at].rotate_right(1);
+        }
+        self.select_nodes(nodes);
+        if !keys.is_empty() {
+            self.select_keys(keys);
+        }
     }
 }
 

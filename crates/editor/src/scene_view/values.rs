@@ -14,7 +14,7 @@ use crate::math::euler::EulerAngles;
 use crate::state::Editor;
 
 /// Those for which K sets keys.
-pub(super) const PLACE: [Channel; 3] = [Channel::Position, Channel::Rotation, Channel::Scale];
+const PLACE: [Channel; 3] = [Channel::Position, Channel::Rotation, Channel::Scale];
 
 /// Whether a channel has a key at the playhead.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -133,6 +133,10 @@ german! {
             "„{name}“ bewegt sich in den Koordinaten seines übergeordneten Knotens, und die des anderen sind nicht dieselben";
         NeedsShear(name) =>
             "„{name}“ müsste geschert werden, um in diesem Knoten zu bleiben, wo es ist";
+        WayOfPath(name) =>
+            "„{name}“ folgt einer Bahn, die ihren Weg nur behält, wo beide übergeordneten Knoten ruhen: bitte erst durch Schlüssel bewegen";
+        PathFliesOtherwise(name) =>
+            "„{name}“ flöge dort auf einer Bahn nicht dasselbe: bitte erst durch Schlüssel bewegen";
         ScaleZero(name) => "„{name}“ kann nicht bleiben, wo es ist: eine Skalierung ist 0";
         PlaceTooFar => "sein Ort ist zu weit weg oder zu groß, um berechnet zu werden";
         NoMarker(name) => "eine Marke „{name}“ gibt es nicht";

@@ -65,6 +65,8 @@ texts! {
         remove_meaning: "Remove the selected nodes with all that is in them",
             "Die gewählten Knoten löschen, mit allem, was darin liegt";
         copy_meaning: "Copy them with all that is in them", "Sie kopieren, mit allem, was darin liegt";
+        clipboard_meaning: "Copy, cut and paste them, from window to window too",
+            "Sie kopieren, ausschneiden, einfügen, auch von Fenster zu Fenster";
         all_meaning: "Select all nodes", "Alle Knoten wählen";
         tree: "Arrow keys", "Pfeiltasten";
         tree_meaning: "Go through the tree, fold and unfold", "Durch den Baum gehen, zu- und aufklappen";

@@ -14,8 +14,8 @@ texts! {
         parent: "In: {0}", "In: {0}";
         parent_name: "Parent", "Überordnung";
         no_parent: "the scene", "Szene";
-        parent_hint: "The node that it is in and goes along with. One at rest keeps its place in the world; one that moves keeps its numbers",
-            "Der Knoten, in dem er ist und mit dem er mitgeht. Wer ruht, bleibt an seinem Ort in der Welt; wer sich bewegt, behält seine Zahlen";
+        parent_hint: "The node that it is in and goes along with. One at rest keeps its place in the world; of one that moves it is asked",
+            "Der Knoten, in dem er ist und mit dem er mitgeht. Wer ruht, bleibt an seinem Ort in der Welt; bewegt er sich, wird gefragt";
         aim: "Aims at: {0}", "Zielt auf: {0}";
         aim_name: "Aim", "Ziel";
         no_aim: "nothing", "nichts";
@@ -82,6 +82,7 @@ texts! {
             "Ein Netz oder eine Punktwolke aus einer Datei: OBJ, PLY, STL, glTF";
         reload: "Read again", "Neu lesen";
         reload_hint: "Read its file as it is now", "Die Datei lesen, wie sie jetzt ist";
+        mesh_gone: "{0} is gone; its last mesh stays", "{0} ist weg; das letzte Netz bleibt";
         no_mesh_file: "Its mesh comes from no file", "Das Netz stammt aus keiner Datei";
         mesh_title: "Load a mesh", "Netz laden";
         shape_title: "Load a shape", "Form laden";
@@ -149,12 +150,20 @@ texts! {
         hold: "rests", "ruht";
         repeat: "starts over", "von vorn";
         pingpong: "back and forth", "hin und her";
-        path_to_keys: "Path to keys", "Bahn zu Schlüsseln";
+        path_to_keys: "A key a frame", "Einer je Bild";
         path_to_keys_hint: "A key a frame takes the place of the path: it moves the same. One step, which can be undone",
             "Ein Schlüssel je Bild tritt an die Stelle der Bahn: Er bewegt sich gleich. Ein Schritt, der sich zurücknehmen lässt";
+        few_keys: "Few keys", "Wenige";
+        few_keys_hint: "As few keys with tangents as stay so near the path at each frame take its place. One step, which can be undone",
+            "So wenige Schlüssel mit Tangenten, wie bei jedem Bild so nah an der Bahn bleiben, treten an ihre Stelle. Ein Schritt, der sich zurücknehmen lässt";
+        became_few_keys: "{0} keys: at most {1} and {2}° beside the path",
+            "{0} Schlüssel: höchstens {1} und {2}° neben der Bahn";
+        nearness: "Nearness", "Nähe";
+        nearness_hint: "How near the path comes to the keys, or few keys to the path",
+            "Wie nah die Bahn den Schlüsseln kommt, oder wenige Schlüssel der Bahn";
+        nearness_angle: "Nearness of the view", "Nähe des Blicks";
+        nearness_angle_hint: "The same, by how much it may be turned", "Dasselbe: um wie viel er gedreht sein darf";
         keys_to_path: "Keys to path", "Schlüssel zu Bahn";
-        only_cameras: "Only the keys of a camera become a path: it is fitted to what the camera sees",
-            "Nur die Schlüssel einer Kamera werden zu einer Bahn: Sie wird dem angepasst, was die Kamera sieht";
         became_keys: "Keys in place of the path", "Schlüssel anstelle der Bahn";
         rests: "It rests", "Er ruht";
 

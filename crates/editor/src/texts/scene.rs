@@ -27,8 +27,8 @@ texts! {
         became_path: "A path of {0} points: at most {1} and {2}° beside the keys",
             "Eine Bahn aus {0} Punkten: höchstens {1} und {2}° neben den Schlüsseln";
         list: "List of the scene", "Liste der Szene";
-        row_hint: "Double click or F2: rename; drag onto another one: put into it; Del: remove; Ctrl+D: copy",
-            "Doppelklick oder F2: umbenennen; auf einen anderen ziehen: hineintun; Entf: löschen; Strg+D: kopieren";
+        row_hint: "Double click or F2: rename; drag onto another one: put into it; Del: remove; Ctrl+D, Ctrl+C: copy",
+            "Doppelklick oder F2: umbenennen; auf einen anderen ziehen: hineintun; Entf: löschen; Strg+D, Strg+C: kopieren";
         name: "Name of the node", "Name des Knotens";
         needs_name: "{0} needs a name", "{0} braucht einen Namen";
         filter: "Look for a name", "Namen suchen";
@@ -43,11 +43,30 @@ texts! {
         eye_key_hint: "Sets a key at this frame", "Setzt einen Schlüssel bei diesem Bild";
         goes_along: "{0} moves: its own numbers stay, and it goes along with what it is in now",
             "{0} bewegt sich: Die eigenen Zahlen bleiben, und mitgenommen wird es von dem, worin es jetzt liegt";
-        no_clipboard: "Nodes are not copied by the clipboard but at once, by Ctrl+D",
-            "Knoten werden nicht über die Zwischenablage kopiert, sondern sofort, mit Strg+D";
         shown_camera: "Shown camera", "Gezeigte Kamera";
         shown_camera_hint: "Click: choose the camera that is shown; its poses are handed over and written",
             "Klick: die Kamera wählen, die gezeigt wird; ihre Posen werden übergeben und geschrieben";
+        keeps_way: "{0} moves as before, by other numbers of its own",
+            "{0} bewegt sich wie zuvor, mit anderen eigenen Zahlen";
+        other_parent: "Another parent", "Andere Überordnung";
+        one_moves: "{0} moves. What does it keep?", "{0} bewegt sich. Was bleibt?";
+        several_move: "{0} and others move, {1} in all. What do they keep?",
+            "{0} und andere bewegen sich, zusammen {1}. Was bleibt?";
+        go_along: "Go along", "Mitgehen";
+        go_along_hint: "Its own numbers stay; it goes along with what it is in then",
+            "Die eigenen Zahlen bleiben; mitgenommen wird es von dem, worin es dann liegt";
+        keep_way: "Keep its way", "Weg behalten";
+        keep_way_hint: "It moves through the world as before: its keys are computed anew, one a frame where a parent moves",
+            "Es bewegt sich durch die Welt wie zuvor: Die Schlüssel werden neu berechnet, einer je Bild, wo sich eine Überordnung bewegt";
+        nothing_copied: "No node is selected", "Kein Knoten ist gewählt";
+        nodes_copied: "Nodes copied: {0}", "Knoten kopiert: {0}";
+        nodes_pasted: "Nodes pasted: {0}", "Knoten eingefügt: {0}";
+        pasted_without_aim: "Nodes pasted: {0}. What they aimed at is not here: {1}",
+            "Knoten eingefügt: {0}. Ihr Ziel gibt es hier nicht: {1}";
+        no_nodes: "What was copied last is no node of a scene: nothing was pasted",
+            "Das zuletzt Kopierte ist kein Knoten einer Szene: Nichts wurde eingefügt";
+        nodes_not_pasted: "The copied nodes cannot be pasted: {0}",
+            "Die kopierten Knoten lassen sich nicht einfügen: {0}";
         at_frame: "{0}, frame {1}", "{0}, Bild {1}";
     }
 }

@@ -126,6 +126,12 @@ fn sections(language: Language) -> [(&'static str, Vec<Row>); 6] {
             texts.copy_meaning.into(),
         ),
         (
+            [Key::C, Key::X, Key::V]
+                .map(|key| combination(language, Modifiers::CTRL, key))
+                .join(", "),
+            texts.clipboard_meaning.into(),
+        ),
+        (
             combination(language, Modifiers::CTRL, Key::A),
             texts.all_meaning.into(),
         ),

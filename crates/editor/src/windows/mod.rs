@@ -30,6 +30,7 @@ use crate::action::Action;
 use crate::files::{FileWindow, Question, RecoveryWindow};
 use crate::frame::BAR;
 use crate::keys;
+use crate::scene_view::ParentWindow;
 use crate::setup::{ColourWindow, DisplayWindow};
 use crate::state::Editor;
 
@@ -52,6 +53,8 @@ pub(super) struct Windows {
     pub(super) compare: Option<CompareWindow>,
     /// It shows what is in the open step of the document.
     pub(super) tool: Option<ToolWindow>,
+    /// What moving nodes keep in another parent.
+    pub(super) parent: Option<ParentWindow>,
     /// A file is being chosen: modal.
     pub(super) files: Option<FileWindow>,
     /// A path that was dropped, while there is that question.
@@ -147,6 +150,7 @@ pub(super) fn show(editor: &mut Editor, context: &egui::Context) {
     if editor.windows.may_show(ToolWindow::ID) {
         show_slot(editor, context, |open| &mut open.tool, ToolWindow::show);
     }
+    show_slot(editor, context, |open| &mut open.parent, ParentWindow::show);
     show_one::<RecoveryWindow>(editor, context);
     show_slot(editor, context, |open| &mut open.files, FileWindow::show);
     show_slot(editor, context, |open| &mut open.question, Question::show);
@@ -154,7 +158,7 @@ pub(super) fn show(editor: &mut Editor, context: &egui::Context) {
 }
 
 /// The sub-windows that lie about; [`ToolWindow`] and the modal ones beside.
-const ALL: [&str; 11] = [
+const ALL: [&str; 12] = [
     CurveWindow::ID,
     SpeedWindow::ID,
     ColourWindow::ID,
@@ -166,6 +170,7 @@ const ALL: [&str; 11] = [
     CompareWindow::ID,
     RecoveryWindow::ID,
     ToolWindow::ID,
+    ParentWindow::ID,
 ];
 
 /// Takes away the tooltips of this pass that would cover another window than that of the pointer.

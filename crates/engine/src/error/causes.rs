@@ -147,6 +147,14 @@ pub enum Invalid {
     MovesInParent(Text),
     #[error("\"{0}\" would need a shear to stay where it is in that parent")]
     NeedsShear(Text),
+    #[error(
+        "\"{0}\" follows a path, which keeps its way only where both parents rest: let it move by keys first"
+    )]
+    WayOfPath(Text),
+    #[error(
+        "\"{0}\" would not fly the same along a path in that parent: let it move by keys first"
+    )]
+    PathFliesOtherwise(Text),
     #[error("\"{0}\" cannot stay where it is: a scale is 0")]
     ScaleZero(Text),
     #[error("its place is too far away or too large to be computed")]

@@ -11,6 +11,7 @@ mod evaluate;
 mod exchange;
 mod hierarchy;
 pub mod host;
+mod keep_way;
 mod keys;
 mod markers;
 pub mod mesh;

@@ -196,6 +196,14 @@ impl Node {
         &self.keys
     }
 
+    /// Whether a path or keys move it in its parent.
+    #[must_use]
+    pub fn moves(&self) -> bool {
+        use super::channel::Channel::{Position, Rotation, Scale};
+        let mut tracks = self.keys.tracks().iter().map(super::Track::channel);
+        self.path.is_some() || tracks.any(|of| matches!(of, Position | Rotation | Scale))
+    }
+
     /// Gives it a path to follow, or none.
     ///
     /// # Errors

@@ -1,17 +1,16 @@
 //! A node is given another parent: it stays where it is in the world, or goes along with that.
 
-use glam::{DAffine3, DMat3, DQuat};
+use glam::{DAffine3, DMat3, DQuat, DVec3};
 
-use super::channel::Channel;
 use super::hierarchy::local;
-use super::node::Node;
+use super::node::{Node, Values};
 use super::part::Rest;
 use super::scene::{Scene, copy};
 use super::state::Warnings;
 use crate::error::{Error, Invalid, Place, Result};
 
 /// How well a place must be kept, relative to its size.
-const KEPT: f64 = 1e-9;
+pub(super) const KEPT: f64 = 1e-9;
 
 /// What a node keeps that is given another parent.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -21,6 +20,8 @@ pub enum Keep {
     Place,
     /// Its numbers, path and tracks, so that it goes along with the new parent.
     Numbers,
+    /// Its way through the world at every frame of the scene, by other numbers ([`Scene::way_in`]).
+    Way,
 }
 
 impl Scene {
@@ -29,8 +30,12 @@ impl Scene {
     /// # Errors
     /// [`Error::Range`] if there is no such node, [`Error::Argument`] if the parent is in it or
     /// moves with it, [`Error::Limit`] for too many levels; for [`Keep::Place`] as
-    /// [`Scene::set_node`]. Nothing has changed then.
+    /// [`Scene::set_node`], for [`Keep::Way`] as [`Scene::way_in`]. Nothing has changed then.
     pub fn set_parent(&mut self, at: usize, parent: Option<usize>, keep: Keep) -> Result<()> {
+        if keep == Keep::Way {
+            let mut parts = self.way_in(at, parent)?;
+            return parts.iter_mut().try_for_each(|part| self.exchange(part));
+        }
         let node = self.node(at)?;
         if keep == Keep::Place {
             let values = Node {
@@ -103,48 +108,47 @@ impl Scene {
             return Ok(());
         }
         let node = &self.nodes()[at];
-        let moves = |channel| node.keys().track(&channel).is_some();
-        if node.path().is_some()
-            || [Channel::Position, Channel::Rotation, Channel::Scale]
-                .into_iter()
-                .any(moves)
-        {
+        if node.moves() {
             return Err(Invalid::MovesInParent((&new.name).into()).into());
         }
         let wanted = other.inverse() * (old * local(new, &new.rest));
-        let columns = [
-            wanted.matrix3.x_axis,
-            wanted.matrix3.y_axis,
-            wanted.matrix3.z_axis,
-        ];
-        let mut scale = columns.map(|column| column.length());
-        // A mirrored node stays so along its axes; one that the parents mirror is mirrored along x.
-        let signs = new.rest.scale.to_array().map(f64::signum);
-        for (scale, sign) in scale.iter_mut().zip(signs) {
-            *scale *= sign;
-        }
-        let turned = wanted.matrix3.determinant() < 0.0;
-        if turned != (scale.iter().product::<f64>() < 0.0) {
-            scale[0] = -scale[0];
-        }
-        if scale.contains(&0.0) || !wanted.is_finite() {
-            return Err(flat(new));
-        }
-        let axes = [0, 1, 2].map(|k| columns[k] / scale[k]);
-        let turn = DMat3::from_cols(axes[0], axes[1], axes[2]);
-        new.rest.rotation = DQuat::from_mat3(&turn).normalize();
-        new.rest.scale = scale.into();
-        let linear = local(new, &new.rest).matrix3;
-        new.rest.position = wanted.translation - new.pivot + linear * new.pivot;
-        let got = local(new, &new.rest);
-        let size = scale.map(f64::abs).into_iter().fold(0.0, f64::max);
-        let off = got.matrix3 - wanted.matrix3;
-        let off = [off.x_axis, off.y_axis, off.z_axis].map(|v| v.length());
-        if off.into_iter().any(|off| off > KEPT * size) {
-            return Err(Invalid::NeedsShear((&new.name).into()).into());
-        }
+        new.rest = without_shear(new, &wanted, new.rest.scale)?;
         new.check()
     }
+}
+
+/// The values at rest with position, rotation and scale of a local matrix; the scale has the signs
+/// of `like`: one that is mirrored stays so along its axes, one that the parents mirror is along x.
+pub(super) fn without_shear(node: &Node, wanted: &DAffine3, like: DVec3) -> Result<Values> {
+    let linear = wanted.matrix3;
+    let columns = [linear.x_axis, linear.y_axis, linear.z_axis];
+    let mut scale = columns.map(|column| column.length());
+    for (scale, sign) in scale.iter_mut().zip(like.to_array().map(f64::signum)) {
+        *scale *= sign;
+    }
+    let turned = linear.determinant() < 0.0;
+    if turned != (scale.iter().product::<f64>() < 0.0) {
+        scale[0] = -scale[0];
+    }
+    if scale.contains(&0.0) || !wanted.is_finite() {
+        return Err(flat(node));
+    }
+    let axes = [0, 1, 2].map(|k| columns[k] / scale[k]);
+    let turn = DMat3::from_cols(axes[0], axes[1], axes[2]);
+    let mut values = Values {
+        rotation: DQuat::from_mat3(&turn).normalize(),
+        scale: scale.into(),
+        ..node.rest
+    };
+    let got = local(node, &values).matrix3;
+    values.position = wanted.translation - node.pivot + got * node.pivot;
+    let size = scale.map(f64::abs).into_iter().fold(0.0, f64::max);
+    let off = got - linear;
+    let off = [off.x_axis, off.y_axis, off.z_axis].map(|v| v.length());
+    if off.into_iter().any(|off| off > KEPT * size) {
+        return Err(Invalid::NeedsShear((&node.name).into()).into());
+    }
+    Ok(values)
 }
 
 fn flat(node: &Node) -> Error {

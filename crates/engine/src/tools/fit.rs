@@ -38,6 +38,22 @@ pub struct Tolerance {
     pub angle: f64,
 }
 
+impl Tolerance {
+    /// Both in range.
+    ///
+    /// # Errors
+    /// [`crate::Error::Argument`] or [`crate::Error::Range`].
+    pub fn check(self) -> Result<()> {
+        if !(self.position > 0.0 && self.position.is_finite()) {
+            return Err(OutOfRange::Tolerance.into());
+        }
+        if !(self.angle > 0.0 && self.angle <= 180.0) {
+            return Err(OutOfRange::ToleranceAngle.into());
+        }
+        Ok(())
+    }
+}
+
 /// What a fit goes by.
 #[derive(Debug, Clone, Copy)]
 pub struct Options {
@@ -235,12 +251,7 @@ impl Data {
         if !(fps > 0.0 && fps <= MAX_FPS) {
             return Err(OutOfRange::Fps.into());
         }
-        if !(tolerance.position > 0.0 && tolerance.position.is_finite()) {
-            return Err(OutOfRange::Tolerance.into());
-        }
-        if !(tolerance.angle > 0.0 && tolerance.angle <= 180.0) {
-            return Err(OutOfRange::ToleranceAngle.into());
-        }
+        tolerance.check()?;
         if poses.len() < 3 {
             return Err(Invalid::TooFewPoses.into());
         }
