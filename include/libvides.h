@@ -96,9 +96,10 @@
 /* ---- Reasons of callbacks ---------------------------------------------------- */
 
 /**
- * Why on_view and on_frame are called: another point or orientation became current; something
- * is being dragged or was changed; another frame was chosen; it plays; nothing
- * moves any more (the last of a row of the others: time for the good picture).
+ * Why on_view and on_frame are called: another point or orientation became current, or
+ * another camera is shown; something is being dragged or was changed; another frame was
+ * chosen; it plays; nothing moves any more (the last of a row of the others: time for the
+ * good picture).
  */
 #define V_VIEW_SELECTED 0
 #define V_VIEW_EDITED 1
@@ -3103,10 +3104,9 @@ int v_editor_close(V_EDITOR *editor);
 
 /**
  * A copy of the path as it is in the window now; of a scene that of the camera that is
- * shown: the first one on a path. *path is the caller's, to be freed with
- * v_path_free().
+ * shown (v_scene_get_camera()). *path is the caller's, to be freed with v_path_free().
  * The thread that opened the window; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no camera of the scene has a path),
+ * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no camera, or it follows no path),
  * V_ERR_MEMORY, V_ERR_LIMIT.
  */
 int v_editor_get_path(const V_EDITOR *editor,
@@ -3119,7 +3119,7 @@ int v_editor_get_path(const V_EDITOR *editor,
  * scene it takes the place of the path of the camera that is shown, which is
  * edited then.
  * The thread that opened the window; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no camera of the scene has a path),
+ * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no camera, or it follows no path),
  * V_ERR_MEMORY.
  */
 int v_editor_set_path(V_EDITOR *editor, const V_PATH *path);
@@ -3151,8 +3151,8 @@ int v_editor_get_frame(const V_EDITOR *editor, double *frame);
 /**
  * The playhead goes to a frame, from 1 to v_path_frame_count(), also between two,
  * and stays there. The orientation from which the camera comes there is current
- * then. In a scene it is a frame of the scene, of those in which the path that is
- * edited moves; where no path is edited, of the whole scene.
+ * then. In a scene it is a frame of the scene, any from the first to the last one
+ * of v_scene_frame_range(), whatever is selected.
  * The thread that opened the window; from callbacks too. V_ERR_NULL,
  * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
  */

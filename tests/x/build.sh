@@ -62,6 +62,7 @@ build loop_pending "$here/loop_pending.c" "$here/host.c" -- -lvides -lm -lXt -lX
 extra=-std=gnu99
 build ending "$here/ending.c" -- -lvides -lm -lX11 -lpthread
 build spaces "$here/spaces.c" -- -lvides -lm
+build film "$here/film.c" "$here/../calls/hands.c" -- -lvides -lm -lX11
 build thread_ends "$here/thread_ends.c" -- -lvides -lm
 build work "$here/work.c" "$here/../calls/hands.c" -- -lvides -lm -lX11
 build pane "$here/pane.c" -- -lvides -lm -lGL -lX11

@@ -512,6 +512,26 @@ def windows_lie_where_their_files_say(place):
 
 
 @test()
+def a_scene_hands_over_what_its_files_have(place):
+    """The poses of the shown camera, whichever it is: handed over, exported and by the command."""
+    folder = place.path("film")
+    command = os.path.join(place.hosts, "../release/vides")
+    os.mkdir(folder)
+    program = place.program(place.server(), "film", folder)
+    status = program.ends()
+    check(status == 0, f"exit status {status}; it complained: {program.complained}")
+    for camera, name in enumerate(("camera", "by keys", "third")):
+        file = os.path.join(folder, f"film-{camera}.vid")
+        exported = os.path.join(folder, f"film-{camera}.csv")
+        with open(exported, "rb") as lines:
+            wanted = lines.read()
+        for node in ([], ["--node", name]):
+            sampled = run(command, "sample", "--format", "csv", *node, file)
+            check(sampled == wanted, f"{node} of {file}")
+        check(wanted.splitlines()[1].startswith(b"100.7,"), "as people count")
+
+
+@test()
 def a_settings_manager_that_begins_later(place):
     """What manages the desktop's settings may start after the window: it turns light with
     the desktop. That another manager begins wakes it once, and paints nothing."""

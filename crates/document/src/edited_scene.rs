@@ -221,6 +221,11 @@ impl EditedScene {
         Ok(Some(follow.held(&self.pins())?.unwrap_or(follow)))
     }
 
+    /// The points of the edited path that are pinned, each with its marker.
+    pub fn pinned(&self) -> impl Iterator<Item = (usize, String)> + use<'_> {
+        self.pins.there()
+    }
+
     pub(super) fn pins_there(&self) -> impl Iterator<Item = (usize, String)> + use<'_> {
         self.pins.there()
     }

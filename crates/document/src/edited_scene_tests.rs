@@ -1,8 +1,8 @@
-use vides_engine::scene::{Camera, Extrapolation, Marker};
+use vides_engine::scene::{Camera, Extrapolation, Kind, Marker, Node};
 
 use super::*;
 use crate::error::ErrorKind;
-use crate::path::Space;
+use crate::path::{Pose, Space};
 use crate::{At, Edit};
 use glam::DVec3;
 

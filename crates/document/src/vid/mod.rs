@@ -30,6 +30,7 @@
 
 mod comments;
 pub mod field;
+mod keys_text;
 mod mesh_source;
 mod own;
 mod pieces;
@@ -50,6 +51,7 @@ use crate::error::{EngineError, Error, Malformed, Result, can_allocate, vec_with
 use crate::limits::MAX_FILE_BYTES;
 
 pub(super) use comments::{Comments, insert_points, remove_points};
+pub(super) use keys_text::{keys_from_toml, keys_to_toml};
 pub(super) use read::{
     PATH_KEYS, from_toml, point_keys, scene_from_toml, shown_from_toml, value_of, view_keys,
 };

@@ -546,9 +546,14 @@ fn pin(table: Field<'_>) -> Result<(usize, usize, String)> {
     }
 }
 
-fn track(table: Field<'_>, node: &str) -> Result<Track> {
+pub(super) fn track(table: Field<'_>, node: &str) -> Result<Track> {
     let complain = |field: &Field<'_>, error: EngineError| {
-        placed(field.line(), error.at(Place::Node(node.into())))
+        // Copied keys of one node alone have none.
+        let error = match node.is_empty() {
+            true => error,
+            false => error.at(Place::Node(node.into())),
+        };
+        placed(field.line(), error)
     };
     let (mut channel, mut interpolation) = (None, None);
     let (mut before, mut after) = (Extrapolation::Hold, Extrapolation::Hold);

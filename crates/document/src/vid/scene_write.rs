@@ -247,7 +247,7 @@ fn path(out: &mut Text, follow: &FollowPath, pins: &[Pin], space: Space) -> fmt:
     points.try_for_each(|point| self::point(out, "node.path.point", point, &mut up_paths))
 }
 
-fn track(out: &mut Text, track: &Track) -> fmt::Result {
+pub(super) fn track(out: &mut Text, track: &Track) -> fmt::Result {
     let channel = track.channel().to_string();
     let interpolation = track.interpolation().to_string();
     writeln!(out, "\n[[node.track]]\nchannel = {}", Quoted(&channel))?;

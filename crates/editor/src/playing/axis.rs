@@ -6,6 +6,9 @@ use egui::Rangef;
 /// The least frames between the ends of the rail.
 const LEAST: f64 = 1.0;
 
+/// The share of what is to be seen that is free beside it.
+const ROOM: f64 = 0.05;
+
 /// How far beyond the rail something still shows, in points.
 const BEYOND: f32 = 8.0;
 
@@ -162,6 +165,13 @@ impl Axis {
         let to = |frame: f64| stays + (frame - stays) * factor;
         let (first, last) = (to(self.first()), to(self.last()));
         Seen { first, last }.within(self.begin, frames)
+    }
+
+    /// With all between two frames in sight, and a little room beside them.
+    pub(super) fn between(&self, first: f64, last: f64) -> Option<Seen> {
+        let more = (ROOM * (last - first)).max(LEAST);
+        let (first, last) = (first - more, last + more);
+        Seen { first, last }.within(self.begin, f64::from(self.frames))
     }
 
     /// With what was at `x` moved by so many points.

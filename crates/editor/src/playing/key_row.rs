@@ -9,8 +9,8 @@ use super::axis::Axis;
 use super::graph::{Held, Memory, ended};
 use super::retime::{Beside, Retiming};
 use super::ruler::chosen_too;
-use super::section_menu;
 use super::{Mark, as_frame};
+use super::{pins, section_menu};
 use crate::action::Action;
 use crate::document::Selection;
 use crate::number::Entry;
@@ -219,7 +219,7 @@ pub(super) fn show(
     let painter = ui.painter_at(ground);
     painter.rect_filled(ground.shrink2(vec2(0.0, 1.0)), 3.0, palette.field);
     let at = axis.x_of(editor.position_on_bar());
-    let axis = &editor.axis_of_path(axis);
+    let (of_scene, axis) = (axis, &editor.axis_of_path(axis));
     if editor.document.edits_path() {
         let id = ui.scope_id().with("sections");
         let response = ui.interact(ground, id, Sense::CLICK);
@@ -244,6 +244,7 @@ pub(super) fn show(
             );
         }
     }
+    pins::of_keys(editor, &painter, of_scene, rect.y_range());
     let color = super::ruler::colour_of_playhead(editor, ui);
     painter.vline(at, rect.y_range(), Stroke::new(1.0, color));
     if let Held::Key(drag) = held {

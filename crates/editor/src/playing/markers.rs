@@ -94,7 +94,7 @@ pub(super) fn make(editor: &Editor, response: &Response, axis: &Axis, actions: &
     if let Some(at) = response.interact_pointer_pos()
         && response.double_clicked()
     {
-        let frame = Time::new(editor, axis).frame(at.x).round();
+        let frame = Time::new(axis).frame(at.x).round();
         let name = editor.texts().timeline.new_marker;
         let names = (1..).map(|number: usize| fill(name, &[&number]));
         let free = names
@@ -131,7 +131,10 @@ pub(super) fn show(
     let (palette, painter) = (theme::palette(ui), ui.painter_at(rect));
     let marks = &editor.playing.marks;
     let mut free = f32::NEG_INFINITY;
-    for (frame, name) in marks.markers_there() {
+    // From left to right, so that each name has the room up to the next one.
+    let mut all: Vec<_> = marks.markers_there().collect();
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    for (frame, name) in all {
         let tip = pos2(axis.x_of(*frame), rect.top());
         if !axis.sees(tip.x) {
             continue;
@@ -185,7 +188,7 @@ fn one(
     }
     let edited = editor.document.edited_scene();
     let now = edited.and_then(|edited| edited.scene().marker(name));
-    let time = Time::new(editor, axis);
+    let time = Time::new(axis);
     if response.drag_started()
         && !ui.input(|input| input.pointer.middle_down() || input.pointer.secondary_down())
         && let Some((pointer, from)) = ui.input(|input| input.pointer.press_origin()).zip(now)

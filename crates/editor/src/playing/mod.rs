@@ -7,16 +7,24 @@ mod buttons;
 mod curve;
 mod fields;
 mod graph;
+mod graph_drag;
+mod graph_paint;
+mod key_menu;
+mod key_motion;
 mod key_row;
 mod markers;
 mod marks;
 mod moment;
+mod pins;
 pub(crate) mod playhead;
 mod plot;
 mod retime;
 mod ruler;
 mod section_menu;
+mod track_clipboard;
+mod track_curve;
 mod track_drag;
+mod track_graph;
 mod track_keys;
 mod track_menu;
 mod track_time;
@@ -30,10 +38,11 @@ use egui::{Context, CursorIcon, Id, Rangef, Rect, Sense, Ui, UiBuilder, pos2};
 use self::axis::Axis;
 pub(super) use self::axis::Seen;
 pub(super) use self::fields::Pace;
+pub(super) use self::key_motion::KeyMotion;
 pub(super) use self::marks::Mark;
 use self::marks::Marks;
+pub(super) use self::pins::menu as pin_menu;
 pub(super) use self::retime::Retiming;
-pub(super) use self::track_drag::KeyMotion;
 pub(super) use self::track_keys::take_keys;
 pub(super) use self::track_menu::rotation_by;
 use crate::action::Action;
@@ -392,7 +401,10 @@ fn bar(editor: &Editor, memory: &mut graph::Memory, ui: &mut Ui, actions: &mut V
     };
     let nodes = tracks::rows(editor, &memory.tracks);
     let count = nodes.len();
-    let tracks = tracks_height(editor, count, whole.height(), graph > 0.0);
+    let tracks = match memory.tracks.curves && count > 0 {
+        true => curves_height(editor, whole.height(), graph > 0.0),
+        false => tracks_height(editor, count, whole.height(), graph > 0.0),
+    };
     let height =
         TRANSPORT + ruler::HEIGHT + markers + key_row::HEIGHT + tracks + graph + theme::GAP;
     let panel = egui::Panel::bottom("playing")
@@ -425,6 +437,7 @@ fn bar(editor: &Editor, memory: &mut graph::Memory, ui: &mut Ui, actions: &mut V
         let rail = Rangef::new(right.left() + END, right.right() - END);
         let axis = Axis::new(rail, frames, editor.playing.seen);
         let time = Rect::from_min_max(right.min, pos2(right.right(), edge.bottom()));
+        zoom::by_keys(editor, ui, &axis, actions);
         ruler::unit(editor, ui, left.shrink2(egui::vec2(0.0, 1.0)), actions);
         ruler::show(editor, ui, right, &axis, actions);
         let above = right.top();
@@ -438,7 +451,7 @@ fn bar(editor: &Editor, memory: &mut graph::Memory, ui: &mut Ui, actions: &mut V
         key_row::show(editor, memory, ui, (right, above), &axis, actions);
         let rows = row(tracks);
         #[allow(clippy::cast_precision_loss)]
-        let scrolls = tracks < tracks::ROW * count as f32;
+        let scrolls = !memory.tracks.curves && tracks < tracks::ROW * count as f32;
         zoom::by_mouse(ui, time, scrolls.then_some(rows), &axis, actions);
         if count > 0 {
             let place = (rows, captions, above);
@@ -472,6 +485,13 @@ fn tracks_height(editor: &Editor, rows: usize, whole: f32, graph: bool) -> f32 {
     let most = dragged.map_or(0.2 * whole, |height| height.min(0.45 * whole));
     let most = most.max(2.0 * tracks::ROW);
     (tracks::ROW * rows as f32).min(most).round()
+}
+
+/// The same of their curves, which have room at the least.
+fn curves_height(editor: &Editor, whole: f32, graph: bool) -> f32 {
+    let dragged = editor.playing.graph_height.filter(|_| !graph);
+    let height = dragged.unwrap_or(0.2 * whole);
+    height.clamp(96.0, (0.45 * whole).max(96.0)).round()
 }
 
 /// The upper edge, by which the graph is made higher.

@@ -2,10 +2,9 @@
 //! edited path counts its own, and people see the number that the first frame has.
 
 use egui::Context;
-use vides_engine::scene::Motion;
 
 use super::axis::Axis;
-use super::{as_frame, tracks};
+use super::{as_frame, zoom};
 use crate::state::Editor;
 
 /// A part of a frame that is rounding.
@@ -70,17 +69,10 @@ impl Editor {
     /// The frames that are played: all, or those in which what is selected moves.
     pub(super) fn played(&self) -> (f64, f64) {
         let all = self.playing.marks.range;
-        let edited = self.document.edited_scene();
-        let Some(edited) = edited.filter(|_| self.playing.only_selected) else {
+        if !self.playing.only_selected {
             return all;
-        };
-        let of_node = |node: usize| {
-            let keys = edited.scene().nodes()[node].keys().frames();
-            [tracks::bar_of(self, edited, node), keys]
-        };
-        let moving = self.selected_nodes().into_iter().flat_map(of_node);
-        let moving = moving.flatten().reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)));
-        let within = moving.map(|(first, last)| (first.max(all.0), last.min(all.1)));
+        }
+        let within = zoom::of_nodes(self).map(|(first, last)| (first.max(all.0), last.min(all.1)));
         within.filter(|(first, last)| first < last).unwrap_or(all)
     }
 

@@ -3,8 +3,8 @@
 
 use egui::{Button, Popup, Response};
 
-use super::as_frame;
 use super::axis::Axis;
+use super::{as_frame, pins};
 use crate::action::Action;
 use crate::document::Selection;
 use crate::limits::{MAX_HOLD, SPEEDS};
@@ -90,6 +90,7 @@ pub(super) fn of_key(
             actions.extend(edit.map(Action::Edit));
             ui.close();
         }
+        pins::menu(editor, ui, of.point, actions);
     });
 }
 

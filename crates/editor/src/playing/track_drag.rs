@@ -5,14 +5,14 @@
 //! back by themselves, and it is one step.
 
 use egui::{CursorIcon, Key, Modifiers, Pos2, Rect, Response, Stroke, StrokeKind, Ui, pos2};
-use vides_engine::scene::{Channel, Extrapolation, Interpolation, Part};
+use vides_engine::scene::{Extrapolation, Part};
 
+use super::key_motion::{Change, KeyMotion, Numbers};
 use super::key_row::{FINE, bubble};
 use super::track_time::Time;
 use super::tracks::{Hit, Shown, bar_of, channel_name, frame_of};
 use crate::action::Action;
-use crate::document::{Document, Edit};
-use crate::error::Result;
+use crate::document::Edit;
 use crate::number::Entry;
 use crate::scene_view::KeyAt;
 use crate::space::Typed;
@@ -36,164 +36,6 @@ pub(super) enum Held {
         row: f32,
         besides: Vec<KeyAt>,
     },
-}
-
-/// What becomes of keys in time.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct KeyMotion {
-    /// The keys as they were when it began.
-    keys: Vec<KeyAt>,
-    to: Change,
-    /// They stay, and copies of them move.
-    copies: bool,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Change {
-    /// By so many frames.
-    By(f64),
-    /// The one at `from` goes to `to`, and all others along with it as that at `about` stays.
-    Scale { about: f64, from: f64, to: f64 },
-}
-
-impl Change {
-    fn of(self, frame: f64) -> f64 {
-        match self {
-            Self::By(by) => frame + by,
-            Self::Scale { from, to, .. } if frame == from => to,
-            Self::Scale { about, .. } => about + (frame - about) * self.factor(),
-        }
-    }
-
-    fn factor(self) -> f64 {
-        match self {
-            Self::By(_) => 1.0,
-            Self::Scale { about, from, to } => (to - about) / (from - about),
-        }
-    }
-
-    fn is_nothing(self) -> bool {
-        match self {
-            Self::By(by) => by == 0.0,
-            Self::Scale { from, to, .. } => from == to,
-        }
-    }
-}
-
-/// Keys of one track, in rising order.
-type OfTrack = (usize, Channel, Vec<usize>);
-
-/// Keys by their tracks.
-pub(super) fn by_track(keys: &[KeyAt]) -> Vec<OfTrack> {
-    let mut sorted: Vec<&KeyAt> = keys.iter().collect();
-    sorted.sort_by(|a, b| {
-        let (a, b) = ((a.node, &a.channel, a.key), (b.node, &b.channel, b.key));
-        a.cmp(&b)
-    });
-    sorted.dedup();
-    let tracks = sorted.chunk_by(|a, b| (a.node, &a.channel) == (b.node, &b.channel));
-    let one = |keys: &[&KeyAt]| {
-        let which = keys.iter().map(|at| at.key).collect();
-        (keys[0].node, keys[0].channel.clone(), which)
-    };
-    tracks.map(one).collect()
-}
-
-impl KeyMotion {
-    /// The edits of a document that is as it was when the motion began, and the frames at which
-    /// the keys lie then.
-    fn edits(&self, document: &Document) -> Result<Vec<(Edit, Vec<f64>)>> {
-        let mut edits = Vec::new();
-        for (node, channel, which) in by_track(&self.keys) {
-            let nodes = document.edited_scene().map(|edited| edited.scene().nodes());
-            let of = nodes.and_then(|nodes| nodes.get(node));
-            let Some(track) = of.and_then(|node| node.keys().track(&channel)) else {
-                continue;
-            };
-            let mut put = track.keys(&which)?;
-            for frame in &mut put.frames {
-                *frame = self.to.of(*frame);
-            }
-            if *track.interpolation() == Interpolation::Hermite {
-                // They are by frame.
-                let factor = self.to.factor();
-                put.shape.iter_mut().for_each(|slope| *slope /= factor);
-            }
-            let frames = put.frames.clone();
-            let remove = if self.copies { Vec::new() } else { which };
-            let part = Part::Keys {
-                node,
-                channel,
-                remove,
-                put,
-            };
-            edits.push((Edit::Part(Box::new(part)), frames));
-        }
-        Ok(edits)
-    }
-}
-
-impl Editor {
-    /// Moves or copies keys in place of what the open step has done.
-    pub(crate) fn move_keys(&mut self, motion: &KeyMotion) {
-        self.restart_step();
-        self.select_keys(motion.keys.clone());
-        if motion.to.is_nothing() {
-            self.message = None;
-            return;
-        }
-        let (edits, frames): (Vec<_>, Vec<_>) = match motion.edits(&self.document) {
-            Ok(edits) => edits.into_iter().unzip(),
-            Err(error) => return self.complain_of(&error),
-        };
-        if self.edit_together(edits) {
-            let tracks = by_track(&motion.keys);
-            let tracks = tracks.into_iter().map(|(node, channel, _)| (node, channel));
-            self.select_keys(keys_at(&self.document, tracks.zip(frames)));
-        }
-    }
-}
-
-/// The keys of tracks at these frames.
-fn keys_at(
-    document: &Document,
-    tracks: impl Iterator<Item = ((usize, Channel), Vec<f64>)>,
-) -> Vec<KeyAt> {
-    let Some(edited) = document.edited_scene() else {
-        return Vec::new();
-    };
-    let mut keys = Vec::new();
-    for ((node, channel), frames) in tracks {
-        let of = edited.scene().nodes().get(node);
-        let Some(track) = of.and_then(|node| node.keys().track(&channel)) else {
-            continue;
-        };
-        let all = track.frames();
-        let there = |frame: f64| {
-            let key = all.partition_point(|&key| key < frame);
-            (all.get(key) == Some(&frame)).then_some(key)
-        };
-        keys.extend(frames.into_iter().filter_map(there).map(|key| KeyAt {
-            node,
-            channel: channel.clone(),
-            key,
-        }));
-    }
-    keys
-}
-
-/// The edits that remove keys.
-pub(super) fn removed(keys: &[KeyAt]) -> Vec<Edit> {
-    let of_track = |(node, channel, remove)| {
-        let put = Default::default();
-        Edit::Part(Box::new(Part::Keys {
-            node,
-            channel,
-            remove,
-            put,
-        }))
-    };
-    by_track(keys).into_iter().map(of_track).collect()
 }
 
 /// The scene's frames between which keys lie.
@@ -238,7 +80,7 @@ impl Way {
             self.pointer = pointer.x;
         }
         ui.input_mut(|input| input.events.retain(|event| !self.typed.take(event)));
-        let to = self.wanted(editor, time, from);
+        let to = self.wanted(editor, from);
         match fine {
             true => (to * PARTS).round() / PARTS,
             // What does not move stays where it is, between two frames, too.
@@ -247,7 +89,7 @@ impl Way {
         }
     }
 
-    fn wanted(&self, editor: &Editor, time: &Time, from: f64) -> f64 {
+    fn wanted(&self, editor: &Editor, from: f64) -> f64 {
         let Some(number) = self.typed.number() else {
             return from + self.gone;
         };
@@ -256,8 +98,8 @@ impl Way {
         match (self.typed.has_sign(), editor.setup.ruler_frames) {
             (true, true) => from + number,
             (true, false) => from + number * info.fps,
-            (false, true) => time.of_axis(number - f64::from(info.first_frame) + 1.0),
-            (false, false) => time.of_axis(number * info.fps + 1.0),
+            (false, true) => number - f64::from(info.first_frame) + 1.0,
+            (false, false) => number * info.fps + 1.0,
         }
     }
 
@@ -271,12 +113,20 @@ impl Way {
         top: f32,
     ) {
         let (time, from, at) = told;
+        bubble(
+            ui,
+            pos2(time.x(at), top),
+            self.words(editor, name, (from, at)),
+        );
+    }
+
+    pub(super) fn words(&self, editor: &Editor, name: &str, (from, at): (f64, f64)) -> String {
         let (language, info) = (editor.language(), editor.document.info());
-        let second = language.number((time.on_axis(at) - 1.0) / info.fps, 2);
+        let second = language.number((at - 1.0) / info.fps, 2);
         let by = (at - from) / info.fps;
         let sign = if by > 0.0 { "+" } else { "" };
         let by = format!("{sign}{}", language.number(by, 2));
-        let frame = time.on_axis(at) - 1.0 + f64::from(info.first_frame);
+        let frame = at - 1.0 + f64::from(info.first_frame);
         let frame = match frame.fract() == 0.0 {
             true => language.number(frame, 0),
             false => language.number(frame, 1),
@@ -287,7 +137,7 @@ impl Way {
             let unit = if editor.setup.ruler_frames { "" } else { " s" };
             lines += &format!("\n› {}{unit}", self.typed.text());
         }
-        bubble(ui, pos2(time.x(at), top), lines);
+        lines
     }
 }
 
@@ -305,11 +155,7 @@ pub(super) struct KeysDrag {
 
 impl KeysDrag {
     fn new(keys: Vec<KeyAt>, from: f64, about: Option<f64>, pointer: f32) -> Self {
-        let done = KeyMotion {
-            keys: keys.clone(),
-            to: Change::By(0.0),
-            copies: false,
-        };
+        let done = KeyMotion::new(keys.clone(), Change::By(0.0), false, Numbers::Stay);
         Self {
             keys,
             from,
@@ -341,9 +187,8 @@ impl KeysDrag {
                 (Change::Scale { about, from, to }, false)
             }
         };
-        let keys = self.keys.clone();
-        let wanted = KeyMotion { keys, to, copies };
-        let same = wanted == self.done || wanted.to.is_nothing() && self.done.to.is_nothing();
+        let wanted = KeyMotion::new(self.keys.clone(), to, copies, Numbers::Stay);
+        let same = wanted == self.done || wanted.is_nothing() && self.done.is_nothing();
         (!same).then(|| {
             self.done = wanted.clone();
             Action::MoveKeys(Box::new(wanted))
@@ -363,11 +208,11 @@ impl KeysDrag {
             }
             (all, _) => fill(texts.keys_selected, &[&all.len()]),
         };
-        let name = match self.done.copies && !self.done.to.is_nothing() {
+        let name = match self.done.copies() && !self.done.is_nothing() {
             true => fill(texts.copy_of, &[&name]),
             false => name,
         };
-        let at = self.done.to.of(self.from);
+        let at = self.done.frame_of(self.from);
         self.way.tell(editor, ui, &name, (time, self.from, at), top);
     }
 }
@@ -478,7 +323,7 @@ pub(super) fn show(
         Held::Keys(drag) => {
             actions.extend(drag.go_on(editor, ui, response, time));
             drag.tell(editor, ui, time, top);
-            ui.set_cursor_icon(match drag.done.copies {
+            ui.set_cursor_icon(match drag.done.copies() {
                 true => CursorIcon::Copy,
                 false => CursorIcon::ResizeHorizontal,
             });

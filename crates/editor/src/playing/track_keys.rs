@@ -3,9 +3,9 @@
 
 use egui::{Context, Key, Modifiers};
 
-use super::track_drag::removed;
+use super::key_motion::removed;
 use super::tracks::id;
-use super::{markers, ruler};
+use super::{markers, ruler, track_clipboard};
 use crate::action::Action;
 use crate::scene_view::KeyAt;
 use crate::state::Editor;
@@ -29,6 +29,7 @@ pub(crate) fn take_keys(editor: &mut Editor, context: &Context) {
             editor.scrub(frame);
         }
     }
+    track_clipboard::take_keys(editor, context, rows);
     if !rows {
         return;
     }

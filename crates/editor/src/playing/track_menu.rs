@@ -1,11 +1,14 @@
 //! The menu of a row of the timeline: how a track goes from key to key, and what comes before and
 //! after its keys, or a node's path.
 
-use egui::{Button, Popup, Response, RichText, Ui};
+use egui::{Button, Popup, PopupCloseBehavior, Response, RichText, Ui};
 use vides_engine::math::euler::EulerAngles;
-use vides_engine::scene::{Channel, Extrapolation, Interpolation, Manner, Part, Track, Warnings};
+use vides_engine::scene::{
+    Channel, Extrapolation, Interpolation, Manner, Part, Track, Warnings, host,
+};
 
 use super::tracks::{Row, bar_of, channel_name};
+use super::{key_menu, track_graph};
 use crate::action::Action;
 use crate::document::Edit;
 use crate::error::Result;
@@ -13,8 +16,17 @@ use crate::state::Editor;
 use crate::texts::refusals::of_edit;
 use crate::texts::{Texts, fill};
 
-pub(super) fn show(editor: &Editor, response: &Response, row: Row, actions: &mut Vec<Action>) {
-    Popup::context_menu(response).show(|ui| {
+pub(super) fn show(
+    editor: &Editor,
+    graph: &mut track_graph::Memory,
+    response: &Response,
+    row: Row,
+    actions: &mut Vec<Action>,
+) {
+    let menu = Popup::context_menu(response);
+    // Numbers are dragged in it.
+    let menu = menu.close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+    menu.show(|ui| {
         let Some(edited) = editor.document.edited_scene() else {
             return;
         };
@@ -25,6 +37,7 @@ pub(super) fn show(editor: &Editor, response: &Response, row: Row, actions: &mut
         if let Some(track) = row.track(edited) {
             let channel = channel_name(editor, track.channel());
             ui.label(RichText::new(fill(texts.channel_of, &[&channel, &node.name])).weak());
+            key_menu::show(editor, graph, ui, (row.node, track), actions);
             of_track(editor, ui, (row, track), actions);
             if *track.channel() == Channel::Rotation {
                 ui.separator();
@@ -101,13 +114,7 @@ fn beyond(
 fn of_track(editor: &Editor, ui: &mut Ui, (row, track): (Row, &Track), actions: &mut Vec<Action>) {
     let texts = &editor.texts().timeline;
     let now = track.interpolation();
-    for name in Interpolation::names(Some(track.channel())) {
-        let Ok(each) = Interpolation::parse(name) else {
-            continue;
-        };
-        if matches!(each, Interpolation::Host(_)) {
-            continue;
-        }
+    for each in interpolations(track) {
         let words = interpolation_name(editor.texts(), &each);
         let button = ui.add(Button::selectable(each == *now, words));
         if button.on_hover_text(texts.manner_hint).clicked() {
@@ -139,6 +146,25 @@ fn of_track(editor: &Editor, ui: &mut Ui, (row, track): (Row, &Track), actions: 
     });
 }
 
+/// The ways from key to key that a track may have, those of the program around at the end.
+fn interpolations(track: &Track) -> Vec<Interpolation> {
+    let mut all = Vec::new();
+    for name in Interpolation::names(Some(track.channel())) {
+        match Interpolation::parse(name) {
+            Ok(Interpolation::Host(_)) => {
+                all.extend(host::names().into_iter().map(Interpolation::Host));
+            }
+            Ok(plain) => all.push(plain),
+            Err(_) => {}
+        }
+    }
+    // One that is not registered any more.
+    if !all.contains(track.interpolation()) {
+        all.push(track.interpolation().clone());
+    }
+    all
+}
+
 fn manner_of(node: usize, track: &Track, manner: Manner) -> Edit {
     part(Part::Manner {
         node,
@@ -166,7 +192,7 @@ fn interpolation_name(texts: &Texts, interpolation: &Interpolation) -> String {
     words.to_owned()
 }
 
-fn by_angles(interpolation: &Interpolation) -> bool {
+pub(super) fn by_angles(interpolation: &Interpolation) -> bool {
     matches!(
         interpolation,
         Interpolation::EulerLinear | Interpolation::EulerCatmullRom
@@ -224,7 +250,7 @@ pub(crate) fn rotation_by(track: &Track, interpolation: Interpolation) -> Result
 }
 
 /// The quaternions at the keys of angles.
-fn quaternions(track: &Track) -> Vec<f64> {
+pub(super) fn quaternions(track: &Track) -> Vec<f64> {
     let warnings = &mut Warnings::default();
     let frames = track.frames().iter();
     let turns = frames.map(|&frame| track.rotation(frame, warnings));
@@ -234,7 +260,7 @@ fn quaternions(track: &Track) -> Vec<f64> {
 }
 
 /// Yaw, pitch and roll in degrees at the keys, each as near as can be to the one before.
-fn angles(track: &Track) -> Vec<f64> {
+pub(super) fn angles(track: &Track) -> Vec<f64> {
     let warnings = &mut Warnings::default();
     let mut all: Vec<f64> = Vec::new();
     for &frame in track.frames() {
@@ -251,7 +277,7 @@ fn angles(track: &Track) -> Vec<f64> {
 }
 
 /// Tangents of a smooth way through keys: those of Catmull and Rom, with quadratic ends.
-fn smooth(frames: &[f64], values: &[f64], width: usize) -> Vec<f64> {
+pub(super) fn smooth(frames: &[f64], values: &[f64], width: usize) -> Vec<f64> {
     let last = frames.len() - 1;
     let step = |k: usize| frames[k + 1] - frames[k];
     let mean = |k: usize, i: usize| (values[(k + 1) * width + i] - values[k * width + i]) / step(k);

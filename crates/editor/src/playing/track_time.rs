@@ -3,7 +3,6 @@
 use std::ops::Range;
 
 use super::axis::Axis;
-use crate::state::Editor;
 
 /// Signs nearer to one another than this are one, in points.
 pub(super) const APART: f32 = 3.0;
@@ -18,7 +17,7 @@ pub(super) struct Time {
 }
 
 impl Time {
-    pub(super) fn new(_: &Editor, axis: &Axis) -> Self {
+    pub(super) fn new(axis: &Axis) -> Self {
         Self { axis: *axis }
     }
 
@@ -28,17 +27,6 @@ impl Time {
 
     pub(super) fn frame(&self, x: f32) -> f64 {
         self.axis.frame(x)
-    }
-
-    /// As the axis counts it.
-    #[allow(clippy::unused_self)]
-    pub(super) fn on_axis(&self, frame: f64) -> f64 {
-        frame
-    }
-
-    #[allow(clippy::unused_self)]
-    pub(super) fn of_axis(&self, frame: f64) -> f64 {
-        frame
     }
 
     /// The keys that are to be seen: where their sign stands, and which ones share it.

@@ -13,8 +13,8 @@ use vides_engine::scene::{Channel, FollowPath, Node, Track};
 use super::as_frame;
 use super::axis::Axis;
 use super::track_drag::{self, Held};
-use super::track_menu;
 use super::track_time::{APART, REACH, Time};
+use super::{graph_paint, pins, track_graph, track_menu};
 use crate::action::Action;
 use crate::document::EditedScene;
 use crate::path::Sampler;
@@ -32,6 +32,9 @@ const SMALL: f32 = 3.0;
 /// A bracket stands this far outside of the keys between which it scales the time.
 const OUTSIDE: f32 = 10.0;
 
+/// The switch between rows and curves.
+const SWITCH: egui::Vec2 = vec2(22.0, 18.0);
+
 /// Indent of the tracks' names.
 const INDENT: f32 = 12.0;
 
@@ -42,7 +45,10 @@ pub(super) struct Memory {
     /// Nodes whose tracks are not shown.
     folded: HashSet<usize>,
     /// The row whose menu is open.
-    menu: Option<Row>,
+    pub(super) menu: Option<Row>,
+    /// Curves are seen in place of rows.
+    pub(super) curves: bool,
+    pub(super) graph: track_graph::Memory,
 }
 
 /// A row: a node, or one of its tracks by number.
@@ -238,6 +244,33 @@ pub(super) fn show(
     (rows, axis): (&[Row], &Axis),
     actions: &mut Vec<Action>,
 ) {
+    let (left, right) = rect.split_left_right_at_x(rect.left() + captions);
+    if memory.curves {
+        graph_paint::names(editor, memory, ui, left, rows);
+        track_graph::show(editor, memory, ui, (right, top), (rows, axis), actions);
+    } else {
+        shown_as_rows(
+            editor,
+            memory,
+            ui,
+            (rect, captions, top),
+            (rows, axis),
+            actions,
+        );
+    }
+    let corner = left.right_top() + vec2(-theme::GAP - SWITCH.x, 1.0);
+    let place = Rect::from_min_size(corner, SWITCH);
+    graph_paint::switch(editor, &mut memory.curves, ui, place);
+}
+
+fn shown_as_rows(
+    editor: &Editor,
+    memory: &mut Memory,
+    ui: &mut Ui,
+    (rect, captions, top): (Rect, f32, f32),
+    (rows, axis): (&[Row], &Axis),
+    actions: &mut Vec<Action>,
+) {
     let inside = UiBuilder::new().max_rect(rect).id_salt("tracks");
     ui.scope_builder(inside, |ui| {
         ui.set_clip_rect(rect.intersect(ui.clip_rect()));
@@ -257,7 +290,7 @@ pub(super) fn show(
                 let selected = editor.selected_keys();
                 let shown = Shown {
                     rows,
-                    time: Time::new(editor, axis),
+                    time: Time::new(axis),
                     top: top_of_rows,
                     ground,
                     ends: track_drag::ends(editor, &selected),
@@ -321,7 +354,7 @@ fn seen(shown: &Shown<'_>) -> Range<usize> {
 }
 
 /// The name of a row; that of a node folds its tracks.
-fn caption(
+pub(super) fn caption(
     editor: &Editor,
     memory: &mut Memory,
     ui: &Ui,
@@ -373,7 +406,7 @@ fn caption(
 }
 
 /// A square on its corner.
-fn diamond(middle: Pos2, half: f32, fill: egui::Color32, line: Stroke) -> Shape {
+pub(super) fn diamond(middle: Pos2, half: f32, fill: egui::Color32, line: Stroke) -> Shape {
     let corners = [(0.0, -half), (half, 0.0), (0.0, half), (-half, 0.0)];
     let corners = corners.map(|(x, y)| middle + vec2(x, y));
     Shape::convex_polygon(corners.to_vec(), fill, line)
@@ -427,6 +460,8 @@ fn of_node(
             let line = Stroke::new(1.0, palette.accent);
             painter.rect_stroke(bar, 3.0, line, StrokeKind::Inside);
         }
+        let place = (row.node, shown.ground.top(), rows);
+        pins::of_bar(edited, painter, &shown.time, place);
     }
     for track in row.tracks(edited) {
         for (x, _) in shown.time.signs(track.frames()) {
@@ -503,7 +538,7 @@ fn pressed(
         actions.push(Action::SelectKeys(chosen(shown, keys, held)));
     }
     if let Some(row) = memory.menu {
-        track_menu::show(editor, response, row, actions);
+        track_menu::show(editor, &mut memory.graph, response, row, actions);
     }
 }
 
@@ -540,4 +575,4 @@ fn chosen(shown: &Shown<'_>, keys: Vec<KeyAt>, held: egui::Modifiers) -> Vec<Key
 
 #[cfg(test)]
 #[path = "tracks_tests.rs"]
-mod tests;
+pub(super) mod tests;

@@ -14,7 +14,7 @@ use crate::space::tests::{motion, press, release, tap};
 use crate::tests::{BOTH, LARGE, SMALL, options, window_of};
 use crate::texts::Language;
 
-type Window = Harness<'static, Editor>;
+pub(in crate::playing) type Window = Harness<'static, Editor>;
 
 fn track(channel: Channel, frames: &[f64], width: usize) -> Track {
     let values = (0..frames.len() * width).map(|k| 0.25 * k as f64).collect();
@@ -29,7 +29,7 @@ fn track(channel: Channel, frames: &[f64], width: usize) -> Track {
 }
 
 /// A camera on a path from frame 1, a lamp by keys, and a drone on a path from frame 21.
-fn document() -> Document {
+pub(in crate::playing) fn document() -> Document {
     let mut scene = Scene::new();
     let on_path = |name, kind, start| {
         let mut node = Node::new(name, kind);
@@ -57,7 +57,7 @@ fn document() -> Document {
     document.as_opened()
 }
 
-fn window_in(language: Language, size: [f32; 2], theme: Theme) -> Window {
+pub(in crate::playing) fn window_in(language: Language, size: [f32; 2], theme: Theme) -> Window {
     let options = crate::Options {
         document: document(),
         ..options(language)
@@ -71,19 +71,19 @@ fn window_in(language: Language, size: [f32; 2], theme: Theme) -> Window {
     harness
 }
 
-fn window() -> Window {
+pub(in crate::playing) fn window() -> Window {
     window_in(Language::English, LARGE, Theme::Dark)
 }
 
 /// A hint that comes keeps the window busy.
-fn steps_on(harness: &mut Window) {
+pub(in crate::playing) fn steps_on(harness: &mut Window) {
     for _ in 0..4 {
         harness.step();
     }
 }
 
 /// Where a frame of the scene is on the screen, by the ruler.
-fn x_of(harness: &Window, frame: f64) -> f32 {
+pub(in crate::playing) fn x_of(harness: &Window, frame: f64) -> f32 {
     let name = harness.state().texts().space.timeline;
     let bar = harness.get_by_label(name).rect();
     let editor = harness.state();
@@ -99,25 +99,25 @@ fn place(harness: &Window, row: usize, frame: f64) -> Pos2 {
     pos2(x_of(harness, frame), rows.top() + ROW * (row as f32 + 0.5))
 }
 
-fn frames(harness: &Window, channel: &Channel) -> Vec<f64> {
+pub(in crate::playing) fn frames(harness: &Window, channel: &Channel) -> Vec<f64> {
     let edited = harness.state().document.edited_scene().unwrap();
     let keys = edited.scene().nodes()[1].keys();
     keys.track(channel)
         .map_or(Vec::new(), |track| track.frames().to_vec())
 }
 
-fn values(harness: &Window) -> Vec<f64> {
+pub(in crate::playing) fn values(harness: &Window) -> Vec<f64> {
     let edited = harness.state().document.edited_scene().unwrap();
     let keys = edited.scene().nodes()[1].keys();
     keys.track(&Channel::Position).unwrap().values().to_vec()
 }
 
-fn selected(harness: &Window) -> Vec<(Channel, usize)> {
+pub(in crate::playing) fn selected(harness: &Window) -> Vec<(Channel, usize)> {
     let keys = harness.state().selected_keys();
     keys.into_iter().map(|at| (at.channel, at.key)).collect()
 }
 
-fn take(harness: &mut Window, from: Pos2, to: Pos2) {
+pub(in crate::playing) fn take(harness: &mut Window, from: Pos2, to: Pos2) {
     press(harness, from, PointerButton::Primary);
     for step in 1..=4_u8 {
         motion(harness, from + (to - from) * (f32::from(step) / 4.0));
@@ -125,19 +125,19 @@ fn take(harness: &mut Window, from: Pos2, to: Pos2) {
     harness.step();
 }
 
-fn drag(harness: &mut Window, from: Pos2, to: Pos2) {
+pub(in crate::playing) fn drag(harness: &mut Window, from: Pos2, to: Pos2) {
     take(harness, from, to);
     release(harness, to, PointerButton::Primary);
     steps_on(harness);
 }
 
-fn click(harness: &mut Window, at: Pos2, button: PointerButton) {
+pub(in crate::playing) fn click(harness: &mut Window, at: Pos2, button: PointerButton) {
     press(harness, at, button);
     release(harness, at, button);
     steps_on(harness);
 }
 
-fn hold(harness: &mut Window, modifiers: Modifiers) {
+pub(in crate::playing) fn hold(harness: &mut Window, modifiers: Modifiers) {
     harness.event(Event::ModifiersChanged(modifiers));
     harness.step();
 }
@@ -573,4 +573,69 @@ fn many_rows_scroll_as_fast_as_few() {
         best[1] * 1e3 / 30.0
     );
     assert!(ratio <= 1.2, "{ratio}");
+}
+
+/// What the program around has registered is in the menu, by its name.
+#[test]
+fn functions_of_the_host_are_in_the_menu() {
+    use vides_engine::scene::host;
+    let first = |question: host::Question<'_>, out: &mut [f64]| {
+        out.copy_from_slice(&question.values[..question.width]);
+        true
+    };
+    host::register("bounce", Some(std::sync::Arc::new(first))).unwrap();
+    let mut harness = window();
+    let at = place(&harness, POSITION, 30.0);
+    click(&mut harness, at, PointerButton::Secondary);
+    harness.get_by_label("host:bounce").click();
+    steps_on(&mut harness);
+    let edited = harness.state().document.edited_scene().unwrap();
+    let track = edited.scene().nodes()[1].keys().track(&Channel::Position);
+    let by = track.unwrap().interpolation();
+    assert_eq!(*by, Interpolation::Host("bounce".to_owned()));
+    // Not where it does not fit, and gone with its function.
+    host::register("bounce", None).unwrap();
+    tap(&mut harness, Key::Z, Modifiers::CTRL);
+    click(&mut harness, at, PointerButton::Primary);
+    click(&mut harness, at, PointerButton::Secondary);
+    assert!(harness.query_by_label("host:bounce").is_none());
+}
+
+/// Shift and Home show the selected keys, else what moves the nodes; Home shows everything.
+#[test]
+fn shift_and_home_show_the_selection() {
+    let mut harness = window();
+    let at = place(&harness, POSITION, 20.0);
+    click(&mut harness, at, PointerButton::Primary);
+    hold(&mut harness, Modifiers::SHIFT);
+    let at = place(&harness, POSITION, 40.0);
+    click(&mut harness, at, PointerButton::Primary);
+    hold(&mut harness, Modifiers::NONE);
+    let ruler = harness.get_by_label("Frame").rect();
+    let rail = Rangef::new(ruler.left() + 8.0, ruler.right() - 8.0);
+    let axis = |harness: &Window| {
+        let playing = &harness.state().playing;
+        Axis::new(rail, playing.axis, playing.seen)
+    };
+    tap(&mut harness, Key::Home, Modifiers::SHIFT);
+    steps_on(&mut harness);
+    let time = |harness: &Window| Time::new(&axis(harness));
+    let ends = [20.0, 40.0].map(|frame| time(&harness).x(frame));
+    // All of them, with little room beside.
+    assert!(rail.contains(ends[0]) && rail.contains(ends[1]), "{ends:?}");
+    assert!(ends[1] - ends[0] > 0.8 * rail.span(), "{ends:?}");
+    tap(&mut harness, Key::Home, Modifiers::NONE);
+    steps_on(&mut harness);
+    assert!(axis(&harness).shows_all());
+    // Without a key all that moves: from the first one to the end of the drone's path.
+    harness.state_mut().select_keys(Vec::new());
+    harness.state_mut().select_nodes(vec![1]);
+    steps_on(&mut harness);
+    let name = harness.state().texts().space.timeline;
+    harness.get_by_label(name).focus();
+    tap(&mut harness, Key::Home, Modifiers::SHIFT);
+    steps_on(&mut harness);
+    let ends = [5.0, 60.0].map(|frame| time(&harness).x(frame));
+    assert!(rail.contains(ends[0]) && rail.contains(ends[1]), "{ends:?}");
+    assert!(ends[1] - ends[0] > 0.8 * rail.span(), "{ends:?}");
 }

@@ -1,10 +1,13 @@
 //! Which part of the time is seen: the wheel zooms about the pointer, the middle button and the
 //! wheel with Shift move it.
 
-use egui::{Event, MouseWheelUnit, PointerButton, Rect, Ui};
+use egui::{Event, Key, Modifiers, MouseWheelUnit, PointerButton, Rect, Ui};
+use vides_engine::scene::Track;
 
 use super::axis::Axis;
+use super::{ruler, track_drag, tracks};
 use crate::action::Action;
+use crate::state::Editor;
 
 /// Factor of the frames that are seen for each step of the wheel.
 const WHEEL: f64 = 0.8;
@@ -45,6 +48,38 @@ pub(super) fn by_mouse(
         actions.push(Action::See(seen));
         ui.ctx().request_repaint();
     }
+}
+
+/// Shift and Home show the selected keys, else all that moves the selected nodes; Home in the rows of
+/// tracks shows everything.
+pub(super) fn by_keys(editor: &Editor, ui: &Ui, axis: &Axis, actions: &mut Vec<Action>) {
+    let has = |id| ui.memory(|memory| memory.has_focus(id));
+    let (rows, ruler) = (has(tracks::id()), has(ruler::id()));
+    if !(rows || ruler) || editor.document.edited_scene().is_none() {
+        return;
+    }
+    let pressed = |modifiers| ui.input_mut(|input| input.consume_key(modifiers, Key::Home));
+    if pressed(Modifiers::SHIFT) {
+        let keys = editor.selected_keys();
+        let ends = track_drag::ends(editor, &keys).or_else(|| of_nodes(editor));
+        if let Some((first, last)) = ends {
+            actions.push(Action::See(axis.between(first, last)));
+        }
+    } else if rows && pressed(Modifiers::NONE) {
+        actions.push(Action::See(None));
+    }
+}
+
+/// The scene's frames between which the selected nodes move.
+pub(super) fn of_nodes(editor: &Editor) -> Option<(f64, f64)> {
+    let edited = editor.document.edited_scene()?;
+    let nodes = edited.scene().nodes();
+    let of_node = |node: usize| {
+        let tracks = nodes[node].keys().tracks().iter().map(Track::ends);
+        tracks.chain(tracks::bar_of(editor, edited, node))
+    };
+    let ends = editor.selected_nodes().into_iter().flat_map(of_node);
+    ends.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
 }
 
 /// Steps of the wheel towards, and along the time; with Ctrl only unless they may be `plain`.

@@ -94,6 +94,66 @@ fn a_new_key_leaves_the_curve_of_hermite_as_it_is() {
     }
 }
 
+/// The same for a thousand random tracks: any number of keys at any frames, any width, any ends that
+/// do not repeat where the key is.
+#[test]
+fn a_new_key_leaves_random_curves_of_hermite_as_they_are() {
+    let wind = Channel::parse("value:wind:2").unwrap();
+    let channels = [(Channel::Position, 3), (Channel::Scale, 3), (wind, 2)];
+    for round in 0..1000_u64 {
+        let (channel, width) = channels[(round % 3) as usize].clone();
+        let mut frames = some(2 + (round % 7) as usize, 3 * round + 1);
+        frames
+            .iter_mut()
+            .for_each(|frame| *frame = 50.0 + 45.0 * *frame);
+        frames.sort_by(f64::total_cmp);
+        frames.dedup_by(|a, b| *a - *b < 0.5);
+        let (keys, size) = (frames.len(), 10_f64.powi((round % 5) as i32 - 2));
+        let numbers = |count, seed| {
+            let all = some(count, seed).into_iter();
+            all.map(|number| size * number).collect::<Vec<f64>>()
+        };
+        let values = numbers(keys * width, 5 * round + 2);
+        let slopes = numbers(2 * keys * width, 7 * round + 3);
+        let by = Interpolation::Hermite;
+        let (first, last) = (frames[0], frames[keys - 1]);
+        let track = Track::new(channel.clone(), by, frames, values, slopes).unwrap();
+        let mut editor = editor(vec![track.clone()]);
+        let at = (first + (last - first) * (0.5 + 0.6 * some(1, 11 * round)[0])).round();
+        editor.set_frame(at.clamp(1.0, 101.0)).unwrap();
+        if editor.key_state(0, &channel) == KeyState::Here {
+            continue;
+        }
+        editor.switch_key(0, &channel);
+        let new = thing(&editor).keys().track(&channel).unwrap().clone();
+        assert!(new.frames().len() > keys);
+        let warnings = &mut Warnings::default();
+        let most = track
+            .values()
+            .iter()
+            .fold(0.0_f64, |most, value| most.max(value.abs()));
+        for frame in frames_all() {
+            let [mut a, mut b] = [vec![0.0; width], vec![0.0; width]];
+            track.numbers(frame, &mut a, warnings);
+            new.numbers(frame, &mut b, warnings);
+            // Of what is large rounding alone is more.
+            let reach = a
+                .iter()
+                .fold(most.max(1.0), |most, value| most.max(value.abs()));
+            for (a, b) in a.iter().zip(&b) {
+                assert!(
+                    (a - b).abs() <= 1e-12 * reach,
+                    "{track:?}, key {at}: {frame}"
+                );
+            }
+        }
+    }
+}
+
+fn frames_all() -> impl Iterator<Item = f64> {
+    (0..200).map(|at| -5.0 + 0.5567 * f64::from(at))
+}
+
 /// Without a track it is the value at rest; with one a key, at a whole frame.
 #[test]
 fn a_changed_value_is_a_key_where_there_is_a_track_and_else_at_rest() {

@@ -163,6 +163,7 @@ fn entries(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     if entry(ui, text, hint, None) {
         actions.push(Action::OwnTangents(editor.joint().is_none()));
     }
+    crate::playing::pin_menu(editor, ui, editor.document.selection().point, actions);
     ui.separator();
     let (copy, hint) = match editor.several() {
         Some(_) => (menu.copy_points, hints.copy_points),

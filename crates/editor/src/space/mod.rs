@@ -142,7 +142,7 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
 }
 
 /// What mouse and keys do beside what the thesis names: input and meaning.
-pub(super) fn shortcut_help(texts: &Texts) -> [(&'static str, &'static str); 37] {
+pub(super) fn shortcut_help(texts: &Texts) -> [(&'static str, &'static str); 40] {
     let timeline = &texts.timeline;
     let texts = &texts.space;
     [
@@ -177,6 +177,9 @@ pub(super) fn shortcut_help(texts: &Texts) -> [(&'static str, &'static str); 37]
         (timeline.move_keys, timeline.move_meaning),
         (timeline.zoom_mouse, timeline.zoom_meaning),
         (timeline.track_mouse, timeline.track_meaning),
+        (timeline.graph_mouse, timeline.graph_meaning),
+        (timeline.home_keys, timeline.home_meaning),
+        (timeline.keys_clipboard, timeline.clipboard_meaning),
         (timeline.beside_keys, timeline.beside_meaning),
         (timeline.marker_mouse, timeline.marker_meaning),
         (texts.camera_keys, texts.camera_meaning),

@@ -85,6 +85,48 @@ texts! {
             "Zu ganzen Bildern; Umschalt: Zehntel; Strg: Kopien; eine Zahl: zu dieser Zeit; eine Klammer: dehnt die Zeit dazwischen";
         beside_keys: "Comma, period", "Komma, Punkt";
         beside_meaning: "On the timeline, to the key before, after", "Auf der Zeitleiste zum vorigen, nächsten Schlüssel";
+        graph_of_keys: "Graph of keys", "Verlauf der Schlüssel";
+        graph_switch: "Keys as a graph", "Schlüssel als Verlauf";
+        graph_tip: "The numbers of the keys over the frames, or rows of keys",
+            "Die Zahlen der Schlüssel über den Bildern, oder Zeilen von Schlüsseln";
+        curve_tip: "Show this one; Ctrl: besides the others, or no longer",
+            "Diese zeigen; Strg: zu den anderen, oder nicht mehr";
+        read_only: "Quaternions are shown as angles, which can only be read; Angles in the track's menu can be dragged",
+            "Quaternionen stehen hier als Winkel, nur zum Lesen; ziehen lassen sich Winkel aus dem Menü der Spur";
+        time_stays: "X: the time stays", "X: die Zeit bleibt";
+        number_stays: "Y: the value stays", "Y: der Wert bleibt";
+        tangent: "{0}: {1} a second", "{0}: {1} je Sekunde";
+        smooth_hint: "The other tangent goes along: no corner in the graph",
+            "Die andere Tangente geht mit: kein Knick im Verlauf";
+        mirrored_hint: "The other tangent is its mirror image: back as it came",
+            "Die andere Tangente ist ihr Spiegelbild: zurück, wie es kam";
+        corner_hint: "The other tangent stays", "Die andere Tangente bleibt";
+        graph_mouse: "Drag keys in the graph", "Schlüssel im Verlauf ziehen";
+        graph_meaning: "In time and in value; X: the time stays, Y: the value stays; else as in the rows. Handles: the tangents of selected keys",
+            "In der Zeit und im Wert; X: die Zeit bleibt, Y: der Wert bleibt; sonst wie in den Zeilen. Griffe: die Tangenten gewählter Schlüssel";
+        keys_clipboard: "Ctrl + C, X, V on the timeline", "Strg + C, X, V auf der Zeitleiste";
+        clipboard_meaning: "Copy and cut the selected keys of nodes; put them in at the playhead, into the selected nodes",
+            "Gewählte Schlüssel von Knoten kopieren und ausschneiden; an der Abspielmarke in die gewählten Knoten einfügen";
+        no_keys_selected: "No key of a node is selected", "Kein Schlüssel eines Knotens ist gewählt";
+        keys_copied: "{0} keys copied", "{0} Schlüssel kopiert";
+        keys_pasted: "{0} keys pasted at the playhead", "{0} Schlüssel an der Abspielmarke eingefügt";
+        no_keys: "What was copied last is no keys of a node: nothing was pasted",
+            "Was zuletzt kopiert wurde, sind keine Schlüssel eines Knotens: nichts wurde eingefügt";
+        keys_not_pasted: "The copied keys cannot be pasted: {0}",
+            "Die kopierten Schlüssel lassen sich nicht einfügen: {0}";
+        as_many_nodes: "The copied keys are of {0} nodes, and {1} are selected: nothing was pasted",
+            "Die kopierten Schlüssel sind von {0} Knoten, und gewählt sind {1}: nichts wurde eingefügt";
+        fits_no_channel: "The copied keys fit no channel of the selected nodes: nothing was pasted",
+            "Die kopierten Schlüssel passen zu keinem Kanal der gewählten Knoten: nichts wurde eingefügt";
+        pin_to: "Pin to", "Feststecken an";
+        pin_hint: "The path is at this point at the marker's frame: the first pin moves its start, the sections between two share the frames",
+            "Die Bahn ist beim Bild der Marke an diesem Punkt: der erste festgesteckte verschiebt den Anfang, die Abschnitte zwischen zweien teilen sich die Bilder";
+        no_marker: "No marker", "Keine Marke";
+        no_markers: "There is no marker: a double click on the ruler makes one",
+            "Es gibt keine Marke: ein Doppelklick auf das Lineal macht eine";
+        home_keys: "Shift + Home on the timeline", "Umschalt + Pos1 auf der Zeitleiste";
+        home_meaning: "See the selected keys, else all that moves the selected nodes; Home: everything",
+            "Die gewählten Schlüssel sehen, sonst alles, was die gewählten Knoten bewegt; Pos1: alles";
         marker: "Marker {0}", "Marke {0}";
         new_marker: "Marker {0}", "Marke {0}";
         marker_name: "Name of the marker", "Name der Marke";

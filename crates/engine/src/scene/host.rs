@@ -52,6 +52,15 @@ pub fn register(name: &str, function: Option<Arc<Function>>) -> Result<()> {
     Ok(())
 }
 
+/// The names of those that are registered, in alphabetical order.
+#[must_use]
+pub fn names() -> Vec<String> {
+    let all = FUNCTIONS.read().unwrap_or_else(PoisonError::into_inner);
+    let mut names: Vec<String> = all.iter().map(|(name, _)| name.clone()).collect();
+    names.sort_unstable();
+    names
+}
+
 pub(super) fn function(name: &str) -> Option<Arc<Function>> {
     let all = FUNCTIONS.read().unwrap_or_else(PoisonError::into_inner);
     let (_, function) = all.iter().find(|(known, _)| known == name)?;
