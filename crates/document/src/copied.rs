@@ -53,16 +53,16 @@ impl Document {
         vid::keys_to_toml(nodes)
     }
 
-    /// The tracks in such a text by node, whose name is empty if it has none; `None` if there is no
+    /// The tracks in such a text by node, whose name is empty if it has none; nothing if there is no
     /// track. Whatever else nodes have there is passed over.
     ///
     /// # Errors
     /// `ErrorKind::Format` with the line, as for a file; `Limit`, `Memory`.
-    pub fn keys_of_text(text: &str) -> Result<Option<Vec<(String, Vec<Track>)>>> {
-        if !text.contains("[[node.track]]") {
-            return Ok(None);
+    pub fn keys_of_text(text: &str) -> Result<Vec<(String, Vec<Track>)>> {
+        match text.contains("[[node.track]]") {
+            true => vid::keys_from_toml(text),
+            false => Ok(Vec::new()),
         }
-        Ok(Some(vid::keys_from_toml(text)?).filter(|nodes| !nodes.is_empty()))
     }
 }
 
@@ -107,7 +107,7 @@ mod tests {
                 nodes.push((format!("node \"{number}\""), tracks));
             }
             let text = Document::keys_as_text(&nodes).unwrap();
-            let mut back = Document::keys_of_text(&text).unwrap().unwrap();
+            let mut back = Document::keys_of_text(&text).unwrap();
             if count == 1 {
                 assert_eq!(back[0].0, "");
                 back[0].0.clone_from(&nodes[0].0);
@@ -123,12 +123,12 @@ mod tests {
         let text = format!(
             "# two\n[[node]]\nname = \"a\"\nkind = \"camera\"\nroll_degrees = 3.0\n{track}\n[[node]]\nname = \"b\"\n{track}"
         );
-        let nodes = Document::keys_of_text(&text).unwrap().unwrap();
+        let nodes = Document::keys_of_text(&text).unwrap();
         assert_eq!(nodes.len(), 2);
         assert_eq!(nodes[1].1[0].frames(), [0.0, 5.0]);
         assert!(Document::keys_of_text("node = 3\n# [[node.track]]").is_err());
-        assert_eq!(Document::keys_of_text("title = \"x\"").unwrap(), None);
-        assert_eq!(Document::keys_of_text("# [[node.track]]").unwrap(), None);
+        assert_eq!(Document::keys_of_text("title = \"x\"").unwrap(), []);
+        assert_eq!(Document::keys_of_text("# [[node.track]]").unwrap(), []);
         let wrong = Document::keys_of_text(&track.replace("roll", "wobble"));
         assert!(wrong.unwrap_err().to_string().starts_with("line 2: "));
     }

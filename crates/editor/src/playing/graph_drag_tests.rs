@@ -305,6 +305,12 @@ fn numbers_stay_in_range() {
     assert_eq!(value, 0.0);
     drag(&mut harness, from, from + vec2(0.0, 60.0));
     assert_eq!(number(&harness, &Channel::Intensity, 0, 0), 0.0);
+    let refused = harness
+        .state()
+        .message
+        .as_ref()
+        .is_some_and(|said| said.error);
+    assert!(!refused);
     drag(&mut harness, from, from - vec2(0.0, 30.0));
     assert!(number(&harness, &Channel::Intensity, 0, 0) > 0.01);
 }

@@ -76,7 +76,8 @@ pub(super) fn scale(
             false => editor.language().power(value, 2),
         };
         let galley = painter.layout_no_wrap(words, theme::small(), palette.weak);
-        let place = pos2(ground.left() + 4.0, y - galley.size().y);
+        // Beside the playhead where that is at the beginning.
+        let place = pos2(ground.left() + 12.0, y - galley.size().y);
         if place.x >= left && place.y > ground.top() + 14.0 {
             painter.galley(place, galley, palette.weak);
         }

@@ -138,8 +138,8 @@ impl Editor {
     pub(super) fn paste_keys(&mut self, text: &str) {
         let texts = &self.texts().timeline;
         let nodes = match Document::keys_of_text(text) {
-            Ok(Some(nodes)) => nodes,
-            Ok(None) => return self.complain(texts.no_keys),
+            Ok(nodes) if nodes.is_empty() => return self.complain(texts.no_keys),
+            Ok(nodes) => nodes,
             Err(error) => {
                 let why = self.without_name(&error);
                 return self.complain(fill(texts.keys_not_pasted, &[&why]));

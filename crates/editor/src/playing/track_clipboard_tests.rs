@@ -127,7 +127,7 @@ fn keys_are_copied_and_put_in_at_the_playhead() {
     assert_eq!(intensity.frames(), [10.0, 20.0, 31.0]);
     assert_eq!(harness.state().selected_keys().len(), 3);
     assert!(
-        message(&harness).starts_with("3 keys pasted"),
+        message(&harness).starts_with("Keys pasted at the playhead: 3"),
         "{}",
         message(&harness)
     );
@@ -296,7 +296,7 @@ fn keys_become_those_of_the_track_that_is_there() {
             channel.clone(),
             by,
             &[100.0, 110.0],
-            &[&turned[..], &turn].concat()[..2 * width].to_vec(),
+            &[&turned[..], &turn].concat()[..2 * width],
         );
         let there = match (channel, width) {
             (Channel::Rotation, 4) => track(Channel::Rotation, Linear, &[100.0, 110.0], &turn),

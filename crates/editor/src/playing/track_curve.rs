@@ -81,6 +81,9 @@ fn angles([w, x, y, z]: [f64; 4]) -> [f64; 3] {
     [angles.yaw, angles.pitch, angles.roll].map(f64::to_degrees)
 }
 
+/// A frame and the numbers there.
+type Place = (f64, Vec<f64>);
+
 /// Frames in rising order with their numbers.
 #[derive(Debug, Default)]
 pub(super) struct Curve {
@@ -147,19 +150,13 @@ impl Curve {
         self.take(&begin);
     }
 
-    fn take(&mut self, (frame, values): &(f64, Vec<f64>)) {
+    fn take(&mut self, (frame, values): &Place) {
         self.frames.push(*frame);
         self.values.extend(values);
     }
 
     /// What is needed between two places.
-    fn between(
-        &mut self,
-        of: &Of<'_>,
-        (begin, end): (&(f64, Vec<f64>), &(f64, Vec<f64>)),
-        tolerance: f64,
-        cuts: u32,
-    ) {
+    fn between(&mut self, of: &Of<'_>, (begin, end): (&Place, &Place), tolerance: f64, cuts: u32) {
         let third = |share: f64| {
             let frame = begin.0 + (end.0 - begin.0) * share;
             (frame, of.at(frame))

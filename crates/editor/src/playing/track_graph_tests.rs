@@ -73,7 +73,7 @@ fn scale(harness: &Window) -> impl Fn(f64) -> f64 + use<> {
     };
     for shape in shapes {
         if let Shape::Text(text) = &shape.shape
-            && (text.pos.x - ground.left() - 4.0).abs() < 0.01
+            && (text.pos.x - ground.left() - 12.0).abs() < 0.01
             && text.pos.y > ground.top() + 14.0
             && ground.contains(text.pos)
             && let Ok(value) = text.galley.text().replace('−', "-").parse::<f64>()
@@ -497,4 +497,45 @@ fn pictures() {
         screenshot(&mut harness, &format!("graph-{name}-menu.png"));
         motion(&mut harness, dot);
     }
+}
+
+/// A node that only follows a path has an empty graph; its tracks come back with another node.
+#[test]
+fn a_graph_without_tracks_is_empty() {
+    let mut harness = graph();
+    harness.state_mut().select_nodes(vec![2]);
+    steps_on(&mut harness);
+    assert!(lines(&harness).is_empty() && diamonds(&harness).is_empty());
+    let middle = ground(&harness).center();
+    drag(&mut harness, middle, middle + vec2(50.0, 20.0));
+    click(&mut harness, middle, PointerButton::Secondary);
+    assert!(harness.state().selected_keys().is_empty());
+    harness.state_mut().select_nodes(vec![1]);
+    steps_on(&mut harness);
+    assert_eq!(lines(&harness).len(), 3);
+}
+
+/// A click at its name shows a track, with Ctrl besides others, and once more no longer.
+#[test]
+fn tracks_are_chosen_by_their_names() {
+    let mut harness = graph();
+    assert_eq!(lines(&harness).len(), 3);
+    choose(&mut harness, &Channel::Intensity);
+    assert_eq!(lines(&harness).len(), 1);
+    hold(&mut harness, egui::Modifiers::CTRL);
+    choose(&mut harness, &Channel::Position);
+    assert_eq!(lines(&harness).len(), 4);
+    choose(&mut harness, &Channel::Intensity);
+    hold(&mut harness, egui::Modifiers::NONE);
+    assert_eq!(lines(&harness).len(), 3);
+    // Rows again.
+    let name = harness.state().texts().timeline.graph_switch;
+    harness.get_by_label(name).click();
+    steps_on(&mut harness);
+    let rows = harness.state().texts().timeline.tracks;
+    assert!(
+        harness
+            .query_by_role_and_label(Role::Canvas, rows)
+            .is_some()
+    );
 }

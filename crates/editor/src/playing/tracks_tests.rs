@@ -483,6 +483,24 @@ fn a_track_has_a_menu() {
     }
 }
 
+/// A choice in a menu within the menu closes both.
+#[test]
+fn before_and_after_are_chosen() {
+    let mut harness = window();
+    let texts = &Language::English.texts().timeline;
+    let at = place(&harness, POSITION, 30.0);
+    click(&mut harness, at, PointerButton::Secondary);
+    let entry = harness.get_by_label(texts.after).rect().center();
+    click(&mut harness, entry, PointerButton::Primary);
+    harness.get_by_label(texts.repeats).click();
+    steps_on(&mut harness);
+    let edited = harness.state().document.edited_scene().unwrap();
+    let track = edited.scene().nodes()[1].keys().track(&Channel::Position);
+    let ends = (Extrapolation::Hold, Extrapolation::Repeat);
+    assert_eq!(track.unwrap().extrapolation(), ends);
+    assert!(harness.query_by_label(texts.after).is_none());
+}
+
 /// Rows scroll with the wheel; with Ctrl it zooms.
 #[test]
 fn rows_scroll_and_fold() {

@@ -108,8 +108,8 @@ texts! {
         clipboard_meaning: "Copy and cut the selected keys of nodes; put them in at the playhead, into the selected nodes",
             "Gewählte Schlüssel von Knoten kopieren und ausschneiden; an der Abspielmarke in die gewählten Knoten einfügen";
         no_keys_selected: "No key of a node is selected", "Kein Schlüssel eines Knotens ist gewählt";
-        keys_copied: "{0} keys copied", "{0} Schlüssel kopiert";
-        keys_pasted: "{0} keys pasted at the playhead", "{0} Schlüssel an der Abspielmarke eingefügt";
+        keys_copied: "Keys copied: {0}", "Kopierte Schlüssel: {0}";
+        keys_pasted: "Keys pasted at the playhead: {0}", "An der Abspielmarke eingefügte Schlüssel: {0}";
         no_keys: "What was copied last is no keys of a node: nothing was pasted",
             "Was zuletzt kopiert wurde, sind keine Schlüssel eines Knotens: nichts wurde eingefügt";
         keys_not_pasted: "The copied keys cannot be pasted: {0}",
