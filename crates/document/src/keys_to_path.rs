@@ -160,7 +160,6 @@ fn own_poses(scene: &Scene, node: usize) -> Result<(f64, Vec<Pose>)> {
             vpn: (turn * DVec3::Z).to_array(),
             vup: (turn * DVec3::Y).to_array(),
             zoom: Values::default().zoom,
-            ..Pose::default()
         });
     }
     warnings
