@@ -173,8 +173,8 @@ impl Editor {
         }
     }
 
-    /// Selects the nodes and keys that undo or redo has changed; of nodes that are selected the
-    /// current one stays so.
+    /// Selects the nodes and keys that undo or redo has changed; those that are selected stay so
+    /// where all of these are among them.
     pub(crate) fn select_touched(&mut self) {
         self.scene_view.selection.follow(&self.document);
         let touched = self.document.touched();
@@ -190,8 +190,11 @@ impl Editor {
             })
         });
         let keys: Vec<KeyAt> = keys.collect();
-        if let Some(current) = self.current_node()
-            && let Ok(at) = nodes.binary_search(&current)
+        let selected = self.selected_nodes();
+        if nodes.iter().all(|node| selected.contains(node)) {
+            nodes = selected;
+        } else if let Some(current) = selected.first()
+            && let Ok(at) = nodes.binary_search(current)
         {
             nodes[..=at].rotate_right(1);
         }

@@ -237,6 +237,7 @@ pub(super) fn is_one_step(harness: &mut Window<'_>, before: &str) {
     assert!(harness.state_mut().document.redo());
     assert_eq!(text(harness), after);
     assert!(harness.state_mut().document.undo());
+    harness.state_mut().select_touched();
 }
 
 #[test]
