@@ -1,16 +1,20 @@
-"""Makes the README's pictures of the window: pictures.py HOSTS_FOLDER DOCS_FOLDER
+"""Makes pictures of the window: pictures.py HOSTS_FOLDER DOCS_FOLDER VIDES
 
-Dark and light, at one and at two pixels a point: the flight around the pyramid,
-seen in the middle of it.
+For the README, dark and light, at one and at two pixels a point: the flight around the
+pyramid, seen in the middle of it. For docs/scene.md: the car of examples/car.vid, and
+the keys of its way.
 """
 
 import os
+import subprocess
 import sys
 import tempfile
 
 from harness import Server, Told
 
-PYRAMID = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../examples/pyramid.vid")
+EXAMPLES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../examples")
+PYRAMID = os.path.join(EXAMPLES, "pyramid.vid")
+CAR = os.path.join(EXAMPLES, "car.vid")
 
 
 def take(hosts, theme, scale, path):
@@ -40,9 +44,34 @@ def take(hosts, theme, scale, path):
             server.end()
 
 
+def scene(vides, path):
+    """The car is selected, and its keys are seen as curves."""
+    with tempfile.TemporaryDirectory(prefix="vides-x-") as folder:
+        server = Server(folder, screen="2500x1700x24")
+        program = None
+        try:
+            server.env.update(LANG="en_GB.UTF-8")
+            program = subprocess.Popen([vides, "edit", os.path.realpath(CAR)], env=server.env)
+            window = server.new_window()
+            server.drawn(window)
+            server.click(window, 60, 112)
+            server.drawn(window)
+            server.click(window, 128, server.geometry(window)[3] - 152)
+            server.drawn(window)
+            server.xdotool("mousemove", 2490, 1690)
+            server.drawn(window).save(path)
+        finally:
+            if program:
+                program.kill()
+                program.wait()
+            server.end()
+
+
 def main():
     """See the top."""
-    hosts, docs = map(os.path.abspath, sys.argv[1:3])
+    hosts, docs, vides = map(os.path.abspath, sys.argv[1:4])
+    scene(vides, os.path.join(docs, "scene.png"))
+    print("scene.png")
     for theme in ("dark", "light"):
         for scale in (1, 2):
             name = f"window-{theme}{'-2x' if scale == 2 else ''}.png"

@@ -184,4 +184,6 @@ impl Editor {
 }
 
 #[cfg(test)]
+mod refusals_tests;
+#[cfg(test)]
 mod tests;

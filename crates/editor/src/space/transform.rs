@@ -437,7 +437,7 @@ impl Transform {
     }
 
     /// Where its guides lead through, and along which axis or in which plane.
-    /// Those of nodes are drawn by [`Transform::line`].
+    /// Those of nodes are drawn by `trail::guides`.
     pub(super) fn guides(
         &self,
         editor: &Editor,
