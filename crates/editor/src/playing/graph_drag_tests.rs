@@ -9,7 +9,7 @@ use super::super::tracks::tests::*;
 use super::*;
 use crate::setup::Theme;
 use crate::space::tests::{release, tap};
-use crate::tests::{BOTH, LARGE};
+use crate::tests::{BOTH, LARGE, spent};
 
 fn number(harness: &Window, channel: &Channel, key: usize, part: usize) -> f64 {
     let track = track_of(harness, channel);
@@ -348,10 +348,10 @@ fn a_dragged_key_costs_little_more_than_scrubbing() {
     let spent = |harness: &mut Window, pass: &mut dyn FnMut(&mut Window, u8)| {
         let mut all: Vec<f64> = (0..15_u8)
             .map(|number| {
-                let before = milliseconds();
+                let before = spent();
                 pass(harness, number);
                 harness.step();
-                milliseconds() - before
+                spent() - before
             })
             .collect();
         all.sort_by(f64::total_cmp);
@@ -375,15 +375,4 @@ fn a_dragged_key_costs_little_more_than_scrubbing() {
     let ratio = dragged / scrubbed;
     println!("{dragged:.1} ms a pass, {ratio:.2} times one that scrubs");
     assert!(ratio <= 1.5, "{ratio}: {dragged} and {scrubbed} ms");
-}
-
-/// The time that a processor has spent on this thread, else the clock's.
-fn milliseconds() -> f64 {
-    let spent = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
-    let spent = spent.and_then(|spent| spent.split(' ').next()?.parse::<f64>().ok());
-    let clock = || std::time::SystemTime::now().duration_since(std::time::UNIX_EPOCH);
-    spent.map_or_else(
-        || clock().unwrap().as_secs_f64() * 1e3,
-        |spent| 1e-6 * spent,
-    )
 }

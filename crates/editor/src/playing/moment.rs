@@ -17,19 +17,28 @@ impl Editor {
         Some(frame - 1 + i64::from(self.document.info().first_frame))
     }
 
+    /// The scene's frame of the edited path's first one; without a path that of the scene, which is
+    /// not looked for in all nodes each time.
+    fn start_of_path(&self) -> f64 {
+        match self.document.edited_scene().map(|edited| edited.node()) {
+            Some(None) => self.playing.marks.range.0,
+            _ => self.document.start_frame(),
+        }
+    }
+
     /// A frame of the scene as one of the edited path, which may not have begun or be over.
     pub(crate) fn frame_on_path(&self, frame: f64) -> f64 {
         match self.document.edited_scene() {
-            Some(_) => nearly_whole(self.document.frame_of_path(frame)),
+            Some(_) => nearly_whole(frame - self.start_of_path() + 1.0),
             None => frame,
         }
     }
 
     /// The frame of the edited path that is seen at one of the scene.
     pub(super) fn seen_on_path(&self, frame: f64) -> Option<f64> {
-        match self.document.edited_scene() {
-            Some(_) => Some(nearly_whole(self.document.seen_frame_of_path(frame).ok()?)),
-            None => Some(frame),
+        match self.document.edited_scene().map(|edited| edited.node()) {
+            Some(Some(_)) => Some(nearly_whole(self.document.seen_frame_of_path(frame).ok()?)),
+            _ => Some(self.frame_on_path(frame)),
         }
     }
 
@@ -37,7 +46,7 @@ impl Editor {
     pub(super) fn axis_of_path(&self, axis: &Axis) -> Axis {
         match self.document.edited_scene() {
             Some(_) => {
-                let more = self.document.frame_of_path(0.0);
+                let more = 1.0 - self.start_of_path();
                 axis.counted(more, as_frame(self.playing.marks.frames))
             }
             None => *axis,
@@ -56,10 +65,9 @@ impl Editor {
     /// The scene's frames of the edited path's first and last pose, if the playhead is not between
     /// them.
     pub(crate) fn outside_path(&self) -> Option<(f64, f64)> {
-        let edited = self.document.edited_scene()?;
+        self.document.edited_scene()?.node()?;
         let at = self.frame_on_path(self.playing.frame?);
         let last = as_frame(self.playing.marks.frames);
-        edited.node()?;
         (!(1.0..=last).contains(&at)).then(|| {
             let of_scene = |frame| self.document.frame_of_scene(frame);
             (of_scene(1.0), of_scene(last))

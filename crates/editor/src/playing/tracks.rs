@@ -99,14 +99,15 @@ pub(super) fn rows(editor: &Editor, memory: &Memory) -> Vec<Row> {
         return Vec::new();
     };
     let nodes = edited.scene().nodes();
-    let mut rows = Vec::new();
-    for node in editor.selected_nodes() {
+    let selected = editor.selected_nodes();
+    let mut rows = Vec::with_capacity(2 * selected.len());
+    for node in selected {
         let tracks = nodes[node].keys().tracks().len();
         if tracks == 0 && nodes[node].path().is_none() {
             continue;
         }
         rows.push(Row { node, track: None });
-        if !memory.folded.contains(&node) {
+        if memory.folded.is_empty() || !memory.folded.contains(&node) {
             rows.extend((0..tracks).map(|track| Row {
                 node,
                 track: Some(track),

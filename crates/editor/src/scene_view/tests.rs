@@ -383,26 +383,15 @@ fn scrubbing_a_large_scene_stays_fluent() {
     let mut window = window_of(options, LARGE, 1.0, Theme::Dark);
     screenshot(&mut window, "scene-large.png");
     let passes = 40;
-    let start = std::time::Instant::now();
-    let before = milliseconds_of_this_thread();
+    let before = spent();
     for step in 0..passes {
         let frame = 21.0 + f64::from(step);
         window.state_mut().set_frame(frame).unwrap();
         window.step();
     }
-    let spent = milliseconds_of_this_thread().zip(before);
-    let clock = 1e3 * start.elapsed().as_secs_f64();
-    let pass = spent.map_or(clock, |(now, before)| now - before) / f64::from(passes);
+    let pass = (spent() - before) / f64::from(passes);
     println!("a pass: {pass:.1} ms");
     assert!(pass < 60.0, "{pass} ms");
-}
-
-/// The time that a processor has spent on it, however busy the machine is; where that is not told,
-/// the clock has to do.
-fn milliseconds_of_this_thread() -> Option<f64> {
-    let spent = std::fs::read_to_string("/proc/thread-self/schedstat").ok()?;
-    let nanoseconds: f64 = spent.split(' ').next()?.parse().ok()?;
-    Some(1e-6 * nanoseconds)
 }
 
 /// The bar's totals are the scene's: nothing is typed there.

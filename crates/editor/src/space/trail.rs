@@ -27,6 +27,9 @@ const KEYS: usize = 2_000;
 /// Of more selected nodes there are no ways, and of pivots only dots.
 const NODES: usize = 32;
 
+/// Of more selected nodes no pivots are told apart.
+const SIGNS: usize = 1_000;
+
 /// Radius of a dot, half the side of a key's square, radius of a pivot's ring and length of its
 /// arms, in points.
 const DOT: f64 = 1.2;
@@ -116,7 +119,7 @@ fn lines(editor: &Editor, look: &Look<'_>) -> Lines {
     });
     let pivots = nodes::selected_pivots(editor);
     let few = pivots.len() <= NODES;
-    for (_, pivot) in pivots {
+    for &(_, pivot) in pivots.iter().take(SIGNS) {
         match few {
             true => sign(&mut strokes, look, pivot, color),
             false => strokes.disc(look.projection.image(pivot), 2.0 * DOT, color),

@@ -1,7 +1,5 @@
 //! A scene of ten thousand nodes that move by a million keys.
 
-use std::time::Instant;
-
 use egui::{PointerButton, pos2};
 use vides_engine::scene::{Channel, Interpolation, Kind, Node, Scene, Track};
 
@@ -52,11 +50,11 @@ fn a_key_of_a_million_is_dragged_as_the_time_is_scrubbed() {
         let y = if drags { below } else { ruler.center().y };
         press_at(&mut window, pos2(x(201.0), y), PointerButton::Primary);
         motion(&mut window, pos2(x(207.0), y));
-        let start = Instant::now();
+        let start = spent();
         for pass in 0..20_u8 {
             motion(&mut window, pos2(x(207.0 + f32::from(pass)), y));
         }
-        best[round % 2] = best[round % 2].min(start.elapsed().as_secs_f64());
+        best[round % 2] = best[round % 2].min(spent() - start);
         if drags {
             // It is not where it was.
             let scene = window.state().document().scene().unwrap();
@@ -68,6 +66,6 @@ fn a_key_of_a_million_is_dragged_as_the_time_is_scrubbed() {
         window.run();
     }
     let ratio = best[1] / best[0];
-    println!("{:.1} ms a pass, {ratio:.2}", 50.0 * best[1]);
+    println!("{:.1} ms a pass, {ratio:.2}", best[1] / 20.0);
     assert!(ratio <= 1.5, "{ratio}");
 }

@@ -13,6 +13,9 @@ mod pictures;
 mod scene_hosts;
 mod scenes;
 
+use std::sync::OnceLock;
+use std::time::Instant;
+
 pub(crate) use egui::{Key, Modifiers, Role, vec2};
 pub(crate) use egui_kittest::Harness;
 pub(crate) use egui_kittest::kittest::Queryable;
@@ -127,6 +130,16 @@ pub(crate) fn click_button(
 pub(crate) fn click(window: &mut Window, label: &str) {
     window.get_by_label(label).click();
     window.run();
+}
+
+/// Milliseconds that a processor has spent on this thread, however busy the machine is; where that
+/// is not told, the clock has to do.
+pub(crate) fn spent() -> f64 {
+    static BEGIN: OnceLock<Instant> = OnceLock::new();
+    let told = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
+    let nanoseconds = told.and_then(|text| text.split(' ').next()?.parse::<f64>().ok());
+    let clock = || BEGIN.get_or_init(Instant::now).elapsed().as_secs_f64() * 1e3;
+    nanoseconds.map_or_else(clock, |spent| 1e-6 * spent)
 }
 
 /// What stands in the output field: a message, or nothing but the setting.
