@@ -56,7 +56,7 @@ def scene(vides, path):
             server.drawn(window)
             server.click(window, 60, 112)
             server.drawn(window)
-            server.click(window, 128, server.geometry(window)[3] - 152)
+            server.click(window, 128, server.geometry(window)[3] - 176)
             server.drawn(window)
             server.xdotool("mousemove", 2490, 1690)
             server.drawn(window).save(path)
