@@ -440,7 +440,9 @@ fn bar(editor: &Editor, memory: &mut graph::Memory, ui: &mut Ui, actions: &mut V
             graph::Held::Key(drag) => drag.all,
             _ => editor.playing.axis,
         };
-        let rail = Rangef::new(right.left() + END, right.right() - END);
+        let begin = right.left() + END;
+        // A window may be one pixel wide.
+        let rail = Rangef::new(begin, (right.right() - END).max(begin + 1.0));
         let axis = Axis::new(rail, frames, editor.playing.seen);
         let time = Rect::from_min_max(right.min, pos2(right.right(), edge.bottom()));
         zoom::by_keys(editor, ui, &axis, actions);

@@ -41,6 +41,13 @@ pub(crate) struct SceneList {
     wanted: Option<f32>,
     /// Top and bottom of what the scroll area has shown.
     seen: (f32, f32),
+    /// The pass in which it was last shown.
+    pass: u64,
+}
+
+/// Whether this pass has shown the list.
+pub(super) fn is_shown(editor: &Editor, context: &Context) -> bool {
+    editor.scene_view.list.borrow().pass == context.cumulative_pass_nr()
 }
 
 /// Shows the list, at most this high, if there is a scene.
@@ -60,6 +67,7 @@ pub(crate) fn list(editor: &Editor, ui: &mut Ui, highest: f32, actions: &mut Vec
             selected
         },
     };
+    list.pass = ui.ctx().cumulative_pass_nr();
     list.follow(&shown, edited.number());
     list.show(&shown, ui, highest, actions);
     editor.scene_view.list.replace(list);

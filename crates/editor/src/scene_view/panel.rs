@@ -2,7 +2,7 @@
 
 use egui::{Button, Context, Rect, RichText, Ui, vec2};
 
-use super::list::list;
+use super::list::{is_shown, list};
 use vides_engine::tools::fit::Tolerance;
 
 use crate::action::Action;
@@ -22,6 +22,10 @@ const ROWS: f32 = 12.0;
 /// Shows the list in a window of its own, if there is a scene and the column of lists is folded.
 pub(crate) fn show(editor: &Editor, context: &Context, viewport: Rect, actions: &mut Vec<Action>) {
     if editor.document.edited_scene().is_none() || editor.points_list.is_open(context) {
+        return;
+    }
+    // While the column is being folded it has shown the list.
+    if is_shown(editor, context) {
         return;
     }
     egui::Window::new(editor.texts().scene.title)

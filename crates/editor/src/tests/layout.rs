@@ -399,3 +399,20 @@ fn all_panels_are_seen_at_once() {
         }
     }
 }
+
+/// However small it is, nothing is asked for that cannot be.
+#[test]
+fn a_window_of_one_pixel_is_a_window() {
+    let car = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/car.vid");
+    for size in [[1.0, 1.0], [1.0, 4000.0], [4000.0, 1.0]] {
+        window_with_points(Language::German, size, 1.0, Theme::Dark);
+        let document = Document::load_scene(car.as_ref()).unwrap().0;
+        let options = Options {
+            document,
+            ..options(Language::English)
+        };
+        let mut window = window_of(options, size, 1.0, Theme::Light);
+        window.state_mut().select_nodes(vec![0, 1]);
+        window.run();
+    }
+}

@@ -9,6 +9,7 @@ mod large;
 mod layout;
 mod looks;
 mod manual;
+mod monkey;
 mod pictures;
 mod scene_hosts;
 mod scenes;
