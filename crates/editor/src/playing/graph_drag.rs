@@ -12,7 +12,7 @@ use super::graph_paint::part_name;
 use super::key_motion::{Change, KeyMotion, Numbers};
 use super::key_row::{FINE, bubble};
 use super::track_curve::Of;
-use super::track_drag::Way;
+use super::track_drag::{Way, begun};
 use super::track_graph::{self, Dot, Hit, Memory, PartOf, Parts, Shown, has_handles, parts_of};
 use super::tracks::channel_name;
 use crate::action::Action;
@@ -341,13 +341,8 @@ pub(super) fn show(
     (shown, top): (&Shown<'_>, f32),
     actions: &mut Vec<Action>,
 ) {
-    if response.drag_started()
-        && !ui.input(|input| input.pointer.middle_down() || input.pointer.secondary_down())
-        && let Some(at) = ui.input(|input| input.pointer.press_origin())
-    {
-        response.request_focus();
-        let adds = ui.input(|input| input.modifiers.ctrl || input.modifiers.shift);
-        memory.held = taken(memory, shown, (at, adds), actions);
+    if let Some(begun) = begun(ui, response) {
+        memory.held = taken(memory, shown, begun, actions);
     }
     if !response.dragged() {
         ended(memory, ui, response, actions);

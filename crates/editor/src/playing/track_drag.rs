@@ -282,6 +282,18 @@ impl BarDrag {
     }
 }
 
+/// Where a drag begins in this pass, and whether it adds to what is selected.
+pub(super) fn begun(ui: &Ui, response: &Response) -> Option<(Pos2, bool)> {
+    let at = ui.input(|input| {
+        let other = input.pointer.middle_down() || input.pointer.secondary_down();
+        let adds = input.modifiers.ctrl || input.modifiers.shift;
+        Some((input.pointer.press_origin()?, adds)).filter(|_| !other)
+    });
+    let at = at.filter(|_| response.drag_started())?;
+    response.request_focus();
+    Some(at)
+}
+
 /// Takes what is under the pointer when a drag begins, and goes on with what is held.
 pub(super) fn show(
     editor: &Editor,
@@ -291,13 +303,8 @@ pub(super) fn show(
     (shown, top): (&Shown<'_>, f32),
     actions: &mut Vec<Action>,
 ) {
-    if response.drag_started()
-        && !ui.input(|input| input.pointer.middle_down() || input.pointer.secondary_down())
-        && let Some(at) = ui.input(|input| input.pointer.press_origin())
-    {
-        response.request_focus();
-        let adds = ui.input(|input| input.modifiers.ctrl || input.modifiers.shift);
-        *held = taken(editor, shown, (at, adds), actions);
+    if let Some(begun) = begun(ui, response) {
+        *held = taken(editor, shown, begun, actions);
     }
     let time = &shown.time;
     if !response.dragged() {

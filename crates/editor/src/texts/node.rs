@@ -27,7 +27,7 @@ texts! {
         visible_hint: "A hidden node hides what is in it", "Ein verborgener Knoten verbirgt, was in ihm ist";
 
         place: "Place", "Lage";
-        position: "Position", "Ort";
+        position: "Position", "Position";
         position_hint: "In its parent: drag, or click and type",
             "In dem, worin er ist: ziehen, oder klicken und tippen";
         rotation: "Yaw, pitch, roll", "Gieren, Nicken, Rollen";
