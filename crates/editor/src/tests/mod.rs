@@ -15,7 +15,7 @@ mod scene_hosts;
 mod scenes;
 
 use std::sync::OnceLock;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 pub(crate) use egui::{Key, Modifiers, Role, vec2};
 pub(crate) use egui_kittest::Harness;
@@ -137,6 +137,8 @@ pub(crate) fn click(window: &mut Window, label: &str) {
 /// is not told, the clock has to do.
 pub(crate) fn spent() -> f64 {
     static BEGIN: OnceLock<Instant> = OnceLock::new();
+    // Of a thread that runs, the system counts only every few milliseconds.
+    std::thread::sleep(Duration::from_micros(1));
     let told = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
     let nanoseconds = told.and_then(|text| text.split(' ').next()?.parse::<f64>().ok());
     let clock = || BEGIN.get_or_init(Instant::now).elapsed().as_secs_f64() * 1e3;
