@@ -4,7 +4,7 @@ use std::fmt::Write;
 use std::path::PathBuf;
 
 use clap::Args;
-use vides::document::{Edit, Note};
+use vides::document::{Document, Edit, Note};
 use vides::tools::check::{Finding, FindingKind, Limits, OFF};
 
 use super::table::{Align, Table};
@@ -87,16 +87,16 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         }
     }
     print(&if arguments.json {
-        json(&fixed, &found, &notes)
+        json(&document, &fixed, &found, &notes)
     } else {
         let told = fixed.iter().map(|finding| {
-            let frames = frames(finding);
+            let frames = frames(&document, finding);
             format!(
                 "Fixed {}, frames {frames}: {finding}\n",
                 finding.kind.name()
             )
         });
-        told.collect::<String>() + &text(&found, &notes)
+        told.collect::<String>() + &text(&document, &found, &notes)
     })?;
     if found.is_empty() {
         Ok(())
@@ -105,7 +105,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
 }
 
-fn text(found: &[Finding], notes: &[Note]) -> String {
+fn text(document: &Document, found: &[Finding], notes: &[Note]) -> String {
     let mut text = String::new();
     if !found.is_empty() {
         let columns = [
@@ -116,7 +116,7 @@ fn text(found: &[Finding], notes: &[Note]) -> String {
         let mut table = Table::new(&columns);
         for finding in found {
             table.row(vec![
-                frames(finding),
+                frames(document, finding),
                 finding.kind.name().to_owned(),
                 finding.to_string(),
             ]);
@@ -135,25 +135,30 @@ fn text(found: &[Finding], notes: &[Note]) -> String {
     text
 }
 
-fn frames(finding: &Finding) -> String {
-    if finding.first_frame == finding.last_frame {
-        format!("{:.0}", finding.first_frame)
+/// The frames of a finding as people count them.
+fn numbers(document: &Document, finding: &Finding) -> [f64; 2] {
+    [finding.first_frame, finding.last_frame].map(|frame| document.number_of_frame(frame))
+}
+
+fn frames(document: &Document, finding: &Finding) -> String {
+    let [first, last] = numbers(document, finding);
+    if first == last {
+        format!("{first:.0}")
     } else {
-        format!("{:.0}-{:.0}", finding.first_frame, finding.last_frame)
+        format!("{first:.0}-{last:.0}")
     }
 }
 
-fn json(fixed: &[Finding], found: &[Finding], notes: &[Note]) -> String {
+fn json(document: &Document, fixed: &[Finding], found: &[Finding], notes: &[Note]) -> String {
     let fixed = fixed.iter().map(|finding| (finding, ", \"fixed\": true"));
     let findings = fixed.chain(found.iter().map(|finding| (finding, "")));
     let findings = findings.map(|(finding, fixed)| {
+        let [first, last] = numbers(document, finding);
         // Names, sentences and finite numbers need no quoting.
         format!(
-            "  {{\"kind\": \"{}\", \"first_frame\": {:?}, \"last_frame\": {:?}, \"point\": {}, \
+            "  {{\"kind\": \"{}\", \"first_frame\": {first:?}, \"last_frame\": {last:?}, \"point\": {}, \
              \"orientation\": {}, \"value\": {:?}, \"limit\": {:?}, \"text\": \"{finding}\"{fixed}}}",
             finding.kind.name(),
-            finding.first_frame,
-            finding.last_frame,
             finding.point + 1,
             finding.orientation + 1,
             finding.value,

@@ -73,7 +73,7 @@ pub(super) fn draw(svg: &mut Svg, film: &Film<'_>, charts: &[Chart], top: f64) {
     }
     let bottom = top + charts.len() as f64 * (HEIGHT + NAME);
     let quiet = format!("fill=\"{}\"", film.style.quiet);
-    let first = f64::from(film.document.info().first_frame);
+    let first = film.document.number_of_frame(1.0);
     let step = scale(gaps / 3.0).0.max(1.0);
     let mut number = (first / step).ceil() * step;
     while number <= first + gaps {

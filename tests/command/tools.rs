@@ -606,8 +606,24 @@ fn a_scene_is_checked_and_plotted_by_its_cameras_path() {
             .contains("through")
     );
     assert!(said(&run(&["plot", file])).contains("Clearance"));
-    let piped = run_with_input(&["check", "-"], &fs::read(file).unwrap());
+    let text = fs::read_to_string(file).unwrap();
+    let piped = run_with_input(&["check", "-"], text.as_bytes());
     assert_eq!(piped.status.code(), Some(3));
+
+    // Frames are told as people count them: those of the scene, from the number that the first has.
+    let frames = |text: &str| -> Vec<f64> {
+        let output = run_with_input(&["check", "-", "--json"], text.as_bytes());
+        let found: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        let found = found.as_array().unwrap().iter();
+        let found = found.flat_map(|finding| [&finding["first_frame"], &finding["last_frame"]]);
+        found.filter_map(serde_json::Value::as_f64).collect()
+    };
+    assert!(text.contains("path.start = 1.0\n"), "{text}");
+    let later = text.replace("path.start = 1.0\n", "path.start = 11.0\n");
+    let later = later.replacen("version = 1\n", "version = 1\nfirst_frame = 101\n", 1);
+    let more = frames(&text).into_iter().map(|frame| frame + 110.0);
+    assert_eq!(frames(&later), more.collect::<Vec<_>>());
+    assert!(!frames(&later).is_empty());
 }
 
 #[test]

@@ -64,6 +64,7 @@ build ending "$here/ending.c" -- -lvides -lm -lX11 -lpthread
 build spaces "$here/spaces.c" -- -lvides -lm
 build film "$here/film.c" "$here/../calls/hands.c" -- -lvides -lm -lX11
 build thread_ends "$here/thread_ends.c" -- -lvides -lm
+build meanwhile "$here/meanwhile.c" -- -lvides -lm
 build work "$here/work.c" "$here/../calls/hands.c" -- -lvides -lm -lX11
 build pane "$here/pane.c" -- -lvides -lm -lGL -lX11
 build embedded "$here/embedded.c" -- -lvides -lm -lX11

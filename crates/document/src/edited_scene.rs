@@ -483,6 +483,13 @@ impl Document {
         self.start_frame() + (frame - 1.0)
     }
 
+    /// The number that people read for a frame of the path: that of the scene, counted from
+    /// `first_frame`.
+    #[must_use]
+    pub fn number_of_frame(&self, frame: f64) -> f64 {
+        self.frame_of_scene(frame) - 1.0 + f64::from(self.info().first_frame)
+    }
+
     /// The scene frame of the path's first pose; 1 without a scene.
     #[must_use]
     pub fn start_frame(&self) -> f64 {

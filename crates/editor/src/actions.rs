@@ -192,6 +192,8 @@ impl Editor {
             Action::EndDrawing { keeps } => self.end_drawing(keeps),
             Action::Stroke(places) => self.begin_tool_with(ToolInput::Stroke(places)),
             Action::EndTool { keeps } => self.end_tool(keeps),
+            // F2, which has no curve to change there.
+            Action::Curve if !self.document.edits_path() => self.name_current_node(),
             Action::Curve => windows::open::<CurveWindow>(self, context),
             Action::SpeedCurve => windows::open::<SpeedWindow>(self, context),
             Action::Colours => windows::open::<ColourWindow>(self, context),

@@ -95,11 +95,8 @@ pub(crate) fn take_keys(editor: &mut Editor, context: &Context) {
         return;
     };
     let count = edited.scene().nodes().len();
-    if pressed(context, Modifiers::NONE, Key::F2)
-        && let Some(node) = editor.current_node()
-    {
-        let name = edited.scene().nodes()[node].name.clone();
-        editor.scene_view.list.get_mut().rename(node, name);
+    if pressed(context, Modifiers::NONE, Key::F2) {
+        editor.name_current_node();
     }
     let mut actions = Vec::new();
     if pressed(context, Modifiers::NONE, Key::Delete) {
@@ -117,6 +114,17 @@ pub(crate) fn take_keys(editor: &mut Editor, context: &Context) {
     }
     editor.act_all(actions, context);
     take_clipboard(editor, context);
+}
+
+impl Editor {
+    /// Lets the user type another name into the row of the current node.
+    pub(crate) fn name_current_node(&mut self) {
+        let (Some(edited), Some(node)) = (self.document.edited_scene(), self.current_node()) else {
+            return;
+        };
+        let name = edited.scene().nodes()[node].name.clone();
+        self.scene_view.list.get_mut().rename(node, name);
+    }
 }
 
 /// Whether a key was pressed; one that is held counts once.

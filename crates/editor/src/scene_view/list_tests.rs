@@ -210,6 +210,13 @@ fn a_light_stands_above_the_space_and_a_camera_sees_what_is_seen() {
         assert_eq!(light.kind, Kind::Light(Light::Point));
         assert_eq!(light.rest.position, DVec3::new(10.0, -3.0, 8.0));
         assert_eq!(window.state().frame().unwrap(), 17.5);
+        // What is new is named by F2 at once, which has no curve to change here.
+        press(&mut window, NONE, Key::F2);
+        assert!(window.state().windows.curve.is_none());
+        window.event(Event::Text("sun".to_owned()));
+        window.run();
+        press(&mut window, NONE, Key::Enter);
+        assert_eq!(scene_of(&window).nodes()[1].name, "sun");
         pick(&mut window, menu.add_camera);
         let scene = scene_of(&window);
         let mut states = vec![NodeState::default(); 3];

@@ -19,8 +19,8 @@ texts! {
         no_path: "No path is edited. In the list of the scene, choose a node that moves on a path.",
             "Keine Bahn wird bearbeitet. Bitte in der Liste der Szene einen Knoten wählen, \
              der sich auf einer Bahn bewegt.";
-        runs_by_keys: "The camera {0} moves by keys, not along a path: its flight can be watched and written to a file, but there are no points to edit.",
-            "Die Kamera {0} bewegt sich durch Schlüsselwerte, nicht auf einer Bahn: Ihr Flug lässt sich ansehen und ausgeben, aber es gibt keine Punkte zu bearbeiten.";
+        runs_by_keys: "{0} moves by keys, not along a path: the flight of this camera can be watched and written to a file, but there are no points to edit.",
+            "{0} bewegt sich durch Schlüsselwerte, nicht auf einer Bahn: Der Flug dieser Kamera lässt sich ansehen und ausgeben, aber es gibt keine Punkte zu bearbeiten.";
         keys_to_path: "Make it a path", "Zu einer Bahn machen";
         keys_to_path_hint: "A path of few points takes the place of its keys and flies nearly the same; how nearly is told. One step, which can be undone",
             "Eine Bahn aus wenigen Punkten tritt an die Stelle der Schlüssel und fliegt fast dasselbe; wie genau, wird gesagt. Ein Schritt, der sich zurücknehmen lässt";

@@ -172,10 +172,9 @@ fn row(
     actions: &mut Vec<Action>,
 ) {
     let texts = &editor.texts().check;
-    let first = f64::from(editor.document.info().first_frame);
     let [from, to] = [finding.first_frame, finding.last_frame].map(|frame| {
-        let frame = editor.document.frame_of_scene(frame) - 1.0 + first;
-        editor.language().number(frame.round(), 0)
+        let number = editor.document.number_of_frame(frame);
+        editor.language().number(number.round(), 0)
     });
     let frames = if from == to {
         fill(texts.frame, &[&from])
