@@ -441,3 +441,39 @@ def a_host_by_ctypes_is_told(place):
     check(size[1] == size[3], f"of the options it knows {size[1]} bytes, of {size[3]}")
     check(told[1] == "True", "on_view was not called")
     check(shorter[1] == "5", f"a shorter struct: status {shorter[1]}")
+
+
+@test()
+def a_host_changes_the_scene_while_it_is_dragged(place):
+    """The drag ends where it has come to; neither loses what it did, and both are undone step by
+    step."""
+    server = place.server()
+    host = place.told(server, "meanwhile")
+
+    def nodes():
+        told = (node.split(":") for node in host.tell("nodes").split()[1:])
+        return {name: tuple(map(float, at.split(","))) for name, at in told}
+
+    window = server.new_window()
+    at = first_look(server.drawn(window)).image((0, 0, 0))
+    first = nodes()
+    check(first == {"lamp": (0, 0, 0), "old": (0.5, 0, 0), "box": (1, 0, 0)}, first)
+    server.click(window, *at)
+    server.press(window, "m")
+    server.xdotool("mousemove_relative", "--sync", 20, 10)
+    dragged = wait(lambda: (now := nodes()) != first and now, "the node to move")
+    check(dragged == {**first, "lamp": dragged["lamp"]}, dragged)
+    check(host.tell("change", "changed") == "changed 0", "v_editor_set_scene()")
+    changed = {"lamp": dragged["lamp"], "box": (1, 1, 0), "host": (0, 0, 0)}
+    check(nodes() == changed, f"the host's and the user's: {nodes()}")
+    server.xdotool("mousemove_relative", "--sync", 20, 10)
+    server.press(window, "Return")
+    server.drawn(window)
+    check(nodes() == changed, f"after the drag: {nodes()}")
+    for before, what in ((dragged, "what the host did"), (first, "the drag")):
+        server.press(window, "ctrl+z")
+        wait(lambda: nodes() == before, f"{what} to be undone")  # pylint: disable=cell-var-from-loop
+    server.press(window, "ctrl+y", "ctrl+y")
+    wait(lambda: nodes() == changed, "both to be done again")
+    host.send("leave")
+    check(host.ends() == 0, f"its exit status; it complained: {host.complained}")
