@@ -164,13 +164,15 @@ impl PointsList {
         };
         let centre = pos2(rect.left() + FOLDED / 2.0, rect.top() + HEADING / 2.0);
         ui.painter().add(theme::triangle(centre, open, color));
+        let heading = match editor.document.edited_scene() {
+            Some(_) => editor.texts().scene.title,
+            None => texts.heading,
+        };
         if open {
-            let edited = editor.document.edited_scene();
-            let scene = edited.map(|_| editor.texts().scene.title);
-            title(ui, rect, scene.unwrap_or(texts.heading));
+            title(ui, rect, heading);
         } else {
             // From below, beside the space.
-            let (font, text) = (theme::small(), texts.heading.to_owned());
+            let (font, text) = (theme::small(), heading.to_owned());
             let galley = ui.painter().layout_no_wrap(text, font, color);
             let at = pos2(
                 rect.left() + 0.5 * (FOLDED - galley.size().y),

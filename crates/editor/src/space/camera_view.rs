@@ -551,7 +551,8 @@ fn place_button(ui: &mut Ui, now: CameraPlace, place: CameraPlace, name: &str, t
 fn scene_label(editor: &Editor) -> String {
     let said = editor.with_scene(|now| {
         let shown = now.scene.shown_camera();
-        let name = shown.map_or("", |at| now.scene.nodes()[at].name.as_str());
+        let none = editor.texts().scene.no_camera;
+        let name = shown.map_or(none, |at| &now.scene.nodes()[at].name);
         let first = f64::from(editor.document.info().first_frame);
         let frame = editor.language().number(now.frame.round() - 1.0 + first, 0);
         fill(editor.texts().scene.at_frame, &[&name, &frame])
