@@ -10,6 +10,7 @@ use crate::error::{Invalid, Result};
 use crate::files::{AfterSave, Purpose};
 use crate::path::{CameraPath, Tangents, Target, insertion};
 use crate::scene_view::NodeCommand;
+use crate::selected::SelectionChange;
 use crate::setup::{ColourWindow, DisplayWindow};
 use crate::space::LEAST_SHARE;
 use crate::state::{Editor, Request};
@@ -232,6 +233,9 @@ impl Editor {
                 if let Err(error) = self.document.select(point, orientation) {
                     self.complain_of(&error);
                 }
+            }
+            Action::Choose(SelectionChange::All) if !self.document.edits_path() => {
+                self.select_all_nodes();
             }
             Action::Choose(choice) => self.choose(choice),
             Action::MoveSelected(before) => self.move_selected(before),

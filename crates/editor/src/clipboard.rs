@@ -12,6 +12,7 @@ use crate::document::{Document, Edit, StepName, mesh};
 use crate::files::{AfterSave, Purpose, readable, short};
 use crate::limits::MIN_POINTS;
 use crate::path::Orientation;
+use crate::scene_view::NodeCommand;
 use crate::selected::SelectionChange;
 use crate::state::Editor;
 use crate::texts::fill;
@@ -28,6 +29,10 @@ pub(crate) struct Copied {
 impl Editor {
     /// Copies the points that are selected together, else the current orientation.
     pub(crate) fn copy(&mut self, context: &Context) {
+        if !self.document.edits_path() {
+            self.copy_nodes_out(context);
+            return;
+        }
         if self.several().is_some() {
             self.copy_points(context);
             return;
@@ -62,6 +67,9 @@ impl Editor {
 
     /// Copies the points that are selected together, and removes them.
     pub(crate) fn cut(&mut self, context: &Context) {
+        if !self.document.edits_path() {
+            return self.cut_nodes(context);
+        }
         let Some(chosen) = self.several().map(<[usize]>::len) else {
             return self.complain(self.texts().output.nothing_to_cut);
         };
@@ -82,6 +90,9 @@ impl Editor {
     /// Puts the points in a text behind the current one, as they lie, or pastes the view whose text
     /// it is.
     pub(crate) fn pasted(&mut self, text: &str) {
+        if !self.document.edits_path() {
+            return self.do_to_nodes(NodeCommand::Paste(text.to_owned()));
+        }
         let copied = self.copied.as_ref();
         if text.is_empty() || copied.is_some_and(|copied| copied.text.trim() == text.trim()) {
             self.paste_view();

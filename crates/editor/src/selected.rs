@@ -75,11 +75,13 @@ impl Editor {
         }
     }
 
-    /// The points selected together, ascending; `None` if the current one is alone.
+    /// The points selected together, ascending; `None` if the current one is alone, or no path is
+    /// edited.
     pub(crate) fn several(&self) -> Option<&[usize]> {
         let selected = &self.selected;
-        let several =
-            selected.points.len() > 1 && selected.of == SelectionScope::now(&self.document);
+        let several = selected.points.len() > 1
+            && selected.of == SelectionScope::now(&self.document)
+            && self.document.edits_path();
         several.then_some(&selected.points)
     }
 

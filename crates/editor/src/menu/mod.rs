@@ -215,14 +215,37 @@ fn edit(editor: &Editor) -> Vec<Entry> {
         Entry::new(texts.speeds, hints.speeds, Action::SpeedCurve).apart(),
         Entry::new(texts.space, hints.space, Action::Space),
     ];
-    let edits_path = editor.document.edits_path();
-    let only_path = editor.texts().tools.only_path;
-    let of_path = of_path.map(|entry| entry.only_if(edits_path, only_path));
+    let of_path = match editor.document.edits_path() {
+        true => of_path,
+        false => of_path.map(|entry| without_path(editor, entry)),
+    };
     travels
         .into_iter()
         .chain(of_path)
         .chain(nodes(editor))
         .collect()
+}
+
+/// An entry where no path is edited: what is done to points is done to nodes.
+fn without_path(editor: &Editor, entry: Entry) -> Entry {
+    let (texts, hints) = (&editor.texts().menu, &editor.texts().menu_hints);
+    let (text, hint) = match entry.action {
+        Action::RemovePoint => (texts.remove_nodes, hints.remove_nodes),
+        Action::Choose(SelectionChange::All) => (texts.all_nodes, hints.all_nodes),
+        Action::Copy => (texts.copy_nodes, hints.copy_nodes),
+        Action::Cut => (texts.cut_nodes, hints.cut_nodes),
+        Action::Paste => (texts.paste, hints.paste_nodes),
+        _ => return entry.only_if(false, editor.texts().tools.only_path),
+    };
+    let selects = matches!(entry.action, Action::Choose(_) | Action::Paste);
+    let possible = selects || editor.current_node().is_some();
+    Entry {
+        text: text.into(),
+        hint: hint.into(),
+        enabled: true,
+        ..entry
+    }
+    .only_if(possible, editor.texts().scene.nothing_copied)
 }
 
 /// What adds a node to the scene, or makes one of a path.

@@ -5,6 +5,7 @@ use egui_kittest::kittest::by;
 use crate::Request;
 use crate::action::Action;
 use crate::document::At;
+use crate::selected::SelectionChange;
 use crate::tests::*;
 
 #[test]
@@ -616,9 +617,13 @@ fn without_a_path_what_needs_one_is_grey() {
             continue;
         }
         for entry in menu.entries {
-            // There is nothing to undo or redo yet, either. A node can be added to any scene.
-            let adds = matches!(entry.action, Action::Nodes(_));
-            assert_eq!(entry.enabled, adds, "{}", entry.text);
+            // There is nothing to undo or redo yet, either, and no node is selected. Nodes can be
+            // added to any scene, pasted and selected.
+            let of_nodes = matches!(
+                entry.action,
+                Action::Nodes(_) | Action::Choose(SelectionChange::All) | Action::Paste
+            );
+            assert_eq!(entry.enabled, of_nodes, "{}", entry.text);
             seen += 1;
         }
     }

@@ -401,14 +401,16 @@ fn bar(editor: &Editor, memory: &mut graph::Memory, ui: &mut Ui, actions: &mut V
     };
     let nodes = tracks::rows(editor, &memory.tracks);
     let count = nodes.len();
+    // Where no path is edited, keys of nodes have the room of its keys and its graph.
+    let of_path = count == 0 || editor.document.edits_path();
     let tracks = match memory.tracks.curves && count > 0 {
         true => curves_height(editor, whole.height(), graph > 0.0),
+        // The bar stays where it is when the first key is made.
+        false if !of_path && graph > 0.0 => 0.0,
         false => tracks_height(editor, count, whole.height(), graph > 0.0),
     };
     let height =
         TRANSPORT + ruler::HEIGHT + markers + key_row::HEIGHT + tracks + graph + theme::GAP;
-    // Where no path is edited, keys of nodes have the room of its keys and its graph.
-    let of_path = count == 0 || editor.document.edits_path();
     let (of_nodes, below) = match of_path {
         true => (tracks, graph),
         false => (key_row::HEIGHT + tracks + graph, 0.0),

@@ -15,7 +15,7 @@ const NAMED: usize = 3;
 
 impl Editor {
     /// Copies the selected nodes with all that is in them; false: there are none, which is told.
-    pub(super) fn copy_nodes_out(&mut self, context: &Context) -> bool {
+    pub(crate) fn copy_nodes_out(&mut self, context: &Context) -> bool {
         let which = self.selected_nodes();
         if which.is_empty() {
             self.complain(self.texts().scene.nothing_copied);
@@ -35,7 +35,7 @@ impl Editor {
     }
 
     /// Copies the selected nodes and removes them, in one step.
-    pub(super) fn cut_nodes(&mut self, context: &Context) {
+    pub(crate) fn cut_nodes(&mut self, context: &Context) {
         if self.copy_nodes_out(context) {
             let said = self.message.take();
             self.act(Action::Nodes(NodeCommand::Remove), context);
@@ -97,4 +97,4 @@ impl Editor {
 
 #[cfg(test)]
 #[path = "clipboard_tests.rs"]
-mod tests;
+pub(super) mod tests;

@@ -8,7 +8,7 @@ use crate::tests::*;
 const NONE: Modifiers = Modifiers::NONE;
 
 /// Copies or cuts by the event that the keyboard's keys make.
-fn taken(window: &mut Window, event: Event) -> Option<String> {
+pub(in crate::scene_view) fn taken(window: &mut Window, event: Event) -> Option<String> {
     window.event(event);
     window.step();
     let commands = window.output().platform_output.commands.iter();

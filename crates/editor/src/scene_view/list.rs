@@ -91,10 +91,9 @@ pub(crate) fn take_keys(editor: &mut Editor, context: &Context) {
     if !has_keyboard(context) {
         return;
     }
-    let Some(edited) = editor.document.edited_scene() else {
+    if editor.document.edited_scene().is_none() {
         return;
-    };
-    let count = edited.scene().nodes().len();
+    }
     if pressed(context, Modifiers::NONE, Key::F2) {
         editor.name_current_node();
     }
@@ -106,11 +105,7 @@ pub(crate) fn take_keys(editor: &mut Editor, context: &Context) {
         actions.push(Action::Nodes(NodeCommand::Copy));
     }
     if pressed(context, Modifiers::CTRL, Key::A) {
-        let mut all = editor.selected_nodes();
-        let current = all.first().copied();
-        all.truncate(1);
-        all.extend((0..count).filter(|&node| Some(node) != current));
-        actions.push(Action::SelectNodes(all));
+        editor.select_all_nodes();
     }
     editor.act_all(actions, context);
     take_clipboard(editor, context);

@@ -147,7 +147,7 @@ pub(in crate::scene_view) fn world(scene: &Scene, name: &str) -> DAffine3 {
     states[scene.find(name).unwrap()].world()
 }
 
-fn pick(window: &mut Window, entry: &str) {
+pub(in crate::scene_view) fn pick(window: &mut Window, entry: &str) {
     open_menu(window, 1);
     click(window, entry);
 }

@@ -187,3 +187,5 @@ impl Editor {
 mod refusals_tests;
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod without_path_tests;

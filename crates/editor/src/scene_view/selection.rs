@@ -112,6 +112,16 @@ impl Editor {
         }
     }
 
+    /// Selects every node; the current one stays that.
+    pub(crate) fn select_all_nodes(&mut self) {
+        let Some(edited) = self.document.edited_scene() else {
+            return;
+        };
+        let current = self.current_node();
+        let others = (0..edited.scene().nodes().len()).filter(|&node| Some(node) != current);
+        self.select_nodes(current.into_iter().chain(others).collect());
+    }
+
     /// Whether what is done in the space is meant for the selected nodes: no path is edited, the
     /// node is shown in place of its path, or there are several.
     pub(crate) fn means_nodes(&self) -> bool {

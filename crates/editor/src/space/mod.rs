@@ -528,7 +528,8 @@ impl MovementWindow {
             None => {
                 let draws = drawing::is_wanted(editor);
                 let several = editor.several().map_or(0, <[usize]>::len);
-                pointer.hint(editor.texts(), look.projection, several, draws)
+                let meant = [draws, editor.means_nodes()];
+                pointer.hint(editor.texts(), look.projection, several, meant)
             }
         };
         if let Some(hint) = hint {

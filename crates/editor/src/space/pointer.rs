@@ -117,13 +117,14 @@ impl PointerController {
     }
 
     /// What the buttons would do under the pointer, or where a drag goes. `several`: how many
-    /// points are selected, if more than one; `draws`: the left button draws a line.
+    /// points are selected, if more than one; `draws`: the left button draws a line; `nodes`:
+    /// nodes are meant.
     pub(super) fn hint(
         &self,
         texts: &Texts,
         projection: &Projection,
         several: usize,
-        draws: bool,
+        [draws, nodes]: [bool; 2],
     ) -> Option<String> {
         let texts = &texts.space;
         let of_tangent = |what: Handle, hint: String| match what {
@@ -154,6 +155,9 @@ impl PointerController {
             }
             (None, None) if several > 0 && !self.is_busy() => {
                 Some(fill(texts.several_hint, &[&several]))
+            }
+            (None, None) if self.over && nodes && !self.is_busy() => {
+                Some(texts.nodes_hint.to_owned())
             }
             (None, None) if self.over && !self.is_busy() => Some(texts.empty_hint.to_owned()),
             _ => None,

@@ -32,6 +32,10 @@ texts! {
         copy_orientation: "Copy view", "Blick kopieren";
         copy_points: "Copy points", "Punkte kopieren";
         cut: "Cut points", "Punkte ausschneiden";
+        remove_nodes: "Remove nodes", "Knoten löschen";
+        all_nodes: "Select all nodes", "Alle Knoten auswählen";
+        copy_nodes: "Copy nodes", "Knoten kopieren";
+        cut_nodes: "Cut nodes", "Knoten ausschneiden";
         paste: "Paste", "Einfügen";
         paste_orientation: "Paste view", "Blick einfügen";
         speeds: "Speed curve …", "Zeitkurve …";

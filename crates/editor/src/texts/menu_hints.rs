@@ -34,6 +34,16 @@ texts! {
             "Die gewählten Punkte in die Zwischenablage legen und hier löschen";
         paste: "Put copied points behind this one, as they lie, or a copied view in place of this one",
             "Kopierte Punkte hinter diesem einfügen, wie sie liegen, oder einen kopierten Blick an die Stelle von diesem";
+        remove_nodes: "Remove the selected nodes with all that is in them",
+            "Die gewählten Knoten mit allem löschen, was in ihnen ist";
+        all_nodes: "What is dragged, typed or deleted then changes all nodes at once",
+            "Was dann gezogen, getippt oder gelöscht wird, ändert alle Knoten zugleich";
+        copy_nodes: "Put the selected nodes with all that is in them into the clipboard, as the text of a .vid file",
+            "Die gewählten Knoten mit allem, was in ihnen ist, in die Zwischenablage legen, als Text einer .vid-Datei";
+        cut_nodes: "Put the selected nodes into the clipboard, and remove them",
+            "Die gewählten Knoten in die Zwischenablage legen und hier löschen";
+        paste_nodes: "Put copied nodes into the selected group, else into the scene itself",
+            "Kopierte Knoten in die gewählte Gruppe einfügen, sonst in die Szene selbst";
         paste_orientation: "Put the copied view in place of this one",
             "Den kopierten Blick an die Stelle von diesem setzen";
         select_all: "What is dragged, typed or deleted then changes all points at once",

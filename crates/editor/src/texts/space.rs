@@ -25,6 +25,8 @@ texts! {
         aim_all_here: "Aim all cameras here", "Alle Kameras hierauf richten";
         empty_hint: "Drag: turn · Shift: move the space · Ctrl: select points",
             "Ziehen: drehen · Umschalt: Raum verschieben · Strg: Punkte auswählen";
+        nodes_hint: "Drag: turn · Shift: move the space · Ctrl: select · M, R, S: move, turn, scale the nodes · P: pivot",
+            "Ziehen: drehen · Umschalt: Raum verschieben · Strg: auswählen · M, R, S: Knoten bewegen, drehen, skalieren · P: Drehpunkt";
         draw_hint: "Drag: draw a line, as deep as the current point lies · right button: turn · middle: move the space",
             "Ziehen: Linie zeichnen, so tief, wie der aktuelle Punkt liegt · rechts: drehen · Mitte: Raum verschieben";
         several_hint: "{0} points selected: a change changes all · M, R, S: move, turn, scale · Esc: one",
