@@ -171,6 +171,7 @@ fn several_numbers_are_dragged_together() {
 /// The handles of own tangents: smooth, mirrored and corner.
 #[test]
 fn handles_change_tangents() {
+    let _stay = crate::tests::functions_stay();
     for language in BOTH {
         let mut harness = graph_in(language, LARGE, Theme::Light);
         let position = Channel::Position;
@@ -235,6 +236,7 @@ fn handles_change_tangents() {
 /// Tension, continuity and bias of the selected keys are numbers of the menu.
 #[test]
 fn tension_is_entered_in_the_menu() {
+    let _stay = crate::tests::functions_stay();
     let mut harness = graph();
     set_track(&mut harness, apart(Interpolation::Tcb));
     let before = track_of(&harness, &Channel::Position);

@@ -13,7 +13,7 @@ use crate::document::Edit;
 use crate::screenshots::screenshot;
 use crate::setup::Theme;
 use crate::space::tests::{motion, release};
-use crate::tests::{LARGE, SMALL};
+use crate::tests::{LARGE, SMALL, functions_change};
 use crate::texts::Language;
 
 pub(in crate::playing) fn graph_in(language: Language, size: [f32; 2], theme: Theme) -> Window {
@@ -233,6 +233,7 @@ fn every_interpolation() -> Vec<Interpolation> {
         true
     };
     let name = "graph_test";
+    let _change = functions_change();
     vides_engine::scene::host::register(name, Some(std::sync::Arc::new(half))).unwrap();
     let plain = Interpolation::names(None).filter(|name| !name.starts_with("host:"));
     let plain = plain.map(|name| Interpolation::parse(name).unwrap());

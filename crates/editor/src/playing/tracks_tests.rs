@@ -11,7 +11,9 @@ use crate::path::CameraPath;
 use crate::screenshots::screenshot;
 use crate::setup::Theme;
 use crate::space::tests::{motion, press, release, tap};
-use crate::tests::{BOTH, LARGE, SMALL, options, spent, window_of};
+use crate::tests::{
+    BOTH, LARGE, SMALL, functions_change, functions_stay, options, spent, window_of,
+};
 use crate::texts::Language;
 
 pub(in crate::playing) type Window = Harness<'static, Editor>;
@@ -463,6 +465,7 @@ fn comma_and_period_go_from_key_to_key() {
 /// Interpolation, before and after; frames and values stay, and it is one step.
 #[test]
 fn a_track_has_a_menu() {
+    let _stay = functions_stay();
     for language in BOTH {
         let mut harness = window_in(language, LARGE, Theme::Light);
         harness.state_mut().select_nodes(vec![1]);
@@ -493,6 +496,7 @@ fn a_track_has_a_menu() {
 /// A choice in a menu within the menu closes both.
 #[test]
 fn before_and_after_are_chosen() {
+    let _stay = functions_stay();
     let mut harness = window();
     let texts = &Language::English.texts().timeline;
     let at = place(&harness, POSITION, 30.0);
@@ -603,6 +607,7 @@ fn many_rows_scroll_as_fast_as_few() {
 #[test]
 fn functions_of_the_host_are_in_the_menu() {
     use vides_engine::scene::host;
+    let _change = functions_change();
     let first = |question: host::Question<'_>, out: &mut [f64]| {
         out.copy_from_slice(&question.values[..question.width]);
         true

@@ -47,7 +47,7 @@ pub(crate) enum NewNode {
 }
 
 /// How far above the middle of the space a new light stands, in half sizes.
-const ABOVE: f64 = 1.5;
+const HIGH: f64 = 0.75;
 
 /// The name of a path's camera as soon as there is a scene ([`Scene::of_path`]).
 const CAMERA_OF_PATH: &str = "camera";
@@ -79,7 +79,7 @@ impl Editor {
         let node = match what {
             NewNode::Light => {
                 let mut light = Node::new(texts.light, Kind::Light(Light::Point));
-                light.rest.position = above(self.shown_space());
+                light.rest.position = high_in(self.shown_space());
                 light
             }
             NewNode::Camera => {
@@ -275,9 +275,9 @@ impl Editor {
     }
 }
 
-/// Above the middle of the space.
-fn above(space: Space) -> DVec3 {
-    space.centre + space.up.world(DVec3::Y) * (ABOVE * space.half_size)
+/// High in the space, where a path that the light gets lies within it, too.
+fn high_in(space: Space) -> DVec3 {
+    space.centre + space.up.world(DVec3::Y) * (HIGH * space.half_size)
 }
 
 /// This name if no node has it, else the first one with a number.

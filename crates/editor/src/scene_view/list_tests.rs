@@ -192,7 +192,7 @@ fn what_is_added_first_makes_a_scene_of_a_path() {
 }
 
 #[test]
-fn a_light_stands_above_the_space_and_a_camera_sees_what_is_seen() {
+fn a_light_stands_high_in_the_space_and_a_camera_sees_what_is_seen() {
     for language in BOTH {
         let menu = &language.texts().menu;
         let mut window = window_with_points(language, LARGE, 1.0, Theme::Dark);
@@ -208,7 +208,7 @@ fn a_light_stands_above_the_space_and_a_camera_sees_what_is_seen() {
         pick(&mut window, menu.add_light);
         let light = scene_of(&window).nodes()[1].clone();
         assert_eq!(light.kind, Kind::Light(Light::Point));
-        assert_eq!(light.rest.position, DVec3::new(10.0, -3.0, 8.0));
+        assert_eq!(light.rest.position, DVec3::new(10.0, -3.0, 5.0));
         assert_eq!(window.state().frame().unwrap(), 17.5);
         // What is new is named by F2 at once, which has no curve to change here.
         press(&mut window, NONE, Key::F2);

@@ -140,9 +140,16 @@ impl Editor {
         let mut document = Document::from_parts(CameraPath::try_new()?, Info::default())?;
         document.apply(Edit::SetSpace { space, fit: true })?;
         let (mut path, _) = document.into_parts();
-        let away = of.rest.position - path.points[0].position;
+        // Half as long as a new path, and towards the middle, so that it stays in the space.
+        let (from, first) = (of.rest.position, path.points[0].position);
+        let way = path.points[path.points.len() - 1].position - first;
+        let share = if way.dot(from - space.centre) > 0.0 {
+            -0.5
+        } else {
+            0.5
+        };
         for point in &mut path.points {
-            point.position += away;
+            point.position = from + share * (point.position - first);
         }
         let start = self.frame()?.round();
         let follow = FollowPath::new(path, start, Extrapolation::Hold)?;

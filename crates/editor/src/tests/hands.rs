@@ -163,6 +163,7 @@ impl Hands {
 
     /// Chooses in the menu of a track of the selected node.
     pub(super) fn track(&mut self, channel: &Channel, entries: &[&str]) {
+        let _stay = functions_stay();
         let at = self.row(channel, 0.5);
         self.click_at(at, egui::PointerButton::Secondary);
         for entry in entries {

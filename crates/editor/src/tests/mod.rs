@@ -14,7 +14,7 @@ mod pictures;
 mod scene_hosts;
 mod scenes;
 
-use std::sync::OnceLock;
+use std::sync::{OnceLock, PoisonError, RwLock, RwLockReadGuard, RwLockWriteGuard};
 use std::time::{Duration, Instant};
 
 pub(crate) use egui::{Key, Modifiers, Role, vec2};
@@ -131,6 +131,18 @@ pub(crate) fn click_button(
 pub(crate) fn click(window: &mut Window, label: &str) {
     window.get_by_label(label).click();
     window.run();
+}
+
+/// The functions of the program around are everybody's: whoever looks into the menu of a track
+/// reads this meanwhile, whoever registers one writes it. A menu that grows is elsewhere.
+static FUNCTIONS: RwLock<()> = RwLock::new(());
+
+pub(crate) fn functions_stay() -> RwLockReadGuard<'static, ()> {
+    FUNCTIONS.read().unwrap_or_else(PoisonError::into_inner)
+}
+
+pub(crate) fn functions_change() -> RwLockWriteGuard<'static, ()> {
+    FUNCTIONS.write().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// Milliseconds that a processor has spent on this thread, however busy the machine is; where that

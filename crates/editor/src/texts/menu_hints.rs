@@ -54,8 +54,8 @@ texts! {
             "Wo die Bahn in der Welt liegt: Mittelpunkt, Größe, Einheit, welche Achse senkrecht steht";
         add_object: "Put a mesh or a point cloud (OBJ, PLY, STL, glTF) into the scene, at the origin; it can move",
             "Ein Netz oder eine Punktwolke (OBJ, PLY, STL, glTF) in die Szene stellen, an den Ursprung; bewegen kann es sich auch";
-        add_light: "Put a light into the scene, above the space",
-            "Ein Licht in die Szene stellen, über den Raum";
+        add_light: "Put a light into the scene, high in the space",
+            "Ein Licht in die Szene stellen, oben in den Raum";
         add_camera: "Put another camera into the scene, which sees what is seen now",
             "Eine weitere Kamera in die Szene stellen, die sieht, was jetzt zu sehen ist";
         add_group: "Put a node without a form of its own into the scene; what is put into it moves along",
