@@ -7,18 +7,18 @@ use crate::action::Action;
 use crate::document::tool::ToolInput;
 use crate::document::{At, Document, Edit, Selection, no_longer_ahead};
 use crate::error::{Invalid, Result};
-use crate::files::{AfterSave, Purpose};
 use crate::path::{CameraPath, Tangents, Target, insertion};
-use crate::scene_view::NodeCommand;
-use crate::setup::{ColourWindow, DisplayWindow};
 use crate::space::LEAST_SHARE;
+use crate::state::files::{AfterSave, Purpose};
+use crate::state::scene_view::NodeCommand;
+use crate::state::windows::{
+    CheckWindow, ColourWindow, CompareWindow, CurveWindow, DisplayWindow, HelpWindow, PointsWindow,
+    SpaceWindow, SpeedWindow, ToolWindow,
+};
 use crate::state::{Editor, Request};
 use crate::texts::fill;
 use crate::texts::refusals::of_edit;
-use crate::windows::{
-    self, CheckWindow, CompareWindow, CurveWindow, HelpWindow, PointsWindow, SpaceWindow,
-    SpeedWindow, ToolWindow,
-};
+use crate::windows;
 
 /// The edit that aims an orientation at a place.
 fn aimed(path: &CameraPath, point: usize, at: usize, place: DVec3) -> Result<Edit> {

@@ -5,7 +5,7 @@ use egui::{
 };
 
 use crate::action::Action;
-use crate::number::Entry;
+use crate::entry::Entry;
 use crate::panels::output;
 use crate::setup::Theme;
 use crate::space::camera_view;
@@ -21,7 +21,16 @@ pub(super) const LARGE: f32 = 160.0;
 
 const MARGIN: f32 = 12.0;
 
-pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
+impl Editor {
+    /// Runs one pass: shows everything and takes the input.
+    pub fn show(&mut self, ui: &mut egui::Ui) {
+        self.closing = false;
+        show(self, ui);
+        self.keep_work(ui.ctx());
+    }
+}
+
+fn show(editor: &mut Editor, ui: &mut Ui) {
     let context = ui.ctx().clone();
     // The host edits the path, too.
     editor.selected.follow(&editor.document);

@@ -1,5 +1,6 @@
 //! Joins the keeping of unsaved work to the window.
 
+use crate::state::files::RecoveryWindow;
 use std::path::Path;
 use std::time::Instant;
 
@@ -20,7 +21,7 @@ impl Editor {
         let program = Some(self.program.name.as_str()).filter(|_| !self.program.offers_all);
         let found = recovery::find(&folder, program);
         if !found.is_empty() {
-            self.windows.recovery = Some(super::RecoveryWindow::of(found));
+            self.windows.recovery = Some(RecoveryWindow::of(found));
         }
     }
 

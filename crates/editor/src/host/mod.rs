@@ -5,9 +5,9 @@ pub(crate) mod pane;
 mod program;
 mod warning;
 
+use crate::state::host::{HostPane, PlayheadState};
 use std::path::Path;
 
-pub use pane::HostPane;
 pub use program::{Date, Program};
 pub use warning::{Warning, Warnings};
 
@@ -26,18 +26,6 @@ use crate::texts::refusals::reason_of;
 
 /// The distance to the target of a view that was taken over, in half sizes.
 const TARGET: f64 = 0.4;
-
-/// Where the playhead stands in which path: while this is equal, the host has nothing new to learn.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PlayheadState {
-    revision: u64,
-    /// The shown camera of a scene, and how many nodes that has: their numbers may have changed.
-    camera: Option<(Option<usize>, usize)>,
-    selection: Selection,
-    frame: Option<f64>,
-    plays: bool,
-    scrubbed: bool,
-}
 
 impl PlayheadState {
     fn shows_another(&self, before: &Self) -> bool {
@@ -64,6 +52,18 @@ impl PlayheadState {
 }
 
 impl Editor {
+    /// Where the host draws what the camera sees; `None` if that is hidden or the editor draws it.
+    #[must_use]
+    pub fn host_pane(&self) -> Option<&HostPane> {
+        self.host_pane.as_ref()
+    }
+
+    /// The host cannot draw what the camera sees: the editor does.
+    pub fn draw_pane_itself(&mut self) {
+        self.host_view.fills_pane = false;
+        self.host_pane = None;
+    }
+
     /// Where the playhead stands.
     pub fn standing(&self) -> PlayheadState {
         PlayheadState {

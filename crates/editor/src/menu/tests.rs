@@ -2,9 +2,9 @@
 
 use egui_kittest::kittest::by;
 
-use crate::Request;
 use crate::action::Action;
 use crate::document::At;
+use crate::state::Request;
 use crate::tests::*;
 
 #[test]
@@ -545,8 +545,8 @@ fn a_new_path_is_begun() {
 #[test]
 fn undo_and_redo_say_what() {
     use crate::document::{Info, Selection};
-    use crate::panels::orientation::with;
     use crate::path::Tcb;
+    use crate::state::with;
     for (language, undo, redo) in [
         (Language::English, "Undo {}", "Redo {}"),
         (Language::German, "{} rückgängig", "{} wiederholen"),

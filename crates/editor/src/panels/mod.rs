@@ -18,10 +18,9 @@ use egui::{
 };
 
 use crate::action::Action;
-use crate::keys;
 use crate::setup::Fold;
 use crate::state::Editor;
-use crate::theme;
+use crate::{keys, theme};
 
 /// Width of the panels, which two, three or four columns with gaps fill exactly.
 pub(crate) const WIDTH: f32 = 236.0;

@@ -1,5 +1,7 @@
 //! The orientations of the current point (thesis A.4.2).
 
+use crate::action::OwnedMotion;
+use crate::state::with;
 use egui::{Button, Popup, Role, Ui, WidgetInfo};
 use glam::DVec3;
 
@@ -10,7 +12,7 @@ use crate::document::{Edit, Selection};
 use crate::error::Result;
 use crate::math::rotation_minimising::turned;
 use crate::number::Number;
-use crate::path::{CameraPath, Orientation, OrientationOverrides, Target, Up, UpVector, ahead};
+use crate::path::{CameraPath, OrientationOverrides, Target, Up, UpVector, ahead};
 use crate::playing::playhead::{Missing, Shown};
 use crate::setup::Fold;
 use crate::state::Editor;
@@ -189,15 +191,6 @@ fn up(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Action>) {
     }
 }
 
-/// Something of a motion that an orientation may own.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum OwnedMotion {
-    /// Angular velocities, a part of a turning, the slope of the roll.
-    Turning,
-    /// The slope of its zoom.
-    Zoom,
-}
-
 impl OwnedMotion {
     pub(super) fn is_owned(self, shown: &Shown) -> bool {
         let own = &shown.orientation.own;
@@ -299,19 +292,4 @@ fn path_for_up(path: &CameraPath) -> Option<UpVector> {
     let mut all = path.points.iter().flat_map(|point| &point.orientations);
     let found = all.find(|key| matches!(key.own.up, UpVector::Path(_)))?;
     Some(found.own.up.clone())
-}
-
-/// The edit that changes an orientation.
-pub(crate) fn with(
-    at: Selection,
-    current: &Orientation,
-    change: impl FnOnce(&mut Orientation),
-) -> Edit {
-    let mut orientation = current.clone();
-    change(&mut orientation);
-    Edit::SetOrientation {
-        point: at.point,
-        at: at.orientation,
-        orientation,
-    }
 }

@@ -52,7 +52,7 @@ impl Seen {
 
 /// From frames to the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Axis {
+pub(crate) struct Axis {
     pub(super) rail: Rangef,
     /// The first frame.
     begin: f64,

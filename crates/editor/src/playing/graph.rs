@@ -2,24 +2,26 @@
 //! other quantities. Borders of sections are dragged sideways as the keys are, the ten speeds of the
 //! current section up and down.
 
+use crate::state::playing::Mark;
+use crate::state::playing::graph::{Graph, PIECES, Scale, Stretch};
+pub(super) use crate::state::playing::graph::{Held, Memory};
 use egui::{
     Align2, CornerRadius, CursorIcon, Id, Pos2, Rangef, Rect, Response, Sense, Stroke, StrokeKind,
     Ui, WidgetInfo, pos2, vec2,
 };
 
 use super::axis::Axis;
-use super::curve::Curve;
-use super::key_row::{KeyDrag, take};
+use super::key_row::take;
 use super::ruler::{colour_of_playhead, scrub_by_mouse};
-use super::{Marks, as_frame, markers, plot, tracks};
+use super::{as_frame, plot};
 use crate::action::Action;
 use crate::document::{Document, Edit, Selection};
+use crate::entry::Entry;
 use crate::error::Result;
 use crate::limits::{MAX_SPEED, MIN_SPEED, SPEEDS};
-use crate::number::Entry;
-use crate::panels::orientation::with;
 use crate::path::Change;
-use crate::state::Editor;
+use crate::state::playing::Marks;
+use crate::state::{Editor, with};
 use crate::texts::fill;
 use crate::theme;
 use crate::windows::goes_by_ten;
@@ -30,33 +32,8 @@ pub(super) const LEAST: f32 = 44.0;
 /// On a path of more sections each has only one value.
 const FINE_SECTIONS: usize = 1000;
 
-/// Pieces of a section's curve.
-pub(super) const PIECES: usize = 24;
-
 /// Borders and squares with less room than this cannot be dragged, in points.
 const GRIP: f32 = 7.0;
-
-/// The speeds of the whole path.
-#[derive(Debug, Default)]
-pub(super) struct Graph {
-    stretches: Vec<Stretch>,
-    /// The highest speed, or [`MAX_SPEED`] if that is higher.
-    highest: f32,
-}
-
-/// The frames of a section in which something changes.
-#[derive(Debug)]
-pub(super) struct Stretch {
-    /// The orientation with which it begins.
-    pub(super) from: Selection,
-    /// The frame after its hold, and the one of the next key.
-    pub(super) start: usize,
-    pub(super) end: usize,
-    /// 50 is the base speed; higher the fewer frames the section has for its length.
-    pub(super) speeds: [f32; PIECES + 1],
-    /// Factor from the ten speeds to these.
-    pub(super) scale: f32,
-}
 
 impl Graph {
     pub(super) fn clear(&mut self) {
@@ -70,7 +47,7 @@ impl Graph {
     }
 
     /// Computes the speeds anew, on the frames of `keys`.
-    pub(super) fn update(&mut self, document: &Document, keys: &[super::Mark]) -> Result<()> {
+    pub(super) fn update(&mut self, document: &Document, keys: &[Mark]) -> Result<()> {
         self.clear();
         let path = document.path();
         document.timeline(|timeline| {
@@ -105,26 +82,6 @@ impl Graph {
     }
 }
 
-/// What is being dragged.
-#[derive(Debug, Default)]
-pub(super) enum Held {
-    #[default]
-    Nothing,
-    /// A key or a border.
-    Key(Box<KeyDrag>),
-    /// One of the ten speeds, the pointer's offset from its middle, and whether the section beside,
-    /// which goes on as fast, follows.
-    Speed(usize, f32, bool),
-}
-
-/// From frames and speeds to the screen.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Scale {
-    pub(super) axis: Axis,
-    pub(super) rows: Rangef,
-    pub(super) highest: f32,
-}
-
 impl Scale {
     fn new(axis: Axis, rect: Rect, marks: &Marks) -> Self {
         Self {
@@ -154,17 +111,6 @@ impl Scale {
             self.y(stretch.speeds[piece]),
         )
     }
-}
-
-/// What the timeline remembers from pass to pass.
-#[derive(Debug, Default)]
-pub(super) struct Memory {
-    pub(super) held: Held,
-    /// A key is held since an earlier pass: nothing else can be taken.
-    pub(super) carries: bool,
-    curve: Curve,
-    pub(super) tracks: tracks::Memory,
-    pub(super) markers: markers::Memory,
 }
 
 /// Shows the graph in `rect`, with what is chosen at the left of it in `room`.

@@ -9,9 +9,11 @@ use vides_engine::scene::Channel;
 
 use super::axis::step;
 use super::track_curve::Of;
-use super::track_graph::{Memory, Shown, keys_between};
-use super::tracks::{self, ROW, Row, caption, channel_name};
+use super::track_graph::{Shown, keys_between};
+use super::tracks::{self, ROW, caption, channel_name};
 use crate::state::Editor;
+use crate::state::playing::track_graph::Memory;
+use crate::state::playing::tracks::Row;
 use crate::theme;
 
 /// Half of a key's sign.

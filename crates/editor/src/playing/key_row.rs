@@ -1,21 +1,22 @@
 //! The keys on the timeline, and the sections between them: dragged, copied, selected.
 
+use crate::state::playing::graph::KeyDrag;
 use egui::{
     CornerRadius, CursorIcon, FontId, Id, Key, Order, Painter, Pos2, Rangef, Rect, Response, Sense,
     Shape, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
 };
 
 use super::axis::Axis;
-use super::graph::{Held, Memory, ended};
-use super::retime::{Beside, Retiming};
+use super::graph::ended;
 use super::ruler::chosen_too;
-use super::{Mark, as_frame};
-use super::{pins, section_menu};
+use super::{as_frame, pins, section_menu};
 use crate::action::Action;
 use crate::document::Selection;
-use crate::number::Entry;
+use crate::entry::Entry;
 use crate::space::Typed;
 use crate::state::Editor;
+use crate::state::playing::graph::{Held, Memory};
+use crate::state::playing::{Mark, Retiming};
 use crate::texts::fill;
 use crate::theme;
 
@@ -30,27 +31,6 @@ const SIGN: f32 = 5.0;
 
 /// Factor of a drag with Shift.
 pub(super) const FINE: f64 = 0.1;
-
-/// A key that is dragged along the time.
-#[derive(Debug)]
-pub(super) struct KeyDrag {
-    /// What was taken; what shows it may vanish meanwhile.
-    id: Id,
-    of: Selection,
-    /// The frame at which it stood.
-    from: usize,
-    beside: Beside,
-    /// The pointer of the last pass.
-    pointer: f32,
-    /// Frames that it went, and how many a point of the screen are.
-    gone: f64,
-    each: f64,
-    /// All frames when it began, and those of the axis: the scale stays meanwhile.
-    frames: usize,
-    pub(super) all: (f64, f64),
-    typed: Typed,
-    done: Retiming,
-}
 
 impl KeyDrag {
     /// The key of this frame is taken.

@@ -2,57 +2,52 @@
 //!
 //! While it plays the window asks for the next frame when that is due; at rest it asks for nothing.
 
-mod axis;
-mod buttons;
-mod curve;
-mod fields;
-mod graph;
-mod graph_drag;
-mod graph_paint;
-mod key_menu;
-mod key_motion;
-mod key_row;
-mod markers;
-mod marks;
-mod moment;
-mod pins;
+pub(crate) mod axis;
+pub(crate) mod buttons;
+pub(crate) mod curve;
+pub(crate) mod fields;
+pub(crate) mod graph;
+pub(crate) mod graph_drag;
+pub(crate) mod graph_paint;
+pub(crate) mod key_menu;
+pub(crate) mod key_motion;
+pub(crate) mod key_row;
+pub(crate) mod markers;
+pub(crate) mod marks;
+pub(crate) mod moment;
+pub(crate) mod pins;
 pub(crate) mod playhead;
-mod plot;
-mod retime;
-mod ruler;
-mod section_menu;
-mod track_clipboard;
-mod track_curve;
-mod track_drag;
-mod track_graph;
-mod track_keys;
-mod track_menu;
-mod track_time;
-mod tracks;
-mod zoom;
+pub(crate) mod plot;
+pub(crate) mod retime;
+pub(crate) mod ruler;
+pub(crate) mod section_menu;
+pub(crate) mod track_clipboard;
+pub(crate) mod track_curve;
+pub(crate) mod track_drag;
+pub(crate) mod track_graph;
+pub(crate) mod track_keys;
+pub(crate) mod track_menu;
+pub(crate) mod track_time;
+pub(crate) mod tracks;
+pub(crate) mod zoom;
 
+use crate::state::playing::{Mark, Pace, Playing};
 use std::time::Duration;
 
 use egui::{Context, CursorIcon, Id, Rangef, Rect, Sense, Ui, UiBuilder, pos2};
 
 use self::axis::Axis;
 pub(super) use self::axis::Seen;
-pub(super) use self::fields::Pace;
-pub(super) use self::key_motion::KeyMotion;
-pub(super) use self::marks::Mark;
-use self::marks::Marks;
 pub(super) use self::pins::menu as pin_menu;
-pub(super) use self::retime::Retiming;
 pub(super) use self::track_keys::take_keys;
 pub(super) use self::track_menu::rotation_by;
 use crate::action::Action;
 use crate::document::Selection;
-use crate::number::Entry;
+use crate::entry::Entry;
 use crate::space::Camera;
 use crate::state::Editor;
-use crate::theme;
 use crate::tools::profile::Quantity;
-use crate::windows;
+use crate::{theme, windows};
 
 /// A lower window has little room for the graph.
 const MIN_HEIGHT_FOR_GRAPH: f32 = 660.0;
@@ -72,46 +67,6 @@ const EDGE: f32 = 6.0;
 
 /// Seconds between updates of the marks in a drag: a change of the first section moves them all.
 const MARKS_STEP: f64 = 0.25;
-
-#[derive(Debug, Default)]
-pub(super) struct Playing {
-    /// The frame that is shown, of the scene or of a path alone; none: the current orientation.
-    frame: Option<f64>,
-    /// While it plays: since when, in egui's time, and from which frame.
-    since: Option<(f64, f64)>,
-    /// Whether to play from the next pass on, if that was ordered.
-    ordered: Option<bool>,
-    /// The playhead was moved by hand.
-    scrubbed: bool,
-    /// Begins anew at the end.
-    loops: bool,
-    pace: Pace,
-    /// The frame before a number of the bar was dragged.
-    before: Option<f64>,
-    /// What was current in the last pass.
-    selection: Selection,
-    marks: Marks,
-    between: Option<playhead::Between>,
-    /// When `marks` were brought up to date, in egui's time.
-    marked: f64,
-    speeds: graph::Memory,
-    /// The window is low, and the graph is to be shown there, too.
-    low: bool,
-    low_graph: bool,
-    /// Its height, if it was dragged.
-    graph_height: Option<f32>,
-    /// What the graph shows.
-    shown: plot::Shown,
-    plot: plot::Plot,
-    /// What follows a key moves along with it.
-    moves_along: bool,
-    /// The part of the time that is seen; none: all.
-    seen: Option<Seen>,
-    /// Only the frames in which what is selected moves are played.
-    only_selected: bool,
-    /// The first and the last frame of the axis, which stays while something of a scene is dragged.
-    axis: (f64, f64),
-}
 
 impl Playing {
     pub(super) fn is_playing(&self) -> bool {
@@ -528,4 +483,4 @@ fn dragged_edge(editor: &Editor, ui: &Ui, rect: Rect, height: f32, actions: &mut
 }
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;

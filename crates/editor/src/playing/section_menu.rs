@@ -8,9 +8,8 @@ use super::{as_frame, pins};
 use crate::action::Action;
 use crate::document::Selection;
 use crate::limits::{MAX_HOLD, SPEEDS};
-use crate::panels::orientation::with;
 use crate::path::{Orientation, Pace};
-use crate::state::Editor;
+use crate::state::{Editor, with};
 use crate::windows::{shapes, slow_past};
 
 pub(super) fn show(editor: &Editor, response: &Response, axis: &Axis, actions: &mut Vec<Action>) {

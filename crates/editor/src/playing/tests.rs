@@ -1,5 +1,6 @@
 //! Tests of [`super`].
 
+use crate::state::playing::Marks;
 use std::time::Duration;
 
 use egui::{Key, Modifiers, PointerButton, Pos2, pos2, vec2};

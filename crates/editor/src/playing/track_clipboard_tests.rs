@@ -5,8 +5,8 @@ use vides_engine::scene::{Kind, Scene};
 
 use super::super::tracks::tests::*;
 use super::*;
-use crate::scene_view::KeyAt;
 use crate::space::tests::tap;
+use crate::state::scene_view::KeyAt;
 use crate::tests::LARGE;
 use crate::texts::Language;
 

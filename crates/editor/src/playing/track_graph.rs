@@ -1,22 +1,24 @@
 //! The tracks of nodes as curves: their numbers over frames, with keys that are dragged in both and
 //! the handles of own tangents. What is dragged is [`super::graph_drag`]'s.
 
+pub(super) use crate::state::playing::track_graph::Memory;
+use crate::state::playing::track_graph::{Dot, Parts};
 use std::collections::BTreeSet;
 
 use egui::{Pos2, Rect, Response, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2};
 use vides_engine::scene::{Channel, Interpolation, Track};
 
 use super::axis::Axis;
-use super::graph_drag::{self, Held, Joints, Side};
 use super::graph_paint::{colour, headings, scale, signs};
 use super::track_curve::{Curve, Of, is_read_only};
 use super::track_time::{REACH, Time};
-use super::tracks::{self, Row};
-use super::{key_motion, track_menu};
+use super::{graph_drag, key_motion, track_menu, tracks};
 use crate::action::Action;
 use crate::document::EditedScene;
-use crate::scene_view::KeyAt;
 use crate::state::Editor;
+use crate::state::playing::track_graph::{Held, Side};
+use crate::state::playing::tracks::Row;
+use crate::state::scene_view::KeyAt;
 
 /// As many tracks are shown where none is chosen.
 const MOST: usize = 16;
@@ -29,32 +31,6 @@ const FREE: f64 = 0.1;
 
 /// Curves are this near to what the engine says, in points.
 const NEAR: f64 = 0.15;
-
-/// A number of a key: node, channel, the frame's bits, which number.
-pub(super) type PartOf = (usize, Channel, u64, usize);
-
-/// Numbers of keys that are selected.
-pub(super) type Parts = BTreeSet<PartOf>;
-
-/// What the graph remembers from pass to pass.
-#[derive(Debug, Default)]
-pub(super) struct Memory {
-    /// The tracks that are to be seen; none: those with selected keys, else the first one.
-    chosen: Vec<(usize, Channel)>,
-    /// Of the selected keys; of one that is not there all its numbers are.
-    pub(super) parts: Parts,
-    pub(super) joints: Joints,
-    pub(super) held: Held,
-    /// The least and the greatest number that are seen while something is held.
-    pub(super) range: Option<(f64, f64)>,
-}
-
-/// One number of a key.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Dot {
-    pub(super) at: KeyAt,
-    pub(super) part: usize,
-}
 
 /// From numbers to the screen.
 #[derive(Clone, Copy, Debug)]

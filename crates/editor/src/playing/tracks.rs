@@ -1,7 +1,8 @@
 //! Rows of the selected nodes below the keys of the path: their paths as bars, their tracks as
 //! diamonds. What is dragged there is [`super::track_drag`]'s.
 
-use std::collections::HashSet;
+pub(super) use crate::state::playing::tracks::Memory;
+use crate::state::playing::tracks::Row;
 use std::ops::Range;
 
 use egui::{
@@ -10,16 +11,14 @@ use egui::{
 };
 use vides_engine::scene::{Channel, FollowPath, Node, Track};
 
-use super::as_frame;
 use super::axis::Axis;
-use super::track_drag::{self, Held};
 use super::track_time::{APART, REACH, Time};
-use super::{graph_paint, pins, track_graph, track_menu};
+use super::{as_frame, graph_paint, pins, track_drag, track_graph, track_menu};
 use crate::action::Action;
 use crate::document::EditedScene;
 use crate::path::Sampler;
-use crate::scene_view::KeyAt;
 use crate::state::Editor;
+use crate::state::scene_view::KeyAt;
 use crate::texts::fill;
 use crate::theme;
 
@@ -37,26 +36,6 @@ const SWITCH: egui::Vec2 = vec2(22.0, 18.0);
 
 /// Indent of the tracks' names.
 const INDENT: f32 = 12.0;
-
-/// What the rows remember from pass to pass.
-#[derive(Debug, Default)]
-pub(super) struct Memory {
-    pub(super) held: Held,
-    /// Nodes whose tracks are not shown.
-    folded: HashSet<usize>,
-    /// The row whose menu is open.
-    pub(super) menu: Option<Row>,
-    /// Curves are seen in place of rows.
-    pub(super) curves: bool,
-    pub(super) graph: track_graph::Memory,
-}
-
-/// A row: a node, or one of its tracks by number.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Row {
-    pub(super) node: usize,
-    pub(super) track: Option<usize>,
-}
 
 impl Row {
     pub(super) fn node(self, edited: &EditedScene) -> Option<&Node> {

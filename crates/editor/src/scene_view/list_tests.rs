@@ -10,15 +10,14 @@ use vides_engine::scene::{
     Track, Values,
 };
 
-use super::super::NewNode;
-use super::super::commands::NodeCommand;
 use super::*;
 use crate::document::StepName;
-use crate::files::Purpose;
 use crate::path::CameraPath;
 use crate::screenshots::screenshot;
 use crate::space::Camera;
 use crate::space::tests::{self as space, motion, press as press_at, release};
+use crate::state::files::Purpose;
+use crate::state::scene_view::{NewNode, NodeCommand};
 use crate::tests::*;
 use vides_engine::scene::{Channel, Node, Scene, Warnings};
 

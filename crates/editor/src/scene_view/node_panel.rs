@@ -4,16 +4,16 @@ use egui::{Button, Popup, Role, ScrollArea, Ui, WidgetInfo, vec2};
 use glam::DVec3;
 use vides_engine::scene::{Channel, Node, Part, Rest};
 
-use super::commands::NodeCommand;
 use super::keys_panel::{AXES, Shown, Words, channel, diamond, indent};
-use super::node_action::NodeAction;
 use super::{kind_panel, list_row, motion_panel, object_panel, panel};
 use crate::action::Action;
 use crate::document::Edit;
-use crate::number::{Entry, Number};
+use crate::entry::Entry;
+use crate::number::Number;
 use crate::panels::{self, Heading, PanelButton, apart, button_row, share};
 use crate::setup::Fold;
 use crate::state::Editor;
+use crate::state::scene_view::{NodeAction, NodeCommand};
 use crate::texts::fill;
 use crate::theme;
 

@@ -9,8 +9,6 @@ pub(crate) mod file;
 #[cfg(test)]
 mod window_tests;
 
-pub(crate) use colours::ColourWindow;
-pub(crate) use display::DisplayWindow;
 use egui::Color32;
 
 use crate::math::view::HALF_FILM_HEIGHT;

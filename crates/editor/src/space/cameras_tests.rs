@@ -1,5 +1,6 @@
 //! Tests of [`super::cameras`].
 
+use crate::space::ribbon::Ribbon;
 use egui::{Rect, pos2, vec2};
 
 use super::tests::pyramid;

@@ -1,24 +1,20 @@
 //! Freehand lines for a tool that waits for one: in the space, or on the object in the picture.
 
+use crate::state::space::Drawing;
 use egui::{CursorIcon, Event, Key, PointerButton, Pos2, Rect, Response, Shape, Stroke, Ui};
 use glam::DVec3;
 
-use super::Camera;
 use super::pointer::PointerContext;
 use super::projection::from_pos;
-use super::projection_of;
+use super::{Camera, projection_of};
 use crate::action::Action;
-use crate::keys;
 use crate::state::Editor;
-use crate::theme;
+use crate::state::windows::ToolWindow;
 use crate::tools::clearance::Clearance;
-use crate::windows::ToolWindow;
+use crate::{keys, theme};
 
 /// A line drawn this near, in points, to lines and points of an object leads through them.
 const NEAR: f64 = 8.0;
-
-#[derive(Debug)]
-pub(super) struct Drawing(Vec<DVec3>);
 
 /// Whether a tool waits for a line.
 pub(super) fn is_wanted(editor: &Editor) -> bool {

@@ -6,35 +6,36 @@
 //! [`scene`], [`solid`], [`cameras`], [`ribbon`] and [`overlay`] draw.
 
 pub(crate) mod camera_view;
-mod cameras;
-mod drag;
-mod drawing;
-mod flying;
-mod gesture;
-mod gizmo;
-mod held_nodes;
-mod hold;
-mod keyboard;
-mod menu;
-mod nodes;
-mod of_nodes;
-mod overlay;
-mod picking;
-mod pointer;
-mod projection;
-mod ribbon;
-mod scene;
-mod shown_camera;
-mod sliders;
-mod solid;
-mod start;
-mod strokes;
-mod tangents;
-mod trail;
-mod transform;
-mod turned;
-mod typed;
+pub(crate) mod cameras;
+pub(crate) mod drag;
+pub(crate) mod drawing;
+pub(crate) mod flying;
+pub(crate) mod gesture;
+pub(crate) mod gizmo;
+pub(crate) mod held_nodes;
+pub(crate) mod hold;
+pub(crate) mod keyboard;
+pub(crate) mod menu;
+pub(crate) mod nodes;
+pub(crate) mod of_nodes;
+pub(crate) mod overlay;
+pub(crate) mod picking;
+pub(crate) mod pointer;
+pub(crate) mod projection;
+pub(crate) mod ribbon;
+pub(crate) mod scene;
+pub(crate) mod shown_camera;
+pub(crate) mod sliders;
+pub(crate) mod solid;
+pub(crate) mod start;
+pub(crate) mod strokes;
+pub(crate) mod tangents;
+pub(crate) mod trail;
+pub(crate) mod transform;
+pub(crate) mod turned;
+pub(crate) mod typed;
 
+use crate::state::space::MovementWindow;
 use std::sync::Arc;
 
 use egui::{Context, EventFilter, Painter, Pos2, Rect, Sense, Ui, Vec2};
@@ -42,48 +43,24 @@ use glam::DVec3;
 
 pub(crate) use self::camera_view::LEAST_SHARE;
 pub(super) use self::cameras::Camera;
-use self::cameras::KeyCameras;
-use self::drag::Handle;
-pub(super) use self::gesture::Gesture;
-use self::nodes::Nodes;
 pub(super) use self::nodes::colour as wire_colour;
-use self::pointer::{PointerContext, PointerController};
+use self::pointer::PointerContext;
 use self::projection::Projection;
-use self::ribbon::Ribbon;
-use self::scene::{Look, PathLines};
-use self::solid::{Eye, Solid};
-pub(super) use self::start::Around;
+use self::scene::Look;
 use self::strokes::Strokes;
-pub(super) use self::tangents::Joint;
 pub(super) use self::turned::turned_node;
 pub(super) use self::typed::Typed;
 use crate::action::Action;
 use crate::document::Document;
 use crate::error::Result;
-use crate::path;
 use crate::raster::{Lines, Surfaces};
 use crate::setup::{Element, View};
 use crate::state::Editor;
+use crate::state::space::Handle;
+use crate::state::space::solid::Eye;
 use crate::texts::Texts;
 use crate::texts::refusals::reason_of;
-use crate::{host, points_list, scene_view};
-
-/// The movement window's own state.
-#[derive(Debug, Default)]
-pub(super) struct MovementWindow {
-    pointer: PointerController,
-    lines: PathLines,
-    key_cameras: KeyCameras,
-    ribbon: Ribbon,
-    nodes: Nodes,
-    /// The objects' faces, in the space and in the camera's picture.
-    solid: Solid,
-    seen_solid: Solid,
-    menu: menu::PointMenu,
-    /// The view before one of its numbers was dragged.
-    view_before: Option<View>,
-    lit: Option<DVec3>,
-}
+use crate::{host, path, points_list, scene_view};
 
 impl MovementWindow {
     /// Whether held keys or a transform keep a step of the document open.
@@ -558,24 +535,24 @@ fn projection_of(editor: &Editor, viewport: Rect) -> Projection {
 }
 
 #[cfg(test)]
-mod cameras_tests;
+pub(crate) mod cameras_tests;
 #[cfg(test)]
-mod manual_tests;
+pub(crate) mod manual_tests;
 #[cfg(test)]
-mod memory_tests;
+pub(crate) mod memory_tests;
 #[cfg(test)]
-mod menu_tests;
+pub(crate) mod menu_tests;
 #[cfg(test)]
-mod node_clicks_tests;
+pub(crate) mod node_clicks_tests;
 #[cfg(test)]
-mod nodes_tests;
+pub(crate) mod nodes_tests;
 #[cfg(test)]
-mod several_tests;
+pub(crate) mod several_tests;
 #[cfg(test)]
-mod shaping_tests;
+pub(crate) mod shaping_tests;
 #[cfg(test)]
-mod tangents_tests;
+pub(crate) mod tangents_tests;
 #[cfg(test)]
 pub(super) mod tests;
 #[cfg(test)]
-mod world_tests;
+pub(crate) mod world_tests;

@@ -1,28 +1,25 @@
 //! The mouse in the movement window: turns egui's events into actions. Keys go to [`keyboard`].
 
+use crate::state::space::PointerController;
 use egui::{Context, CursorIcon, Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Rect};
 use glam::{DVec2, DVec3};
 
-use super::drag::{DragConstraint, Handle};
-use super::drawing::{self, Drawing};
-use super::gesture::Gesture;
-use super::held_nodes::Grip;
-use super::hold::{PointerPress, place_held};
+use super::hold::place_held;
 use super::keyboard::{self, NUDGES};
-use super::of_nodes;
-use super::picking;
 use super::projection::{Axis, Projection, from_pos, scale};
-use super::projection_of;
-use super::tangents::Side;
-use super::transform::{self, Kind, Next, Transform};
+use super::transform::{self, Next};
 use super::typed::Typed;
+use super::{drawing, of_nodes, picking, projection_of};
 use crate::action::Action;
 use crate::keys;
-use crate::selected::SelectionChange;
 use crate::setup::View;
 use crate::state::Editor;
+use crate::state::selected::SelectionChange;
+use crate::state::space::{
+    DragConstraint, Drawing, Gesture, Grip, Handle, Kind, PointerPress, Side, Transform,
+};
+use crate::state::windows::ToolWindow;
 use crate::texts::{Texts, fill};
-use crate::windows::ToolWindow;
 
 /// A press that moves no farther than this, in points, is no drag: hands tremble.
 pub(super) const STILL: f32 = 2.0;
@@ -32,28 +29,6 @@ pub(super) const FINE: f64 = 10.0;
 
 /// Factor of the size for a step of the wheel.
 pub(super) const WHEEL: f64 = 1.1;
-
-#[derive(Debug, Default)]
-pub(super) struct PointerController {
-    hold: Option<Box<PointerPress>>,
-    /// What was typed since the button went down.
-    typed: Typed,
-    /// Keys that move something are down; a step of the document is open.
-    pub(super) nudging: bool,
-    /// A transform is at work; a step of the document is open.
-    pub(super) transform: Option<Transform>,
-    /// The left button draws a line.
-    drawing: Option<Drawing>,
-    pub(super) hover: Option<Handle>,
-    /// The handle around several points that lies under the pointer.
-    pub(super) meant: Option<Kind>,
-    /// The pointer is in the movement window.
-    over: bool,
-    /// Where the last right click asks for a menu, and of what.
-    pub(super) menu: Option<(Pos2, Option<Handle>)>,
-    /// Where the last click was, and whether a node lay there.
-    pub(super) clicked: Option<(Pos2, bool)>,
-}
 
 /// The axis across the plane in which each button drags (thesis A.3.1).
 pub(super) const PLANES: [(PointerButton, Axis); 3] = [

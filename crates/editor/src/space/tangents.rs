@@ -1,6 +1,7 @@
 //! The tangents that the current point owns: their handles, a third of a tangent away as the inner
 //! points of a Bézier curve are, and how the tangent on one side follows the other.
 
+use crate::state::space::{Joint, Side};
 use glam::DVec3;
 
 use super::scene::Look;
@@ -18,26 +19,8 @@ const STRAIGHT: f64 = 1e-6;
 const HANDLE: f64 = 3.5;
 const WIDTH: f32 = 1.2;
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Side {
-    Before,
-    After,
-}
-
 impl Side {
     const BOTH: [Self; 2] = [Self::Before, Self::After];
-}
-
-/// What the tangent on one side does while the other is dragged.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) enum Joint {
-    /// It turns along and keeps its length.
-    #[default]
-    Smooth,
-    /// It becomes the same.
-    Mirrored,
-    /// It stays.
-    Corner,
 }
 
 impl Joint {

@@ -1,22 +1,19 @@
 //! All keys and what the mouse does (F1).
 
+use crate::state::windows::HelpWindow;
 use std::borrow::Cow;
 
 use egui::{Grid, Key, Modifiers, ScrollArea};
 
-use super::{SubWindow, Windows, sub_window};
+use super::{SubWindow, sub_window};
 use crate::action::Action;
 use crate::keys::{SHORTCUTS, combination};
-use crate::menu;
-use crate::space;
 use crate::state::Editor;
+use crate::state::windows::Windows;
 use crate::texts::{Language, fill};
-use crate::theme;
+use crate::{menu, space, theme};
 
 const KEYS: f32 = 232.0;
-
-#[derive(Debug)]
-pub(crate) struct HelpWindow {}
 
 impl SubWindow for HelpWindow {
     const ID: &'static str = "help";

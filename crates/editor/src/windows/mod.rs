@@ -6,66 +6,29 @@
 //! stays; then its actions are done. [`open`] opens one or brings it to the front; [`sub_window`]
 //! gives all the same frame and the same ways to close.
 
-mod check;
-mod compare;
-mod curve;
-mod dock;
-mod help;
-mod points;
-mod space;
-mod speed;
-mod tool;
+pub(crate) mod check;
+pub(crate) mod compare;
+pub(crate) mod curve;
+pub(crate) mod dock;
+pub(crate) mod help;
+pub(crate) mod points;
+pub(crate) mod space;
+pub(crate) mod speed;
+pub(crate) mod tool;
 
-pub(super) use check::CheckWindow;
-pub(super) use compare::CompareWindow;
-pub(super) use curve::CurveWindow;
+use crate::state::windows::{
+    CheckWindow, CompareWindow, CurveWindow, HelpWindow, PointsWindow, SpaceWindow, SpeedWindow,
+    ToolWindow, Windows,
+};
 pub(crate) use dock::{docked, place};
-pub(super) use help::HelpWindow;
-pub(super) use points::PointsWindow;
-pub(super) use space::SpaceWindow;
-pub(super) use speed::{SpeedWindow, goes_by_ten, shapes, slow_past};
-pub(super) use tool::ToolWindow;
+pub(super) use speed::{goes_by_ten, shapes, slow_past};
 
 use crate::action::Action;
-use crate::files::{FileWindow, Question, RecoveryWindow};
 use crate::frame::BAR;
 use crate::keys;
-use crate::scene_view::ParentWindow;
-use crate::setup::{ColourWindow, DisplayWindow};
 use crate::state::Editor;
-
-/// Which of them are open, and what is pending in them.
-#[derive(Debug, Default)]
-pub(super) struct Windows {
-    dock: dock::Dock,
-    /// How many paths were loaded in place of the first.
-    pub(crate) paths: u64,
-    pub(super) curve: Option<CurveWindow>,
-    pub(super) speed: Option<SpeedWindow>,
-    /// Ten speeds to be pasted.
-    pub(super) copied_speeds: Option<[f64; crate::limits::SPEEDS]>,
-    pub(super) colours: Option<ColourWindow>,
-    pub(super) display: Option<DisplayWindow>,
-    pub(super) points: Option<PointsWindow>,
-    pub(super) space: Option<SpaceWindow>,
-    pub(super) help: Option<HelpWindow>,
-    pub(super) check: Option<CheckWindow>,
-    pub(super) compare: Option<CompareWindow>,
-    /// It shows what is in the open step of the document.
-    pub(super) tool: Option<ToolWindow>,
-    /// What moving nodes keep in another parent.
-    pub(super) parent: Option<ParentWindow>,
-    /// A file is being chosen: modal.
-    pub(super) files: Option<FileWindow>,
-    /// A path that was dropped, while there is that question.
-    pub(super) dropped: Option<std::path::PathBuf>,
-    /// A question before unsaved work is lost: modal.
-    pub(super) question: Option<Question>,
-    /// A question about a file that has changed: modal.
-    pub(super) changed: Option<Question>,
-    /// Unsaved work that was left behind is offered.
-    pub(super) recovery: Option<RecoveryWindow>,
-}
+use crate::state::files::{FileWindow, Question, RecoveryWindow};
+use crate::state::windows::{ColourWindow, DisplayWindow, ParentWindow};
 
 /// Where a sub-window opens: from the window's upper left corner or, where that would hide the
 /// movement window and so its own effect, from the upper right one, over the panels.

@@ -1,21 +1,15 @@
 //! The small window behind `Pos.++`: how many points (thesis A.4.1)?
 
+use crate::state::windows::PointsWindow;
 use egui::{Button, Key, Modifiers, vec2};
 
-use super::{SubWindow, Windows, sub_window, takes_keyboard};
+use super::{SubWindow, sub_window, takes_keyboard};
 use crate::action::Action;
-use crate::keys;
 use crate::limits::MAX_DIVISION;
 use crate::state::Editor;
+use crate::state::windows::Windows;
 use crate::texts::fill;
-use crate::theme;
-
-/// A number picks: clicked, or typed with 0 for ten.
-#[derive(Debug)]
-pub(crate) struct PointsWindow {
-    /// It has just opened, and takes the keyboard.
-    fresh: bool,
-}
+use crate::{keys, theme};
 
 /// The digits in the order of the numbers that they pick.
 const DIGITS: [Key; MAX_DIVISION] = [

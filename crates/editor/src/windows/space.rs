@@ -1,14 +1,16 @@
 //! Where the path lies in the world: centre and half size of the movement space, its unit, its
 //! upright axis. What is entered is pending until it is applied, as one step.
 
+use crate::state::windows::SpaceWindow;
 use egui::{Button, Grid, Ui, vec2};
 
-use super::{SubWindow, Windows, row_at_right, sub_window};
+use super::{SubWindow, row_at_right, sub_window};
 use crate::action::Action;
 use crate::document::Edit;
 use crate::number::Number;
 use crate::path::{Space, Up};
 use crate::state::Editor;
+use crate::state::windows::Windows;
 use crate::texts::refusals;
 use crate::theme;
 
@@ -19,18 +21,6 @@ const APART: f32 = 14.0;
 const NAME: f32 = 96.0;
 const NUMBER: f32 = 100.0;
 const BUTTON: f32 = 96.0;
-
-#[derive(Debug)]
-pub(crate) struct SpaceWindow {
-    /// What the document had when it was last looked at.
-    of: (Space, String),
-    space: Space,
-    unit: String,
-    /// The path is fitted into the new space.
-    fit: bool,
-    /// The space before a number of it is dragged.
-    before: Option<Space>,
-}
 
 impl SubWindow for SpaceWindow {
     const ID: &'static str = "space";

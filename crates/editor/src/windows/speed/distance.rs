@@ -3,11 +3,12 @@
 use egui::{Button, CursorIcon, Id, Key, Modifiers, Rect, Sense, Ui, Vec2, WidgetInfo, pos2};
 
 use super::graph::{Axes, Handle};
-use super::{Section, SpeedWindow, entered_own};
+use super::{Section, entered_own};
 use crate::action::Action;
 use crate::number::Number;
 use crate::path::{Orientation, Overrides, Pace, Timing};
 use crate::state::Editor;
+use crate::state::windows::SpeedWindow;
 use crate::texts::fill;
 use crate::theme;
 

@@ -2,13 +2,14 @@
 
 use egui::{CursorIcon, Id, Rangef, Rect, Ui, pos2};
 
-use super::graph::{Axes, Handle, Held, Quantity};
+use super::graph::{Axes, Handle};
 use super::{Section, entered_own};
 use crate::action::Action;
 use crate::limits::{MAX_SPEED, MIN_SPEED};
 use crate::number::Number;
 use crate::path::{Ease, Pace};
 use crate::state::Editor;
+use crate::state::windows::{Held, Quantity};
 use crate::texts::fill;
 use crate::theme;
 

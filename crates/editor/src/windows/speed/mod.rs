@@ -2,6 +2,7 @@
 //! down, the facing values of the sections before and after, the curve. Or an ease or a given
 //! distance in place of the ten speeds, and way or acceleration in place of the speed.
 
+use crate::state::windows::SpeedWindow;
 use egui::{Rect, Sense, Ui, vec2};
 
 mod distance;
@@ -15,16 +16,17 @@ mod ten;
 pub(crate) use self::join::slow_past;
 pub(crate) use self::ten::shapes;
 
-use self::graph::{Axes, Held, Quantity};
-use super::{SubWindow, Windows, docked, is_cramped, is_low};
+use self::graph::Axes;
+use super::{SubWindow, docked, is_cramped, is_low};
 use crate::action::Action;
-use crate::document::{At, Edit, Info, Selection};
+use crate::document::{At, Edit, Info};
+use crate::entry::Entry;
 use crate::limits::{MAX_FPS, MAX_FRAMES, MAX_HOLD, SPEEDS};
-use crate::number::{Entry, Number};
-use crate::panels::orientation::with;
+use crate::number::Number;
 use crate::panels::share;
 use crate::path::{BaseFrames, Orientation, OrientationOverrides, Pace, Timing};
-use crate::state::Editor;
+use crate::state::windows::{Quantity, Windows};
+use crate::state::{Editor, with};
 use crate::texts::fill;
 use crate::theme;
 
@@ -37,21 +39,6 @@ const APART: f32 = 16.0;
 
 /// Height of all about the picture and its rows.
 const ABOUT: f32 = 64.0;
-
-#[derive(Debug)]
-pub(crate) struct SpeedWindow {
-    /// What the picture shows.
-    shown: Quantity,
-    held: Held,
-    /// The square of the ten speeds that was chosen by an arrow key.
-    choose: Option<usize>,
-    /// The key of a given distance whose numbers are shown.
-    key: usize,
-    /// The key for which Delete was pressed.
-    removed: Option<usize>,
-    /// The frames given to a section along with its distance, so that it takes as long as before.
-    fixed: Option<(Selection, u32)>,
-}
 
 /// Sizes of the picture, in points.
 #[derive(Clone, Copy)]
