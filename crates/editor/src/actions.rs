@@ -8,9 +8,10 @@ use crate::document::tool::ToolInput;
 use crate::document::{At, Document, Edit, Selection, no_longer_ahead};
 use crate::error::{Invalid, Result};
 use crate::path::{CameraPath, Tangents, Target, insertion};
-use crate::space::LEAST_SHARE;
+use crate::state::LEAST_SHARE;
 use crate::state::files::{AfterSave, Purpose};
 use crate::state::scene_view::NodeCommand;
+use crate::state::selected::step_around;
 use crate::state::windows::{
     CheckWindow, ColourWindow, CompareWindow, CurveWindow, DisplayWindow, HelpWindow, PointsWindow,
     SpaceWindow, SpeedWindow, ToolWindow,
@@ -513,10 +514,4 @@ impl Editor {
     pub(super) fn number_of(text: &str, index: usize, count: usize) -> String {
         fill(text, &[&(index + 1), &count])
     }
-}
-
-/// The next one of `count`, or the one before, round and round.
-pub(super) fn step_around(at: usize, forward: bool, count: usize) -> usize {
-    let count = count.max(1);
-    (at % count + if forward { 1 } else { count - 1 }) % count
 }

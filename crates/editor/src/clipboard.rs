@@ -3,7 +3,6 @@
 //! The clipboard has points as the text of a `.vid` file. A view that was copied is there as text,
 //! too, so that what was copied last is what is pasted; it is pasted in its own window only.
 
-use crate::state::Copied;
 use std::path::PathBuf;
 
 use egui::{Context, ViewportCommand};
@@ -12,9 +11,9 @@ use crate::action::Action;
 use crate::document::{Document, Edit, StepName, mesh};
 use crate::files::{readable, short};
 use crate::limits::MIN_POINTS;
-use crate::state::Editor;
 use crate::state::files::{AfterSave, Purpose};
 use crate::state::selected::SelectionChange;
+use crate::state::{Copied, Editor};
 use crate::texts::fill;
 use crate::texts::refusals::of_edit;
 use crate::tools::block::Fit;

@@ -10,14 +10,10 @@ use crate::panels::output;
 use crate::setup::Theme;
 use crate::space::camera_view;
 use crate::state::Editor;
+use crate::theme::{BAR, LARGE};
 use crate::{keys, menu, panels, playing, points_list, scene_view, space, theme, windows};
 
-pub(super) const BAR: f32 = 32.0;
-
-const PANELS: f32 = panels::WIDTH + 2.0 * MARGIN;
-
-/// Anything higher and wider is no control but a part of the window.
-pub(super) const LARGE: f32 = 160.0;
+const PANELS: f32 = panels::parts::WIDTH + 2.0 * MARGIN;
 
 const MARGIN: f32 = 12.0;
 

@@ -7,7 +7,6 @@
 //! It changes nothing itself: an [`Entry`] says what happened, so that one entry or one drag
 //! becomes one undoable step ([`Editor::enter`](crate::state::Editor::enter)).
 
-use crate::entry::Entry;
 use std::ops::RangeInclusive;
 
 use egui::{
@@ -16,6 +15,7 @@ use egui::{
 };
 
 use crate::action::Action;
+use crate::entry::Entry;
 use crate::path::Space;
 use crate::texts::{Language, fill};
 use crate::{keys, theme};

@@ -1,12 +1,12 @@
 //! What the camera must not run into, prepared when a check, a plot or a drawn line first asks.
 
-use crate::state::obstacles::Prepared;
 use std::ptr;
 use std::sync::Arc;
 
 use crate::document::{Document, Object};
 use crate::error::Result;
 use crate::state::Editor;
+use crate::state::obstacles::Prepared;
 use crate::tools::clearance::Clearance;
 
 impl Editor {

@@ -3,7 +3,6 @@
 //!
 //! It is folded in a narrow window at first; a click on its heading folds or unfolds it.
 
-use crate::state::points_list::{NameField, PointsList, Renaming, Row};
 use egui::epaint::TextShape;
 use egui::{
     Align2, Color32, Context, CornerRadius, EventFilter, Id, Key, Modifiers, Painter, Rect,
@@ -12,8 +11,9 @@ use egui::{
 
 use crate::action::Action;
 use crate::document::{At, Document, Edit, Selection};
-use crate::panels::{PanelButton, button_row};
+use crate::panels::parts::{PanelButton, button_row};
 use crate::state::Editor;
+use crate::state::points_list::{NameField, PointsList, Renaming, Row};
 use crate::state::selected::SelectionChange;
 use crate::texts::fill;
 use crate::{keys, scene_view, theme};

@@ -3,17 +3,17 @@
 //! The current point of the thesis is always one of them: the panels show it, and what is changed
 //! of it is changed of the others.
 
-use crate::state::selected::{Selected, SelectionChange, SelectionScope};
 use std::borrow::Cow;
 
 use glam::DMat4;
+use vides_engine::property::{SameBits, Value, find};
 
 use crate::document::{At, Document, Edit};
 use crate::error::Result;
 use crate::path::{Orientation, OrientationOverrides, SupportPoint};
 use crate::state::Editor;
+use crate::state::selected::{Selected, SelectionChange, SelectionScope};
 use crate::texts::fill;
-use vides_engine::property::{SameBits, Value, find};
 
 impl Selected {
     /// Forgets a selection that no longer holds.

@@ -1,6 +1,5 @@
 //! Joins the keeping of unsaved work to the window.
 
-use crate::state::files::RecoveryWindow;
 use std::path::Path;
 use std::time::Instant;
 
@@ -8,6 +7,7 @@ use super::recovery::{self, Autosave, Found, Origin, Saved};
 use crate::document::{At, Document, Edit};
 use crate::error::Result;
 use crate::state::Editor;
+use crate::state::files::RecoveryWindow;
 use crate::texts::fill;
 use crate::texts::refusals::reason_of;
 

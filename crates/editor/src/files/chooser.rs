@@ -4,7 +4,6 @@
 //! name has it, the up and down arrows go through the list, Enter takes, Alt and the up arrow go to
 //! the directory above.
 
-use crate::state::files::FileWindow;
 use std::path::{Path, PathBuf};
 
 use egui::{
@@ -18,12 +17,12 @@ use crate::files::exchange::DEFAULT;
 use crate::files::{folders, picture, readable, short};
 use crate::formats::{self, formats};
 use crate::state::Editor;
-use crate::state::files::{Folder, Picture, Purpose};
+use crate::state::files::{FileWindow, Folder, Picture, Purpose};
 use crate::texts::fill;
 use crate::texts::formats::title_of;
 use crate::texts::refusals::of_system;
 use crate::theme;
-use crate::windows::{modal, takes_keyboard};
+use crate::windows::sub_window::{modal, takes_keyboard};
 
 const WIDTH: f32 = 520.0;
 /// Rows seen at once, in a window that is high enough.

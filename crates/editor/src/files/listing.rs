@@ -1,7 +1,6 @@
 //! The contents of a directory, read in pieces so that a large one does not hold up the window.
 //! Names of any bytes are kept as they are.
 
-use crate::state::files::{Folder, Item};
 use std::ffi::OsStr;
 use std::io;
 use std::os::unix::ffi::OsStrExt;
@@ -9,6 +8,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use crate::files::readable;
+use crate::state::files::{Folder, Item};
 
 /// Entries kept of one directory: more than anybody looks through.
 pub(crate) const MAX_ENTRIES: usize = 20_000;

@@ -26,10 +26,6 @@ mod tests;
 #[cfg(test)]
 mod unsaved_tests;
 
-use crate::state::files::{AfterSave, FileWindow, Purpose, Question};
-pub use folders::Folders;
-pub(crate) use recent::PICTURE;
-
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
@@ -42,9 +38,12 @@ use crate::error::{EngineError, Error, Result, TooMany};
 use crate::host::Warnings;
 use crate::limits;
 use crate::path::Space;
+use crate::state::files::{AfterSave, FileWindow, Purpose, Question};
 use crate::state::{Editor, Request};
 use crate::texts::fill;
 use crate::texts::refusals::reason_of;
+pub use folders::Folders;
+pub(crate) use recent::PICTURE;
 
 impl Editor {
     pub(crate) fn choose_file(&mut self, purpose: Purpose) {

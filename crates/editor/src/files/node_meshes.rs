@@ -1,6 +1,5 @@
 //! Meshes and shapes that an object of a scene takes from files.
 
-use crate::state::files::MeshFiles;
 use std::collections::HashMap;
 use std::path::{Path, absolute};
 
@@ -10,6 +9,7 @@ use super::short;
 use crate::document::{Edit, load_mesh, reload_mesh};
 use crate::error::Result;
 use crate::state::Editor;
+use crate::state::files::MeshFiles;
 use crate::texts::fill;
 
 impl Editor {

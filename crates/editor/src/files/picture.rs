@@ -1,6 +1,5 @@
 //! Small pictures of paths: of those in files, and of others that could be.
 
-use crate::state::files::{Made, Picture, Pictures};
 use std::cell::RefCell;
 use std::path::Path;
 
@@ -11,6 +10,7 @@ use crate::document::mesh::Format;
 use crate::document::{Document, load_object};
 use crate::setup::Element;
 use crate::state::Editor;
+use crate::state::files::{Made, Picture, Pictures};
 use crate::tools::fit::Progress;
 use crate::{space, theme};
 

@@ -1,6 +1,5 @@
 //! The questions before unsaved work is lost, or a file changed elsewhere since it was read here.
 
-use crate::state::files::{About, Question};
 use std::path::Path;
 
 use egui::{Button, vec2};
@@ -9,9 +8,9 @@ use crate::action::Action;
 use crate::files::short;
 use crate::keys;
 use crate::state::Editor;
-use crate::state::files::AfterSave;
+use crate::state::files::{About, AfterSave, Question};
 use crate::texts::fill;
-use crate::windows::{modal, row_at_right, takes_keyboard};
+use crate::windows::sub_window::{modal, row_at_right, takes_keyboard};
 
 /// An answer: its words, its hint, what it does.
 type Answer = (&'static str, &'static str, Option<Action>);

@@ -1,6 +1,5 @@
 //! Unsaved work that was left behind, offered beside the work: nothing waits for an answer.
 
-use crate::state::files::{Offered, RecoveryWindow};
 use std::time::{Duration, SystemTime};
 
 use egui::{Button, Ui, Vec2, vec2};
@@ -10,11 +9,11 @@ use crate::files::recovery::Found;
 use crate::files::{picture, short};
 use crate::host::Date;
 use crate::state::Editor;
-use crate::state::files::Picture;
+use crate::state::files::{Offered, Picture, RecoveryWindow};
 use crate::state::windows::Windows;
 use crate::texts::{Language, fill};
 use crate::theme;
-use crate::windows::{SubWindow, sub_window_as};
+use crate::windows::sub_window::{SubWindow, sub_window_as};
 
 /// How many are listed; the others come at later starts.
 const LISTED: usize = 6;

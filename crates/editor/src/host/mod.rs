@@ -1,15 +1,11 @@
 //! What passes between the window and its host's own picture: where the playhead is and what the
 //! camera sees there; the host's camera, shown as a ghost and taken over into the path.
 
-pub(crate) mod pane;
+mod pane;
 mod program;
 mod warning;
 
-use crate::state::host::{HostPane, PlayheadState};
 use std::path::Path;
-
-pub use program::{Date, Program};
-pub use warning::{Warning, Warnings};
 
 use egui::{Area, Button, Context, Id, Order, Pos2, Rect, vec2};
 use glam::DVec3;
@@ -20,9 +16,12 @@ use crate::error::{OutOfRange, Refused, Result};
 use crate::math::{orientation, view::View};
 use crate::path::{Change, Orientation, Overrides, Pose, Space, Target};
 use crate::space::Camera;
+use crate::state::host::{HostPane, PlayheadState};
 use crate::state::{Editor, Reason, Request};
 use crate::texts::fill;
 use crate::texts::refusals::reason_of;
+pub use program::{Date, Program};
+pub use warning::{Warning, Warnings};
 
 /// The distance to the target of a view that was taken over, in half sizes.
 const TARGET: f64 = 0.4;

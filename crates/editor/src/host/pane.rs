@@ -1,8 +1,9 @@
 //! The camera's picture where the host draws it, in a window of its own that covers ours: what is
 //! shown above it must be known, to be cut out there.
 
-use crate::state::host::HostPane;
 use egui::{Context, Id, LayerId, Order};
+
+use crate::state::host::HostPane;
 
 impl HostPane {
     /// Adds the sub-windows, menus and hints that lie above the pane's own layer.

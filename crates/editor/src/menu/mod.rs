@@ -23,7 +23,7 @@ use crate::state::Editor;
 use crate::state::scene_view::{NewNode, NodeCommand};
 use crate::state::selected::SelectionChange;
 use crate::texts::{Language, fill};
-use crate::windows::{below_bar, is_cramped};
+use crate::windows::sub_window::{below_bar, is_cramped};
 use crate::{keys, theme};
 
 /// Room for a mark before an entry's text.

@@ -3,11 +3,11 @@
 
 use egui::{Align, Button, Layout, Popup, RichText, Ui, vec2};
 
-use super::{Heading, share};
 use crate::action::Action;
 use crate::document::{At, Edit};
 use crate::limits::PRESETS;
 use crate::number::Number;
+use crate::panels::parts::{Heading, share};
 use crate::path::{CurveKind, CurveParameters, Tcb};
 use crate::playing::playhead::Missing;
 use crate::setup::Fold;

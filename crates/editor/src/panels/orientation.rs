@@ -1,21 +1,19 @@
 //! The orientations of the current point (thesis A.4.2).
 
-use crate::action::OwnedMotion;
-use crate::state::with;
 use egui::{Button, Popup, Role, Ui, WidgetInfo};
 use glam::DVec3;
 
 use super::position::{add_here, three_numbers};
-use super::{Heading, PanelButton, button_row, share};
-use crate::action::Action;
+use crate::action::{Action, OwnedMotion};
 use crate::document::{Edit, Selection};
 use crate::error::Result;
 use crate::math::rotation_minimising::turned;
 use crate::number::Number;
+use crate::panels::parts::{Heading, PanelButton, button_row, share};
 use crate::path::{CameraPath, OrientationOverrides, Target, Up, UpVector, ahead};
 use crate::playing::playhead::{Missing, Shown};
 use crate::setup::Fold;
-use crate::state::Editor;
+use crate::state::{Editor, with};
 use crate::texts::fill;
 use crate::theme;
 

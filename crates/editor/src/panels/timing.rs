@@ -3,10 +3,10 @@
 
 use egui::Ui;
 
-use super::{Heading, share};
 use crate::action::Action;
 use crate::limits::{MAX_FRAMES, MAX_HOLD};
 use crate::number::Number;
+use crate::panels::parts::{Heading, share};
 use crate::path::{Change, Section};
 use crate::setup::Fold;
 use crate::state::{Editor, with};

@@ -2,13 +2,13 @@
 
 use egui::{Grid, Popup, PopupCloseBehavior, Response, Slider, SliderClamping, Ui};
 
-use super::Heading;
 use super::orientation::own;
 use crate::action::{Action, OwnedMotion};
 use crate::entry::Entry;
 use crate::limits::{MAX_LIST_ZOOM, MAX_ZOOM, MIN_ZOOM};
 use crate::math::view::HALF_FILM_HEIGHT;
 use crate::number::Number;
+use crate::panels::parts::Heading;
 use crate::setup::{Fold, MAX_SENSOR, MIN_SENSOR};
 use crate::state::{Editor, with};
 

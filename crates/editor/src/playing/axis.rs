@@ -195,6 +195,11 @@ pub(super) fn step(least: f64) -> (f64, u32) {
     fits.unwrap_or((10.0 * power, 5))
 }
 
+#[allow(clippy::cast_precision_loss)]
+pub(crate) fn as_frame(frame: usize) -> f64 {
+    frame as f64
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

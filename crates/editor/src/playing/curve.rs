@@ -1,6 +1,5 @@
 //! The curve of the sections' speeds, made again only where it changed.
 
-use crate::state::playing::graph::Curve;
 use std::sync::Arc;
 
 use egui::{Color32, Mesh, Painter, Pos2, Shape, Stroke, pos2};
@@ -8,7 +7,7 @@ use egui::{Color32, Mesh, Painter, Pos2, Shape, Stroke, pos2};
 use crate::document::Selection;
 use crate::limits::BASE_SPEED;
 use crate::raster::{Line, Lines};
-use crate::state::playing::graph::{PIECES, Scale, Stretch};
+use crate::state::playing::graph::{Curve, PIECES, Scale, Stretch};
 use crate::theme::Palette;
 
 /// Least step between two sections that is marked as a jump.

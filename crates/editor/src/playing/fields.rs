@@ -1,16 +1,16 @@
 //! The timeline's first row: what plays and how, the numbers of frame, second and rate, what is
 //! kept while keys move, what else is shown.
 
-use crate::state::playing::Pace;
 use egui::{Align, Button, Layout, Pos2, Rect, Role, Shape, Stroke, Ui, WidgetInfo, vec2};
 
-use super::as_frame;
 use super::buttons::{BUTTON, camera_button, play_button, speed_button};
 use crate::action::Action;
 use crate::document::{Edit, Info};
 use crate::limits::{MAX_FPS, MAX_FRAMES};
 use crate::number::Number;
+use crate::playing::axis::as_frame;
 use crate::state::Editor;
+use crate::state::playing::Pace;
 use crate::theme;
 
 /// Width of a small button; greatest and least width of a number.

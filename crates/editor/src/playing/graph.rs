@@ -2,29 +2,30 @@
 //! other quantities. Borders of sections are dragged sideways as the keys are, the ten speeds of the
 //! current section up and down.
 
-use crate::state::playing::Mark;
-use crate::state::playing::graph::{Graph, PIECES, Scale, Stretch};
-pub(super) use crate::state::playing::graph::{Held, Memory};
 use egui::{
-    Align2, CornerRadius, CursorIcon, Id, Pos2, Rangef, Rect, Response, Sense, Stroke, StrokeKind,
-    Ui, WidgetInfo, pos2, vec2,
+    Align2, CornerRadius, CursorIcon, Id, Pos2, Rangef, Rect, Sense, Stroke, StrokeKind, Ui,
+    WidgetInfo, pos2, vec2,
 };
 
 use super::axis::Axis;
 use super::key_row::take;
+use super::plot;
 use super::ruler::{colour_of_playhead, scrub_by_mouse};
-use super::{as_frame, plot};
 use crate::action::Action;
 use crate::document::{Document, Edit, Selection};
 use crate::entry::Entry;
 use crate::error::Result;
 use crate::limits::{MAX_SPEED, MIN_SPEED, SPEEDS};
 use crate::path::Change;
-use crate::state::playing::Marks;
+use crate::playing::axis::as_frame;
+use crate::playing::key_row::ended;
+use crate::state::playing::graph::{Graph, PIECES, Scale, Stretch};
+pub(super) use crate::state::playing::graph::{Held, Memory};
+use crate::state::playing::{Mark, Marks};
 use crate::state::{Editor, with};
 use crate::texts::fill;
 use crate::theme;
-use crate::windows::goes_by_ten;
+use crate::windows::speed::section::goes_by_ten;
 
 /// Its least height, in points.
 pub(super) const LEAST: f32 = 44.0;
@@ -341,15 +342,6 @@ fn follow(editor: &Editor, stretch: &Stretch, at: usize, speed: f64) -> Option<E
             key.speeds[there] = speed.round().clamp(MIN_SPEED, MAX_SPEED);
         })
     })
-}
-
-/// Ends a drag; Escape undoes it.
-pub(super) fn ended(ui: &Ui, response: &Response, held: &mut Held, actions: &mut Vec<Action>) {
-    if !response.drag_stopped() || matches!(held, Held::Nothing) {
-        return;
-    }
-    *held = Held::Nothing;
-    actions.push(Action::Enter(Entry::of_end(ui.ctx())));
 }
 
 #[cfg(test)]

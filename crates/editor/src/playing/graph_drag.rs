@@ -1,7 +1,6 @@
 //! What is dragged in the graph of tracks: numbers of keys, in time and in value; handles of their
 //! own tangents; a box that selects. As in the rows, it is done anew from where it began each time.
 
-use crate::state::playing::track_graph::{DotsDrag, HandleDrag, Held, Joints, Side};
 use std::sync::Arc;
 
 use egui::{CursorIcon, Key, Modifiers, Pos2, Rect, Response, Stroke, StrokeKind, Ui, vec2};
@@ -11,13 +10,16 @@ use vides_engine::scene::Track;
 use super::graph_paint::part_name;
 use super::key_row::{FINE, bubble};
 use super::track_curve::Of;
+use super::track_dots;
 use super::track_drag::begun;
-use super::track_graph::{self, Hit, Shown, has_handles, parts_of};
-use super::tracks::channel_name;
 use crate::action::Action;
 use crate::entry::Entry;
+use crate::playing::track_dots::{Hit, Shown, has_handles, parts_of};
+use crate::playing::track_rows::channel_name;
 use crate::state::Editor;
-use crate::state::playing::track_graph::{Dot, Memory, PartOf, Parts};
+use crate::state::playing::track_graph::{
+    Dot, DotsDrag, HandleDrag, Held, Joints, Memory, PartOf, Parts, Side,
+};
 use crate::state::playing::tracks::{Change, KeyMotion, Numbers, Way};
 use crate::state::scene_view::KeyAt;
 use crate::state::space::Joint;
@@ -369,7 +371,7 @@ fn taken(
             let mut dots = all_dots(&memory.parts, shown);
             if !dots.contains(&dot) {
                 dots = vec![dot.clone()];
-                track_graph::select(memory, shown, dots.clone(), actions);
+                track_dots::select(memory, shown, dots.clone(), actions);
             }
             DotsDrag::new(&memory.parts, shown, dot, dots, at)
                 .map(|drag| Held::Dots(Box::new(drag)))
@@ -413,7 +415,7 @@ fn boxed(
     painter.rect_stroke(place, 0.0, line, StrokeKind::Inside);
     let mut dots = shown.within(place);
     dots.extend(besides.iter().cloned());
-    track_graph::select(memory, shown, dots, actions);
+    track_dots::select(memory, shown, dots, actions);
 }
 
 #[cfg(test)]

@@ -1,21 +1,20 @@
 //! The keys on the timeline, and the sections between them: dragged, copied, selected.
 
-use crate::state::playing::graph::KeyDrag;
 use egui::{
     CornerRadius, CursorIcon, FontId, Id, Key, Order, Painter, Pos2, Rangef, Rect, Response, Sense,
     Shape, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
 };
 
 use super::axis::Axis;
-use super::graph::ended;
 use super::ruler::chosen_too;
-use super::{as_frame, pins, section_menu};
+use super::{pins, section_menu};
 use crate::action::Action;
 use crate::document::Selection;
 use crate::entry::Entry;
+use crate::playing::axis::as_frame;
 use crate::space::Typed;
 use crate::state::Editor;
-use crate::state::playing::graph::{Held, Memory};
+use crate::state::playing::graph::{Held, KeyDrag, Memory};
 use crate::state::playing::{Mark, Retiming};
 use crate::texts::fill;
 use crate::theme;
@@ -453,4 +452,13 @@ fn carry_on(
         *held = Held::Nothing;
         actions.push(Action::Enter(Entry::End));
     }
+}
+
+/// Ends a drag; Escape undoes it.
+pub(crate) fn ended(ui: &Ui, response: &Response, held: &mut Held, actions: &mut Vec<Action>) {
+    if !response.drag_stopped() || matches!(held, Held::Nothing) {
+        return;
+    }
+    *held = Held::Nothing;
+    actions.push(Action::Enter(Entry::of_end(ui.ctx())));
 }

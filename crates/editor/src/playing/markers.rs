@@ -1,7 +1,6 @@
 //! The scene's markers below the ruler: made by a double click, dragged, renamed, removed with what
 //! is pinned to them.
 
-use crate::state::playing::markers::{Drag, Memory, Renaming};
 use egui::{
     Button, Context, CursorIcon, FontId, Id, Key, Modifiers, Popup, PopupCloseBehavior, Rect,
     Response, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
@@ -14,6 +13,7 @@ use crate::action::Action;
 use crate::document::Edit;
 use crate::entry::Entry;
 use crate::state::Editor;
+use crate::state::playing::markers::{Drag, Memory, Renaming};
 use crate::state::playing::tracks::Way;
 use crate::texts::fill;
 use crate::theme;

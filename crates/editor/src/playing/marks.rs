@@ -1,9 +1,9 @@
 //! The keys of the path on the scale of its frames.
 
-use super::as_frame;
 use crate::document::{Document, Selection};
 use crate::error::Result;
 use crate::path::{Change, Timeline};
+use crate::playing::axis::as_frame;
 use crate::state::playing::{Mark, Marks};
 
 impl Mark {

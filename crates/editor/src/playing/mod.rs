@@ -3,35 +3,36 @@
 //! While it plays the window asks for the next frame when that is due; at rest it asks for nothing.
 
 pub(crate) mod axis;
-pub(crate) mod buttons;
-pub(crate) mod curve;
-pub(crate) mod fields;
-pub(crate) mod graph;
-pub(crate) mod graph_drag;
-pub(crate) mod graph_paint;
-pub(crate) mod key_menu;
-pub(crate) mod key_motion;
-pub(crate) mod key_row;
-pub(crate) mod markers;
-pub(crate) mod marks;
-pub(crate) mod moment;
-pub(crate) mod pins;
+mod buttons;
+mod curve;
+mod fields;
+mod graph;
+mod graph_drag;
+mod graph_paint;
+mod key_menu;
+mod key_motion;
+mod key_row;
+mod markers;
+mod marks;
+mod moment;
+mod pins;
 pub(crate) mod playhead;
-pub(crate) mod plot;
-pub(crate) mod retime;
-pub(crate) mod ruler;
-pub(crate) mod section_menu;
-pub(crate) mod track_clipboard;
-pub(crate) mod track_curve;
-pub(crate) mod track_drag;
-pub(crate) mod track_graph;
-pub(crate) mod track_keys;
-pub(crate) mod track_menu;
-pub(crate) mod track_time;
-pub(crate) mod tracks;
-pub(crate) mod zoom;
+mod plot;
+mod retime;
+mod ruler;
+mod section_menu;
+mod track_clipboard;
+mod track_curve;
+mod track_dots;
+mod track_drag;
+mod track_graph;
+mod track_keys;
+mod track_menu;
+mod track_rows;
+mod track_time;
+mod tracks;
+mod zoom;
 
-use crate::state::playing::{Mark, Pace, Playing};
 use std::time::Duration;
 
 use egui::{Context, CursorIcon, Id, Rangef, Rect, Sense, Ui, UiBuilder, pos2};
@@ -46,6 +47,7 @@ use crate::document::Selection;
 use crate::entry::Entry;
 use crate::space::Camera;
 use crate::state::Editor;
+use crate::state::playing::{Mark, Pace, Playing};
 use crate::tools::profile::Quantity;
 use crate::{theme, windows};
 
@@ -323,11 +325,6 @@ impl Editor {
     }
 }
 
-#[allow(clippy::cast_precision_loss)]
-fn as_frame(frame: usize) -> f64 {
-    frame as f64
-}
-
 pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     editor.playing.low = ui.ctx().content_rect().height() < MIN_HEIGHT_FOR_GRAPH;
     editor.advance(ui.ctx());
@@ -354,7 +351,7 @@ fn bar(editor: &Editor, memory: &mut graph::Memory, ui: &mut Ui, actions: &mut V
         true => 0.0,
         false => markers::HEIGHT,
     };
-    let nodes = tracks::rows(editor, &memory.tracks);
+    let nodes = track_rows::rows(editor, &memory.tracks);
     let count = nodes.len();
     let tracks = match memory.tracks.curves && count > 0 {
         true => curves_height(editor, whole.height(), graph > 0.0),
@@ -382,7 +379,7 @@ fn bar(editor: &Editor, memory: &mut graph::Memory, ui: &mut Ui, actions: &mut V
         };
         let top = UiBuilder::new().max_rect(row(TRANSPORT));
         ui.scope_builder(top, |ui| fields::show(editor, ui, actions));
-        let captions = match windows::is_cramped(ui.ctx()) {
+        let captions = match windows::sub_window::is_cramped(ui.ctx()) {
             true => CAPTIONS.1,
             false => CAPTIONS.0,
         };
@@ -416,7 +413,7 @@ fn bar(editor: &Editor, memory: &mut graph::Memory, ui: &mut Ui, actions: &mut V
         }
         let rows = row(of_nodes);
         #[allow(clippy::cast_precision_loss)]
-        let scrolls = !memory.tracks.curves && of_nodes < tracks::ROW * count as f32;
+        let scrolls = !memory.tracks.curves && of_nodes < track_rows::ROW * count as f32;
         zoom::by_mouse(ui, time, scrolls.then_some(rows), &axis, actions);
         if count > 0 {
             let place = (rows, captions, above);
@@ -449,8 +446,8 @@ fn graph_height(editor: &Editor, whole: f32) -> f32 {
 fn tracks_height(editor: &Editor, rows: usize, whole: f32, graph: bool) -> f32 {
     let dragged = editor.playing.graph_height.filter(|_| !graph);
     let most = dragged.map_or(0.2 * whole, |height| height.min(0.45 * whole));
-    let most = most.max(2.0 * tracks::ROW);
-    (tracks::ROW * rows as f32).min(most).round()
+    let most = most.max(2.0 * track_rows::ROW);
+    (track_rows::ROW * rows as f32).min(most).round()
 }
 
 /// The same of their curves, which have room at the least.
@@ -483,4 +480,4 @@ fn dragged_edge(editor: &Editor, ui: &Ui, rect: Rect, height: f32, actions: &mut
 }
 
 #[cfg(test)]
-pub(crate) mod tests;
+mod tests;

@@ -2,7 +2,6 @@
 //! show what the camera does there, and a value that is entered makes a key of it. No other key
 //! changes.
 
-use crate::state::playing::Between;
 use glam::DVec3;
 
 use crate::document::{Document, Edit, Info, Selection};
@@ -12,7 +11,7 @@ use crate::math::rotation_minimising::signed_angle;
 use crate::path::{Orientation, Overrides, Space, Target, UpVector};
 use crate::space::Camera;
 use crate::state::Editor;
-use crate::state::playing::Mark;
+use crate::state::playing::{Between, Mark};
 use crate::texts::fill;
 
 /// Length of a view direction that no key gives, in half sizes of the space.

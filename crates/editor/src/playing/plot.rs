@@ -1,8 +1,6 @@
 //! What the graph shows beside the pace, from the poses as `vides plot` has them: its menu, its
 //! scale, the limits of the check, and what the check has found.
 
-pub(super) use crate::state::playing::plot::Shown;
-use crate::state::playing::plot::{Curve, Plot};
 use std::sync::Arc;
 
 use egui::{
@@ -16,6 +14,8 @@ use crate::document::Document;
 use crate::error::Result;
 use crate::state::Editor;
 use crate::state::playing::graph::Scale;
+pub(super) use crate::state::playing::plot::Shown;
+use crate::state::playing::plot::{Curve, Plot};
 use crate::texts::{Texts, fill};
 use crate::theme::{self, Palette};
 use crate::tools::check::{FindingKind, OFF};

@@ -4,32 +4,23 @@
 //! The whole motion is done from where it began, anew each time: keys that are passed over come
 //! back by themselves, and it is one step.
 
-use crate::state::playing::tracks::{BarDrag, Held, KeysDrag, Way};
 use egui::{CursorIcon, Key, Modifiers, Pos2, Rect, Response, Stroke, StrokeKind, Ui, pos2};
 use vides_engine::scene::Part;
 
 use super::key_row::{FINE, bubble};
 use super::track_time::Time;
-use super::tracks::{Hit, Shown, bar_of, channel_name, frame_of};
 use crate::action::Action;
 use crate::document::Edit;
 use crate::entry::Entry;
+use crate::playing::track_rows::{Hit, Shown, bar_of, channel_name, frame_of};
 use crate::state::Editor;
-use crate::state::playing::tracks::{Change, KeyMotion, Numbers};
+use crate::state::playing::tracks::{BarDrag, Change, Held, KeyMotion, KeysDrag, Numbers, Way};
 use crate::state::scene_view::KeyAt;
 use crate::texts::fill;
 use crate::theme;
 
 /// Parts of a frame to which keys are moved with Shift.
 const PARTS: f64 = 10.0;
-
-/// The scene's frames between which keys lie.
-pub(super) fn ends(editor: &Editor, keys: &[KeyAt]) -> Option<(f64, f64)> {
-    let edited = editor.document.edited_scene()?;
-    let frames = keys.iter().filter_map(|at| frame_of(edited, at));
-    let both = frames.map(|frame| (frame, frame));
-    both.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
-}
 
 impl Way {
     pub(super) fn begin(pointer: f32) -> Self {
@@ -293,7 +284,7 @@ pub(super) fn show(
         }
         Held::Box { x, row, besides } => {
             if let Some(pointer) = response.interact_pointer_pos() {
-                let from = pos2(*x, shown.top + *row * super::tracks::ROW);
+                let from = pos2(*x, shown.top + *row * super::track_rows::ROW);
                 boxed(editor, ui, shown, (from, pointer, besides), actions);
             }
         }

@@ -4,9 +4,9 @@
 use egui::{Context, Key, Modifiers};
 
 use super::key_motion::removed;
-use super::tracks::id;
 use super::{markers, ruler, track_clipboard};
 use crate::action::Action;
+use crate::playing::track_rows::id;
 use crate::state::Editor;
 use crate::state::scene_view::KeyAt;
 

@@ -11,7 +11,7 @@ use crate::document::Edit;
 use crate::document::tool::Cage;
 use crate::entry::Entry;
 use crate::number::Number;
-use crate::panels::share;
+use crate::panels::parts::share;
 use crate::state::Editor;
 use crate::state::scene_view::NodeAction;
 use crate::texts::fill;

@@ -1,7 +1,6 @@
 //! What is done to nodes of the scene by menu, list and keys: each command is one step, which
 //! selects what it has made. What is refused is told in the output field and changes nothing.
 
-use crate::state::scene_view::{NewNode, NodeCommand};
 use glam::{DAffine3, DVec3};
 use vides_engine::scene::{Geometry, Keep, Kind, Light, Node, Object, Part, Scene};
 
@@ -12,6 +11,7 @@ use crate::path::Space;
 use crate::space::Camera;
 use crate::state::Editor;
 use crate::state::files::Purpose;
+use crate::state::scene_view::{NewNode, NodeCommand};
 use crate::state::windows::ParentWindow;
 use crate::texts::fill;
 use crate::texts::refusals::of_edit;

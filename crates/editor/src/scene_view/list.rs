@@ -1,7 +1,6 @@
 //! The list of the scene's nodes: a tree that folds. Nodes are selected, renamed, hidden, copied,
 //! removed and put into others here. Only rows that are seen are made.
 
-use crate::state::scene_view::SceneList;
 use egui::{
     Align2, Context, CornerRadius, CursorIcon, Event, EventFilter, Id, Key, Modifiers, Rect,
     RichText, Role, ScrollArea, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2,
@@ -13,7 +12,7 @@ use super::selection::select;
 use crate::action::Action;
 use crate::state::Editor;
 use crate::state::points_list::NameField;
-use crate::state::scene_view::NodeCommand;
+use crate::state::scene_view::{NodeCommand, SceneList};
 use crate::texts::fill;
 use crate::theme;
 

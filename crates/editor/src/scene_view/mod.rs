@@ -6,27 +6,25 @@
 //!
 //! It changes nothing but by the document's edits, and knows no projection.
 
-pub(crate) mod boxes;
-pub(crate) mod clipboard;
-pub(crate) mod commands;
+mod boxes;
+mod clipboard;
+mod commands;
 pub(crate) mod edges;
-pub(crate) mod keys_panel;
-pub(crate) mod kind_panel;
-pub(crate) mod list;
-pub(crate) mod list_row;
-pub(crate) mod motion_panel;
-pub(crate) mod node_action;
-pub(crate) mod node_panel;
-pub(crate) mod object_panel;
-pub(crate) mod panel;
-pub(crate) mod parent_window;
-pub(crate) mod pivot;
+mod keys_panel;
+mod kind_panel;
+mod list;
+mod list_row;
+mod motion_panel;
+mod node_action;
+mod node_panel;
+mod object_panel;
+mod panel;
+mod parent_window;
+mod pivot;
 pub(crate) mod rows;
-pub(crate) mod selection;
-pub(crate) mod values;
-pub(crate) mod wires;
-
-use crate::state::scene_view::{Now, SceneView};
+mod selection;
+mod values;
+mod wires;
 
 use glam::{DAffine3, DVec3};
 use vides_engine::scene::{NodeState, Warnings};
@@ -40,6 +38,7 @@ use crate::error::{Error, Refused, Result};
 use crate::path::{Pose, Space};
 use crate::space::Camera;
 use crate::state::Editor;
+use crate::state::scene_view::{Now, SceneView};
 
 impl SceneView {
     /// Brings what is selected up to date.
@@ -143,6 +142,6 @@ impl Editor {
 }
 
 #[cfg(test)]
-pub(crate) mod refusals_tests;
+mod refusals_tests;
 #[cfg(test)]
-pub(crate) mod tests;
+mod tests;

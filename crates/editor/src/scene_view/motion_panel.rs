@@ -10,7 +10,7 @@ use crate::document::Edit;
 use crate::entry::Entry;
 use crate::limits::MAX_COORDINATE;
 use crate::number::{Number, decimals};
-use crate::panels::{Heading, PanelButton, apart, button_row, share};
+use crate::panels::parts::{Heading, PanelButton, apart, button_row, share};
 use crate::setup::Fold;
 use crate::state::Editor;
 use crate::state::scene_view::{Moves, NodeAction};

@@ -1,6 +1,5 @@
 //! What is done to a node from its panels.
 
-use crate::state::scene_view::{Moves, NodeAction};
 use vides_engine::scene::{Channel, Extrapolation, FollowPath, KeyList, Part};
 use vides_engine::tools::fit::Tolerance;
 
@@ -8,6 +7,7 @@ use crate::document::{Document, Edit, Info};
 use crate::error::{Refused, Result};
 use crate::path::CameraPath;
 use crate::state::Editor;
+use crate::state::scene_view::{Moves, NodeAction};
 
 /// The channels that a path moves.
 const OF_PATH: [Channel; 3] = [Channel::Position, Channel::Rotation, Channel::Zoom];

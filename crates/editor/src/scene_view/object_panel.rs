@@ -10,7 +10,7 @@ use crate::action::Action;
 use crate::document::Edit;
 use crate::entry::Entry;
 use crate::number::Number;
-use crate::panels::{Heading, PanelButton, apart, button_row};
+use crate::panels::parts::{Heading, PanelButton, apart, button_row};
 use crate::setup::Fold;
 use crate::state::Editor;
 use crate::state::files::Purpose;

@@ -1,16 +1,16 @@
 //! The question what nodes keep that move and get another parent.
 
-use crate::state::windows::ParentWindow;
 use egui::{Button, Context, vec2};
 use vides_engine::scene::Keep;
 
 use crate::action::Action;
 use crate::state::Editor;
 use crate::state::scene_view::NodeCommand;
+use crate::state::windows::ParentWindow;
 use crate::texts::fill;
 use crate::texts::refusals::reason_of;
 use crate::theme;
-use crate::windows::sub_window;
+use crate::windows::sub_window::sub_window;
 
 /// The width of its buttons.
 const WIDTH: f32 = 260.0;

@@ -1,7 +1,6 @@
 //! The colours of the movement window (thesis A.5): an element is chosen from a list, three sliders
 //! mix its red, green and blue. Changes show at once, and belong to the current theme.
 
-use crate::state::windows::ColourWindow;
 use egui::{
     Button, Color32, CornerRadius, Grid, Rect, Sense, Slider, Stroke, StrokeKind, Ui, vec2,
 };
@@ -10,10 +9,11 @@ use crate::action::Action;
 use crate::number::Number;
 use crate::setup::{Colours, Element, Setup, Theme};
 use crate::state::Editor;
-use crate::state::windows::Windows;
+use crate::state::windows::{ColourWindow, Windows};
 use crate::texts::fill;
 use crate::theme;
-use crate::windows::{SubWindow, docked};
+use crate::windows::docked;
+use crate::windows::sub_window::SubWindow;
 
 /// Width of a name, of a number, and between the columns.
 const NAME: f32 = 44.0;

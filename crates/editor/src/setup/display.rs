@@ -5,7 +5,8 @@ use crate::setup::{Element, Shown};
 use crate::state::Editor;
 use crate::state::windows::{DisplayWindow, Windows};
 use crate::theme;
-use crate::windows::{SubWindow, docked};
+use crate::windows::docked;
+use crate::windows::sub_window::SubWindow;
 
 impl SubWindow for DisplayWindow {
     const ID: &'static str = "display";

@@ -39,9 +39,6 @@ const MIN_WIDTH_FOR_OPTIONS: f32 = 330.0;
 /// Distance of the front plane, in half sizes of the movement space.
 const FRONT: f64 = 1e-3;
 
-/// The least share of the room that space and picture have side by side.
-pub(crate) const LEAST_SHARE: f32 = 0.25;
-
 /// Width of the border between them by which it is dragged.
 const BORDER: f32 = 6.0;
 

@@ -1,6 +1,5 @@
 //! What a drag makes of a point, a target or a roll: from the pointer's place to the edit.
 
-use crate::state::space::{DragConstraint, Handle};
 use glam::{DVec2, DVec3};
 
 use super::projection::{Axis, EDGE_ON, Projection};
@@ -9,7 +8,7 @@ use super::tangents;
 use crate::document::{At, Document, Edit, Selection, no_longer_ahead};
 use crate::math::orientation;
 use crate::path::{Orientation, Target, UpVector, ahead};
-use crate::state::space::Joint;
+use crate::state::space::{DragConstraint, Handle, Joint};
 
 /// Length of the VUP arrow, in half sizes of the movement space.
 pub(super) const VUP_LENGTH: f64 = 0.25;

@@ -1,14 +1,14 @@
 //! Freehand lines for a tool that waits for one: in the space, or on the object in the picture.
 
-use crate::state::space::Drawing;
 use egui::{CursorIcon, Event, Key, PointerButton, Pos2, Rect, Response, Shape, Stroke, Ui};
 use glam::DVec3;
 
-use super::pointer::PointerContext;
+use super::Camera;
 use super::projection::from_pos;
-use super::{Camera, projection_of};
 use crate::action::Action;
+use crate::space::surface::{PointerContext, projection_of};
 use crate::state::Editor;
+use crate::state::space::Drawing;
 use crate::state::windows::ToolWindow;
 use crate::tools::clearance::Clearance;
 use crate::{keys, theme};

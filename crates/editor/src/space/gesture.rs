@@ -1,15 +1,14 @@
 //! The parts of a drag in the movement window, and what they change.
 
-use crate::state::space::Gesture;
 use glam::DVec3;
+use vides_engine::property::Value;
 
 use crate::document::{At, Edit};
 use crate::number::decimals;
 use crate::path::Target;
 use crate::state::Editor;
-use crate::state::space::{Handle, NodeChange, Side};
+use crate::state::space::{Gesture, Handle, NodeChange, Side};
 use crate::texts::fill;
-use vides_engine::property::Value;
 
 impl Editor {
     pub(crate) fn gesture(&mut self, gesture: Gesture) {

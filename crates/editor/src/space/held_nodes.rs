@@ -5,7 +5,6 @@
 //! no rounding of others' coordinates. Nothing is scaled along the parent's axes but places: that
 //! would need a shear, so what a node scales by itself lies along its own axes.
 
-use crate::state::space::{Grip, Held, NodeChange, Start};
 use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3};
 use vides_engine::scene::Channel;
 
@@ -13,6 +12,7 @@ use super::projection::{Axis, Projection};
 use crate::math::euler::EulerAngles;
 use crate::state::Editor;
 use crate::state::scene_view::Now;
+use crate::state::space::{Grip, Held, NodeChange, Start};
 use crate::texts::fill;
 use crate::texts::refusals::reason_of;
 

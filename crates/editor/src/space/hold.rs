@@ -1,18 +1,18 @@
 //! What a held mouse button drags, and what its motion leads to.
 
-use crate::state::space::PointerPress;
 use egui::Rect;
 use glam::DVec3;
 
 use super::drag::{self, Motion, Outcome};
 use super::projection::{from_pos, scale};
 use super::typed::Typed;
-use super::{nodes, projection_of, tangents};
+use super::{nodes, tangents};
 use crate::action::Action;
 use crate::setup::View;
+use crate::space::surface::projection_of;
 use crate::state::Editor;
 use crate::state::selected::SelectionChange;
-use crate::state::space::{Gesture, Handle, Joint};
+use crate::state::space::{Gesture, Handle, Joint, PointerPress};
 
 /// Degrees of turning for each point of motion.
 const TURN: f64 = 0.35;

@@ -4,16 +4,16 @@
 use egui::{Key, Modifiers, Rect};
 use glam::{DMat3, DVec2, DVec3};
 
+use super::drag;
 use super::held_nodes::Motion;
-use super::pointer::{WHEEL, resized};
 use super::projection::{Axis, Projection};
-use super::{drag, projection_of};
 use crate::action::Action;
-use crate::actions::step_around;
 use crate::document::{At, Edit, Selection};
 use crate::number::decimals;
 use crate::setup::{CameraPlace, View};
+use crate::space::surface::{WHEEL, projection_of, resized};
 use crate::state::Editor;
+use crate::state::selected::step_around;
 use crate::state::space::{Gesture, Grip, Handle, Held, NodeChange, PointerController};
 use crate::texts::fill;
 

@@ -1,6 +1,5 @@
 //! The menu of a point or of empty space, opened by a right click.
 
-use crate::state::space::PointMenu;
 use egui::containers::menu::menu_style;
 use egui::{Align, Button, Key, Layout, Popup, PopupKind, Pos2, Rect, SetOpenCommand, Ui};
 use glam::DVec3;
@@ -11,7 +10,7 @@ use crate::action::Action;
 use crate::path::Up;
 use crate::setup::{Element, View};
 use crate::state::Editor;
-use crate::state::space::Handle;
+use crate::state::space::{Handle, PointMenu};
 use crate::texts::fill;
 
 /// Shows the menu if it is open, and opens it where it was `asked` for.

@@ -7,44 +7,42 @@
 
 pub(crate) mod camera_view;
 pub(crate) mod cameras;
-pub(crate) mod drag;
-pub(crate) mod drawing;
-pub(crate) mod flying;
-pub(crate) mod gesture;
-pub(crate) mod gizmo;
-pub(crate) mod held_nodes;
-pub(crate) mod hold;
-pub(crate) mod keyboard;
-pub(crate) mod menu;
-pub(crate) mod nodes;
-pub(crate) mod of_nodes;
-pub(crate) mod overlay;
-pub(crate) mod picking;
-pub(crate) mod pointer;
+mod drag;
+mod drawing;
+mod flying;
+mod gesture;
+mod gizmo;
+mod held_nodes;
+mod hold;
+mod keyboard;
+mod menu;
+mod nodes;
+mod of_nodes;
+mod overlay;
+mod picking;
+mod pointer;
 pub(crate) mod projection;
 pub(crate) mod ribbon;
 pub(crate) mod scene;
-pub(crate) mod shown_camera;
-pub(crate) mod sliders;
-pub(crate) mod solid;
-pub(crate) mod start;
-pub(crate) mod strokes;
-pub(crate) mod tangents;
-pub(crate) mod trail;
-pub(crate) mod transform;
-pub(crate) mod turned;
+mod shown_camera;
+mod sliders;
+mod solid;
+mod start;
+mod strokes;
+mod surface;
+mod tangents;
+mod trail;
+mod transform;
+mod turned;
 pub(crate) mod typed;
 
-use crate::state::space::MovementWindow;
 use std::sync::Arc;
 
 use egui::{Context, EventFilter, Painter, Pos2, Rect, Sense, Ui, Vec2};
 use glam::DVec3;
 
-pub(crate) use self::camera_view::LEAST_SHARE;
 pub(super) use self::cameras::Camera;
 pub(super) use self::nodes::colour as wire_colour;
-use self::pointer::PointerContext;
 use self::projection::Projection;
 use self::scene::Look;
 use self::strokes::Strokes;
@@ -55,12 +53,14 @@ use crate::document::Document;
 use crate::error::Result;
 use crate::raster::{Lines, Surfaces};
 use crate::setup::{Element, View};
+use crate::space::projection::cube;
+use crate::space::surface::{PointerContext, projection_of};
 use crate::state::Editor;
-use crate::state::space::Handle;
 use crate::state::space::solid::Eye;
+use crate::state::space::{Handle, MovementWindow};
 use crate::texts::Texts;
 use crate::texts::refusals::reason_of;
-use crate::{host, path, points_list, scene_view};
+use crate::{host, points_list, scene_view};
 
 impl MovementWindow {
     /// Whether held keys or a transform keep a step of the document open.
@@ -164,14 +164,6 @@ pub(super) fn shortcut_help(texts: &Texts) -> [(&'static str, &'static str); 40]
         (texts.fly_mouse, texts.fly_meaning),
         (texts.menu_keys, texts.menu_meaning),
     ]
-}
-
-/// The edges of a movement space.
-pub(super) fn cube(space: path::Space) -> impl Iterator<Item = (DVec3, DVec3)> {
-    projection::cube_edges().map(move |(along, signs)| {
-        let [from, to] = projection::edge_ends(space, along, signs);
-        (from, to)
-    })
 }
 
 /// A small picture of a path in the default view: its space's edges, and the curve as one line.
@@ -529,30 +521,25 @@ fn is_meant_by_letters(context: &Context, mine: &dyn Fn(Pos2) -> bool) -> bool {
         && !egui::Popup::is_any_open(context)
 }
 
-fn projection_of(editor: &Editor, viewport: Rect) -> Projection {
-    let space = editor.document.path().space;
-    Projection::of(&editor.setup.view, viewport, space)
-}
-
 #[cfg(test)]
-pub(crate) mod cameras_tests;
+mod cameras_tests;
 #[cfg(test)]
-pub(crate) mod manual_tests;
+mod manual_tests;
 #[cfg(test)]
-pub(crate) mod memory_tests;
+mod memory_tests;
 #[cfg(test)]
-pub(crate) mod menu_tests;
+mod menu_tests;
 #[cfg(test)]
-pub(crate) mod node_clicks_tests;
+mod node_clicks_tests;
 #[cfg(test)]
-pub(crate) mod nodes_tests;
+mod nodes_tests;
 #[cfg(test)]
-pub(crate) mod several_tests;
+mod several_tests;
 #[cfg(test)]
-pub(crate) mod shaping_tests;
+mod shaping_tests;
 #[cfg(test)]
-pub(crate) mod tangents_tests;
+mod tangents_tests;
 #[cfg(test)]
 pub(super) mod tests;
 #[cfg(test)]
-pub(crate) mod world_tests;
+mod world_tests;

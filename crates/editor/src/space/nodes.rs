@@ -1,7 +1,6 @@
 //! The scene around the path at the playhead: its objects, lights, cameras and other paths; and which
 //! of them lies under the pointer.
 
-use crate::state::space::Nodes;
 use std::collections::HashMap;
 use std::sync::Arc;
 
@@ -21,6 +20,7 @@ use crate::scene_view::{other_paths, wires};
 use crate::setup::Element;
 use crate::state::Editor;
 use crate::state::scene_view::Now;
+use crate::state::space::Nodes;
 
 /// Length of a camera's edges and of a light's rays, in points.
 const CAMERA: f64 = 34.0;

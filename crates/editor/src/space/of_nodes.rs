@@ -3,10 +3,10 @@
 use egui::{Key, PointerButton, Pos2, Rect};
 use glam::DVec2;
 
-use super::pointer::{PointerContext, STILL};
 use super::projection::{Projection, from_pos};
-use super::{nodes, picking, projection_of, trail};
+use super::{nodes, picking, trail};
 use crate::action::Action;
+use crate::space::surface::{PointerContext, STILL, projection_of};
 use crate::state::Editor;
 use crate::state::space::{
     Gesture, Grip, Handle, Kind, PointerController, PointerPress, Transform,

@@ -1,7 +1,6 @@
 //! Objects with faces, shaded: flat, one light, what is hidden left out. Made anew only where
 //! something else is seen; while the view moves, coarser.
 
-use crate::state::space::solid::{Eye, Key, Sight, Solid};
 use std::sync::Arc;
 
 use egui::{Color32, Context, Rect, lerp};
@@ -15,6 +14,7 @@ use crate::scene_view::{Seen, each_object};
 use crate::setup::Element;
 use crate::state::Editor;
 use crate::state::scene_view::Now;
+use crate::state::space::solid::{Eye, Key, Sight, Solid};
 
 /// After this time without a change, in seconds, it is made as well as can be.
 const REST: f64 = 0.3;

@@ -1,7 +1,6 @@
 //! The tangents that the current point owns: their handles, a third of a tangent away as the inner
 //! points of a Bézier curve are, and how the tangent on one side follows the other.
 
-use crate::state::space::{Joint, Side};
 use glam::DVec3;
 
 use super::scene::Look;
@@ -11,6 +10,7 @@ use crate::path::{Tangents, curve};
 use crate::raster::Lines;
 use crate::setup::Element;
 use crate::state::Editor;
+use crate::state::space::{Joint, Side};
 
 /// Two tangents whose directions differ by less than this, in radians, make no corner.
 const STRAIGHT: f64 = 1e-6;

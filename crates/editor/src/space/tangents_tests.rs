@@ -10,7 +10,7 @@ use super::tests::{
 };
 use super::*;
 use crate::document::{At, Edit};
-use crate::path::{CurveKind, CurveParameters, Tangents, UpVector, curve};
+use crate::path::{self, CurveKind, CurveParameters, Tangents, UpVector, curve};
 use crate::screenshots::screenshot;
 use crate::setup::Theme;
 use crate::state::space::{Joint, Side};

@@ -2,25 +2,24 @@
 //! Y or Z for an axis, Enter or a click at the end. What is selected are points of the edited path,
 //! or nodes of the scene ([`super::held_nodes`]), whose pivot P moves.
 
-use crate::state::space::{Kind, Transform};
 use egui::{Event, Key, Modifiers, PointerButton};
 use glam::{DMat3, DMat4, DVec2, DVec3};
 
 use super::drag::SNAP;
 use super::held_nodes::Motion;
-use super::pointer::{FINE, PointerContext, axis_of};
+use super::overlay;
 use super::projection::{Axis, Projection, from_pos};
 use super::scene::Look;
 use super::strokes::Strokes;
 use super::typed::Typed;
-use super::{overlay, projection_of};
 use crate::action::Action;
 use crate::document::{At, Edit};
 use crate::number::decimals;
 use crate::raster::Lines;
 use crate::setup::Element;
+use crate::space::surface::{FINE, PointerContext, axis_of, projection_of};
 use crate::state::Editor;
-use crate::state::space::{DragConstraint, Gesture, Grip, Handle, Held};
+use crate::state::space::{DragConstraint, Gesture, Grip, Handle, Held, Kind, Transform};
 use crate::texts::{Texts, fill};
 
 /// Snap steps: degrees, and parts of the size.

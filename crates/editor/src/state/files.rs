@@ -1,15 +1,17 @@
 //! What the windows that ask for files, and about them, remember.
 
-use crate::background::Background;
-use crate::document::tool::Tool;
-use crate::files::recovery::Found;
-use egui::{Pos2, Vec2};
 use std::cell::RefCell;
 use std::collections::HashMap;
 use std::ffi::OsString;
 use std::fs::ReadDir;
 use std::path::PathBuf;
 use std::time::SystemTime;
+
+use egui::{Pos2, Vec2};
+
+use crate::background::Background;
+use crate::document::tool::Tool;
+use crate::files::recovery::Found;
 
 /// What a file is chosen for.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -11,8 +11,6 @@ pub(crate) mod selected;
 pub(crate) mod space;
 pub(crate) mod windows;
 
-use crate::state::files::Pictures;
-use crate::state::space::Around;
 use std::path::PathBuf;
 
 use crate::action::Action;
@@ -26,11 +24,12 @@ use crate::host::{Program, Warnings};
 use crate::path::{Orientation, OrientationOverrides, Pose, SupportPoint};
 use crate::setup::{Element, Setup};
 use crate::space::Camera;
-use crate::state::files::AfterSave;
+use crate::state::files::{AfterSave, Pictures};
 use crate::state::host::{HostPane, PlayheadState};
 use crate::state::length::Length;
 use crate::state::obstacles::Obstacles;
 use crate::state::selected::Selected;
+use crate::state::space::Around;
 use crate::texts::refusals::reason_of;
 use crate::texts::{Language, Texts, fill};
 use crate::{limits, theme};
@@ -494,3 +493,6 @@ pub(crate) fn with(
         orientation,
     }
 }
+
+/// The least share of the room that space and picture have side by side.
+pub(crate) const LEAST_SHARE: f32 = 0.25;

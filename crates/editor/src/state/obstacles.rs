@@ -1,9 +1,10 @@
 //! What the camera must not run into, once it is prepared.
 
-use crate::document::Object;
-use crate::tools::clearance::Clearance;
 use std::cell::RefCell;
 use std::sync::Arc;
+
+use crate::document::Object;
+use crate::tools::clearance::Clearance;
 
 #[derive(Debug, Default)]
 pub(crate) struct Obstacles(pub(crate) RefCell<Option<Prepared>>);

@@ -1,5 +1,11 @@
 //! What is selected of a scene and remembered of its nodes, and what can be asked for of them.
 
+use std::cell::RefCell;
+
+use glam::DAffine3;
+use vides_engine::scene::{Channel, Keep, NodeState, Scene};
+use vides_engine::tools::fit::Tolerance;
+
 use crate::document::Edit;
 use crate::entry::Entry;
 use crate::error::Error;
@@ -7,10 +13,6 @@ use crate::scene_view::edges::Edges;
 use crate::scene_view::rows::Rows;
 use crate::state::files::{MeshFiles, Purpose};
 use crate::state::points_list::NameField;
-use glam::DAffine3;
-use std::cell::RefCell;
-use vides_engine::scene::{Channel, Keep, NodeState, Scene};
-use vides_engine::tools::fit::Tolerance;
 
 /// What is done to nodes.
 #[derive(Clone, Debug, PartialEq)]

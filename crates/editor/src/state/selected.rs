@@ -43,3 +43,9 @@ pub(crate) enum SelectionChange {
     /// These; if the current one is not among them, the nearest to it becomes current.
     These(Vec<usize>),
 }
+
+/// The next one of `count`, or the one before, round and round.
+pub(crate) fn step_around(at: usize, forward: bool, count: usize) -> usize {
+    let count = count.max(1);
+    (at % count + if forward { 1 } else { count - 1 }) % count
+}

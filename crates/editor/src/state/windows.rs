@@ -1,5 +1,11 @@
 //! Which sub-windows are open, and what is pending in them.
 
+use std::cell::Cell;
+
+use egui::{Color32, Id, Pos2, Rect, Vec2};
+use glam::DVec3;
+use vides_engine::scene::Track;
+
 use crate::background::Background;
 use crate::document::tool::{Cage, Tool, ToolInput};
 use crate::document::{Edit, Note, Selection};
@@ -8,10 +14,6 @@ use crate::setup::{Colours, Element, Shown};
 use crate::state::files::{FileWindow, Question, RecoveryWindow};
 use crate::tools::check::Finding;
 use crate::windows::curve::pending::{Belonging, Pending};
-use egui::{Color32, Id, Pos2, Rect, Vec2};
-use glam::DVec3;
-use std::cell::Cell;
-use vides_engine::scene::Track;
 #[derive(Debug)]
 pub(crate) struct ParentWindow {
     pub(crate) nodes: Vec<usize>,

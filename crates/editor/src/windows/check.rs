@@ -4,10 +4,9 @@
 //! The path is checked again as soon as nothing is held any more. Where that would take long, it
 //! waits until it is asked for. The tree over the object is kept as long as the object is the same.
 
-use crate::state::windows::CheckWindow;
 use egui::{Button, Context, Label, RichText, Ui, vec2};
 
-use super::{SubWindow, docked};
+use super::docked;
 use crate::action::Action;
 use crate::background::Background;
 use crate::document::{Edit, StepName, is_planned};
@@ -15,11 +14,12 @@ use crate::entry::Entry;
 use crate::error::Result;
 use crate::number::Number;
 use crate::state::Editor;
-use crate::state::windows::Windows;
+use crate::state::windows::{CheckWindow, Windows};
 use crate::texts::fill;
 use crate::texts::refusals::{of_edit, reason_of};
 use crate::theme;
 use crate::tools::check::{Finding, FindingKind, OFF};
+use crate::windows::sub_window::SubWindow;
 
 /// Width of the button with the frames, of that which mends, of a limit's number.
 const FRAMES: f32 = 116.0;

@@ -1,21 +1,21 @@
 //! A rotation that moves by keys, seen twice: its keys by quaternions and by Euler angles, at the same
 //! frame, and the angle between the two (the lecture's comparison). Either can be taken.
 
-use crate::state::windows::{CompareWindow, Compared};
 use egui::{Button, Context, Rect, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
 use glam::DQuat;
 use vides_engine::scene::{Channel, Interpolation, Part, Track, Warnings};
 
-use super::{SubWindow, docked};
+use super::docked;
 use crate::action::Action;
 use crate::document::Edit;
 use crate::error::Result;
-use crate::panels::share;
+use crate::panels::parts::share;
 use crate::playing::rotation_by;
 use crate::state::Editor;
-use crate::state::windows::Windows;
+use crate::state::windows::{CompareWindow, Compared, Windows};
 use crate::texts::fill;
 use crate::texts::refusals::reason_of;
+use crate::windows::sub_window::SubWindow;
 use crate::{space, theme};
 
 /// Height of the graph, in points.

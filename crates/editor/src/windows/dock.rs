@@ -4,14 +4,14 @@
 //! whose picture is wide, stand at the bottom. One is seen at a time: the one before comes back
 //! when it closes. What one changes is seen at once; Enter keeps it, Escape gives it back.
 
-use crate::state::windows::{CheckWindow, CompareWindow, SpeedWindow};
-
 use egui::{Align, Button, Context, Key, Layout, Modifiers, Rect, Stroke, Ui, vec2};
 
-use super::{SubWindow as _, layer, row_at_right, topmost};
-use crate::frame::LARGE;
 use crate::state::Editor;
-use crate::state::windows::{ColourWindow, DisplayWindow, Windows};
+use crate::state::windows::{
+    CheckWindow, ColourWindow, CompareWindow, DisplayWindow, SpeedWindow, Windows,
+};
+use crate::theme::LARGE;
+use crate::windows::sub_window::{SubWindow as _, layer, row_at_right, topmost};
 use crate::{keys, theme};
 
 /// Distance from the border to what stands in it.

@@ -1,16 +1,15 @@
 //! All keys and what the mouse does (F1).
 
-use crate::state::windows::HelpWindow;
 use std::borrow::Cow;
 
 use egui::{Grid, Key, Modifiers, ScrollArea};
 
-use super::{SubWindow, sub_window};
 use crate::action::Action;
 use crate::keys::{SHORTCUTS, combination};
 use crate::state::Editor;
-use crate::state::windows::Windows;
+use crate::state::windows::{HelpWindow, Windows};
 use crate::texts::{Language, fill};
+use crate::windows::sub_window::{SubWindow, sub_window};
 use crate::{menu, space, theme};
 
 const KEYS: f32 = 232.0;

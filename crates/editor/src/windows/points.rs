@@ -1,14 +1,13 @@
 //! The small window behind `Pos.++`: how many points (thesis A.4.1)?
 
-use crate::state::windows::PointsWindow;
 use egui::{Button, Key, Modifiers, vec2};
 
-use super::{SubWindow, sub_window, takes_keyboard};
 use crate::action::Action;
 use crate::limits::MAX_DIVISION;
 use crate::state::Editor;
-use crate::state::windows::Windows;
+use crate::state::windows::{PointsWindow, Windows};
 use crate::texts::fill;
+use crate::windows::sub_window::{SubWindow, sub_window, takes_keyboard};
 use crate::{keys, theme};
 
 /// The digits in the order of the numbers that they pick.

@@ -1,18 +1,17 @@
 //! Where the path lies in the world: centre and half size of the movement space, its unit, its
 //! upright axis. What is entered is pending until it is applied, as one step.
 
-use crate::state::windows::SpaceWindow;
 use egui::{Button, Grid, Ui, vec2};
 
-use super::{SubWindow, row_at_right, sub_window};
 use crate::action::Action;
 use crate::document::Edit;
 use crate::number::Number;
 use crate::path::{Space, Up};
 use crate::state::Editor;
-use crate::state::windows::Windows;
+use crate::state::windows::{SpaceWindow, Windows};
 use crate::texts::refusals;
 use crate::theme;
+use crate::windows::sub_window::{SubWindow, row_at_right, sub_window};
 
 /// Between two choices, points.
 const APART: f32 = 14.0;

@@ -6,7 +6,6 @@
 //! shown, as `OK` does; undo and another tool take it back, as `Cancel` does. Looking round,
 //! playing and choosing a point leave it alone.
 
-use crate::state::windows::ToolWindow;
 use std::ops::Range;
 use std::path::Path;
 
@@ -21,10 +20,11 @@ use crate::document::{Document, Edit, StepName};
 use crate::entry::Entry;
 use crate::error::{EngineError, Error, OutOfRange, Result};
 use crate::number::Number;
-use crate::panels::share;
+use crate::panels::parts::share;
 use crate::path::Pose;
 use crate::state::Editor;
 use crate::state::files::Purpose;
+use crate::state::windows::ToolWindow;
 use crate::texts::refusals::of_edit;
 use crate::texts::{Language, fill};
 use crate::tools::{Parameter, Unit};

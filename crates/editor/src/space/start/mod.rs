@@ -3,7 +3,6 @@
 
 mod sign;
 
-use crate::state::space::Around;
 use std::path::Path;
 use std::time::Duration;
 
@@ -17,6 +16,7 @@ use crate::path::Space;
 use crate::setup::Element;
 use crate::state::Editor;
 use crate::state::files::Picture;
+use crate::state::space::Around;
 use crate::texts::fill;
 use crate::texts::refusals::reason_of;
 use crate::theme;

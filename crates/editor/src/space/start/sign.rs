@@ -1,6 +1,5 @@
 //! What a beginning looks like: drawn on the object that is loaded, else as a sign.
 
-use crate::state::space::Around;
 use egui::{Color32, Painter, Pos2, Shape, Stroke, vec2};
 
 use super::{Begin, TOOLS};
@@ -10,6 +9,7 @@ use crate::error::Result;
 use crate::files::PICTURE;
 use crate::state::Editor;
 use crate::state::files::Picture;
+use crate::state::space::Around;
 use crate::tools::fit::Progress;
 
 /// An object of more triangles has no picture of what takes long.

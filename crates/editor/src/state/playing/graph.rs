@@ -1,13 +1,15 @@
 //! What the graph of the whole path shows, and what is held there and in the row of keys.
 
+use std::sync::Arc;
+
+use egui::{Color32, Id, Mesh, Rangef};
+
 use super::{markers, tracks};
 use crate::document::Selection;
 use crate::playing::axis::Axis;
 use crate::raster::Lines;
 use crate::space::Typed;
 use crate::state::playing::{Beside, Retiming};
-use egui::{Color32, Id, Mesh, Rangef};
-use std::sync::Arc;
 
 /// The speeds of the whole path.
 #[derive(Debug, Default)]

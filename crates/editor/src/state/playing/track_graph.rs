@@ -1,12 +1,14 @@
 //! What the curves of a scene's keys show, and what is held there.
 
+use std::collections::{BTreeMap, BTreeSet};
+use std::sync::Arc;
+
+use egui::Pos2;
+use vides_engine::scene::Channel;
+
 use crate::state::playing::tracks::{KeyMotion, Way};
 use crate::state::scene_view::KeyAt;
 use crate::state::space::Joint;
-use egui::Pos2;
-use std::collections::{BTreeMap, BTreeSet};
-use std::sync::Arc;
-use vides_engine::scene::Channel;
 
 /// What the graph remembers from pass to pass.
 #[derive(Debug, Default)]

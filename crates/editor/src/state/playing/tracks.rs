@@ -1,12 +1,14 @@
 //! What the rows of a scene's keys show, and what is held there.
 
+use std::collections::HashSet;
+use std::sync::Arc;
+
+use vides_engine::scene::Extrapolation;
+
 use super::track_graph;
 use crate::space::Typed;
 use crate::state::playing::track_graph::Parts;
 use crate::state::scene_view::KeyAt;
-use std::collections::HashSet;
-use std::sync::Arc;
-use vides_engine::scene::Extrapolation;
 
 /// What the rows remember from pass to pass.
 #[derive(Debug, Default)]

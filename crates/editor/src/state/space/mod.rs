@@ -2,6 +2,12 @@
 
 pub(crate) mod solid;
 
+use std::sync::Arc;
+
+use egui::{PointerButton, Pos2};
+use glam::{DAffine3, DQuat, DVec2, DVec3};
+use vides_engine::scene::Channel;
+
 use crate::document::{Edit, Object};
 use crate::path::CameraPath;
 use crate::raster::Lines;
@@ -12,10 +18,6 @@ use crate::space::ribbon::Ribbon;
 use crate::space::scene::{LookKey, PathLines};
 use crate::space::typed::Typed;
 use crate::state::space::solid::Solid;
-use egui::{PointerButton, Pos2};
-use glam::{DAffine3, DQuat, DVec2, DVec3};
-use std::sync::Arc;
-use vides_engine::scene::Channel;
 /// What the tangent on one side does while the other is dragged.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Joint {

@@ -1,11 +1,13 @@
 //! The faces of objects as they were seen last.
 
-use crate::document::Object;
-use crate::raster::Surfaces;
+use std::sync::Arc;
+
 use egui::{Color32, Rect};
 use glam::{DMat4, DVec3};
-use std::sync::Arc;
 use vides_engine::scene::Mesh;
+
+use crate::document::Object;
+use crate::raster::Surfaces;
 
 /// The picture that was made last.
 #[derive(Debug, Default)]

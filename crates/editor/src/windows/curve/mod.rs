@@ -1,14 +1,14 @@
 //! The curve window (thesis A.4.1): presets, own values, numbers, pending until `Zeigen` or `ok`.
 
-use crate::state::windows::{Button, CurveWindow};
 use egui::{Grid, Rect, Sense, Slider, Ui, vec2};
 use glam::DVec3;
+
+use crate::state::windows::{Button, CurveWindow};
 
 pub(crate) mod pending;
 mod picture;
 
 use self::pending::{Belonging, CurveSource, GivenUp, Pending, orientation, users};
-use super::{SubWindow, is_cramped, row_at_right, sub_window};
 use crate::action::Action;
 use crate::document::Document;
 use crate::entry::Entry;
@@ -20,6 +20,7 @@ use crate::state::Editor;
 use crate::state::windows::Windows;
 use crate::texts::fill;
 use crate::theme;
+use crate::windows::sub_window::{SubWindow, is_cramped, row_at_right, sub_window};
 
 /// Widths in points: the presets; beside them a label and three numbers, narrower if cramped.
 const LIST: f32 = 136.0;

@@ -1,18 +1,18 @@
 //! The picture of the speed window: speed, way or acceleration over time, and its squares.
 
-use crate::state::windows::{Held, Quantity};
 use egui::{
     Align2, CornerRadius, CursorIcon, EventFilter, Id, Key, Modifiers, Painter, Pos2, Rect,
     Response, Sense, Shape, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
 
-use super::{SCALE, Section, goes_by_ten};
 use crate::action::Action;
 use crate::entry::Entry;
 use crate::limits::{BASE_SPEED, MAX_SPEED, MIN_SPEED, SPEEDS};
 use crate::path::{Pace, Timing};
 use crate::state::Editor;
+use crate::state::windows::{Held, Quantity};
 use crate::theme::{self, Palette};
+use crate::windows::speed::section::{SCALE, Section, goes_by_ten};
 
 /// Room above the highest and below the lowest value.
 const MARGIN: f32 = 14.0;

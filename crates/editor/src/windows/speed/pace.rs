@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use egui::{Button, Ui};
 
-use super::Section;
 use super::distance::sampled;
 use crate::action::Action;
 use crate::document::Selection;
@@ -13,6 +12,7 @@ use crate::path::{Ease, EaseKind, Pace};
 use crate::state::Editor;
 use crate::state::windows::{Quantity, SpeedWindow};
 use crate::theme;
+use crate::windows::speed::section::Section;
 
 /// The initial shares of the time for speeding up and slowing down.
 const SHARE: f64 = 0.25;
