@@ -7,16 +7,18 @@ use glam::DVec3;
 
 use crate::document::tool::Tool;
 use crate::document::{Edit, Selection};
-use crate::files::{AfterSave, Purpose};
+use crate::entry::Entry;
 use crate::limits::SPEEDS;
-use crate::number::Entry;
-use crate::panels::orientation::OwnedMotion;
 use crate::path::UpVector;
-use crate::playing::{KeyMotion, Pace, Retiming, Seen};
-use crate::scene_view::{KeyAt, NodeAction, NodeCommand};
-use crate::selected::SelectionChange;
+use crate::playing::Seen;
 use crate::setup::{CameraPlace, Fold, Setup, Theme, View};
-use crate::space::{Camera, Gesture, Joint};
+use crate::space::Camera;
+use crate::state::files::{AfterSave, Purpose};
+use crate::state::playing::tracks::KeyMotion;
+use crate::state::playing::{Pace, Retiming};
+use crate::state::scene_view::{KeyAt, NodeAction, NodeCommand};
+use crate::state::selected::SelectionChange;
+use crate::state::space::{Gesture, Joint};
 use crate::texts::Language;
 use crate::tools::check::Finding;
 use crate::tools::profile::Quantity;
@@ -354,4 +356,13 @@ impl Action {
                 | Self::Complain(_)
         )
     }
+}
+
+/// Something of a motion that an orientation may own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum OwnedMotion {
+    /// Angular velocities, a part of a turning, the slope of the roll.
+    Turning,
+    /// The slope of its zoom.
+    Zoom,
 }

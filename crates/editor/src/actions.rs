@@ -7,19 +7,19 @@ use crate::action::Action;
 use crate::document::tool::ToolInput;
 use crate::document::{At, Document, Edit, Selection, no_longer_ahead};
 use crate::error::{Invalid, Result};
-use crate::files::{AfterSave, Purpose};
 use crate::path::{CameraPath, Tangents, Target, insertion};
-use crate::scene_view::NodeCommand;
-use crate::selected::SelectionChange;
-use crate::setup::{ColourWindow, DisplayWindow};
-use crate::space::LEAST_SHARE;
+use crate::state::LEAST_SHARE;
+use crate::state::files::{AfterSave, Purpose};
+use crate::state::scene_view::NodeCommand;
+use crate::state::selected::{SelectionChange, step_around};
+use crate::state::windows::{
+    CheckWindow, ColourWindow, CompareWindow, CurveWindow, DisplayWindow, HelpWindow, PointsWindow,
+    SpaceWindow, SpeedWindow, ToolWindow,
+};
 use crate::state::{Editor, Request};
 use crate::texts::fill;
 use crate::texts::refusals::of_edit;
-use crate::windows::{
-    self, CheckWindow, CompareWindow, CurveWindow, HelpWindow, PointsWindow, SpaceWindow,
-    SpeedWindow, ToolWindow,
-};
+use crate::windows;
 
 /// The edit that aims an orientation at a place.
 fn aimed(path: &CameraPath, point: usize, at: usize, place: DVec3) -> Result<Edit> {
@@ -517,10 +517,4 @@ impl Editor {
     pub(super) fn number_of(text: &str, index: usize, count: usize) -> String {
         fill(text, &[&(index + 1), &count])
     }
-}
-
-/// The next one of `count`, or the one before, round and round.
-pub(super) fn step_around(at: usize, forward: bool, count: usize) -> usize {
-    let count = count.max(1);
-    (at % count + if forward { 1 } else { count - 1 }) % count
 }

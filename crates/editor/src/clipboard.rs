@@ -9,22 +9,15 @@ use egui::{Context, ViewportCommand};
 
 use crate::action::Action;
 use crate::document::{Document, Edit, StepName, mesh};
-use crate::files::{AfterSave, Purpose, readable, short};
+use crate::files::{readable, short};
 use crate::limits::MIN_POINTS;
-use crate::path::Orientation;
-use crate::scene_view::NodeCommand;
-use crate::selected::SelectionChange;
-use crate::state::Editor;
+use crate::state::files::{AfterSave, Purpose};
+use crate::state::scene_view::NodeCommand;
+use crate::state::selected::SelectionChange;
+use crate::state::{Copied, Editor};
 use crate::texts::fill;
 use crate::texts::refusals::of_edit;
 use crate::tools::block::Fit;
-
-/// A view that was copied, with its text in the clipboard.
-#[derive(Clone, Debug)]
-pub(crate) struct Copied {
-    view: Orientation,
-    text: String,
-}
 
 impl Editor {
     /// Copies the points that are selected together, else the current orientation.

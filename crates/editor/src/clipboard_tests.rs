@@ -6,7 +6,7 @@ use glam::DVec3;
 
 use crate::document::{Document, Selection};
 use crate::path::SupportPoint;
-use crate::selected::SelectionChange;
+use crate::state::selected::SelectionChange;
 use crate::tests::*;
 
 /// What a window has put into the clipboard in its last pass.

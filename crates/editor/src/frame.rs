@@ -5,23 +5,28 @@ use egui::{
 };
 
 use crate::action::Action;
-use crate::number::Entry;
+use crate::entry::Entry;
 use crate::panels::output;
 use crate::setup::Theme;
 use crate::space::camera_view;
 use crate::state::Editor;
+use crate::theme::{BAR, LARGE};
 use crate::{keys, menu, panels, playing, points_list, scene_view, space, theme, windows};
 
-pub(super) const BAR: f32 = 32.0;
-
-const PANELS: f32 = panels::WIDTH + 2.0 * MARGIN;
-
-/// Anything higher and wider is no control but a part of the window.
-pub(super) const LARGE: f32 = 160.0;
+const PANELS: f32 = panels::parts::WIDTH + 2.0 * MARGIN;
 
 const MARGIN: f32 = 12.0;
 
-pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
+impl Editor {
+    /// Runs one pass: shows everything and takes the input.
+    pub fn show(&mut self, ui: &mut egui::Ui) {
+        self.closing = false;
+        show(self, ui);
+        self.keep_work(ui.ctx());
+    }
+}
+
+fn show(editor: &mut Editor, ui: &mut Ui) {
     let context = ui.ctx().clone();
     // The host edits the path, too.
     editor.selected.follow(&editor.document);

@@ -6,8 +6,8 @@
 use egui::{Context, Event, Id, Key, Modifiers};
 
 use crate::action::Action;
-use crate::scene_view::NodeAction;
-use crate::selected::SelectionChange;
+use crate::state::scene_view::NodeAction;
+use crate::state::selected::SelectionChange;
 use crate::texts::Language;
 
 const NONE: Modifiers = Modifiers::NONE;

@@ -4,30 +4,10 @@
 use crate::document::{Edit, StepName};
 use crate::error::Result;
 use crate::path::Timeline;
+use crate::state::length::Seen;
 use crate::state::{Editor, Message};
 use crate::texts::fill;
 use crate::texts::refusals::reason_of;
-
-/// What is known of the length; none of it is in the file.
-#[derive(Debug, Default)]
-pub(super) struct Length {
-    seen: Option<Seen>,
-    /// The seconds that are kept.
-    kept: Option<f64>,
-}
-
-/// The path as it was when its length was last looked at.
-#[derive(Clone, Copy, Debug)]
-struct Seen {
-    /// [`Editor::step_number`]
-    state: (u64, u64),
-    /// The newest state of that path.
-    newest: u64,
-    /// The path of this node.
-    node: Option<usize>,
-    frames: usize,
-    fps: f64,
-}
 
 impl Seen {
     fn seconds(&self) -> f64 {
@@ -186,9 +166,9 @@ impl Editor {
 mod tests {
     use crate::action::Action;
     use crate::document::{At, Edit, Selection};
-    use crate::number::Entry;
-    use crate::panels::orientation::with;
+    use crate::entry::Entry;
     use crate::path::Timeline;
+    use crate::state::with;
     use crate::tests::*;
 
     fn frames(window: &Window) -> usize {

@@ -13,6 +13,7 @@ mod action;
 mod actions;
 mod background;
 mod clipboard;
+mod entry;
 mod files;
 mod frame;
 mod host;
@@ -48,6 +49,7 @@ use vides_raster as raster;
 
 pub use background::Start;
 pub use files::Folders;
-pub use host::{Date, HostPane, PlayheadState, Program, Warning, Warnings};
+pub use host::{Date, Program, Warning, Warnings};
+pub use state::host::{HostPane, PlayheadState};
 pub use state::{Editor, HostView, Options, Reason, Request};
 pub use texts::Language;

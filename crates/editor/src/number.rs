@@ -15,27 +15,10 @@ use egui::{
 };
 
 use crate::action::Action;
-use crate::keys;
+use crate::entry::Entry;
 use crate::path::Space;
 use crate::texts::{Language, fill};
-use crate::theme;
-
-/// What the user did to a number.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum Entry<T = f64> {
-    Idle,
-    /// A drag begins: all up to its end is one step.
-    Begin,
-    /// The value during a drag.
-    Drag(T),
-    End,
-    /// The drag was cancelled: the value before it is wanted.
-    Cancel,
-    /// A value was typed.
-    Set(T),
-    /// What was typed cannot be taken, in words.
-    Wrong(String),
-}
+use crate::{keys, theme};
 
 impl Entry {
     /// The same with what the value stands for.

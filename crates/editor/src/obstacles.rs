@@ -1,25 +1,13 @@
 //! What the camera must not run into, prepared when a check, a plot or a drawn line first asks.
 
-use std::cell::RefCell;
 use std::ptr;
 use std::sync::Arc;
 
 use crate::document::{Document, Object};
 use crate::error::Result;
 use crate::state::Editor;
+use crate::state::obstacles::Prepared;
 use crate::tools::clearance::Clearance;
-
-#[derive(Debug, Default)]
-pub(crate) struct Obstacles(RefCell<Option<Prepared>>);
-
-#[derive(Debug)]
-struct Prepared {
-    /// Held so that no other object gets its address.
-    object: Object,
-    /// The number of the scene around the path.
-    scene: Option<u64>,
-    tree: Option<Arc<Clearance>>,
-}
 
 impl Editor {
     /// The path with all that stands around it, for another thread: without a scene, which may have

@@ -11,13 +11,12 @@ use egui::{
 
 use crate::action::Action;
 use crate::document::{At, Document, Edit, Selection};
-use crate::keys;
-use crate::panels::{PanelButton, button_row};
-use crate::scene_view;
-use crate::selected::SelectionChange;
+use crate::panels::parts::{PanelButton, button_row};
 use crate::state::Editor;
+use crate::state::points_list::{NameField, PointsList, Renaming, Row};
+use crate::state::selected::SelectionChange;
 use crate::texts::fill;
-use crate::theme;
+use crate::{keys, scene_view, theme};
 
 /// Its share of the window's width, its least and largest width in points, its width when folded.
 const SHARE: f32 = 0.12;
@@ -36,46 +35,6 @@ const ROW: f32 = 22.0;
 /// Room for a number, and the indent of orientations.
 const NUMBER: f32 = 26.0;
 const INDENT: f32 = 14.0;
-
-#[derive(Debug, Default)]
-pub(super) struct PointsList {
-    /// `None`: by the width of the window.
-    open: Option<bool>,
-    rows: Vec<Row>,
-    /// The revision that the rows show.
-    made_of: Option<u64>,
-    renaming: Option<Renaming>,
-    /// The point that is being dragged to another place.
-    dragged: Option<usize>,
-    /// The selection when it was last shown.
-    shown: Option<Selection>,
-    /// Where to scroll while something is dragged.
-    wanted: Option<f32>,
-    /// Top and bottom of what the scroll area has shown.
-    seen: (f32, f32),
-}
-
-/// A point, or an orientation of one that has several.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Row {
-    at: Selection,
-    is_point: bool,
-}
-
-/// The name of a point that is being typed.
-#[derive(Debug)]
-struct Renaming {
-    point: usize,
-    name: NameField,
-}
-
-/// A name that is being typed in its row.
-#[derive(Debug)]
-pub(crate) struct NameField {
-    text: String,
-    /// It does not have the keyboard yet.
-    fresh: bool,
-}
 
 /// Shows it at the left, and takes its room away.
 pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {

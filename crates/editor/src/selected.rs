@@ -6,55 +6,14 @@
 use std::borrow::Cow;
 
 use glam::DMat4;
+use vides_engine::property::{SameBits, Value, find};
 
-use crate::document::{At, Document, Edit, Selection};
+use crate::document::{At, Document, Edit};
 use crate::error::Result;
 use crate::path::{Orientation, OrientationOverrides, SupportPoint};
 use crate::state::Editor;
+use crate::state::selected::{Selected, SelectionChange, SelectionScope};
 use crate::texts::fill;
-use vides_engine::property::{SameBits, Value, find};
-
-/// Which points to select.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) enum SelectionChange {
-    /// The current one alone.
-    Current,
-    /// This one alone, with its orientation; both become current.
-    Only(Selection),
-    All,
-    /// Adds one, which becomes current, or removes it.
-    Switch(usize),
-    /// From the current one to this one.
-    UpTo(usize),
-    /// These; if the current one is not among them, the nearest to it becomes current.
-    These(Vec<usize>),
-}
-
-/// The points selected together.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub(crate) struct Selected {
-    /// Ascending; empty: the current one alone.
-    points: Vec<usize>,
-    of: SelectionScope,
-}
-
-/// What a selection holds for: it ends when another point is current or their number changes.
-#[derive(Clone, Debug, Default, PartialEq)]
-struct SelectionScope {
-    current: usize,
-    count: usize,
-    node: Option<usize>,
-}
-
-impl SelectionScope {
-    fn now(document: &Document) -> Self {
-        Self {
-            current: document.selection().point,
-            count: document.path().points.len(),
-            node: document.edited_scene().and_then(|edited| edited.node()),
-        }
-    }
-}
 
 impl Selected {
     /// Forgets a selection that no longer holds.

@@ -7,6 +7,7 @@ use super::recovery::{self, Autosave, Found, Origin, Saved};
 use crate::document::{At, Document, Edit};
 use crate::error::Result;
 use crate::state::Editor;
+use crate::state::files::RecoveryWindow;
 use crate::texts::fill;
 use crate::texts::refusals::reason_of;
 
@@ -20,7 +21,7 @@ impl Editor {
         let program = Some(self.program.name.as_str()).filter(|_| !self.program.offers_all);
         let found = recovery::find(&folder, program);
         if !found.is_empty() {
-            self.windows.recovery = Some(super::RecoveryWindow::of(found));
+            self.windows.recovery = Some(RecoveryWindow::of(found));
         }
     }
 

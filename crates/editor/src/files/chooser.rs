@@ -4,27 +4,25 @@
 //! name has it, the up and down arrows go through the list, Enter takes, Alt and the up arrow go to
 //! the directory above.
 
-use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
 use egui::{
     Align, Button, Context, Key, Label, Layout, Modifiers, RichText, ScrollArea, Sense, Ui, vec2,
 };
 
-use super::listing::{Folder, MAX_ENTRIES, fits, is_hidden};
+use super::listing::{MAX_ENTRIES, fits, is_hidden};
 use super::naming::{described, filter_of, is_export, tidy, with_ending};
 use crate::action::Action;
 use crate::files::exchange::DEFAULT;
-use crate::files::folders;
-use crate::files::picture::{self, Picture};
-use crate::files::{Purpose, readable, short};
+use crate::files::{folders, picture, readable, short};
 use crate::formats::{self, formats};
 use crate::state::Editor;
+use crate::state::files::{FileWindow, Folder, Picture, Purpose};
 use crate::texts::fill;
 use crate::texts::formats::title_of;
 use crate::texts::refusals::of_system;
 use crate::theme;
-use crate::windows::{modal, takes_keyboard};
+use crate::windows::sub_window::{modal, takes_keyboard};
 
 const WIDTH: f32 = 520.0;
 /// Rows seen at once, in a window that is high enough.
@@ -37,28 +35,6 @@ const PICTURE: egui::Vec2 = vec2(148.0, 112.0);
 /// Files that become the object, and all that a path is begun with.
 const OBJECTS: &str = "*.obj *.ply *.stl *.gltf *.glb";
 const OPENED: &str = "*.vid *.obj *.ply *.stl *.gltf *.glb";
-
-#[derive(Debug)]
-pub(crate) struct FileWindow {
-    purpose: Purpose,
-    folder: Folder,
-    place: String,
-    name: String,
-    /// The true name of what was chosen, which may be impossible to type.
-    chosen: Option<OsString>,
-    filter: String,
-    /// The name of the format that is written.
-    format: Option<&'static str>,
-    hidden: bool,
-    trouble: Option<String>,
-    overwrite: Option<PathBuf>,
-    /// It or its question has just opened: the keyboard goes there.
-    fresh: bool,
-    /// Scrolls the list to the chosen row.
-    scroll: bool,
-    /// The file chosen last, and its picture if it has one.
-    picture: Option<(PathBuf, Option<Picture>)>,
-}
 
 #[derive(Default)]
 struct Done {

@@ -4,9 +4,10 @@ use std::path::Path;
 
 use crate::document::tool::{Needs, ToolInput, tools};
 use crate::document::{Edit, SceneDocument};
-use crate::files::{Question, short};
+use crate::files::short;
 use crate::formats::{self, Content, Flight, Format, Loss, Options, Report, Source};
 use crate::state::Editor;
+use crate::state::files::Question;
 use crate::texts::fill;
 use crate::texts::formats::{losses_of, reason_of};
 

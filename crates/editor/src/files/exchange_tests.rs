@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use super::tests::{modified, name, window_in};
-use crate::files::Purpose;
 use crate::formats::{Loss, Report};
+use crate::state::files::Purpose;
 use crate::tests::*;
 use crate::texts::formats::losses_of;
 

@@ -1,14 +1,14 @@
 //! The contents of a directory, read in pieces so that a large one does not hold up the window.
 //! Names of any bytes are kept as they are.
 
-use std::ffi::{OsStr, OsString};
-use std::fs::ReadDir;
+use std::ffi::OsStr;
 use std::io;
 use std::os::unix::ffi::OsStrExt;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use crate::files::readable;
+use crate::state::files::{Folder, Item};
 
 /// Entries kept of one directory: more than anybody looks through.
 pub(crate) const MAX_ENTRIES: usize = 20_000;
@@ -18,25 +18,6 @@ const SLICE: Duration = Duration::from_millis(4);
 
 /// Entries between two looks at the clock.
 const BETWEEN: usize = 32;
-
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Item {
-    /// Its name, of any bytes.
-    pub(crate) name: OsString,
-    pub(crate) shown: String,
-    pub(crate) is_folder: bool,
-}
-
-/// A directory that is being or has been read.
-#[derive(Debug)]
-pub(crate) struct Folder {
-    pub(crate) path: PathBuf,
-    /// What was found so far, directories first, then by name.
-    pub(crate) items: Vec<Item>,
-    reading: Option<ReadDir>,
-    /// There are more than are kept.
-    pub(crate) more: bool,
-}
 
 impl Folder {
     pub(crate) fn open(path: PathBuf) -> io::Result<Self> {

@@ -26,69 +26,24 @@ mod tests;
 #[cfg(test)]
 mod unsaved_tests;
 
-pub(crate) use chooser::FileWindow;
-pub use folders::Folders;
-pub(crate) use node_meshes::MeshFiles;
-pub(crate) use picture::{Picture, Pictures};
-pub(crate) use question::Question;
-pub(crate) use recent::PICTURE;
-pub(crate) use recovery_window::RecoveryWindow;
-
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
 use vides_engine::scene::{Geometry, MeshSource};
 
 use crate::document::mesh::Format;
-use crate::document::tool::{Tool, ToolInput};
+use crate::document::tool::ToolInput;
 use crate::document::{At, Document, Edit, Fingerprint, load_mesh, load_object, save};
 use crate::error::{EngineError, Error, Result, TooMany};
 use crate::host::Warnings;
 use crate::limits;
 use crate::path::Space;
+use crate::state::files::{AfterSave, FileWindow, Purpose, Question};
 use crate::state::{Editor, Request};
 use crate::texts::fill;
 use crate::texts::refusals::reason_of;
-
-/// What a file is chosen for.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Purpose {
-    LoadPath,
-    /// And what is to be done after that.
-    SavePath(Option<AfterSave>),
-    /// A mesh or a point cloud to be shown, and the tool that waits for it.
-    LoadObject(Option<Tool>),
-    /// A mesh or a point cloud to be a node of the scene.
-    AddObject,
-    Export,
-    LoadSetup,
-    SaveSetup,
-    /// A path to be put into this one.
-    LoadBlock,
-    /// Points to be saved as a path of their own.
-    SaveBlock,
-    /// Another program's file: a scene, or poses to make a path of.
-    Import,
-    /// The mesh of an object of the scene.
-    LoadMesh(usize),
-    /// Another shape for an object of the scene.
-    LoadShape(usize),
-}
-
-/// What waits until unsaved work is saved or given up.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum AfterSave {
-    Close,
-    /// An empty path takes its place.
-    New,
-    Load,
-    /// A recent file is loaded, by its number.
-    Recent(usize),
-    /// The path that was dropped on the window is loaded.
-    Dropped,
-    /// Unsaved work that was found takes its place, by its number.
-    Restore(usize),
-}
+pub use folders::Folders;
+pub(crate) use recent::PICTURE;
 
 impl Editor {
     pub(crate) fn choose_file(&mut self, purpose: Purpose) {

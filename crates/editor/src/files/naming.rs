@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use super::exchange::DEFAULT;
-use crate::files::Purpose;
 use crate::formats::{self, formats};
+use crate::state::files::Purpose;
 use crate::texts::Language;
 use crate::texts::formats::title_of;
 

@@ -2,7 +2,6 @@
 
 use std::collections::HashMap;
 use std::path::{Path, absolute};
-use std::time::SystemTime;
 
 use vides_engine::scene::{Geometry, Kind, Mesh, MeshSource, Part, Shape};
 
@@ -10,14 +9,8 @@ use super::short;
 use crate::document::{Edit, load_mesh, reload_mesh};
 use crate::error::Result;
 use crate::state::Editor;
+use crate::state::files::MeshFiles;
 use crate::texts::fill;
-
-/// When a file was written, and how long it is; none: it is gone.
-type Written = Option<(SystemTime, u64)>;
-
-/// The files of meshes, as they were when they were last looked at.
-#[derive(Debug, Default)]
-pub(crate) struct MeshFiles(HashMap<String, Written>);
 
 impl Editor {
     /// Reads meshes of the scene again whose files another program has written since they were last

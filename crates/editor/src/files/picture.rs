@@ -9,24 +9,13 @@ use crate::background::Background;
 use crate::document::mesh::Format;
 use crate::document::{Document, load_object};
 use crate::setup::Element;
-use crate::space;
 use crate::state::Editor;
-use crate::theme;
+use crate::state::files::{Made, Picture, Pictures};
 use crate::tools::fit::Progress;
+use crate::{space, theme};
 
 /// A longer file is not read for its picture alone.
 const LONGEST: u64 = 1 << 20;
-
-/// The edges of the movement space, the curve, and what is to be seen there.
-#[derive(Debug)]
-pub(crate) struct Picture {
-    size: Vec2,
-    edges: Vec<[Pos2; 2]>,
-    curve: Vec<Pos2>,
-    things: Vec<[Pos2; 2]>,
-    /// A scene without an edited path.
-    of_scene: bool,
-}
 
 impl Picture {
     pub(crate) fn of(document: &Document, size: Vec2) -> Self {
@@ -108,17 +97,6 @@ impl Picture {
             painter.circle_filled(at(place), 3.0, colour);
         }
     }
-}
-
-/// Pictures that are made beside the window when they are first shown, and what they are of.
-#[derive(Debug)]
-pub(crate) struct Pictures<K>(RefCell<Option<Made<K>>>);
-
-#[derive(Debug)]
-struct Made<K> {
-    of: K,
-    work: Background<Vec<Option<Picture>>>,
-    pictures: Vec<Option<Picture>>,
 }
 
 impl<K> Default for Pictures<K> {

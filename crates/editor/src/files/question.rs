@@ -1,35 +1,16 @@
 //! The questions before unsaved work is lost, or a file changed elsewhere since it was read here.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use egui::{Button, vec2};
 
 use crate::action::Action;
-use crate::files::{AfterSave, short};
+use crate::files::short;
 use crate::keys;
 use crate::state::Editor;
+use crate::state::files::{About, AfterSave, Question};
 use crate::texts::fill;
-use crate::windows::{modal, row_at_right, takes_keyboard};
-
-#[derive(Debug)]
-pub(crate) struct Question {
-    about: About,
-    fresh: bool,
-}
-
-#[derive(Clone, Debug)]
-enum About {
-    Unsaved(AfterSave),
-    Changed(Option<AfterSave>),
-    /// Another program has written the file.
-    Newer,
-    /// Something would be lost in a file of this format.
-    Losses {
-        file: PathBuf,
-        format: &'static str,
-        lost: Vec<String>,
-    },
-}
+use crate::windows::sub_window::{modal, row_at_right, takes_keyboard};
 
 /// An answer: its words, its hint, what it does.
 type Answer = (&'static str, &'static str, Option<Action>);

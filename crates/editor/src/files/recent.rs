@@ -4,13 +4,12 @@ use std::path::{Path, PathBuf};
 
 use egui::{Rect, Ui, Vec2, vec2};
 
-use super::folders;
-use super::picture::Picture;
 use super::recovery::{escaped, unescaped};
-use super::short;
+use super::{folders, short};
 use crate::document::save;
 use crate::document::vid::read_text;
 use crate::state::Editor;
+use crate::state::files::Picture;
 use crate::tools::fit::Progress;
 
 /// How many are kept.

@@ -5,7 +5,8 @@ use glam::DVec3;
 
 use super::*;
 use crate::document::{At, Edit};
-use crate::{Editor, Folders, Language, Options, Program};
+use crate::state::{Editor, Options};
+use crate::{Folders, Language, Program};
 
 fn document() -> Document {
     Document::new()

@@ -5,14 +5,15 @@ use std::time::{Duration, SystemTime};
 use egui::{Button, Ui, Vec2, vec2};
 
 use crate::action::Action;
-use crate::files::picture::{self, Picture};
 use crate::files::recovery::Found;
-use crate::files::short;
+use crate::files::{picture, short};
 use crate::host::Date;
 use crate::state::Editor;
+use crate::state::files::{Offered, Picture, RecoveryWindow};
+use crate::state::windows::Windows;
 use crate::texts::{Language, fill};
 use crate::theme;
-use crate::windows::{SubWindow, Windows, sub_window_as};
+use crate::windows::sub_window::{SubWindow, sub_window_as};
 
 /// How many are listed; the others come at later starts.
 const LISTED: usize = 6;
@@ -24,20 +25,6 @@ const BUTTON: Vec2 = vec2(120.0, 28.0);
 /// Its upper left corner from the window's at first: below the bar, right of the list of points,
 /// where nothing to begin with lies.
 const CORNER: Vec2 = vec2(156.0, 64.0);
-
-#[derive(Debug)]
-pub(crate) struct RecoveryWindow {
-    offered: Vec<Offered>,
-}
-
-#[derive(Debug)]
-struct Offered {
-    found: Found,
-    /// `None` if it is broken.
-    picture: Option<Picture>,
-    /// A click more, and it is gone for good.
-    goes: bool,
-}
 
 /// An action, or `None`: nothing before the next start.
 type Answer = Option<Action>;

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::tests::{modified, name, window_in};
-use crate::Request;
+use crate::state::Request;
 use crate::tests::*;
 
 /// Two windows on one file of which the other one has just saved what it did.

@@ -1,15 +1,11 @@
 //! What passes between the window and its host's own picture: where the playhead is and what the
 //! camera sees there; the host's camera, shown as a ghost and taken over into the path.
 
-pub(crate) mod pane;
+mod pane;
 mod program;
 mod warning;
 
 use std::path::Path;
-
-pub use pane::HostPane;
-pub use program::{Date, Program};
-pub use warning::{Warning, Warnings};
 
 use egui::{Area, Button, Context, Id, Order, Pos2, Rect, vec2};
 use glam::DVec3;
@@ -20,24 +16,15 @@ use crate::error::{OutOfRange, Refused, Result};
 use crate::math::{orientation, view::View};
 use crate::path::{Change, Orientation, Overrides, Pose, Space, Target};
 use crate::space::Camera;
+use crate::state::host::{HostPane, PlayheadState};
 use crate::state::{Editor, Reason, Request};
 use crate::texts::fill;
 use crate::texts::refusals::reason_of;
+pub use program::{Date, Program};
+pub use warning::{Warning, Warnings};
 
 /// The distance to the target of a view that was taken over, in half sizes.
 const TARGET: f64 = 0.4;
-
-/// Where the playhead stands in which path: while this is equal, the host has nothing new to learn.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PlayheadState {
-    revision: u64,
-    /// The shown camera of a scene, and how many nodes that has: their numbers may have changed.
-    camera: Option<(Option<usize>, usize)>,
-    selection: Selection,
-    frame: Option<f64>,
-    plays: bool,
-    scrubbed: bool,
-}
 
 impl PlayheadState {
     fn shows_another(&self, before: &Self) -> bool {
@@ -64,6 +51,18 @@ impl PlayheadState {
 }
 
 impl Editor {
+    /// Where the host draws what the camera sees; `None` if that is hidden or the editor draws it.
+    #[must_use]
+    pub fn host_pane(&self) -> Option<&HostPane> {
+        self.host_pane.as_ref()
+    }
+
+    /// The host cannot draw what the camera sees: the editor does.
+    pub fn draw_pane_itself(&mut self) {
+        self.host_view.fills_pane = false;
+        self.host_pane = None;
+    }
+
     /// Where the playhead stands.
     pub fn standing(&self) -> PlayheadState {
         PlayheadState {

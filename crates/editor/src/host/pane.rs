@@ -1,32 +1,9 @@
 //! The camera's picture where the host draws it, in a window of its own that covers ours: what is
 //! shown above it must be known, to be cut out there.
 
-use egui::{Context, Id, LayerId, Order, Rect};
+use egui::{Context, Id, LayerId, Order};
 
-use crate::state::Editor;
-
-/// Where the host draws, in points of the window.
-#[derive(Clone, Debug, PartialEq)]
-pub struct HostPane {
-    /// The picture.
-    pub picture: Rect,
-    /// What is shown above it, at least in part.
-    pub above: Vec<Rect>,
-}
-
-impl Editor {
-    /// Where the host draws what the camera sees; `None` if that is hidden or the editor draws it.
-    #[must_use]
-    pub fn host_pane(&self) -> Option<&HostPane> {
-        self.host_pane.as_ref()
-    }
-
-    /// The host cannot draw what the camera sees: the editor does.
-    pub fn draw_pane_itself(&mut self) {
-        self.host_view.fills_pane = false;
-        self.host_pane = None;
-    }
-}
+use crate::state::host::HostPane;
 
 impl HostPane {
     /// Adds the sub-windows, menus and hints that lie above the pane's own layer.

@@ -5,14 +5,15 @@ use egui_kittest::kittest::Queryable as _;
 use glam::DQuat;
 
 use super::*;
+use crate::Language;
 use crate::document::Document;
 use crate::path::UpVector;
 use crate::setup::Theme;
 use crate::space::Camera;
+use crate::state::{HostView, Options};
 use crate::tests::{
     BOTH, LARGE, Window, click, options, press, said, some_points, window_of, window_with_points,
 };
-use crate::{HostView, Language, Options};
 
 fn bits(pose: &Pose) -> [u64; 10] {
     let [p, v, u] = [pose.vrp, pose.vpn, pose.vup];

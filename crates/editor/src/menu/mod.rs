@@ -17,15 +17,14 @@ use letters::{GERMAN, lettered, pick_by_letter, underlined};
 use crate::action::Action;
 use crate::document::StepName;
 use crate::document::tool::{self, Needs};
-use crate::keys;
 use crate::limits::MIN_POINTS;
-use crate::scene_view::{NewNode, NodeCommand};
-use crate::selected::SelectionChange;
 use crate::setup::Theme;
 use crate::state::Editor;
+use crate::state::scene_view::{NewNode, NodeCommand};
+use crate::state::selected::SelectionChange;
 use crate::texts::{Language, fill};
-use crate::theme;
-use crate::windows::{below_bar, is_cramped};
+use crate::windows::sub_window::{below_bar, is_cramped};
+use crate::{keys, theme};
 
 /// Room for a mark before an entry's text.
 const MARK: f32 = 28.0;

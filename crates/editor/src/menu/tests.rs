@@ -2,10 +2,10 @@
 
 use egui_kittest::kittest::by;
 
-use crate::Request;
 use crate::action::Action;
 use crate::document::At;
-use crate::selected::SelectionChange;
+use crate::state::Request;
+use crate::state::selected::SelectionChange;
 use crate::tests::*;
 
 #[test]
@@ -546,8 +546,8 @@ fn a_new_path_is_begun() {
 #[test]
 fn undo_and_redo_say_what() {
     use crate::document::{Info, Selection};
-    use crate::panels::orientation::with;
     use crate::path::Tcb;
+    use crate::state::with;
     for (language, undo, redo) in [
         (Language::English, "Undo {}", "Redo {}"),
         (Language::German, "{} rückgängig", "{} wiederholen"),

@@ -3,19 +3,18 @@
 
 use egui::{Align, Button, Layout, Popup, RichText, Ui, vec2};
 
-use super::{Heading, share};
 use crate::action::Action;
 use crate::document::{At, Edit};
-use crate::keys;
 use crate::limits::PRESETS;
 use crate::number::Number;
+use crate::panels::parts::{Heading, share};
 use crate::path::{CurveKind, CurveParameters, Tcb};
 use crate::playing::playhead::Missing;
 use crate::setup::Fold;
-use crate::space::Joint;
 use crate::state::Editor;
+use crate::state::space::Joint;
 use crate::texts::fill;
-use crate::theme;
+use crate::{keys, theme};
 
 /// Widths of the menu's columns.
 const PRESETS_WIDE: f32 = 240.0;

@@ -4,16 +4,16 @@ use egui::{Button, Popup, Role, Ui, WidgetInfo};
 use glam::DVec3;
 
 use super::position::{add_here, three_numbers};
-use super::{Heading, PanelButton, button_row, share};
-use crate::action::Action;
+use crate::action::{Action, OwnedMotion};
 use crate::document::{Edit, Selection};
 use crate::error::Result;
 use crate::math::rotation_minimising::turned;
 use crate::number::Number;
-use crate::path::{CameraPath, Orientation, OrientationOverrides, Target, Up, UpVector, ahead};
+use crate::panels::parts::{Heading, PanelButton, button_row, share};
+use crate::path::{CameraPath, OrientationOverrides, Target, Up, UpVector, ahead};
 use crate::playing::playhead::{Missing, Shown};
 use crate::setup::Fold;
-use crate::state::Editor;
+use crate::state::{Editor, with};
 use crate::texts::fill;
 use crate::theme;
 
@@ -189,15 +189,6 @@ fn up(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Action>) {
     }
 }
 
-/// Something of a motion that an orientation may own.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum OwnedMotion {
-    /// Angular velocities, a part of a turning, the slope of the roll.
-    Turning,
-    /// The slope of its zoom.
-    Zoom,
-}
-
 impl OwnedMotion {
     pub(super) fn is_owned(self, shown: &Shown) -> bool {
         let own = &shown.orientation.own;
@@ -299,19 +290,4 @@ fn path_for_up(path: &CameraPath) -> Option<UpVector> {
     let mut all = path.points.iter().flat_map(|point| &point.orientations);
     let found = all.find(|key| matches!(key.own.up, UpVector::Path(_)))?;
     Some(found.own.up.clone())
-}
-
-/// The edit that changes an orientation.
-pub(crate) fn with(
-    at: Selection,
-    current: &Orientation,
-    change: impl FnOnce(&mut Orientation),
-) -> Edit {
-    let mut orientation = current.clone();
-    change(&mut orientation);
-    Edit::SetOrientation {
-        point: at.point,
-        at: at.orientation,
-        orientation,
-    }
 }

@@ -5,12 +5,11 @@ use egui::{
 };
 
 use crate::action::Action;
-use crate::keys;
 use crate::number::decimals;
 use crate::path::ahead;
 use crate::playing::playhead::Missing;
 use crate::state::{Editor, Message};
-use crate::theme;
+use crate::{keys, theme};
 
 /// One part of the setting.
 struct Column {

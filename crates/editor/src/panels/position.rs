@@ -3,10 +3,10 @@
 use egui::{RichText, Ui};
 use glam::DVec3;
 
-use super::{Heading, PanelButton, apart, button_row, share, words};
 use crate::action::Action;
 use crate::document::{At, Edit};
 use crate::number::Number;
+use crate::panels::parts::{Heading, PanelButton, apart, button_row, share, words};
 use crate::playing::playhead::Shown;
 use crate::setup::Fold;
 use crate::state::Editor;

@@ -3,14 +3,13 @@
 
 use egui::Ui;
 
-use super::orientation::with;
-use super::{Heading, share};
 use crate::action::Action;
 use crate::limits::{MAX_FRAMES, MAX_HOLD};
 use crate::number::Number;
+use crate::panels::parts::{Heading, share};
 use crate::path::{Change, Section};
 use crate::setup::Fold;
-use crate::state::Editor;
+use crate::state::{Editor, with};
 use crate::texts::fill;
 
 pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {

@@ -2,14 +2,15 @@
 
 use egui::{Grid, Popup, PopupCloseBehavior, Response, Slider, SliderClamping, Ui};
 
-use super::Heading;
-use super::orientation::{OwnedMotion, own, with};
-use crate::action::Action;
+use super::orientation::own;
+use crate::action::{Action, OwnedMotion};
+use crate::entry::Entry;
 use crate::limits::{MAX_LIST_ZOOM, MAX_ZOOM, MIN_ZOOM};
 use crate::math::view::HALF_FILM_HEIGHT;
-use crate::number::{Entry, Number};
+use crate::number::Number;
+use crate::panels::parts::Heading;
 use crate::setup::{Fold, MAX_SENSOR, MIN_SENSOR};
-use crate::state::Editor;
+use crate::state::{Editor, with};
 
 const FIELD: f32 = 56.0;
 

@@ -52,7 +52,7 @@ impl Seen {
 
 /// From frames to the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Axis {
+pub(crate) struct Axis {
     pub(super) rail: Rangef,
     /// The first frame.
     begin: f64,
@@ -193,6 +193,11 @@ pub(super) fn step(least: f64) -> (f64, u32) {
         .into_iter()
         .find(|&(step, _)| step >= least * (1.0 - 1e-9));
     fits.unwrap_or((10.0 * power, 5))
+}
+
+#[allow(clippy::cast_precision_loss)]
+pub(crate) fn as_frame(frame: usize) -> f64 {
+    frame as f64
 }
 
 #[cfg(test)]

@@ -2,8 +2,8 @@
 
 use egui::{CornerRadius, Painter, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, vec2};
 
-use super::Editor;
 use crate::action::Action;
+use crate::state::Editor;
 use crate::theme;
 
 pub(super) const BUTTON: f32 = 32.0;

@@ -4,22 +4,14 @@ use std::sync::Arc;
 
 use egui::{Color32, Mesh, Painter, Pos2, Shape, Stroke, pos2};
 
-use super::graph::{PIECES, Scale, Stretch};
 use crate::document::Selection;
 use crate::limits::BASE_SPEED;
 use crate::raster::{Line, Lines};
+use crate::state::playing::graph::{Curve, PIECES, Scale, Stretch};
 use crate::theme::Palette;
 
 /// Least step between two sections that is marked as a jump.
 const JUMP: f32 = 5.0;
-
-#[derive(Debug, Default)]
-pub(super) struct Curve {
-    /// The path's revision, what is current, the scale, and the theme's accent.
-    made_of: Option<(Option<u64>, Selection, Scale, Color32)>,
-    shade: Arc<Mesh>,
-    lines: Arc<Lines>,
-}
 
 impl Curve {
     pub(super) fn paint(

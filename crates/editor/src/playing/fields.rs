@@ -4,11 +4,13 @@
 use egui::{Align, Button, Layout, Pos2, Rect, Role, Shape, Stroke, Ui, WidgetInfo, vec2};
 
 use super::buttons::{BUTTON, camera_button, play_button, speed_button};
-use super::{Editor, as_frame};
 use crate::action::Action;
 use crate::document::{Edit, Info};
 use crate::limits::{MAX_FPS, MAX_FRAMES};
 use crate::number::Number;
+use crate::playing::axis::as_frame;
+use crate::state::Editor;
+use crate::state::playing::Pace;
 use crate::theme;
 
 /// Width of a small button; greatest and least width of a number.
@@ -17,15 +19,6 @@ const FIELDS: (f32, f32) = (88.0, 60.0);
 /// Between what belongs together, and between groups.
 const NARROW: f32 = 4.0;
 const WIDE: f32 = 12.0;
-
-/// Speed of playing.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) enum Pace {
-    #[default]
-    Whole,
-    Half,
-    Double,
-}
 
 impl Pace {
     /// Film time per second.

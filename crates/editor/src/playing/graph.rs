@@ -3,26 +3,29 @@
 //! current section up and down.
 
 use egui::{
-    Align2, CornerRadius, CursorIcon, Id, Pos2, Rangef, Rect, Response, Sense, Stroke, StrokeKind,
-    Ui, WidgetInfo, pos2, vec2,
+    Align2, CornerRadius, CursorIcon, Id, Pos2, Rangef, Rect, Sense, Stroke, StrokeKind, Ui,
+    WidgetInfo, pos2, vec2,
 };
 
 use super::axis::Axis;
-use super::curve::Curve;
-use super::key_row::{KeyDrag, take};
+use super::key_row::take;
+use super::plot;
 use super::ruler::{colour_of_playhead, scrub_by_mouse};
-use super::{Marks, as_frame, markers, plot, tracks};
 use crate::action::Action;
 use crate::document::{Document, Edit, Selection};
+use crate::entry::Entry;
 use crate::error::Result;
 use crate::limits::{MAX_SPEED, MIN_SPEED, SPEEDS};
-use crate::number::Entry;
-use crate::panels::orientation::with;
 use crate::path::Change;
-use crate::state::Editor;
+use crate::playing::axis::as_frame;
+use crate::playing::key_row::ended;
+use crate::state::playing::graph::{Graph, PIECES, Scale, Stretch};
+pub(super) use crate::state::playing::graph::{Held, Memory};
+use crate::state::playing::{Mark, Marks};
+use crate::state::{Editor, with};
 use crate::texts::fill;
 use crate::theme;
-use crate::windows::goes_by_ten;
+use crate::windows::speed::section::goes_by_ten;
 
 /// Its least height, in points.
 pub(super) const LEAST: f32 = 44.0;
@@ -30,33 +33,8 @@ pub(super) const LEAST: f32 = 44.0;
 /// On a path of more sections each has only one value.
 const FINE_SECTIONS: usize = 1000;
 
-/// Pieces of a section's curve.
-pub(super) const PIECES: usize = 24;
-
 /// Borders and squares with less room than this cannot be dragged, in points.
 const GRIP: f32 = 7.0;
-
-/// The speeds of the whole path.
-#[derive(Debug, Default)]
-pub(super) struct Graph {
-    stretches: Vec<Stretch>,
-    /// The highest speed, or [`MAX_SPEED`] if that is higher.
-    highest: f32,
-}
-
-/// The frames of a section in which something changes.
-#[derive(Debug)]
-pub(super) struct Stretch {
-    /// The orientation with which it begins.
-    pub(super) from: Selection,
-    /// The frame after its hold, and the one of the next key.
-    pub(super) start: usize,
-    pub(super) end: usize,
-    /// 50 is the base speed; higher the fewer frames the section has for its length.
-    pub(super) speeds: [f32; PIECES + 1],
-    /// Factor from the ten speeds to these.
-    pub(super) scale: f32,
-}
 
 impl Graph {
     pub(super) fn clear(&mut self) {
@@ -70,7 +48,7 @@ impl Graph {
     }
 
     /// Computes the speeds anew, on the frames of `keys`.
-    pub(super) fn update(&mut self, document: &Document, keys: &[super::Mark]) -> Result<()> {
+    pub(super) fn update(&mut self, document: &Document, keys: &[Mark]) -> Result<()> {
         self.clear();
         let path = document.path();
         document.timeline(|timeline| {
@@ -105,26 +83,6 @@ impl Graph {
     }
 }
 
-/// What is being dragged.
-#[derive(Debug, Default)]
-pub(super) enum Held {
-    #[default]
-    Nothing,
-    /// A key or a border.
-    Key(Box<KeyDrag>),
-    /// One of the ten speeds, the pointer's offset from its middle, and whether the section beside,
-    /// which goes on as fast, follows.
-    Speed(usize, f32, bool),
-}
-
-/// From frames and speeds to the screen.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Scale {
-    pub(super) axis: Axis,
-    pub(super) rows: Rangef,
-    pub(super) highest: f32,
-}
-
 impl Scale {
     fn new(axis: Axis, rect: Rect, marks: &Marks) -> Self {
         Self {
@@ -154,17 +112,6 @@ impl Scale {
             self.y(stretch.speeds[piece]),
         )
     }
-}
-
-/// What the timeline remembers from pass to pass.
-#[derive(Debug, Default)]
-pub(super) struct Memory {
-    pub(super) held: Held,
-    /// A key is held since an earlier pass: nothing else can be taken.
-    pub(super) carries: bool,
-    curve: Curve,
-    pub(super) tracks: tracks::Memory,
-    pub(super) markers: markers::Memory,
 }
 
 /// Shows the graph in `rect`, with what is chosen at the left of it in `room`.
@@ -395,15 +342,6 @@ fn follow(editor: &Editor, stretch: &Stretch, at: usize, speed: f64) -> Option<E
             key.speeds[there] = speed.round().clamp(MIN_SPEED, MAX_SPEED);
         })
     })
-}
-
-/// Ends a drag; Escape undoes it.
-pub(super) fn ended(ui: &Ui, response: &Response, held: &mut Held, actions: &mut Vec<Action>) {
-    if !response.drag_stopped() || matches!(held, Held::Nothing) {
-        return;
-    }
-    *held = Held::Nothing;
-    actions.push(Action::Enter(Entry::of_end(ui.ctx())));
 }
 
 #[cfg(test)]

@@ -1,7 +1,6 @@
 //! What is dragged in the graph of tracks: numbers of keys, in time and in value; handles of their
 //! own tangents; a box that selects. As in the rows, it is done anew from where it began each time.
 
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use egui::{CursorIcon, Key, Modifiers, Pos2, Rect, Response, Stroke, StrokeKind, Ui, vec2};
@@ -9,46 +8,26 @@ use vides_engine::limits::MAX_TANGENT;
 use vides_engine::scene::Track;
 
 use super::graph_paint::part_name;
-use super::key_motion::{Change, KeyMotion, Numbers};
 use super::key_row::{FINE, bubble};
 use super::track_curve::Of;
-use super::track_drag::{Way, begun};
-use super::track_graph::{self, Dot, Hit, Memory, PartOf, Parts, Shown, has_handles, parts_of};
-use super::tracks::channel_name;
+use super::track_dots;
+use super::track_drag::begun;
 use crate::action::Action;
-use crate::number::Entry;
-use crate::scene_view::KeyAt;
-use crate::space::Joint;
+use crate::entry::Entry;
+use crate::playing::track_dots::{Hit, Shown, has_handles, parts_of};
+use crate::playing::track_rows::channel_name;
 use crate::state::Editor;
+use crate::state::playing::track_graph::{
+    Dot, DotsDrag, HandleDrag, Held, Joints, Memory, PartOf, Parts, Side,
+};
+use crate::state::playing::tracks::{Change, KeyMotion, Numbers, Way};
+use crate::state::scene_view::KeyAt;
+use crate::state::space::Joint;
 use crate::texts::fill;
 use crate::theme;
 
 /// A handle is no nearer to its key than this along the time, in points.
 const LEAST: f32 = 0.5;
-
-/// What numbers of keys do with one tangent while the other is dragged, as it was chosen.
-pub(super) type Joints = BTreeMap<PartOf, Joint>;
-
-/// What is held in the graph.
-#[derive(Debug, Default)]
-pub(super) enum Held {
-    #[default]
-    Nothing,
-    Dots(Box<DotsDrag>),
-    Handle(Box<HandleDrag>),
-    /// Where the box began, and what stays selected besides.
-    Box {
-        from: Pos2,
-        besides: Vec<Dot>,
-    },
-}
-
-/// A side of a key.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Side {
-    Before,
-    After,
-}
 
 impl Side {
     pub(super) const fn sign(self) -> f32 {
@@ -106,27 +85,6 @@ fn follows(joint: Joint, led: f64, other: f64) -> f64 {
         Joint::Mirrored => -led,
         Joint::Corner => other,
     }
-}
-
-/// Numbers of keys that are dragged.
-#[derive(Debug)]
-pub(super) struct DotsDrag {
-    keys: Vec<KeyAt>,
-    parts: Arc<Parts>,
-    /// What the graph knew of selected numbers.
-    before: Parts,
-    /// What was taken: the frame and the number at which it stood.
-    dot: Dot,
-    from: (f64, f64),
-    way: Way,
-    /// The pointer of the last pass, and how far the number has gone.
-    pointer: f32,
-    gone: f64,
-    /// Some of the numbers are not just to be read.
-    lifts: bool,
-    /// The time stays, or the number.
-    stays: [bool; 2],
-    done: KeyMotion,
 }
 
 impl DotsDrag {
@@ -252,20 +210,6 @@ fn name_of(editor: &Editor, of: &Of<'_>, part: usize) -> String {
     let channel = channel_name(editor, of.track.channel());
     let name = format!("{channel} {}", part_name(editor, of, part));
     fill(editor.texts().timeline.channel_of, &[&name.trim(), &node])
-}
-
-/// A handle that is dragged.
-#[derive(Debug)]
-pub(super) struct HandleDrag {
-    dot: Dot,
-    side: Side,
-    joint: Joint,
-    pointer: Pos2,
-    /// Where it stands from its key.
-    way: egui::Vec2,
-    /// The key's tangents before.
-    before: Vec<f64>,
-    done: Vec<f64>,
 }
 
 impl HandleDrag {
@@ -427,7 +371,7 @@ fn taken(
             let mut dots = all_dots(&memory.parts, shown);
             if !dots.contains(&dot) {
                 dots = vec![dot.clone()];
-                track_graph::select(memory, shown, dots.clone(), actions);
+                track_dots::select(memory, shown, dots.clone(), actions);
             }
             DotsDrag::new(&memory.parts, shown, dot, dots, at)
                 .map(|drag| Held::Dots(Box::new(drag)))
@@ -471,7 +415,7 @@ fn boxed(
     painter.rect_stroke(place, 0.0, line, StrokeKind::Inside);
     let mut dots = shown.within(place);
     dots.extend(besides.iter().cloned());
-    track_graph::select(memory, shown, dots, actions);
+    track_dots::select(memory, shown, dots, actions);
 }
 
 #[cfg(test)]

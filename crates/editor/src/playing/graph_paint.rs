@@ -9,9 +9,12 @@ use vides_engine::scene::Channel;
 
 use super::axis::step;
 use super::track_curve::Of;
-use super::track_graph::{Memory, Shown, keys_between};
-use super::tracks::{self, ROW, Row, caption, channel_name};
+use super::{track_rows, tracks};
+use crate::playing::track_dots::{Shown, keys_between};
+use crate::playing::track_rows::{ROW, caption, channel_name};
 use crate::state::Editor;
+use crate::state::playing::track_graph::Memory;
+use crate::state::playing::tracks::Row;
 use crate::theme;
 
 /// Half of a key's sign.
@@ -112,7 +115,7 @@ pub(super) fn signs(memory: &Memory, ui: &Ui, painter: &Painter, shown: &Shown<'
                     true => (palette.field, Stroke::new(1.2, colour)),
                     false => (colour, line),
                 };
-                painter.add(tracks::diamond(place, DOT, fill, line));
+                painter.add(track_rows::diamond(place, DOT, fill, line));
             }
         }
     }
@@ -122,7 +125,7 @@ pub(super) fn signs(memory: &Memory, ui: &Ui, painter: &Painter, shown: &Shown<'
         };
         let place = shown.place(&of, dot.at.key, dot.part);
         let line = Stroke::new(1.5, palette.text);
-        let sign = tracks::diamond(place, DOT + 2.0, palette.accent, line);
+        let sign = track_rows::diamond(place, DOT + 2.0, palette.accent, line);
         painter.add(sign);
     }
 }

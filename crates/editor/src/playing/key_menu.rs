@@ -5,13 +5,15 @@ use egui::{Button, Ui};
 use vides_engine::scene::{Interpolation, Part, Track};
 
 use super::graph_drag::joint_of;
-use super::track_graph::{Memory, has_handles, parts_of};
 use crate::action::Action;
 use crate::document::Edit;
-use crate::number::{Entry, Number};
-use crate::scene_view::KeyAt;
-use crate::space::Joint;
+use crate::entry::Entry;
+use crate::number::Number;
+use crate::playing::track_dots::{has_handles, parts_of};
 use crate::state::Editor;
+use crate::state::playing::track_graph::Memory;
+use crate::state::scene_view::KeyAt;
+use crate::state::space::Joint;
 
 /// The width of the field of a number.
 const FIELD: f32 = 96.0;

@@ -1,46 +1,15 @@
 //! What becomes of keys of the scene: in time, and of their numbers. The whole motion is done from
 //! where it began, anew each time.
 
-use std::sync::Arc;
-
 use vides_engine::limits::MAX_COORDINATE;
 use vides_engine::scene::{Channel, Interpolation, KeyList, Part, Track};
 
 use super::track_curve::is_read_only;
-use super::track_graph::Parts;
 use crate::document::{Document, Edit};
 use crate::error::Result;
-use crate::scene_view::KeyAt;
 use crate::state::Editor;
-
-/// What becomes of keys in time.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct KeyMotion {
-    /// The keys as they were when it began.
-    keys: Vec<KeyAt>,
-    to: Change,
-    /// They stay, and copies of them move.
-    copies: bool,
-    numbers: Numbers,
-}
-
-/// What becomes of the numbers of keys.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum Numbers {
-    Stay,
-    /// These are greater by so much.
-    By(f64, Arc<Parts>),
-    /// The tangents of the one key.
-    Tangents(Vec<f64>),
-}
-
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Change {
-    /// By so many frames.
-    By(f64),
-    /// The one at `from` goes to `to`, and all others along with it as that at `about` stays.
-    Scale { about: f64, from: f64, to: f64 },
-}
+use crate::state::playing::tracks::{Change, KeyMotion, Numbers};
+use crate::state::scene_view::KeyAt;
 
 impl Change {
     pub(super) fn of(self, frame: f64) -> f64 {

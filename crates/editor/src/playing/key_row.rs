@@ -6,16 +6,16 @@ use egui::{
 };
 
 use super::axis::Axis;
-use super::graph::{Held, Memory, ended};
-use super::retime::{Beside, Retiming};
 use super::ruler::chosen_too;
-use super::{Mark, as_frame};
 use super::{pins, section_menu};
 use crate::action::Action;
 use crate::document::Selection;
-use crate::number::Entry;
+use crate::entry::Entry;
+use crate::playing::axis::as_frame;
 use crate::space::Typed;
 use crate::state::Editor;
+use crate::state::playing::graph::{Held, KeyDrag, Memory};
+use crate::state::playing::{Mark, Retiming};
 use crate::texts::fill;
 use crate::theme;
 
@@ -30,27 +30,6 @@ const SIGN: f32 = 5.0;
 
 /// Factor of a drag with Shift.
 pub(super) const FINE: f64 = 0.1;
-
-/// A key that is dragged along the time.
-#[derive(Debug)]
-pub(super) struct KeyDrag {
-    /// What was taken; what shows it may vanish meanwhile.
-    id: Id,
-    of: Selection,
-    /// The frame at which it stood.
-    from: usize,
-    beside: Beside,
-    /// The pointer of the last pass.
-    pointer: f32,
-    /// Frames that it went, and how many a point of the screen are.
-    gone: f64,
-    each: f64,
-    /// All frames when it began, and those of the axis: the scale stays meanwhile.
-    frames: usize,
-    pub(super) all: (f64, f64),
-    typed: Typed,
-    done: Retiming,
-}
 
 impl KeyDrag {
     /// The key of this frame is taken.
@@ -473,4 +452,13 @@ fn carry_on(
         *held = Held::Nothing;
         actions.push(Action::Enter(Entry::End));
     }
+}
+
+/// Ends a drag; Escape undoes it.
+pub(crate) fn ended(ui: &Ui, response: &Response, held: &mut Held, actions: &mut Vec<Action>) {
+    if !response.drag_stopped() || matches!(held, Held::Nothing) {
+        return;
+    }
+    *held = Held::Nothing;
+    actions.push(Action::Enter(Entry::of_end(ui.ctx())));
 }

@@ -8,12 +8,13 @@ use egui::{
 use vides_engine::scene::Part;
 
 use super::axis::Axis;
-use super::track_drag::Way;
 use super::track_time::Time;
 use crate::action::Action;
 use crate::document::Edit;
-use crate::number::Entry;
+use crate::entry::Entry;
 use crate::state::Editor;
+use crate::state::playing::markers::{Drag, Memory, Renaming};
+use crate::state::playing::tracks::Way;
 use crate::texts::fill;
 use crate::theme;
 
@@ -22,32 +23,6 @@ pub(super) const HEIGHT: f32 = 16.0;
 
 /// Width of the field for another name.
 const FIELD: f32 = 140.0;
-
-/// What the markers remember from pass to pass.
-#[derive(Debug, Default)]
-pub(super) struct Memory {
-    held: Option<Drag>,
-    renaming: Option<Renaming>,
-}
-
-/// A marker that is dragged.
-#[derive(Debug)]
-struct Drag {
-    name: String,
-    /// The scene's frames at which it stood, and to which it shall go.
-    from: f64,
-    to: f64,
-    way: Way,
-}
-
-/// A marker that gets another name.
-#[derive(Debug)]
-struct Renaming {
-    name: String,
-    text: String,
-    /// It does not have the keyboard yet.
-    fresh: bool,
-}
 
 impl Memory {
     fn rename(&mut self, name: &str) {

@@ -1,34 +1,10 @@
 //! The keys of the path on the scale of its frames.
 
-use super::as_frame;
-use super::graph::Graph;
 use crate::document::{Document, Selection};
 use crate::error::Result;
 use crate::path::{Change, Timeline};
-
-/// The keys of the path on the scale of its frames.
-#[derive(Debug, Default)]
-pub(super) struct Marks {
-    pub(super) revision: Option<u64>,
-    pub(super) keys: Vec<Mark>,
-    /// The scene's markers: its frames, and their names.
-    pub(super) markers: Vec<(f64, String)>,
-    /// All frames of the path; 0 if there are too many.
-    pub(super) frames: usize,
-    /// The first and the last frame of the scene, or of the path alone.
-    pub(super) range: (f64, f64),
-    pub(super) graph: Graph,
-}
-
-/// An orientation and its frame.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Mark {
-    pub(crate) point: usize,
-    pub(crate) orientation: usize,
-    pub(super) frame: usize,
-    /// For how many frames more the camera rests there.
-    pub(super) hold: usize,
-}
+use crate::playing::axis::as_frame;
+use crate::state::playing::{Mark, Marks};
 
 impl Mark {
     /// The frame in which the key is reached.

@@ -2,7 +2,7 @@
 //!
 //! While it plays the window asks for the next frame when that is due; at rest it asks for nothing.
 
-mod axis;
+pub(crate) mod axis;
 mod buttons;
 mod curve;
 mod fields;
@@ -23,10 +23,12 @@ mod ruler;
 mod section_menu;
 mod track_clipboard;
 mod track_curve;
+mod track_dots;
 mod track_drag;
 mod track_graph;
 mod track_keys;
 mod track_menu;
+mod track_rows;
 mod track_time;
 mod tracks;
 mod zoom;
@@ -37,22 +39,17 @@ use egui::{Context, CursorIcon, Id, Rangef, Rect, Sense, Ui, UiBuilder, pos2};
 
 use self::axis::Axis;
 pub(super) use self::axis::Seen;
-pub(super) use self::fields::Pace;
-pub(super) use self::key_motion::KeyMotion;
-pub(super) use self::marks::Mark;
-use self::marks::Marks;
 pub(super) use self::pins::menu as pin_menu;
-pub(super) use self::retime::Retiming;
 pub(super) use self::track_keys::take_keys;
 pub(super) use self::track_menu::rotation_by;
 use crate::action::Action;
 use crate::document::Selection;
-use crate::number::Entry;
+use crate::entry::Entry;
 use crate::space::Camera;
 use crate::state::Editor;
-use crate::theme;
+use crate::state::playing::{Mark, Pace, Playing};
 use crate::tools::profile::Quantity;
-use crate::windows;
+use crate::{theme, windows};
 
 /// A lower window has little room for the graph.
 const MIN_HEIGHT_FOR_GRAPH: f32 = 660.0;
@@ -72,46 +69,6 @@ const EDGE: f32 = 6.0;
 
 /// Seconds between updates of the marks in a drag: a change of the first section moves them all.
 const MARKS_STEP: f64 = 0.25;
-
-#[derive(Debug, Default)]
-pub(super) struct Playing {
-    /// The frame that is shown, of the scene or of a path alone; none: the current orientation.
-    frame: Option<f64>,
-    /// While it plays: since when, in egui's time, and from which frame.
-    since: Option<(f64, f64)>,
-    /// Whether to play from the next pass on, if that was ordered.
-    ordered: Option<bool>,
-    /// The playhead was moved by hand.
-    scrubbed: bool,
-    /// Begins anew at the end.
-    loops: bool,
-    pace: Pace,
-    /// The frame before a number of the bar was dragged.
-    before: Option<f64>,
-    /// What was current in the last pass.
-    selection: Selection,
-    marks: Marks,
-    between: Option<playhead::Between>,
-    /// When `marks` were brought up to date, in egui's time.
-    marked: f64,
-    speeds: graph::Memory,
-    /// The window is low, and the graph is to be shown there, too.
-    low: bool,
-    low_graph: bool,
-    /// Its height, if it was dragged.
-    graph_height: Option<f32>,
-    /// What the graph shows.
-    shown: plot::Shown,
-    plot: plot::Plot,
-    /// What follows a key moves along with it.
-    moves_along: bool,
-    /// The part of the time that is seen; none: all.
-    seen: Option<Seen>,
-    /// Only the frames in which what is selected moves are played.
-    only_selected: bool,
-    /// The first and the last frame of the axis, which stays while something of a scene is dragged.
-    axis: (f64, f64),
-}
 
 impl Playing {
     pub(super) fn is_playing(&self) -> bool {
@@ -368,11 +325,6 @@ impl Editor {
     }
 }
 
-#[allow(clippy::cast_precision_loss)]
-fn as_frame(frame: usize) -> f64 {
-    frame as f64
-}
-
 pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     editor.playing.low = ui.ctx().content_rect().height() < MIN_HEIGHT_FOR_GRAPH;
     editor.advance(ui.ctx());
@@ -399,7 +351,7 @@ fn bar(editor: &Editor, memory: &mut graph::Memory, ui: &mut Ui, actions: &mut V
         true => 0.0,
         false => markers::HEIGHT,
     };
-    let nodes = tracks::rows(editor, &memory.tracks);
+    let nodes = track_rows::rows(editor, &memory.tracks);
     let count = nodes.len();
     // Where no path is edited, keys of nodes have the room of its keys and its graph.
     let of_path = count == 0 || editor.document.edits_path();
@@ -429,7 +381,7 @@ fn bar(editor: &Editor, memory: &mut graph::Memory, ui: &mut Ui, actions: &mut V
         };
         let top = UiBuilder::new().max_rect(row(TRANSPORT));
         ui.scope_builder(top, |ui| fields::show(editor, ui, actions));
-        let captions = match windows::is_cramped(ui.ctx()) {
+        let captions = match windows::sub_window::is_cramped(ui.ctx()) {
             true => CAPTIONS.1,
             false => CAPTIONS.0,
         };
@@ -463,7 +415,7 @@ fn bar(editor: &Editor, memory: &mut graph::Memory, ui: &mut Ui, actions: &mut V
         }
         let rows = row(of_nodes);
         #[allow(clippy::cast_precision_loss)]
-        let scrolls = !memory.tracks.curves && of_nodes < tracks::ROW * count as f32;
+        let scrolls = !memory.tracks.curves && of_nodes < track_rows::ROW * count as f32;
         zoom::by_mouse(ui, time, scrolls.then_some(rows), &axis, actions);
         if count > 0 {
             let place = (rows, captions, above);
@@ -496,8 +448,8 @@ fn graph_height(editor: &Editor, whole: f32) -> f32 {
 fn tracks_height(editor: &Editor, rows: usize, whole: f32, graph: bool) -> f32 {
     let dragged = editor.playing.graph_height.filter(|_| !graph);
     let most = dragged.map_or(0.2 * whole, |height| height.min(0.45 * whole));
-    let most = most.max(2.0 * tracks::ROW);
-    (tracks::ROW * rows as f32).min(most).round()
+    let most = most.max(2.0 * track_rows::ROW);
+    (track_rows::ROW * rows as f32).min(most).round()
 }
 
 /// The same of their curves, which have room at the least.

@@ -4,7 +4,8 @@
 use egui::Context;
 
 use super::axis::Axis;
-use super::{as_frame, zoom};
+use super::zoom;
+use crate::playing::axis::as_frame;
 use crate::state::Editor;
 
 /// A part of a frame that is rounding.

@@ -4,27 +4,18 @@
 
 use glam::DVec3;
 
-use super::Mark;
 use crate::document::{Document, Edit, Info, Selection};
+use crate::entry::Entry;
 use crate::math::orientation;
 use crate::math::rotation_minimising::signed_angle;
-use crate::number::Entry;
 use crate::path::{Orientation, Overrides, Space, Target, UpVector};
 use crate::space::Camera;
 use crate::state::Editor;
+use crate::state::playing::{Between, Mark};
 use crate::texts::fill;
 
 /// Length of a view direction that no key gives, in half sizes of the space.
 const DIRECTION: f64 = 0.4;
-
-/// Roll and up of the playhead between two keys, kept for one pass.
-#[derive(Debug)]
-pub(super) struct Between {
-    revision: u64,
-    frame: f64,
-    roll: f64,
-    own: Overrides,
-}
 
 /// What the panels show and change.
 #[derive(Clone, Debug)]

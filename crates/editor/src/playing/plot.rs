@@ -9,11 +9,13 @@ use egui::{
 };
 
 use super::axis::{Axis, step};
-use super::graph::Scale;
 use crate::action::Action;
 use crate::document::Document;
 use crate::error::Result;
 use crate::state::Editor;
+use crate::state::playing::graph::Scale;
+pub(super) use crate::state::playing::plot::Shown;
+use crate::state::playing::plot::{Curve, Plot};
 use crate::texts::{Texts, fill};
 use crate::theme::{self, Palette};
 use crate::tools::check::{FindingKind, OFF};
@@ -40,13 +42,6 @@ const OF_SECTIONS: &[FindingKind] = &[
     FindingKind::Cusp,
     FindingKind::Corner,
 ];
-
-/// What the graph shows, one over the other.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Shown {
-    pub(super) pace: bool,
-    quantities: [bool; Quantity::ALL.len()],
-}
 
 impl Default for Shown {
     fn default() -> Self {
@@ -80,21 +75,6 @@ impl Shown {
         let all = Quantity::ALL.into_iter();
         all.filter(move |&quantity| shown.has(Some(quantity)))
     }
-}
-
-/// A quantity along the path.
-#[derive(Debug)]
-struct Curve {
-    quantity: Quantity,
-    /// Frame and value.
-    values: Vec<(f64, f64)>,
-}
-
-#[derive(Debug, Default)]
-pub(super) struct Plot {
-    /// The revision of the path, what is shown, the most poses.
-    of: Option<(u64, Shown, usize)>,
-    curves: Vec<Curve>,
 }
 
 impl Plot {

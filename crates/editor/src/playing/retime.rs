@@ -1,31 +1,12 @@
 //! Keys are moved and copied in time. The sections beside a key get frames of their own, so that
 //! all else stays where it is.
 
-use super::Marks;
-use super::graph::Stretch;
 use crate::document::{Edit, Selection, StepName};
 use crate::error::Result;
 use crate::path::{CameraPath, Orientation, SupportPoint};
 use crate::state::Editor;
-
-/// What becomes of a key in time.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Retiming {
-    /// As it was when the drag began.
-    Nothing,
-    /// The section before it gets so many frames more, the one behind it so many fewer; without
-    /// one, all behind it moves along.
-    Move {
-        before: (Selection, usize),
-        after: Option<(Selection, usize)>,
-        by: i64,
-    },
-    /// A key like it at this frame.
-    Copy { of: Selection, to: usize },
-}
-
-/// The sections beside a key with their frames.
-pub(super) type Beside = [Option<(Selection, usize)>; 2];
+use crate::state::playing::graph::Stretch;
+use crate::state::playing::{Beside, Marks, Retiming};
 
 impl Marks {
     /// The sections that end and begin at the key of this frame.

@@ -7,13 +7,13 @@ use egui::{
 };
 
 use super::axis::{Axis, step};
-use super::retime::Retiming;
-use super::{Mark, markers};
+use super::markers;
 use crate::action::Action;
-use crate::number::Entry;
-use crate::selected::SelectionChange;
+use crate::entry::Entry;
 use crate::setup::Element;
 use crate::state::Editor;
+use crate::state::playing::{Mark, Retiming};
+use crate::state::selected::SelectionChange;
 use crate::theme;
 
 pub(super) const HEIGHT: f32 = 25.0;

@@ -4,13 +4,13 @@
 use egui::{Button, Popup, Response};
 
 use super::axis::Axis;
-use super::{as_frame, pins};
+use super::pins;
 use crate::action::Action;
 use crate::document::Selection;
 use crate::limits::{MAX_HOLD, SPEEDS};
-use crate::panels::orientation::with;
 use crate::path::{Orientation, Pace};
-use crate::state::Editor;
+use crate::playing::axis::as_frame;
+use crate::state::{Editor, with};
 use crate::windows::{shapes, slow_past};
 
 pub(super) fn show(editor: &Editor, response: &Response, axis: &Axis, actions: &mut Vec<Action>) {

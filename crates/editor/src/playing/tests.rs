@@ -9,9 +9,11 @@ use egui_kittest::kittest::Queryable;
 use super::*;
 use crate::document::At;
 use crate::path::Pose;
+use crate::playing::axis::as_frame;
 use crate::space::tests::{
     editor, image, motion, press, pyramid, pyramid_window, release, tap, window,
 };
+use crate::state::playing::Marks;
 use crate::texts::Language;
 
 /// When the window wants to be shown again.

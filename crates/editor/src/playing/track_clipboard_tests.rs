@@ -5,8 +5,8 @@ use vides_engine::scene::{Kind, Scene};
 
 use super::super::tracks::tests::*;
 use super::*;
-use crate::scene_view::KeyAt;
 use crate::space::tests::tap;
+use crate::state::scene_view::KeyAt;
 use crate::tests::LARGE;
 use crate::texts::Language;
 
@@ -45,7 +45,7 @@ fn select(harness: &mut Window, keys: &[(Channel, usize)]) {
 }
 
 fn focus(harness: &mut Window) {
-    let id = super::super::tracks::id();
+    let id = super::super::track_rows::id();
     harness.ctx.memory_mut(|memory| memory.request_focus(id));
     steps_on(harness);
 }
@@ -379,7 +379,7 @@ fn without_the_keyboard_it_is_the_points_clipboard() {
     let position = (Channel::Position, 1);
     select(&mut harness, &[position]);
     harness.ctx.memory_mut(|memory| {
-        let id = super::super::tracks::id();
+        let id = super::super::track_rows::id();
         memory.surrender_focus(id);
     });
     harness.state_mut().select_nodes(vec![0]);

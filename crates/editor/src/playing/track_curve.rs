@@ -17,7 +17,7 @@ const CUTS: u32 = 5;
 
 /// A track of a node, whose numbers are asked for.
 #[derive(Clone, Copy)]
-pub(super) struct Of<'a> {
+pub(crate) struct Of<'a> {
     pub(super) scene: &'a Scene,
     pub(super) node: usize,
     pub(super) track: &'a Track,

@@ -5,56 +5,22 @@
 //! back by themselves, and it is one step.
 
 use egui::{CursorIcon, Key, Modifiers, Pos2, Rect, Response, Stroke, StrokeKind, Ui, pos2};
-use vides_engine::scene::{Extrapolation, Part};
+use vides_engine::scene::Part;
 
-use super::key_motion::{Change, KeyMotion, Numbers};
 use super::key_row::{FINE, bubble};
 use super::track_time::Time;
-use super::tracks::{Hit, Shown, bar_of, channel_name, frame_of};
 use crate::action::Action;
 use crate::document::Edit;
-use crate::number::Entry;
-use crate::scene_view::KeyAt;
-use crate::space::Typed;
+use crate::entry::Entry;
+use crate::playing::track_rows::{Hit, Shown, bar_of, channel_name, frame_of};
 use crate::state::Editor;
+use crate::state::playing::tracks::{BarDrag, Change, Held, KeyMotion, KeysDrag, Numbers, Way};
+use crate::state::scene_view::KeyAt;
 use crate::texts::fill;
 use crate::theme;
 
 /// Parts of a frame to which keys are moved with Shift.
 const PARTS: f64 = 10.0;
-
-/// What is held in the rows.
-#[derive(Debug, Default)]
-pub(super) enum Held {
-    #[default]
-    Nothing,
-    Keys(Box<KeysDrag>),
-    Bar(Box<BarDrag>),
-    /// Where the box began: its x, and its row with a fraction; what stays selected besides.
-    Box {
-        x: f32,
-        row: f32,
-        besides: Vec<KeyAt>,
-    },
-}
-
-/// The scene's frames between which keys lie.
-pub(super) fn ends(editor: &Editor, keys: &[KeyAt]) -> Option<(f64, f64)> {
-    let edited = editor.document.edited_scene()?;
-    let frames = keys.iter().filter_map(|at| frame_of(edited, at));
-    let both = frames.map(|frame| (frame, frame));
-    both.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
-}
-
-/// How far the pointer has gone along the time, and what was typed.
-#[derive(Debug, Default)]
-pub(super) struct Way {
-    /// The pointer of the last pass.
-    pointer: f32,
-    /// Frames that it went.
-    gone: f64,
-    typed: Typed,
-}
 
 impl Way {
     pub(super) fn begin(pointer: f32) -> Self {
@@ -138,18 +104,6 @@ impl Way {
     }
 }
 
-/// Keys that are dragged.
-#[derive(Debug)]
-pub(super) struct KeysDrag {
-    keys: Vec<KeyAt>,
-    /// The frame at which what was taken stood.
-    from: f64,
-    /// The other end of the selection, if its time is scaled.
-    about: Option<f64>,
-    way: Way,
-    done: KeyMotion,
-}
-
 impl KeysDrag {
     fn new(keys: Vec<KeyAt>, from: f64, about: Option<f64>, pointer: f32) -> Self {
         let done = KeyMotion::new(keys.clone(), Change::By(0.0), false, Numbers::Stay);
@@ -212,18 +166,6 @@ impl KeysDrag {
         let at = self.done.frame_of(self.from);
         self.way.tell(editor, ui, &name, (time, self.from, at), top);
     }
-}
-
-/// The bar of a path that is dragged.
-#[derive(Debug)]
-pub(super) struct BarDrag {
-    node: usize,
-    from: f64,
-    at: f64,
-    beyond: Extrapolation,
-    /// No pin holds it.
-    free: bool,
-    way: Way,
 }
 
 impl BarDrag {
@@ -342,7 +284,7 @@ pub(super) fn show(
         }
         Held::Box { x, row, besides } => {
             if let Some(pointer) = response.interact_pointer_pos() {
-                let from = pos2(*x, shown.top + *row * super::tracks::ROW);
+                let from = pos2(*x, shown.top + *row * super::track_rows::ROW);
                 boxed(editor, ui, shown, (from, pointer, besides), actions);
             }
         }

@@ -1,270 +1,24 @@
 //! The tracks of nodes as curves: their numbers over frames, with keys that are dragged in both and
 //! the handles of own tangents. What is dragged is [`super::graph_drag`]'s.
 
-use std::collections::BTreeSet;
-
 use egui::{Pos2, Rect, Response, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2};
-use vides_engine::scene::{Channel, Interpolation, Track};
+use vides_engine::scene::{Channel, Track};
 
 use super::axis::Axis;
-use super::graph_drag::{self, Held, Joints, Side};
 use super::graph_paint::{colour, headings, scale, signs};
-use super::track_curve::{Curve, Of, is_read_only};
-use super::track_time::{REACH, Time};
-use super::tracks::{self, Row};
-use super::{key_motion, track_menu};
+use super::track_curve::{Curve, Of};
+use super::track_time::Time;
+use super::{graph_drag, key_motion, track_menu, track_rows, tracks};
 use crate::action::Action;
 use crate::document::EditedScene;
-use crate::scene_view::KeyAt;
+use crate::playing::track_dots::{Fit, Hit, MOST, Shown, range_of, select};
 use crate::state::Editor;
-
-/// As many tracks are shown where none is chosen.
-const MOST: usize = 16;
-
-/// How long a handle is.
-const HANDLE: f32 = 40.0;
-
-/// The share of the height that stays free above and below.
-const FREE: f64 = 0.1;
+pub(super) use crate::state::playing::track_graph::Memory;
+use crate::state::playing::track_graph::{Dot, Held};
+use crate::state::playing::tracks::Row;
 
 /// Curves are this near to what the engine says, in points.
 const NEAR: f64 = 0.15;
-
-/// A number of a key: node, channel, the frame's bits, which number.
-pub(super) type PartOf = (usize, Channel, u64, usize);
-
-/// Numbers of keys that are selected.
-pub(super) type Parts = BTreeSet<PartOf>;
-
-/// What the graph remembers from pass to pass.
-#[derive(Debug, Default)]
-pub(super) struct Memory {
-    /// The tracks that are to be seen; none: those with selected keys, else the first one.
-    chosen: Vec<(usize, Channel)>,
-    /// Of the selected keys; of one that is not there all its numbers are.
-    pub(super) parts: Parts,
-    pub(super) joints: Joints,
-    pub(super) held: Held,
-    /// The least and the greatest number that are seen while something is held.
-    pub(super) range: Option<(f64, f64)>,
-}
-
-/// One number of a key.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Dot {
-    pub(super) at: KeyAt,
-    pub(super) part: usize,
-}
-
-/// From numbers to the screen.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Fit {
-    low: f64,
-    bottom: f64,
-    pub(super) per_point: f64,
-}
-
-impl Fit {
-    fn new((low, high): (f64, f64), rect: Rect) -> Self {
-        let (bottom, height) = (f64::from(rect.bottom()), f64::from(rect.height().max(1.0)));
-        let per_point = (high - low) / height;
-        Self {
-            low,
-            bottom,
-            per_point,
-        }
-    }
-
-    /// What is far away stays within what can be drawn.
-    #[allow(clippy::cast_possible_truncation)]
-    pub(super) fn y(&self, value: f64) -> f32 {
-        let y = self.bottom - (value - self.low) / self.per_point;
-        y.clamp(-1e5, 1e5) as f32
-    }
-}
-
-/// The least and the greatest number that are seen, with room around them.
-fn range_of(bounds: Option<(f64, f64)>) -> (f64, f64) {
-    let (low, high) = bounds.unwrap_or((0.0, 1.0));
-    let least = 1e-9 * low.abs().max(high.abs()).max(1e-3);
-    let more = match high - low > least {
-        true => FREE * (high - low),
-        false => 0.5 * high.abs().max(1.0),
-    };
-    (low - more, high + more)
-}
-
-/// What is seen.
-pub(super) struct Shown<'a> {
-    pub(super) time: Time,
-    pub(super) fit: Fit,
-    pub(super) ground: Rect,
-    pub(super) tracks: Vec<Of<'a>>,
-    pub(super) selected: Vec<KeyAt>,
-}
-
-/// What lies under the pointer.
-pub(super) enum Hit {
-    Nothing,
-    Dot(Dot),
-    Handle(Dot, Side),
-}
-
-impl<'a> Shown<'a> {
-    pub(super) fn place(&self, of: &Of<'_>, key: usize, part: usize) -> Pos2 {
-        let x = self.time.x(of.track.frames()[key]);
-        pos2(x, self.fit.y(of.of_key(key, part)))
-    }
-
-    pub(super) fn track_of(&self, at: &KeyAt) -> Option<Of<'a>> {
-        let same = |of: &&Of<'_>| of.node == at.node && of.track.channel().same_as(&at.channel);
-        self.tracks.iter().find(same).copied()
-    }
-
-    /// Where the handle of a tangent stands.
-    pub(super) fn handle(&self, of: &Of<'_>, dot: &Dot, side: Side) -> Option<Pos2> {
-        let slope = side.slope(of.track, dot.at.key, dot.part)?;
-        let way = vec2(1.0, self.rise(slope)).normalized() * HANDLE * side.sign();
-        Some(self.place(of, dot.at.key, dot.part) + way)
-    }
-
-    /// Points downwards for each to the right, of a number that changes by so much a frame.
-    #[allow(clippy::cast_possible_truncation)]
-    fn rise(&self, slope: f64) -> f32 {
-        let rise = -slope * self.time.axis.frames_per_point() / self.fit.per_point;
-        rise.clamp(-1e6, 1e6) as f32
-    }
-
-    /// The same backwards, of a handle that is so far away from its key.
-    pub(super) fn slope(&self, way: egui::Vec2) -> f64 {
-        let frames = f64::from(way.x) * self.time.axis.frames_per_point();
-        -f64::from(way.y) * self.fit.per_point / frames
-    }
-
-    /// The handles that are seen, of selected numbers.
-    pub(super) fn handles(&self, parts: &Parts) -> Vec<(Dot, Side, Pos2)> {
-        let mut all = Vec::new();
-        for dot in self.dots(parts) {
-            let Some(of) = self.track_of(&dot.at) else {
-                continue;
-            };
-            let sides = [Side::Before, Side::After].into_iter();
-            let places = sides.filter_map(|side| Some((side, self.handle(&of, &dot, side)?)));
-            all.extend(places.map(|(side, place)| (dot.clone(), side, place)));
-        }
-        all
-    }
-
-    /// The selected numbers of keys that are in sight.
-    pub(super) fn dots(&self, parts: &Parts) -> Vec<Dot> {
-        let mut all = Vec::new();
-        for at in &self.selected {
-            let Some(of) = self.track_of(at) else {
-                continue;
-            };
-            let frame = of.track.frames()[at.key];
-            if !self.time.axis.sees(self.time.x(frame)) {
-                continue;
-            }
-            let chosen = parts_of(parts, at, frame, of.width());
-            all.extend(chosen.map(|part| Dot {
-                at: at.clone(),
-                part,
-            }));
-        }
-        all
-    }
-
-    pub(super) fn hit(&self, parts: &Parts, at: Pos2) -> Hit {
-        for (dot, side, place) in self.handles(parts) {
-            if place.distance(at) <= REACH {
-                return Hit::Handle(dot, side);
-            }
-        }
-        let ends = [at.x - REACH, at.x + REACH].map(|x| self.time.frame(x));
-        let mut near: Option<(f32, Dot)> = None;
-        for of in &self.tracks {
-            for key in keys_between(of.track, ends) {
-                for part in 0..of.width() {
-                    let away = self.place(of, key, part).distance(at);
-                    let nearer = near.as_ref().is_none_or(|(known, _)| away < *known);
-                    if away <= REACH && nearer {
-                        near = Some((away, dot(of, key, part)));
-                    }
-                }
-            }
-        }
-        near.map_or(Hit::Nothing, |(_, dot)| Hit::Dot(dot))
-    }
-
-    /// The numbers of keys within a box.
-    pub(super) fn within(&self, place: Rect) -> Vec<Dot> {
-        let ends = [place.left(), place.right()].map(|x| self.time.frame(x));
-        let mut all = Vec::new();
-        for of in &self.tracks {
-            for key in keys_between(of.track, ends) {
-                let inside = (0..of.width())
-                    .filter(|&part| place.y_range().contains(self.place(of, key, part).y));
-                all.extend(inside.map(|part| dot(of, key, part)));
-            }
-        }
-        all
-    }
-}
-
-fn dot(of: &Of<'_>, key: usize, part: usize) -> Dot {
-    let (node, channel) = (of.node, of.track.channel().clone());
-    let at = KeyAt { node, channel, key };
-    Dot { at, part }
-}
-
-pub(super) fn keys_between(track: &Track, [first, last]: [f64; 2]) -> std::ops::Range<usize> {
-    let frames = track.frames();
-    let low = frames.partition_point(|&key| key < first);
-    low..frames.partition_point(|&key| key <= last).max(low)
-}
-
-/// Which numbers of a selected key are.
-pub(super) fn parts_of(
-    parts: &Parts,
-    at: &KeyAt,
-    frame: f64,
-    width: usize,
-) -> impl Iterator<Item = usize> {
-    let key = |part| (at.node, at.channel.clone(), frame.to_bits(), part);
-    let known = parts.range(key(0)..key(usize::MAX));
-    let mut known: Vec<usize> = known.map(|of| of.3).filter(|&part| part < width).collect();
-    if known.is_empty() {
-        known.extend(0..width);
-    }
-    known.into_iter()
-}
-
-/// Selects these numbers.
-pub(super) fn select(
-    memory: &mut Memory,
-    shown: &Shown<'_>,
-    dots: Vec<Dot>,
-    actions: &mut Vec<Action>,
-) {
-    memory.parts.clear();
-    let mut keys: Vec<KeyAt> = Vec::new();
-    for Dot { at, part } in dots {
-        let Some(of) = shown.track_of(&at) else {
-            continue;
-        };
-        let frame = of.track.frames()[at.key].to_bits();
-        let of_key = (at.node, at.channel.clone(), frame, part);
-        if memory.parts.insert(of_key) && keys.last() != Some(&at) {
-            keys.push(at);
-        }
-    }
-    let mut seen = BTreeSet::new();
-    keys.retain(|at| seen.insert((at.node, at.channel.clone(), at.key)));
-    if keys != shown.selected {
-        actions.push(Action::SelectKeys(keys));
-    }
-}
 
 impl Memory {
     /// The rows whose curves are seen.
@@ -375,7 +129,7 @@ pub(super) fn show(
         tracks,
         selected: editor.selected_keys(),
     };
-    let response = ui.interact(ground, tracks::id(), Sense::click_and_drag());
+    let response = ui.interact(ground, track_rows::id(), Sense::click_and_drag());
     let name = editor.texts().timeline.graph_of_keys;
     response.widget_info(|| WidgetInfo::labeled(Role::Canvas, true, name));
     let painter = ui.painter_at(ground.intersect(ui.clip_rect()));
@@ -503,11 +257,6 @@ fn chosen(memory: &Memory, shown: &Shown<'_>, dot: Option<Dot>, held: egui::Modi
         all.rotate_right(1);
     }
     all
-}
-
-/// Whether the numbers of a track have handles.
-pub(super) fn has_handles(track: &Track) -> bool {
-    *track.interpolation() == Interpolation::Hermite && !is_read_only(track)
 }
 
 #[cfg(test)]

@@ -3,13 +3,13 @@
 use egui::{PointerButton, Rangef, Shape};
 use egui_kittest::kittest::Queryable;
 use vides_engine::math::euler::EulerAngles;
-use vides_engine::scene::{Extrapolation, Node, Part, Scene, Warnings};
+use vides_engine::scene::{Extrapolation, Interpolation, Node, Part, Scene, Warnings};
 
 use super::super::graph_drag::tests::apart;
-use super::super::tracks::channel_name;
 use super::super::tracks::tests::*;
 use super::*;
 use crate::document::Edit;
+use crate::playing::track_rows::channel_name;
 use crate::screenshots::screenshot;
 use crate::setup::Theme;
 use crate::space::tests::{motion, release};

@@ -4,11 +4,11 @@
 use egui::{Context, Key, Modifiers};
 
 use super::key_motion::removed;
-use super::tracks::id;
 use super::{markers, ruler, track_clipboard};
 use crate::action::Action;
-use crate::scene_view::KeyAt;
+use crate::playing::track_rows::id;
 use crate::state::Editor;
+use crate::state::scene_view::KeyAt;
 
 /// Takes the keys that are the timeline's before anybody else has them.
 pub(crate) fn take_keys(editor: &mut Editor, context: &Context) {

@@ -7,12 +7,13 @@ use vides_engine::scene::{
     Channel, Extrapolation, Interpolation, Manner, Part, Track, Warnings, host,
 };
 
-use super::tracks::{Row, bar_of, channel_name};
 use super::{key_menu, track_graph};
 use crate::action::Action;
 use crate::document::Edit;
 use crate::error::Result;
+use crate::playing::track_rows::{bar_of, channel_name};
 use crate::state::Editor;
+use crate::state::playing::tracks::Row;
 use crate::texts::refusals::of_edit;
 use crate::texts::{Texts, fill};
 

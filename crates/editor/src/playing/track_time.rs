@@ -12,7 +12,7 @@ pub(super) const REACH: f32 = 6.0;
 
 /// From frames of the scene to the screen.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Time {
+pub(crate) struct Time {
     pub(super) axis: Axis,
 }
 

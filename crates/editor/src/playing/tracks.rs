@@ -1,239 +1,34 @@
 //! Rows of the selected nodes below the keys of the path: their paths as bars, their tracks as
 //! diamonds. What is dragged there is [`super::track_drag`]'s.
 
-use std::collections::HashSet;
 use std::ops::Range;
 
 use egui::{
-    Align2, CursorIcon, Id, Painter, Pos2, Rangef, Rect, Response, Role, ScrollArea, Sense, Shape,
-    Stroke, StrokeKind, Ui, UiBuilder, WidgetInfo, pos2, vec2,
+    CursorIcon, Painter, Rangef, Rect, Response, Role, ScrollArea, Sense, Stroke, StrokeKind, Ui,
+    UiBuilder, WidgetInfo, pos2, vec2,
 };
-use vides_engine::scene::{Channel, FollowPath, Node, Track};
+use vides_engine::scene::{FollowPath, Node, Track};
 
-use super::as_frame;
 use super::axis::Axis;
-use super::track_drag::{self, Held};
-use super::track_time::{APART, REACH, Time};
-use super::{graph_paint, pins, track_graph, track_menu};
+use super::track_time::{APART, Time};
+use super::{graph_paint, pins, track_drag, track_graph, track_menu, track_rows};
 use crate::action::Action;
 use crate::document::EditedScene;
 use crate::path::Sampler;
-use crate::scene_view::KeyAt;
+use crate::playing::axis::as_frame;
+use crate::playing::track_rows::{Hit, ROW, Shown, bar_of, caption, diamond, id};
 use crate::state::Editor;
-use crate::texts::fill;
+pub(super) use crate::state::playing::tracks::Memory;
+use crate::state::playing::tracks::Row;
+use crate::state::scene_view::KeyAt;
 use crate::theme;
-
-pub(super) const ROW: f32 = 20.0;
 
 /// Half of a key's sign; of that of a node, which stands for keys of several tracks.
 const SIGN: f32 = 4.5;
 const SMALL: f32 = 3.0;
 
-/// A bracket stands this far outside of the keys between which it scales the time.
-const OUTSIDE: f32 = 10.0;
-
 /// The switch between rows and curves.
 const SWITCH: egui::Vec2 = vec2(22.0, 18.0);
-
-/// Indent of the tracks' names.
-const INDENT: f32 = 12.0;
-
-/// What the rows remember from pass to pass.
-#[derive(Debug, Default)]
-pub(super) struct Memory {
-    pub(super) held: Held,
-    /// Nodes whose tracks are not shown.
-    folded: HashSet<usize>,
-    /// The row whose menu is open.
-    pub(super) menu: Option<Row>,
-    /// Curves are seen in place of rows.
-    pub(super) curves: bool,
-    pub(super) graph: track_graph::Memory,
-}
-
-/// A row: a node, or one of its tracks by number.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Row {
-    pub(super) node: usize,
-    pub(super) track: Option<usize>,
-}
-
-impl Row {
-    pub(super) fn node(self, edited: &EditedScene) -> Option<&Node> {
-        edited.scene().nodes().get(self.node)
-    }
-
-    pub(super) fn track(self, edited: &EditedScene) -> Option<&Track> {
-        self.node(edited)?.keys().tracks().get(self.track?)
-    }
-
-    /// The tracks that it shows: its own, or all of its node.
-    fn tracks(self, edited: &EditedScene) -> &[Track] {
-        let Some(node) = self.node(edited) else {
-            return &[];
-        };
-        let all = node.keys().tracks();
-        match self.track {
-            Some(at) => all.get(at..=at).unwrap_or_default(),
-            None => all,
-        }
-    }
-}
-
-/// What lies under the pointer.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) enum Hit {
-    Nothing,
-    Keys(Vec<KeyAt>),
-    /// The bracket before the first selected key, or that behind the last one.
-    End {
-        first: bool,
-    },
-    /// The bar of a node's path.
-    Bar(usize),
-}
-
-/// The rows of the selected nodes that move.
-pub(super) fn rows(editor: &Editor, memory: &Memory) -> Vec<Row> {
-    let Some(edited) = editor.document.edited_scene() else {
-        return Vec::new();
-    };
-    let nodes = edited.scene().nodes();
-    let selected = editor.selected_nodes();
-    let mut rows = Vec::with_capacity(2 * selected.len());
-    for node in selected {
-        let tracks = nodes[node].keys().tracks().len();
-        if tracks == 0 && nodes[node].path().is_none() {
-            continue;
-        }
-        rows.push(Row { node, track: None });
-        if memory.folded.is_empty() || !memory.folded.contains(&node) {
-            rows.extend((0..tracks).map(|track| Row {
-                node,
-                track: Some(track),
-            }));
-        }
-    }
-    rows
-}
-
-/// What has the keyboard where keys are selected.
-pub(super) fn id() -> Id {
-    Id::unique("tracks of nodes")
-}
-
-/// The rows as they stand on the screen.
-pub(super) struct Shown<'a> {
-    pub(super) rows: &'a [Row],
-    pub(super) time: Time,
-    /// Where the first one begins; what is seen of them.
-    pub(super) top: f32,
-    pub(super) ground: Rect,
-    /// The selected keys, and the scene's frames between which they lie.
-    pub(super) selected: Vec<KeyAt>,
-    pub(super) ends: Option<(f64, f64)>,
-}
-
-impl Shown<'_> {
-    pub(super) fn number_at(&self, y: f32) -> f32 {
-        (y - self.top) / ROW
-    }
-
-    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-    pub(super) fn row_at(&self, y: f32) -> Option<Row> {
-        let number = self.number_at(y);
-        let there = number >= 0.0;
-        self.rows.get(number as usize).copied().filter(|_| there)
-    }
-
-    /// What is there of keys, brackets and bars.
-    pub(super) fn hit(&self, editor: &Editor, at: Pos2) -> Hit {
-        let Some((edited, row)) = editor.document.edited_scene().zip(self.row_at(at.y)) else {
-            return Hit::Nothing;
-        };
-        let tracks = row.tracks(edited);
-        let near = |track: &Track| {
-            let key = self.time.nearest(track.frames(), at.x)?;
-            Some(track.frames()[key])
-        };
-        let away = |frame: &f64| (self.time.x(*frame) - at.x).abs();
-        let frames = tracks.iter().filter_map(near);
-        if let Some(frame) = frames.min_by(|a, b| away(a).total_cmp(&away(b))) {
-            let same = |track: &Track| {
-                let frames = track.frames();
-                let key = frames.partition_point(|&key| key < frame);
-                (frames.get(key) == Some(&frame)).then(|| KeyAt {
-                    node: row.node,
-                    channel: track.channel().clone(),
-                    key,
-                })
-            };
-            return Hit::Keys(tracks.iter().filter_map(same).collect());
-        }
-        if let Some(brackets) = self.brackets() {
-            for (x, first) in brackets.into_iter().zip([true, false]) {
-                if (x - at.x).abs() <= 0.5 * REACH {
-                    return Hit::End { first };
-                }
-            }
-        }
-        let bar = row
-            .track
-            .is_none()
-            .then(|| bar_of(editor, edited, row.node));
-        match bar.flatten() {
-            Some((first, last)) if (self.time.x(first)..=self.time.x(last)).contains(&at.x) => {
-                Hit::Bar(row.node)
-            }
-            _ => Hit::Nothing,
-        }
-    }
-
-    /// Where the brackets stand by which the time between the selected keys is scaled.
-    fn brackets(&self) -> Option<[f32; 2]> {
-        let (first, last) = self.ends.filter(|(first, last)| first < last)?;
-        Some([self.time.x(first) - OUTSIDE, self.time.x(last) + OUTSIDE])
-    }
-}
-
-/// The scene's frames between which a node's path moves it.
-pub(super) fn bar_of(editor: &Editor, edited: &EditedScene, node: usize) -> Option<(f64, f64)> {
-    let path = edited.scene().nodes().get(node)?.path()?;
-    if edited.node() == Some(node) {
-        // The path as it is now.
-        let first = editor.document.start_frame();
-        let frames = as_frame(editor.playing.marks.frames.max(1));
-        return Some((first, first + frames - 1.0));
-    }
-    Some(path.first_and_last())
-}
-
-/// The frame of a key.
-pub(super) fn frame_of(edited: &EditedScene, at: &KeyAt) -> Option<f64> {
-    let node = edited.scene().nodes().get(at.node)?;
-    let track = node.keys().track(&at.channel)?;
-    track.frames().get(at.key).copied()
-}
-
-/// What a channel is called.
-pub(super) fn channel_name(editor: &Editor, channel: &Channel) -> String {
-    let texts = &editor.texts().timeline;
-    match channel {
-        Channel::Position => texts.position.to_owned(),
-        Channel::Rotation => texts.rotation.to_owned(),
-        Channel::Scale => texts.scale.to_owned(),
-        Channel::Visible => texts.visible.to_owned(),
-        Channel::Zoom => texts.zoom.to_owned(),
-        Channel::Roll => texts.roll.to_owned(),
-        Channel::Colour => texts.colour.to_owned(),
-        Channel::Intensity => texts.intensity.to_owned(),
-        Channel::Cone => texts.cone.to_owned(),
-        Channel::Weights => texts.weights.to_owned(),
-        Channel::AimWeight => texts.aim_weight.to_owned(),
-        Channel::Deformation { at, parameter } => fill(texts.deformation, &[&(at + 1), parameter]),
-        Channel::Value { name, .. } => name.clone(),
-    }
-}
 
 /// Shows these rows in `rect`, their names in `captions` points at the left of it; words above them
 /// end at `top`.
@@ -294,7 +89,7 @@ fn shown_as_rows(
                     time: Time::new(axis),
                     top: top_of_rows,
                     ground,
-                    ends: track_drag::ends(editor, &selected),
+                    ends: track_rows::ends(editor, &selected),
                     selected,
                 };
                 all(editor, memory, ui, (&shown, left));
@@ -352,65 +147,6 @@ fn seen(shown: &Shown<'_>) -> Range<usize> {
     let (first, last) = (number(shown.ground.top()), number(shown.ground.bottom()));
     let count = shown.rows.len();
     (first.floor() as usize).min(count)..(last.ceil() as usize).min(count)
-}
-
-/// The name of a row; that of a node folds its tracks.
-pub(super) fn caption(
-    editor: &Editor,
-    memory: &mut Memory,
-    ui: &Ui,
-    (row, room): (Row, Rect),
-    edited: &EditedScene,
-) {
-    let palette = theme::palette(ui);
-    let Some(node) = row.node(edited) else {
-        return;
-    };
-    let painter = ui.painter_at(room.intersect(ui.clip_rect()));
-    let place = room.left_center() + vec2(INDENT, 0.0);
-    if let Some(track) = row.track(edited) {
-        let words = channel_name(editor, track.channel());
-        painter.text(
-            place,
-            Align2::LEFT_CENTER,
-            words,
-            theme::small(),
-            palette.weak,
-        );
-        return;
-    }
-    let response = ui.interact(room, Id::unique(("tracks of", row.node)), Sense::CLICK);
-    let words = fill(editor.texts().timeline.tracks_of, &[&node.name]);
-    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, words.as_str()));
-    let colour = match response.hovered() {
-        true => palette.focus,
-        false => palette.text,
-    };
-    if !node.keys().tracks().is_empty() {
-        let open = !memory.folded.contains(&row.node);
-        painter.add(theme::triangle(
-            room.left_center() + vec2(5.0, 0.0),
-            open,
-            colour,
-        ));
-    }
-    painter.text(
-        place,
-        Align2::LEFT_CENTER,
-        &node.name,
-        theme::small(),
-        colour,
-    );
-    if response.clicked() && !memory.folded.remove(&row.node) {
-        memory.folded.insert(row.node);
-    }
-}
-
-/// A square on its corner.
-pub(super) fn diamond(middle: Pos2, half: f32, fill: egui::Color32, line: Stroke) -> Shape {
-    let corners = [(0.0, -half), (half, 0.0), (0.0, half), (-half, 0.0)];
-    let corners = corners.map(|(x, y)| middle + vec2(x, y));
-    Shape::convex_polygon(corners.to_vec(), fill, line)
 }
 
 fn diamonds(shown: &Shown<'_>, ui: &Ui, painter: &Painter, (row, track): (Row, &Track), y: f32) {

@@ -1,20 +1,21 @@
 //! Tests of [`super`], by mouse and keys as in the window.
 
-use egui::{Event, Key, Modifiers, MouseWheelUnit, PointerButton};
+use egui::{Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Shape};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
-use vides_engine::scene::{Extrapolation, Interpolation, Kind, Part, Scene};
+use vides_engine::scene::{Channel, Extrapolation, Interpolation, Kind, Part, Scene};
 
 use super::*;
 use crate::document::{Document, Edit};
 use crate::path::CameraPath;
+use crate::playing::track_rows::OUTSIDE;
 use crate::screenshots::screenshot;
 use crate::setup::Theme;
 use crate::space::tests::{motion, press, release, tap};
 use crate::tests::{
     BOTH, LARGE, SMALL, functions_change, functions_stay, options, spent, window_of,
 };
-use crate::texts::Language;
+use crate::texts::{Language, fill};
 
 pub(in crate::playing) type Window = Harness<'static, Editor>;
 

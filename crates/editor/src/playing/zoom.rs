@@ -5,7 +5,7 @@ use egui::{Event, Key, Modifiers, MouseWheelUnit, PointerButton, Rect, Ui};
 use vides_engine::scene::Track;
 
 use super::axis::Axis;
-use super::{ruler, track_drag, tracks};
+use super::{ruler, track_rows};
 use crate::action::Action;
 use crate::state::Editor;
 
@@ -54,14 +54,14 @@ pub(super) fn by_mouse(
 /// tracks shows everything.
 pub(super) fn by_keys(editor: &Editor, ui: &Ui, axis: &Axis, actions: &mut Vec<Action>) {
     let has = |id| ui.memory(|memory| memory.has_focus(id));
-    let (rows, ruler) = (has(tracks::id()), has(ruler::id()));
+    let (rows, ruler) = (has(track_rows::id()), has(ruler::id()));
     if !(rows || ruler) || editor.document.edited_scene().is_none() {
         return;
     }
     let pressed = |modifiers| ui.input_mut(|input| input.consume_key(modifiers, Key::Home));
     if pressed(Modifiers::SHIFT) {
         let keys = editor.selected_keys();
-        let ends = track_drag::ends(editor, &keys).or_else(|| of_nodes(editor));
+        let ends = track_rows::ends(editor, &keys).or_else(|| of_nodes(editor));
         if let Some((first, last)) = ends {
             let seen = axis.between(first, last);
             actions.push(Action::See(seen));
@@ -77,7 +77,7 @@ pub(super) fn of_nodes(editor: &Editor) -> Option<(f64, f64)> {
     let nodes = edited.scene().nodes();
     let of_node = |node: usize| {
         let tracks = nodes[node].keys().tracks().iter().map(Track::ends);
-        tracks.chain(tracks::bar_of(editor, edited, node))
+        tracks.chain(track_rows::bar_of(editor, edited, node))
     };
     let ends = editor.selected_nodes().into_iter().flat_map(of_node);
     ends.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))

@@ -6,13 +6,14 @@ use vides_engine::deform::{Bounds, Deformation};
 use vides_engine::scene::{Channel, Kind, Object, Part};
 
 use super::keys_panel::{AXES, Shown, indent};
-use super::node_action::NodeAction;
 use crate::action::Action;
 use crate::document::Edit;
 use crate::document::tool::Cage;
-use crate::number::{Entry, Number};
-use crate::panels::share;
+use crate::entry::Entry;
+use crate::number::Number;
+use crate::panels::parts::share;
 use crate::state::Editor;
+use crate::state::scene_view::NodeAction;
 use crate::texts::fill;
 use crate::texts::refusals::reason_of;
 use crate::theme;

@@ -3,10 +3,10 @@
 use egui::Context;
 use vides_engine::scene::Kind;
 
-use super::commands::NodeCommand;
 use crate::action::Action;
 use crate::document::{CopiedNodes, Edit};
 use crate::state::Editor;
+use crate::state::scene_view::NodeCommand;
 use crate::texts::fill;
 use crate::texts::refusals::{of_edit, reason_of};
 

@@ -4,47 +4,17 @@
 use glam::{DAffine3, DVec3};
 use vides_engine::scene::{Geometry, Keep, Kind, Light, Node, Object, Part, Scene};
 
-use super::parent_window::ParentWindow;
 use crate::document::Edit;
 use crate::error::Result;
-use crate::files::Purpose;
 use crate::math::orientation::quaternion_from_view;
 use crate::path::Space;
 use crate::space::Camera;
 use crate::state::Editor;
+use crate::state::files::Purpose;
+use crate::state::scene_view::{NewNode, NodeCommand};
+use crate::state::windows::ParentWindow;
 use crate::texts::fill;
 use crate::texts::refusals::of_edit;
-
-/// What is done to nodes.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) enum NodeCommand {
-    /// Ask for a file of a mesh, to be added as an object.
-    AddObject,
-    Add(NewNode),
-    /// Give a node another name.
-    Rename(usize, String),
-    /// Remove the selected ones with all that is in them.
-    Remove,
-    /// Copy the selected ones with all that is in them.
-    Copy,
-    /// Add those of a text.
-    Paste(String),
-    /// Put these into a node, or into the scene itself.
-    PutInto(Vec<usize>, Option<usize>),
-    /// The same, where those that move keep this.
-    PutAs(Vec<usize>, Option<usize>, Keep),
-}
-
-/// A node that begins without a file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum NewNode {
-    /// Above the space, shining into all directions.
-    Light,
-    /// As the view that is shown now.
-    Camera,
-    /// At the origin.
-    Group,
-}
 
 /// How far above the middle of the space a new light stands, in half sizes.
 const HIGH: f64 = 0.75;

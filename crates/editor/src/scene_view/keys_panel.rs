@@ -7,12 +7,13 @@ use egui::{Color32, Response, RichText, Role, Sense, Shape, Stroke, Ui, Vec2, Wi
 use glam::DQuat;
 use vides_engine::scene::{Channel, Node};
 
-use super::node_action::NodeAction;
 use super::values::{KeyState, angles_of, path_moves};
 use crate::action::Action;
-use crate::number::{Entry, Number};
-use crate::panels::share;
+use crate::entry::Entry;
+use crate::number::Number;
+use crate::panels::parts::share;
 use crate::state::Editor;
+use crate::state::scene_view::NodeAction;
 use crate::texts::fill;
 use crate::theme;
 

@@ -8,15 +8,16 @@ use vides_engine::scene::{Camera, Channel, Kind, Light, Object, Rest};
 
 use super::keys_panel::{Shown, Words, channel, indent};
 use super::list_row;
-use super::node_action::NodeAction;
 use super::node_panel::{degrees, enter_rest, rest_edit};
 use crate::action::Action;
-use crate::files::{Purpose, short};
+use crate::files::short;
 use crate::limits::{MAX_COORDINATE, MAX_ZOOM, MIN_ZOOM};
 use crate::number::Number;
-use crate::panels::{Heading, PanelButton, apart, button_row};
+use crate::panels::parts::{Heading, PanelButton, apart, button_row, share};
 use crate::setup::Fold;
 use crate::state::Editor;
+use crate::state::files::Purpose;
+use crate::state::scene_view::NodeAction;
 use crate::texts::fill;
 use crate::theme;
 
@@ -192,7 +193,7 @@ fn mesh(editor: &Editor, ui: &mut Ui, of: Shown<'_>, object: &Object, actions: &
         label.on_hover_text(&source.file);
     }
     ui.horizontal(|ui| {
-        let width = crate::panels::share(ui, 2);
+        let width = share(ui, 2);
         let size = vec2(width, theme::ROW);
         let load = ui.add_sized(size, Button::new(texts.load));
         if load.on_hover_text(texts.load_mesh_hint).clicked() {

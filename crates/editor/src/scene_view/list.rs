@@ -6,14 +6,13 @@ use egui::{
     RichText, Role, ScrollArea, Sense, Stroke, StrokeKind, Ui, WidgetInfo, vec2,
 };
 
-use super::commands::NodeCommand;
 use super::list_row::{EYE, Shown, kind, paint, show_eye, sign_color};
 use super::panel::trouble;
-use super::rows::Rows;
 use super::selection::select;
 use crate::action::Action;
-use crate::points_list::NameField;
 use crate::state::Editor;
+use crate::state::points_list::NameField;
+use crate::state::scene_view::{NodeCommand, SceneList};
 use crate::texts::fill;
 use crate::theme;
 
@@ -26,24 +25,6 @@ const SIGN: f32 = 16.0;
 
 /// Where there are more nodes names can be looked for.
 const MANY: usize = 12;
-
-#[derive(Debug, Default)]
-pub(crate) struct SceneList {
-    rows: Rows,
-    filter: String,
-    /// The node whose name is being typed.
-    renaming: Option<(usize, NameField)>,
-    /// The node whose row is being dragged.
-    dragged: Option<usize>,
-    /// The current node when it was last shown.
-    shown: Option<usize>,
-    /// Where to scroll while something is dragged.
-    wanted: Option<f32>,
-    /// Top and bottom of what the scroll area has shown.
-    seen: (f32, f32),
-    /// The pass in which it was last shown.
-    pass: u64,
-}
 
 /// Whether this pass has shown the list.
 pub(super) fn is_shown(editor: &Editor, context: &Context) -> bool {

@@ -7,11 +7,11 @@ use egui::{
 use vides_engine::scene::{Channel, Kind, Node, Scene};
 
 use super::list::id;
-use super::node_action::NodeAction;
 use super::rows::Row;
 use crate::action::Action;
-use crate::number::Entry;
+use crate::entry::Entry;
 use crate::state::Editor;
+use crate::state::scene_view::NodeAction;
 use crate::texts::fill;
 use crate::theme;
 

@@ -6,21 +6,19 @@ use egui::{Event, PointerButton, Pos2, Vec2};
 use egui_kittest::kittest::{NodeT, by};
 use glam::{DAffine3, DQuat};
 use vides_engine::scene::{
-    Extrapolation, FollowPath, Interpolation, Keep, KeyList, Kind, Light, NodeState, Object, Part,
-    Track, Values,
+    Channel, Extrapolation, FollowPath, Interpolation, Keep, KeyList, Kind, Light, Node, NodeState,
+    Object, Part, Scene, Track, Values, Warnings,
 };
 
-use super::super::NewNode;
-use super::super::commands::NodeCommand;
 use super::*;
 use crate::document::StepName;
-use crate::files::Purpose;
 use crate::path::CameraPath;
 use crate::screenshots::screenshot;
 use crate::space::Camera;
 use crate::space::tests::{self as space, motion, press as press_at, release};
+use crate::state::files::Purpose;
+use crate::state::scene_view::{NewNode, NodeCommand};
 use crate::tests::*;
-use vides_engine::scene::{Channel, Node, Scene, Warnings};
 
 const LEFT: PointerButton = PointerButton::Primary;
 const NONE: Modifiers = Modifiers::NONE;

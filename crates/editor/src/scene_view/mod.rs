@@ -9,7 +9,7 @@
 mod boxes;
 mod clipboard;
 mod commands;
-mod edges;
+pub(crate) mod edges;
 mod keys_panel;
 mod kind_panel;
 mod list;
@@ -21,72 +21,30 @@ mod object_panel;
 mod panel;
 mod parent_window;
 mod pivot;
-mod rows;
+pub(crate) mod rows;
 mod selection;
 mod values;
 mod wires;
 
-use std::cell::RefCell;
-
 use glam::{DAffine3, DVec3};
-use vides_engine::scene::{NodeState, Scene, Warnings};
-use vides_engine::tools::fit::Tolerance;
+use vides_engine::scene::{NodeState, Warnings};
 
-pub(super) use self::commands::{NewNode, NodeCommand};
 pub(super) use self::list::{has_keyboard, list, take_keys};
-pub(super) use self::node_action::NodeAction;
 pub(super) use self::node_panel::beside;
 pub(super) use self::panel::show;
-pub(super) use self::parent_window::ParentWindow;
-pub(super) use self::selection::{KeyAt, SceneSelection};
 pub(super) use self::wires::{Seen, each_object, other_paths, outline, wires};
 use crate::document::Document;
 use crate::error::{Error, Refused, Result};
-use crate::files::MeshFiles;
 use crate::path::{Pose, Space};
 use crate::space::Camera;
 use crate::state::Editor;
-
-#[derive(Debug, Default)]
-pub(super) struct SceneView {
-    selection: SceneSelection,
-    /// The deformation whose box is shown: its node and its number there.
-    deformation: Option<(usize, usize)>,
-    /// What a node has besides its path is at the right, not the path's points.
-    shows_node: bool,
-    pub(super) mesh_files: MeshFiles,
-    /// How near a path comes to keys and keys to a path; none: as usual.
-    tolerance: Option<Tolerance>,
-    list: RefCell<list::SceneList>,
-    now: RefCell<Option<Now>>,
-    pub(super) edges: RefCell<edges::Edges>,
-}
+use crate::state::scene_view::{Now, SceneView};
 
 impl SceneView {
     /// Brings what is selected up to date.
     pub(super) fn follow(&mut self, document: &Document) {
         self.selection.follow(document);
     }
-}
-
-/// The scene at the playhead.
-#[derive(Debug)]
-pub(super) struct Now {
-    pub(super) scene: Scene,
-    /// By node number.
-    pub(super) states: Vec<NodeState>,
-    /// Of the scene, not of the path.
-    pub(super) frame: f64,
-    /// The node whose path is edited.
-    pub(super) edited: Option<usize>,
-    /// From the world into the coordinates of the edited path.
-    pub(super) into_path: DAffine3,
-    /// A node that cannot move as it should, and why.
-    pub(super) trouble: Option<(usize, Error)>,
-    /// [`crate::document::EditedScene::meshes`].
-    pub(super) meshes: u64,
-    /// [`crate::document::EditedScene::number`] and [`Document::revision`].
-    pub(super) made_of: (u64, u64),
 }
 
 impl Now {

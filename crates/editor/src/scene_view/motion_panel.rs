@@ -5,14 +5,15 @@ use vides_engine::scene::{Extrapolation, Part};
 use vides_engine::tools::fit::Tolerance;
 
 use super::keys_panel::Shown;
-use super::node_action::{Moves, NodeAction};
 use crate::action::Action;
 use crate::document::Edit;
+use crate::entry::Entry;
 use crate::limits::MAX_COORDINATE;
-use crate::number::{Entry, Number, decimals};
-use crate::panels::{Heading, PanelButton, apart, button_row, share};
+use crate::number::{Number, decimals};
+use crate::panels::parts::{Heading, PanelButton, apart, button_row, share};
 use crate::setup::Fold;
 use crate::state::Editor;
+use crate::state::scene_view::{Moves, NodeAction};
 use crate::texts::fill;
 use crate::theme;
 

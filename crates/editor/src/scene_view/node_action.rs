@@ -5,44 +5,9 @@ use vides_engine::tools::fit::Tolerance;
 
 use crate::document::{Document, Edit, Info};
 use crate::error::{Refused, Result};
-use crate::files::Purpose;
-use crate::number::Entry;
 use crate::path::CameraPath;
 use crate::state::Editor;
-
-/// What is asked for in the panels of a node.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) enum NodeAction {
-    /// An entry into what the node has.
-    Enter(Box<Entry<Edit>>),
-    /// An entry into a channel, see [`Editor::set_channel`].
-    Value(usize, Channel, Entry<Vec<f64>>),
-    /// A click on a diamond.
-    SwitchKey(usize, Channel),
-    /// Keys for position, rotation and scale of the selected nodes.
-    SetKeys,
-    Motion(usize, Moves),
-    /// Few keys in place of its path.
-    FewKeys(usize),
-    /// How near: position, and degrees.
-    Near(f64, f64),
-    /// Read its mesh again.
-    Reload(usize),
-    /// Ask for a file.
-    AskFile(Purpose),
-    /// Show what the node has besides its path.
-    ShowNode(bool),
-    /// Show the box of a deformation of a node, or no longer.
-    ShowBox(Option<(usize, usize)>),
-}
-
-/// What moves a node.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Moves {
-    Nothing,
-    Keys,
-    Path,
-}
+use crate::state::scene_view::{Moves, NodeAction};
 
 /// The channels that a path moves.
 const OF_PATH: [Channel; 3] = [Channel::Position, Channel::Rotation, Channel::Zoom];

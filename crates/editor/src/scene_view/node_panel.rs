@@ -4,18 +4,18 @@ use egui::{Button, Popup, Role, ScrollArea, Ui, WidgetInfo, vec2};
 use glam::DVec3;
 use vides_engine::scene::{Channel, Node, Part, Rest};
 
-use super::commands::NodeCommand;
 use super::keys_panel::{AXES, Shown, Words, channel, diamond, indent};
-use super::node_action::NodeAction;
 use super::{kind_panel, list_row, motion_panel, object_panel, panel};
 use crate::action::Action;
 use crate::document::Edit;
-use crate::number::{Entry, Number};
-use crate::panels::{self, Heading, PanelButton, apart, button_row, share};
+use crate::entry::Entry;
+use crate::number::Number;
+use crate::panels::parts::{Heading, PanelButton, apart, button_row, share};
 use crate::setup::Fold;
 use crate::state::Editor;
+use crate::state::scene_view::{NodeAction, NodeCommand};
 use crate::texts::fill;
-use crate::theme;
+use crate::{panels, theme};
 
 /// A long list of nodes scrolls from here on.
 const MENU: f32 = 320.0;
@@ -77,7 +77,7 @@ fn show(editor: &mut Editor, ui: &mut Ui) {
         &motion_panel::show,
     ];
     ScrollArea::vertical().id_salt("node").show(ui, |ui| {
-        ui.set_width(panels::WIDTH);
+        ui.set_width(panels::parts::WIDTH);
         for part in parts {
             // What one has changed the next one sees.
             editor.part(&context, |editor, actions| {
@@ -280,22 +280,24 @@ fn node_menu(
         ..WidgetInfo::labeled(Role::ComboBox, true, name)
     });
     let mut chosen = None;
-    Popup::menu(&response).width(panels::WIDTH).show(|ui| {
-        ui.spacing_mut().item_spacing.y = 0.0;
-        let area = ScrollArea::vertical().max_height(MENU);
-        // None, and all but itself.
-        area.show_rows(ui, theme::ROW, nodes.len(), |ui, rows| {
-            for row in rows {
-                let at = row.checked_sub(1);
-                let at = at.map(|at| at + usize::from(at >= own));
-                let entry = Button::selectable(at == now, called(at)).truncate();
-                let entry = entry.min_size(vec2(ui.available_width(), theme::ROW));
-                if ui.add(entry).clicked() && at != now {
-                    chosen = Some(at);
+    Popup::menu(&response)
+        .width(panels::parts::WIDTH)
+        .show(|ui| {
+            ui.spacing_mut().item_spacing.y = 0.0;
+            let area = ScrollArea::vertical().max_height(MENU);
+            // None, and all but itself.
+            area.show_rows(ui, theme::ROW, nodes.len(), |ui, rows| {
+                for row in rows {
+                    let at = row.checked_sub(1);
+                    let at = at.map(|at| at + usize::from(at >= own));
+                    let entry = Button::selectable(at == now, called(at)).truncate();
+                    let entry = entry.min_size(vec2(ui.available_width(), theme::ROW));
+                    if ui.add(entry).clicked() && at != now {
+                        chosen = Some(at);
+                    }
                 }
-            }
+            });
         });
-    });
     response.on_hover_text(hint);
     chosen
 }

@@ -4,9 +4,9 @@ use vides_engine::scene::{Extrapolation, FollowPath, Kind, Light, Mesh, Node, Ob
 
 use super::*;
 use crate::document::StepName;
-use crate::files::Purpose;
 use crate::path::CameraPath;
 use crate::screenshots::screenshot;
+use crate::state::files::Purpose;
 use crate::tests::*;
 
 const CAMERA: usize = 0;

@@ -6,14 +6,15 @@ use vides_engine::scene::{Channel, Kind, Object, Part};
 
 use super::keys_panel::{Shown, Sign, Words, channel, heading, sign};
 use super::kind_panel::plain;
-use super::node_action::NodeAction;
 use crate::action::Action;
 use crate::document::Edit;
-use crate::files::Purpose;
-use crate::number::{Entry, Number};
-use crate::panels::{Heading, PanelButton, apart, button_row};
+use crate::entry::Entry;
+use crate::number::Number;
+use crate::panels::parts::{Heading, PanelButton, apart, button_row};
 use crate::setup::Fold;
 use crate::state::Editor;
+use crate::state::files::Purpose;
+use crate::state::scene_view::NodeAction;
 use crate::texts::fill;
 use crate::theme;
 

@@ -3,28 +3,17 @@
 use egui::{Button, Context, vec2};
 use vides_engine::scene::Keep;
 
-use super::commands::NodeCommand;
 use crate::action::Action;
 use crate::state::Editor;
+use crate::state::scene_view::NodeCommand;
+use crate::state::windows::ParentWindow;
 use crate::texts::fill;
 use crate::texts::refusals::reason_of;
 use crate::theme;
-use crate::windows::sub_window;
+use crate::windows::sub_window::sub_window;
 
 /// The width of its buttons.
 const WIDTH: f32 = 260.0;
-
-#[derive(Debug)]
-pub(crate) struct ParentWindow {
-    nodes: Vec<usize>,
-    parent: Option<usize>,
-    /// [`crate::document::EditedScene::number`] of the scene that it asks about.
-    number: u64,
-    /// Whom it asks about.
-    text: String,
-    /// Why their way cannot be kept.
-    refused: Option<String>,
-}
 
 impl ParentWindow {
     pub(crate) const ID: &'static str = "parent";

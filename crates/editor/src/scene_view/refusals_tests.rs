@@ -2,7 +2,7 @@
 
 use vides_engine::scene::{Kind, Light, Node, Scene};
 
-use crate::files::Purpose;
+use crate::state::files::Purpose;
 use crate::tests::*;
 
 const LAMP: usize = 1;

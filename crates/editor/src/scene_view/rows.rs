@@ -17,7 +17,7 @@ pub(super) struct Row {
 }
 
 #[derive(Debug, Default)]
-pub(super) struct Rows {
+pub(crate) struct Rows {
     rows: Vec<Row>,
     /// [`crate::document::EditedScene::number`] of what they show.
     made_of: Option<u64>,

@@ -1,33 +1,10 @@
 //! Which nodes and keys of a scene are selected. Selecting is no step, and stands in no file.
 
-use vides_engine::scene::Channel;
+use crate::state::scene_view::{KeyAt, SceneSelection};
 
 use crate::action::Action;
 use crate::document::{Document, EditedScene};
 use crate::state::Editor;
-
-/// A key of a track, from 0.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct KeyAt {
-    pub(crate) node: usize,
-    pub(crate) channel: Channel,
-    pub(crate) key: usize,
-}
-
-/// What is selected of a scene. It follows numbers that change: those of nodes by what the document
-/// tells, in another scene by names; those of keys by their frames.
-#[derive(Debug, Default)]
-pub(crate) struct SceneSelection {
-    /// The current one first.
-    nodes: Vec<usize>,
-    /// Their names.
-    names: Vec<String>,
-    keys: Vec<KeyAt>,
-    /// Their frames, and the names of their nodes.
-    frames: Vec<(f64, String)>,
-    /// [`EditedScene::numbering`] and [`EditedScene::number`] of the scene in which it is so.
-    made_of: (u64, u64),
-}
 
 impl SceneSelection {
     #[cfg(test)]

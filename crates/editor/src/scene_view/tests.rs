@@ -6,13 +6,14 @@ use std::path::{Path, PathBuf};
 use egui_kittest::kittest::Queryable;
 use vides_engine::scene::{Extrapolation, FollowPath, Kind, Mesh, Node, Object, Scene, Track};
 
+use crate::Language;
 use crate::document::{At, Document, Edit};
 use crate::path::CameraPath;
 use crate::raster::Lines;
 use crate::screenshots::screenshot;
 use crate::setup::Theme;
+use crate::state::{Editor, Options};
 use crate::tests::*;
-use crate::{Editor, Language, Options};
 
 /// A window with the scene of a file.
 fn window_of_file(file: &Path, language: Language, theme: Theme) -> Window {

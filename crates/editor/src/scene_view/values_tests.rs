@@ -1,6 +1,6 @@
 use super::*;
-use crate::Editor;
 use crate::document::Document;
+use crate::state::Editor;
 use crate::tests::{Language, options};
 
 /// An editor of a scene with one group "thing" and a light "lamp", the first selected.

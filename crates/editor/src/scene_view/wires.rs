@@ -3,12 +3,12 @@
 use glam::{DAffine3, DVec3};
 use vides_engine::scene::{Kind, Mesh, Node, Warnings};
 
-use super::Now;
 use super::edges::{Drawn, Edges};
 use crate::document::Document;
 use crate::error::Result;
 use crate::path::curve;
 use crate::state::Editor;
+use crate::state::scene_view::Now;
 
 /// A line of an object; one without length is a point.
 #[derive(Clone, Copy, Debug)]

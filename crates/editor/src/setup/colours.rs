@@ -9,23 +9,16 @@ use crate::action::Action;
 use crate::number::Number;
 use crate::setup::{Colours, Element, Setup, Theme};
 use crate::state::Editor;
+use crate::state::windows::{ColourWindow, Windows};
 use crate::texts::fill;
 use crate::theme;
-use crate::windows::{SubWindow, Windows, docked};
+use crate::windows::docked;
+use crate::windows::sub_window::SubWindow;
 
 /// Width of a name, of a number, and between the columns.
 const NAME: f32 = 44.0;
 const NUMBER: f32 = 56.0;
 const APART: f32 = 8.0;
-
-#[derive(Debug)]
-pub(crate) struct ColourWindow {
-    element: Element,
-    /// The colour before a number was dragged.
-    before: Option<Color32>,
-    /// What Escape gives back: the colours of both themes.
-    before_all: (Colours, Colours),
-}
 
 impl SubWindow for ColourWindow {
     const ID: &'static str = "colours";

@@ -3,14 +3,10 @@
 use crate::action::Action;
 use crate::setup::{Element, Shown};
 use crate::state::Editor;
+use crate::state::windows::{DisplayWindow, Windows};
 use crate::theme;
-use crate::windows::{SubWindow, Windows, docked};
-
-#[derive(Debug)]
-pub(crate) struct DisplayWindow {
-    /// What Escape gives back.
-    before: (Shown, bool),
-}
+use crate::windows::docked;
+use crate::windows::sub_window::SubWindow;
 
 impl SubWindow for DisplayWindow {
     const ID: &'static str = "display";

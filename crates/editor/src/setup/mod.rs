@@ -9,14 +9,12 @@ pub(crate) mod file;
 #[cfg(test)]
 mod window_tests;
 
-pub(crate) use colours::ColourWindow;
-pub(crate) use display::DisplayWindow;
 use egui::Color32;
+use vides_engine::property::choices;
 
 use crate::math::view::HALF_FILM_HEIGHT;
 use crate::texts::Language;
 use crate::theme::rgb;
-use vides_engine::property::choices;
 
 choices! {
     /// Something in the movement window with a colour of its own that can be switched off.

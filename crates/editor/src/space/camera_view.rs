@@ -12,18 +12,17 @@ use glam::{DMat4, DVec2, DVec3, DVec4};
 
 use super::projection::{from_pos, light};
 use super::scene::{EDGE, floor, object_line};
-use super::solid::{Eye, Solid};
 use super::{Camera, drawing, flying, shown_camera};
 use crate::action::Action;
-use crate::host::HostPane;
-use crate::keys;
 use crate::math::view::View;
 use crate::raster::{Line, Lines, Surfaces};
 use crate::scene_view::wires;
 use crate::setup::{Aspect, CameraPlace, Element};
 use crate::state::Editor;
+use crate::state::host::HostPane;
+use crate::state::space::solid::{Eye, Solid};
 use crate::texts::fill;
-use crate::theme;
+use crate::{keys, theme};
 
 /// Initial width of the picture, in points.
 const WIDTH: f32 = 228.0;
@@ -39,9 +38,6 @@ const MIN_WIDTH_FOR_OPTIONS: f32 = 330.0;
 
 /// Distance of the front plane, in half sizes of the movement space.
 const FRONT: f64 = 1e-3;
-
-/// The least share of the room that space and picture have side by side.
-pub(crate) const LEAST_SHARE: f32 = 0.25;
 
 /// Width of the border between them by which it is dragged.
 const BORDER: f32 = 6.0;

@@ -114,7 +114,7 @@ pub(super) fn camera(
 
 /// Small cameras of all points but the current one; made again only when others are seen.
 #[derive(Debug, Default)]
-pub(super) struct KeyCameras {
+pub(crate) struct KeyCameras {
     seen: Option<LookKey>,
     cameras: Vec<Camera>,
     /// Those of this pass, kept for their allocation.

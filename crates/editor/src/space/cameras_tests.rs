@@ -5,6 +5,7 @@ use egui::{Rect, pos2, vec2};
 use super::tests::pyramid;
 use super::*;
 use crate::setup::View;
+use crate::space::ribbon::Ribbon;
 
 /// Every point has a camera, and the ribbon is the flight.
 #[test]

@@ -4,31 +4,14 @@ use glam::{DVec2, DVec3};
 
 use super::projection::{Axis, EDGE_ON, Projection};
 use super::scene::FLOOR_CELLS;
-use super::tangents::{self, Joint, Side};
+use super::tangents;
 use crate::document::{At, Document, Edit, Selection, no_longer_ahead};
 use crate::math::orientation;
 use crate::path::{Orientation, Target, UpVector, ahead};
+use crate::state::space::{DragConstraint, Handle, Joint};
 
 /// Length of the VUP arrow, in half sizes of the movement space.
 pub(super) const VUP_LENGTH: f64 = 0.25;
-
-/// Something that can be dragged.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Handle {
-    /// The tip of the current VUP arrow.
-    Vup,
-    /// The tip of the current VPN arrow: the target.
-    Vpn,
-    Point(usize),
-    /// A control point of the box that a tool deforms.
-    Control(usize),
-    /// The end of a tangent that the current point owns.
-    Tangent(Side),
-    /// The pivot of a selected node.
-    Node(usize),
-    /// A key on the way of a selected node, from 0.
-    Key(usize, usize),
-}
 
 impl Handle {
     /// Whether it belongs to a key of the edited path.
@@ -42,15 +25,6 @@ pub(super) const SNAP: f64 = 5.0 * FLOOR_CELLS as f64 / 2.0;
 
 /// Snap step of a roll, in degrees.
 const SNAP_ROLL: f64 = 15.0;
-
-/// The coordinates in which something moves.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct DragConstraint {
-    /// The axis across the plane in which it moves.
-    pub(super) fixed: Axis,
-    /// The only axis of that plane along which it moves, if any.
-    pub(super) along: Option<Axis>,
-}
 
 impl DragConstraint {
     /// The plane of a button (thesis A.3.1), or the plane seen best if that one is edge-on.

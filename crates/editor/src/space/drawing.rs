@@ -4,21 +4,17 @@ use egui::{CursorIcon, Event, Key, PointerButton, Pos2, Rect, Response, Shape, S
 use glam::DVec3;
 
 use super::Camera;
-use super::pointer::PointerContext;
 use super::projection::from_pos;
-use super::projection_of;
 use crate::action::Action;
-use crate::keys;
+use crate::space::surface::{PointerContext, projection_of};
 use crate::state::Editor;
-use crate::theme;
+use crate::state::space::Drawing;
+use crate::state::windows::ToolWindow;
 use crate::tools::clearance::Clearance;
-use crate::windows::ToolWindow;
+use crate::{keys, theme};
 
 /// A line drawn this near, in points, to lines and points of an object leads through them.
 const NEAR: f64 = 8.0;
-
-#[derive(Debug)]
-pub(super) struct Drawing(Vec<DVec3>);
 
 /// Whether a tool waits for a line.
 pub(super) fn is_wanted(editor: &Editor) -> bool {

@@ -1,33 +1,14 @@
 //! The parts of a drag in the movement window, and what they change.
 
 use glam::DVec3;
+use vides_engine::property::Value;
 
-use super::drag::Handle;
-use super::held_nodes::NodeChange;
-use super::tangents::Side;
 use crate::document::{At, Edit};
 use crate::number::decimals;
 use crate::path::Target;
 use crate::state::Editor;
+use crate::state::space::{Gesture, Handle, NodeChange, Side};
 use crate::texts::fill;
-use vides_engine::property::Value;
-
-/// A part of a drag, by mouse or keys; a whole drag is one step of the history.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Gesture {
-    /// A button goes down, perhaps on a handle.
-    Press(Option<Handle>),
-    Begin,
-    Move(Handle, Edit),
-    /// Changes all that is selected at once; the words describe it.
-    Transform(Edit, String),
-    /// Changes nodes; the words describe it.
-    Nodes(NodeChange, String),
-    /// There is no such motion.
-    Refused(&'static str),
-    End,
-    Cancel,
-}
 
 impl Editor {
     pub(crate) fn gesture(&mut self, gesture: Gesture) {

@@ -8,9 +8,10 @@ use egui::{
 use glam::DVec3;
 
 use super::projection::{Axis, Projection};
-use super::{menu, projection_of, sliders};
+use super::{menu, sliders};
 use crate::action::Action;
 use crate::setup::{Element, View};
+use crate::space::surface::projection_of;
 use crate::state::Editor;
 use crate::texts::fill;
 use crate::theme;

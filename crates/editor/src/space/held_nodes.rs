@@ -10,66 +10,20 @@ use vides_engine::scene::Channel;
 
 use super::projection::{Axis, Projection};
 use crate::math::euler::EulerAngles;
-use crate::scene_view::Now;
 use crate::state::Editor;
+use crate::state::scene_view::Now;
+use crate::state::space::{Grip, Held, NodeChange, Start};
 use crate::texts::fill;
 use crate::texts::refusals::reason_of;
 
 /// A plane of axes seen with less of its area than this is taken as edge-on: nothing moves.
 const EDGE_ON: f64 = 1e-3;
 
-/// What is held.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Grip {
-    /// All selected nodes.
-    Nodes,
-    /// The pivot of the current one.
-    Pivot,
-    /// A key of a node's position, from 0.
-    Key(usize, usize),
-}
-
-/// What a part of a drag changes of nodes.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) enum NodeChange {
-    /// Numbers of channels, see [`Editor::set_channel`].
-    Values(Vec<(usize, Channel, Vec<f64>)>),
-    /// A node's pivot goes there, in its own coordinates; the node stays.
-    Pivot(usize, DVec3),
-    /// The value of a key of a node's position.
-    Key(usize, usize, DVec3),
-}
-
-/// A node as it was when it was taken.
-#[derive(Clone, Debug)]
-struct Start {
-    node: usize,
-    parent: Option<usize>,
-    /// From its parent's coordinates into those of the space.
-    world: DAffine3,
-    pivot: DVec3,
-    position: DVec3,
-    rotation: DQuat,
-    /// Yaw, pitch and roll in degrees, if its keys have them.
-    angles: Option<[f64; 3]>,
-    scale: DVec3,
-}
-
 impl Start {
     /// Its pivot in its parent.
     fn place(&self) -> DVec3 {
         self.position + self.pivot
     }
-}
-
-/// What is held, as it was when it was taken.
-#[derive(Clone, Debug)]
-pub(super) struct Held {
-    grip: Grip,
-    /// The one whose axes hold first.
-    all: Vec<Start>,
-    /// In the first one's parent.
-    middle: DVec3,
 }
 
 /// A motion in the coordinates of the first one's parent.

@@ -1,47 +1,21 @@
 //! What a held mouse button drags, and what its motion leads to.
 
-use egui::{PointerButton, Pos2, Rect};
-use glam::{DVec2, DVec3};
+use egui::Rect;
+use glam::DVec3;
 
-use super::drag::{self, DragConstraint, Handle, Motion, Outcome};
-use super::gesture::Gesture;
-use super::nodes;
+use super::drag::{self, Motion, Outcome};
 use super::projection::{from_pos, scale};
-use super::projection_of;
-use super::tangents::{self, Joint};
 use super::typed::Typed;
+use super::{nodes, tangents};
 use crate::action::Action;
-use crate::selected::SelectionChange;
 use crate::setup::View;
+use crate::space::surface::projection_of;
 use crate::state::Editor;
+use crate::state::selected::SelectionChange;
+use crate::state::space::{Gesture, Handle, Joint, PointerPress};
 
 /// Degrees of turning for each point of motion.
 const TURN: f64 = 0.35;
-
-#[derive(Clone, Copy, Debug)]
-pub(super) struct PointerPress {
-    pub(super) button: PointerButton,
-    pub(super) pressed: Pos2,
-    pub(super) now: Pos2,
-    pub(super) what: Option<Handle>,
-    /// Where that was at first.
-    pub(super) from: DVec3,
-    pub(super) freedom: DragConstraint,
-    /// From the pointer to where fine dragging takes it to be.
-    pub(super) lag: DVec2,
-    pub(super) snaps: bool,
-    /// The other tangent stays, whatever `joint` says.
-    pub(super) alone: bool,
-    pub(super) joint: Joint,
-    pub(super) view: View,
-    /// Shifts the view instead of turning it.
-    pub(super) shifts: bool,
-    /// Draws a box that selects points.
-    pub(super) boxes: bool,
-    /// Adds to what is selected.
-    pub(super) adds: bool,
-    pub(super) moved: bool,
-}
 
 impl PointerPress {
     /// Whether a control point of a tool's box is held; the tool's step is open already.

@@ -4,18 +4,17 @@
 use egui::{Key, Modifiers, Rect};
 use glam::{DMat3, DVec2, DVec3};
 
-use super::drag::{self, Handle};
-use super::gesture::Gesture;
-use super::held_nodes::{Grip, Held, Motion, NodeChange};
-use super::pointer::{PointerController, WHEEL, resized};
+use super::drag;
+use super::held_nodes::Motion;
 use super::projection::{Axis, Projection};
-use super::projection_of;
 use crate::action::Action;
-use crate::actions::step_around;
 use crate::document::{At, Edit, Selection};
 use crate::number::decimals;
 use crate::setup::{CameraPlace, View};
+use crate::space::surface::{WHEEL, projection_of, resized};
 use crate::state::Editor;
+use crate::state::selected::step_around;
+use crate::state::space::{Gesture, Grip, Handle, Held, NodeChange, PointerController};
 use crate::texts::fill;
 
 /// How far an arrow key moves, in half sizes of the space: without and with Shift.

@@ -5,8 +5,8 @@ use egui::{PointerButton, vec2};
 use egui_kittest::Harness;
 
 use super::tests::{image, position, press, pyramid_window, release, tips};
-use crate::Editor;
 use crate::setup::Element;
+use crate::state::Editor;
 
 /// Where the pixels lie that are there because of an element.
 fn pixels_of(harness: &mut Harness<'_, Editor>, element: Element) -> Vec<egui::Pos2> {

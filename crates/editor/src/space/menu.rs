@@ -4,23 +4,14 @@ use egui::containers::menu::menu_style;
 use egui::{Align, Button, Key, Layout, Popup, PopupKind, Pos2, Rect, SetOpenCommand, Ui};
 use glam::DVec3;
 
-use super::drag::Handle;
 use super::picking::REACH;
 use super::projection::from_pos;
 use crate::action::Action;
 use crate::path::Up;
 use crate::setup::{Element, View};
 use crate::state::Editor;
+use crate::state::space::{Handle, PointMenu};
 use crate::texts::fill;
-
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct PointMenu {
-    at: Pos2,
-    /// It is about the current point, else about the view.
-    of_point: bool,
-    /// The corner of the object that lies there.
-    corner: Option<DVec3>,
-}
 
 /// Shows the menu if it is open, and opens it where it was `asked` for.
 pub(super) fn show(

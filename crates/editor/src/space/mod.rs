@@ -6,7 +6,7 @@
 //! [`scene`], [`solid`], [`cameras`], [`ribbon`] and [`overlay`] draw.
 
 pub(crate) mod camera_view;
-mod cameras;
+pub(crate) mod cameras;
 mod drag;
 mod drawing;
 mod flying;
@@ -21,69 +21,46 @@ mod of_nodes;
 mod overlay;
 mod picking;
 mod pointer;
-mod projection;
-mod ribbon;
-mod scene;
+pub(crate) mod projection;
+pub(crate) mod ribbon;
+pub(crate) mod scene;
 mod shown_camera;
 mod sliders;
 mod solid;
 mod start;
 mod strokes;
+mod surface;
 mod tangents;
 mod trail;
 mod transform;
 mod turned;
-mod typed;
+pub(crate) mod typed;
 
 use std::sync::Arc;
 
 use egui::{Context, EventFilter, Painter, Pos2, Rect, Sense, Ui, Vec2};
 use glam::DVec3;
 
-pub(crate) use self::camera_view::LEAST_SHARE;
 pub(super) use self::cameras::Camera;
-use self::cameras::KeyCameras;
-use self::drag::Handle;
-pub(super) use self::gesture::Gesture;
-use self::nodes::Nodes;
 pub(super) use self::nodes::colour as wire_colour;
-use self::pointer::{PointerContext, PointerController};
 use self::projection::Projection;
-use self::ribbon::Ribbon;
-use self::scene::{Look, PathLines};
-use self::solid::{Eye, Solid};
-pub(super) use self::start::Around;
+use self::scene::Look;
 use self::strokes::Strokes;
-pub(super) use self::tangents::Joint;
 pub(super) use self::turned::turned_node;
 pub(super) use self::typed::Typed;
 use crate::action::Action;
 use crate::document::Document;
 use crate::error::Result;
-use crate::path;
 use crate::raster::{Lines, Surfaces};
 use crate::setup::{Element, View};
+use crate::space::projection::cube;
+use crate::space::surface::{PointerContext, projection_of};
 use crate::state::Editor;
+use crate::state::space::solid::Eye;
+use crate::state::space::{Handle, MovementWindow};
 use crate::texts::Texts;
 use crate::texts::refusals::reason_of;
 use crate::{host, points_list, scene_view};
-
-/// The movement window's own state.
-#[derive(Debug, Default)]
-pub(super) struct MovementWindow {
-    pointer: PointerController,
-    lines: PathLines,
-    key_cameras: KeyCameras,
-    ribbon: Ribbon,
-    nodes: Nodes,
-    /// The objects' faces, in the space and in the camera's picture.
-    solid: Solid,
-    seen_solid: Solid,
-    menu: menu::PointMenu,
-    /// The view before one of its numbers was dragged.
-    view_before: Option<View>,
-    lit: Option<DVec3>,
-}
 
 impl MovementWindow {
     /// Whether held keys or a transform keep a step of the document open.
@@ -187,14 +164,6 @@ pub(super) fn shortcut_help(texts: &Texts) -> [(&'static str, &'static str); 40]
         (texts.fly_mouse, texts.fly_meaning),
         (texts.menu_keys, texts.menu_meaning),
     ]
-}
-
-/// The edges of a movement space.
-pub(super) fn cube(space: path::Space) -> impl Iterator<Item = (DVec3, DVec3)> {
-    projection::cube_edges().map(move |(along, signs)| {
-        let [from, to] = projection::edge_ends(space, along, signs);
-        (from, to)
-    })
 }
 
 /// A small picture of a path in the default view: its space's edges, and the curve as one line.
@@ -551,11 +520,6 @@ fn is_meant_by_letters(context: &Context, mine: &dyn Fn(Pos2) -> bool) -> bool {
         && pointer.is_some_and(mine)
         && !context.text_edit_focused()
         && !egui::Popup::is_any_open(context)
-}
-
-fn projection_of(editor: &Editor, viewport: Rect) -> Projection {
-    let space = editor.document.path().space;
-    Projection::of(&editor.setup.view, viewport, space)
 }
 
 #[cfg(test)]

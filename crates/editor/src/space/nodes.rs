@@ -12,13 +12,15 @@ use super::cameras::{self, Camera};
 use super::overlay;
 use super::picking::REACH;
 use super::projection::{Projection, from_pos};
-use super::scene::{Look, LookKey, THIN};
+use super::scene::{Look, THIN};
 use super::strokes::Strokes;
 use crate::error::Result;
 use crate::raster::Lines;
-use crate::scene_view::{Now, other_paths, wires};
+use crate::scene_view::{other_paths, wires};
 use crate::setup::Element;
 use crate::state::Editor;
+use crate::state::scene_view::Now;
+use crate::state::space::Nodes;
 
 /// Length of a camera's edges and of a light's rays, in points.
 const CAMERA: f64 = 34.0;
@@ -30,13 +32,6 @@ const DOT: f64 = 2.0;
 
 /// With more cameras than this the names would hide them.
 const NAMES: usize = 12;
-
-/// The lines made last, and what they were made of.
-#[derive(Debug, Default)]
-pub(super) struct Nodes {
-    made: Option<(LookKey, (u64, u64), f64)>,
-    lines: Arc<Lines>,
-}
 
 impl Nodes {
     #[cfg(test)]

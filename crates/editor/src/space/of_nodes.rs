@@ -3,16 +3,14 @@
 use egui::{Key, PointerButton, Pos2, Rect};
 use glam::DVec2;
 
-use super::drag::Handle;
-use super::gesture::Gesture;
-use super::held_nodes::Grip;
-use super::hold::PointerPress;
-use super::pointer::{PointerContext, PointerController, STILL};
 use super::projection::{Projection, from_pos};
-use super::transform::{Kind, Transform};
-use super::{nodes, picking, projection_of, trail};
+use super::{nodes, picking, trail};
 use crate::action::Action;
+use crate::space::surface::{PointerContext, STILL, projection_of};
 use crate::state::Editor;
+use crate::state::space::{
+    Gesture, Grip, Handle, Kind, PointerController, PointerPress, Transform,
+};
 
 impl PointerController {
     /// Whether the last click was on a node.

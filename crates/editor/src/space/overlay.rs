@@ -8,7 +8,7 @@ use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, vec2};
 use glam::{DVec2, DVec3};
 
 use super::cameras::Camera;
-use super::drag::{DragConstraint, Handle, VUP_LENGTH};
+use super::drag::VUP_LENGTH;
 use super::picking::Tips;
 use super::projection::{Axis, to_pos};
 use super::scene::{Look, THIN};
@@ -18,6 +18,7 @@ use crate::document::Document;
 use crate::document::tool::Cage;
 use crate::raster::Lines;
 use crate::setup::Element;
+use crate::state::space::{DragConstraint, Handle};
 use crate::theme::{self, Palette};
 
 /// Largest distance of a circle's straight pieces from it, in pixels.

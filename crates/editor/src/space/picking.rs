@@ -2,12 +2,13 @@
 
 use glam::{DVec2, DVec3};
 
-use super::drag::{Handle, VUP_LENGTH, current_tip};
+use super::drag::{VUP_LENGTH, current_tip};
 use super::projection::Projection;
 use super::tangents;
 use crate::document::Document;
 use crate::path::ahead;
 use crate::setup::{Element, Shown};
+use crate::state::space::Handle;
 
 /// How far from something the pointer may be to drag it, in points.
 pub(super) const REACH: f64 = 6.0;

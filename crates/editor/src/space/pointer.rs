@@ -3,57 +3,23 @@
 use egui::{Context, CursorIcon, Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Rect};
 use glam::{DVec2, DVec3};
 
-use super::drag::{DragConstraint, Handle};
-use super::drawing::{self, Drawing};
-use super::gesture::Gesture;
-use super::held_nodes::Grip;
-use super::hold::{PointerPress, place_held};
+use super::hold::place_held;
 use super::keyboard::{self, NUDGES};
-use super::of_nodes;
-use super::picking;
-use super::projection::{Axis, Projection, from_pos, scale};
-use super::projection_of;
-use super::tangents::Side;
-use super::transform::{self, Kind, Next, Transform};
+use super::projection::{Axis, Projection, from_pos};
+use super::transform::{self, Next};
 use super::typed::Typed;
+use super::{drawing, of_nodes, picking};
 use crate::action::Action;
 use crate::keys;
-use crate::selected::SelectionChange;
-use crate::setup::View;
+use crate::space::surface::{FINE, PointerContext, STILL, WHEEL, axis_of, projection_of, resized};
 use crate::state::Editor;
+use crate::state::selected::SelectionChange;
+use crate::state::space::{
+    DragConstraint, Drawing, Gesture, Grip, Handle, Kind, PointerController, PointerPress, Side,
+    Transform,
+};
+use crate::state::windows::ToolWindow;
 use crate::texts::{Texts, fill};
-use crate::windows::ToolWindow;
-
-/// A press that moves no farther than this, in points, is no drag: hands tremble.
-pub(super) const STILL: f32 = 2.0;
-
-/// A drag with Shift is this many times finer.
-pub(super) const FINE: f64 = 10.0;
-
-/// Factor of the size for a step of the wheel.
-pub(super) const WHEEL: f64 = 1.1;
-
-#[derive(Debug, Default)]
-pub(super) struct PointerController {
-    hold: Option<Box<PointerPress>>,
-    /// What was typed since the button went down.
-    typed: Typed,
-    /// Keys that move something are down; a step of the document is open.
-    pub(super) nudging: bool,
-    /// A transform is at work; a step of the document is open.
-    pub(super) transform: Option<Transform>,
-    /// The left button draws a line.
-    drawing: Option<Drawing>,
-    pub(super) hover: Option<Handle>,
-    /// The handle around several points that lies under the pointer.
-    pub(super) meant: Option<Kind>,
-    /// The pointer is in the movement window.
-    over: bool,
-    /// Where the last right click asks for a menu, and of what.
-    pub(super) menu: Option<(Pos2, Option<Handle>)>,
-    /// Where the last click was, and whether a node lay there.
-    pub(super) clicked: Option<(Pos2, bool)>,
-}
 
 /// The axis across the plane in which each button drags (thesis A.3.1).
 pub(super) const PLANES: [(PointerButton, Axis); 3] = [
@@ -61,14 +27,6 @@ pub(super) const PLANES: [(PointerButton, Axis); 3] = [
     (PointerButton::Middle, Axis::Y),
     (PointerButton::Secondary, Axis::Z),
 ];
-
-pub(super) struct PointerContext<'a> {
-    pub(super) context: &'a Context,
-    pub(super) viewport: Rect,
-    /// Whether a place belongs to the movement window and not to what covers it.
-    pub(super) mine: &'a dyn Fn(Pos2) -> bool,
-    pub(super) keyboard: bool,
-}
 
 impl PointerController {
     /// The events of a pass; of successive motions only the last, unless a line is drawn.
@@ -586,32 +544,4 @@ fn handle_at(
             picking::pick(&editor.document, projection, shown, pointer, with_vup)
         })
         .or_else(|| of_nodes::grip_at(editor, projection, pointer))
-}
-
-pub(super) fn axis_of(key: Key) -> Option<Axis> {
-    match key {
-        Key::X => Some(Axis::X),
-        Key::Y => Some(Axis::Y),
-        Key::Z => Some(Axis::Z),
-        _ => None,
-    }
-}
-
-/// The view with another size: larger about the pointer, smaller back towards the middle.
-pub(super) fn resized(view: &View, viewport: Rect, pointer: Option<Pos2>, factor: f64) -> View {
-    let mut view = *view;
-    let size = (view.size * factor).clamp(View::MIN_SIZE, View::MAX_SIZE);
-    if let Some(pointer) = pointer.filter(|_| size > view.size) {
-        let away = from_pos(pointer) - from_pos(viewport.center());
-        let unit = scale(&view, viewport);
-        let grown = unit * size / view.size;
-        view.shift[0] += away.x / grown - away.x / unit;
-        view.shift[1] -= away.y / grown - away.y / unit;
-    } else if size < view.size {
-        let share = ((size - 1.0) / (view.size - 1.0)).clamp(0.0, 1.0);
-        let share = if view.size > 1.0 { share } else { 0.0 };
-        view.shift = view.shift.map(|shift| shift * share);
-    }
-    view.size = size;
-    view.in_range()
 }

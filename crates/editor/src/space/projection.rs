@@ -5,6 +5,7 @@
 use egui::{Pos2, Rect, pos2};
 use glam::{DMat4, DVec2, DVec3, DVec4};
 
+use crate::path;
 use crate::path::Space;
 use crate::setup::View;
 
@@ -57,7 +58,7 @@ const FILL: f64 = 0.98;
 
 /// From the movement space to the screen.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Projection {
+pub(crate) struct Projection {
     space: Space,
     middle: DVec2,
     /// Points to the right for a unit of each axis.
@@ -252,6 +253,14 @@ pub(super) fn edge_ends(space: Space, along: Axis, signs: [f64; 2]) -> [DVec3; 2
             corner[axis.index()] = sign;
         }
         space.centre + space.half_size * corner
+    })
+}
+
+/// The edges of a movement space.
+pub(crate) fn cube(space: path::Space) -> impl Iterator<Item = (DVec3, DVec3)> {
+    cube_edges().map(move |(along, signs)| {
+        let [from, to] = edge_ends(space, along, signs);
+        (from, to)
     })
 }
 

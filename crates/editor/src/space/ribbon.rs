@@ -66,7 +66,7 @@ struct Piece {
 /// The ribbon's poses, and what was made of them. They are counted from the beginning of each
 /// section, so that a section which a change does not reach keeps its part.
 #[derive(Debug, Default)]
-pub(super) struct Ribbon {
+pub(crate) struct Ribbon {
     revision: Option<u64>,
     ribs: Vec<Rib>,
     pieces: Vec<Piece>,

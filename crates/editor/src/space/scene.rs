@@ -12,7 +12,6 @@ use egui::{Color32, Painter, Rect};
 use glam::{DVec2, DVec3};
 
 use super::projection::{Projection, cube_edges, edge_ends};
-use super::solid::Sight;
 use super::strokes::{Strokes, dimmed, in_pixel, part_between};
 use crate::document::{Document, Object};
 use crate::error::Result;
@@ -21,6 +20,7 @@ use crate::path::tessellation::tessellate;
 use crate::path::{CameraPath, CurveKind, Space, Tangents, Tcb, curve};
 use crate::raster::Lines;
 use crate::setup::{Colours, Element, Shown};
+use crate::state::space::solid::Sight;
 
 /// Segments in a chunk; more in paths of over [`FEW`] points, since each pass looks at each chunk.
 const CHUNK: usize = 16;
@@ -57,7 +57,7 @@ pub(super) struct Look<'a> {
 
 /// The values of a [`Look`], to be compared with the next.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct LookKey {
+pub(crate) struct LookKey {
     projection: Projection,
     viewport: Rect,
     pixels_per_point: f64,
@@ -113,7 +113,7 @@ struct Chunk {
 }
 
 #[derive(Debug, Default)]
-pub(super) struct PathLines {
+pub(crate) struct PathLines {
     seen: Option<LookKey>,
     /// What does not move by itself: what lies behind all objects, and all else.
     behind: Arc<Lines>,

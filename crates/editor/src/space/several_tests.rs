@@ -12,8 +12,8 @@ use super::*;
 use crate::document::At;
 use crate::path::CurveParameters;
 use crate::screenshots::screenshot;
-use crate::selected::SelectionChange;
 use crate::setup::Theme;
+use crate::state::selected::SelectionChange;
 use crate::texts::{Language, fill};
 
 type Window<'a> = Harness<'a, Editor>;

@@ -6,14 +6,14 @@ use vides_engine::scene::{
     Channel, Extrapolation, FollowPath, Interpolation, Kind, Node, Part, Scene, Track,
 };
 
+use crate::Language;
 use crate::document::{Document, Edit, StepName};
 use crate::formats::{self, Options as Written};
 use crate::path::{CameraPath, Pose};
 use crate::screenshots::screenshot;
 use crate::setup::{CameraPlace, Theme};
-use crate::state::Reason;
+use crate::state::{Options, Reason};
 use crate::tests::*;
-use crate::{Language, Options};
 
 /// One camera on a path, one by keys between two frames, one on a path that begins later; the scene
 /// begins at a fraction of a frame and is longer than a block.

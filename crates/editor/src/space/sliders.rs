@@ -2,10 +2,10 @@
 
 use egui::{Align, Layout, Rect, Slider, SliderOrientation, Ui, UiBuilder, pos2};
 
-use super::pointer::resized;
 use crate::action::Action;
 use crate::number::Number;
 use crate::setup::View;
+use crate::space::surface::resized;
 use crate::state::Editor;
 
 /// Height of the rows above and below, width of the column.

@@ -4,39 +4,23 @@
 use std::sync::Arc;
 
 use egui::{Color32, Context, Rect, lerp};
-use glam::{DAffine3, DMat4, DVec3, DVec4, Vec4Swizzles};
+use glam::{DAffine3, DVec3, DVec4, Vec4Swizzles};
 use vides_engine::scene::{Kind, Mesh};
 
 use super::strokes::part_between;
 use super::wire_colour;
-use crate::document::Object;
 use crate::raster::{Area, Corner3, Surfaces};
-use crate::scene_view::{Now, Seen, each_object};
+use crate::scene_view::{Seen, each_object};
 use crate::setup::Element;
 use crate::state::Editor;
+use crate::state::scene_view::Now;
+use crate::state::space::solid::{Eye, Key, Sight, Solid};
 
 /// After this time without a change, in seconds, it is made as well as can be.
 const REST: f64 = 0.3;
 
 /// More pixels are not smoothed, nor where a point has two of them.
 const SMOOTHED: f64 = 2.5e6;
-
-/// How a picture is seen.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Eye {
-    /// From coordinates of the path, or of the world, to pixels of the screen and nearness, times w.
-    pub(super) matrix: DMat4,
-    /// Where w is less, it is behind the viewer.
-    pub(super) front: f64,
-    /// What lies this much behind a face is on it: absolute, and as a share of its nearness.
-    pub(super) slack: [f64; 2],
-    pub(super) light: DVec3,
-    /// The picture, in points, and its pixels.
-    pub(super) rect: Rect,
-    pub(super) pixels_per_point: f64,
-    /// In the coordinates of the path, not of the world.
-    pub(super) of_path: bool,
-}
 
 impl Eye {
     fn corner(&self, at: DVec4) -> Corner3 {
@@ -55,17 +39,6 @@ impl Eye {
             (false, false) => None,
         }
     }
-}
-
-/// What is seen of all faces.
-#[derive(Clone, Debug)]
-pub(super) struct Sight {
-    eye: Eye,
-    pub(super) surfaces: Arc<Surfaces>,
-    /// The lines on the faces, those behind faces left out.
-    pub(super) edges: Arc<Vec<[DVec3; 2]>>,
-    /// Tells it from all others of its [`Solid`].
-    pub(super) number: u64,
 }
 
 impl PartialEq for Sight {
@@ -137,29 +110,6 @@ impl Sight {
         let [plain, share] = self.eye.slack;
         self.surfaces.hides([x, y, near + plain + share * near])
     }
-}
-
-/// All that a picture depends on.
-#[derive(Clone, Debug, PartialEq)]
-struct Key {
-    eye: Eye,
-    colours: [Color32; 2],
-    /// The address of what [`Solid::object`] holds.
-    object: *const Mesh,
-    /// The scene, and where its objects are.
-    scene: Option<(u64, Vec<f64>)>,
-}
-
-/// The picture that was made last.
-#[derive(Debug, Default)]
-pub(super) struct Solid {
-    made: Option<Key>,
-    object: Object,
-    /// When it last was another, in seconds of the context.
-    changed: f64,
-    quick: bool,
-    sight: Option<Sight>,
-    number: u64,
 }
 
 impl Solid {

@@ -2,14 +2,15 @@
 
 use egui::{Context, RawInput};
 
+use super::super::camera_view;
 use super::super::cameras::Camera;
 use super::super::projection::Projection;
-use super::super::{Eye, camera_view};
 use super::*;
-use crate::document::{Document, Info};
+use crate::document::{Document, Info, Object};
 use crate::path::{CameraPath, Space};
 use crate::screenshots::screenshot;
 use crate::setup::{Colours, View};
+use crate::state::space::solid::Eye;
 use crate::tests::*;
 use crate::theme::contrast;
 

@@ -5,9 +5,9 @@ use glam::{DVec2, DVec3};
 
 use super::projection::{Projection, from_pos, to_pos};
 use super::scene::Look;
-use super::solid::Sight;
 use crate::path::Space;
 use crate::raster::{Line, Lines};
+use crate::state::space::solid::Sight;
 
 /// Lengths of a dash and of the gap after it, in points.
 const DASH: [f64; 2] = [5.0, 4.0];

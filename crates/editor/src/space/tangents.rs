@@ -10,6 +10,7 @@ use crate::path::{Tangents, curve};
 use crate::raster::Lines;
 use crate::setup::Element;
 use crate::state::Editor;
+use crate::state::space::{Joint, Side};
 
 /// Two tangents whose directions differ by less than this, in radians, make no corner.
 const STRAIGHT: f64 = 1e-6;
@@ -18,26 +19,8 @@ const STRAIGHT: f64 = 1e-6;
 const HANDLE: f64 = 3.5;
 const WIDTH: f32 = 1.2;
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Side {
-    Before,
-    After,
-}
-
 impl Side {
     const BOTH: [Self; 2] = [Self::Before, Self::After];
-}
-
-/// What the tangent on one side does while the other is dragged.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) enum Joint {
-    /// It turns along and keeps its length.
-    #[default]
-    Smooth,
-    /// It becomes the same.
-    Mirrored,
-    /// It stays.
-    Corner,
 }
 
 impl Joint {

@@ -4,15 +4,16 @@ use egui::{Event, Key, Modifiers, PointerButton, vec2};
 use egui_kittest::kittest::Queryable;
 
 use super::pointer::PLANES;
-use super::tangents::{Joint, Side, tip};
+use super::tangents::tip;
 use super::tests::{
     editor, hold, image, key, message, motion, press, pyramid, release, shown, tap, text, window,
 };
 use super::*;
 use crate::document::{At, Edit};
-use crate::path::{CurveKind, CurveParameters, Tangents, UpVector, curve};
+use crate::path::{self, CurveKind, CurveParameters, Tangents, UpVector, curve};
 use crate::screenshots::screenshot;
 use crate::setup::Theme;
+use crate::state::space::{Joint, Side};
 use crate::tests::{BOTH, LARGE, SMALL, Window, enter, poses, some_points};
 use crate::texts::{Language, fill};
 
@@ -140,7 +141,7 @@ fn several_points_own_their_tangents_at_once() {
         let mut harness = at_point(language);
         let (before, flight) = (text(&harness), places(&harness));
         let context = harness.ctx.clone();
-        let all = Action::Choose(crate::selected::SelectionChange::All);
+        let all = Action::Choose(crate::state::selected::SelectionChange::All);
         harness.state_mut().act(all, &context);
         choose(&mut harness, texts.choice, texts.own_tangents);
         let all = |harness: &Window| -> Vec<Option<Tangents>> {

@@ -10,8 +10,7 @@ use super::*;
 use crate::document::{Document, Edit};
 use crate::path::Target;
 use crate::screenshots::{renderer, screenshot};
-use crate::setup::Theme;
-use crate::setup::View;
+use crate::setup::{Theme, View};
 use crate::state::Options;
 use crate::texts::{Language, fill};
 

@@ -7,16 +7,15 @@ use glam::{DVec2, DVec3};
 use vides_engine::scene::{Channel, Track, Warnings};
 
 use super::held_nodes::parent_in_space;
-use super::pointer::PointerController;
 use super::projection::Projection;
 use super::scene::{Look, THIN};
 use super::strokes::Strokes;
-use super::transform::{self, Transform};
-use super::{nodes, overlay, picking};
+use super::{nodes, overlay, picking, transform};
 use crate::raster::Lines;
-use crate::scene_view::Now;
 use crate::setup::Element;
 use crate::state::Editor;
+use crate::state::scene_view::Now;
+use crate::state::space::{PointerController, Transform};
 
 /// Most dots of a way; of a longer one each second, third and so on.
 const DOTS: f64 = 2_000.0;

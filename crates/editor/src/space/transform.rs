@@ -5,13 +5,10 @@
 use egui::{Event, Key, Modifiers, PointerButton};
 use glam::{DMat3, DMat4, DVec2, DVec3};
 
-use super::drag::{DragConstraint, Handle, SNAP};
-use super::gesture::Gesture;
-use super::held_nodes::{Grip, Held, Motion};
+use super::drag::SNAP;
+use super::held_nodes::Motion;
 use super::overlay;
-use super::pointer::{FINE, PointerContext, axis_of};
 use super::projection::{Axis, Projection, from_pos};
-use super::projection_of;
 use super::scene::Look;
 use super::strokes::Strokes;
 use super::typed::Typed;
@@ -20,7 +17,9 @@ use crate::document::{At, Edit};
 use crate::number::decimals;
 use crate::raster::Lines;
 use crate::setup::Element;
+use crate::space::surface::{FINE, PointerContext, axis_of, projection_of};
 use crate::state::Editor;
+use crate::state::space::{DragConstraint, Gesture, Grip, Handle, Held, Kind, Transform};
 use crate::texts::{Texts, fill};
 
 /// Snap steps: degrees, and parts of the size.
@@ -37,38 +36,6 @@ const BESIDE: f64 = 80.0;
 const RING: f64 = 56.0;
 const SQUARE: f64 = 6.0;
 const REACH: f64 = 5.0;
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
-    Move,
-    Turn,
-    Scale,
-}
-
-/// A modal transform at work: a step of the document is open.
-#[derive(Clone, Debug)]
-pub(super) struct Transform {
-    kind: Kind,
-    /// The button that holds a handle.
-    held: Option<PointerButton>,
-    /// How far the pointer has gone, and where it is taken to have begun.
-    way: DVec2,
-    from: DVec2,
-    /// Where the pointer was last.
-    last: Option<DVec2>,
-    snaps: bool,
-    axis: Option<Axis>,
-    /// The axis is the node's own: its letter came twice.
-    own: bool,
-    typed: Typed,
-    /// Nodes in place of points.
-    nodes: Option<Box<Held>>,
-    points: Vec<usize>,
-    /// The current point, and where it was.
-    current: (usize, DVec3),
-    /// The middle of all at first.
-    middle: DVec3,
-}
 
 impl Kind {
     /// What a key begins.

@@ -10,7 +10,6 @@ use crate::error::{
     EngineError, Error, ErrorKind, Invalid, OutOfRange, Quantity, Refused, TooMany, reason,
 };
 use crate::limits;
-use crate::state::Editor;
 
 /// Why the document refused an edit.
 pub(crate) fn of_edit(language: Language, error: &Error) -> String {
@@ -85,23 +84,6 @@ pub(crate) fn of_system(language: Language, error: &io::Error) -> String {
         },
     };
     known.to_owned()
-}
-
-impl Editor {
-    /// Puts an error into the output field.
-    pub(crate) fn complain_of(&mut self, error: &Error) {
-        self.complain(reason_of(self.language(), error));
-    }
-
-    /// Reports why a hand-over failed.
-    pub(crate) fn complain_of_hand_over(&mut self, error: &Error) {
-        let texts = &self.texts().errors;
-        let why = match error {
-            Error::Engine(EngineError::Limit(_)) => fill(texts.frames, &[&limits::MAX_FRAMES]),
-            other => reason_of(self.language(), other),
-        };
-        self.complain(fill(texts.cannot_hand_over, &[&why]));
-    }
 }
 
 #[cfg(test)]

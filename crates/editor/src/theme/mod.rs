@@ -136,6 +136,12 @@ pub(super) const ROW: f32 = 24.0;
 /// Distance between things that belong together.
 pub(super) const GAP: f32 = 4.0;
 
+/// Height of the bar with the menus.
+pub(crate) const BAR: f32 = 32.0;
+
+/// Anything higher and wider is no control but a part of the window.
+pub(crate) const LARGE: f32 = 160.0;
+
 pub(super) fn field(ui: &egui::Ui) -> egui::Frame {
     let palette = palette(ui);
     egui::Frame::new()

@@ -6,17 +6,20 @@
 
 use egui::{Button, Context, Label, RichText, Ui, vec2};
 
-use super::{SubWindow, Windows, docked};
+use super::docked;
 use crate::action::Action;
 use crate::background::Background;
-use crate::document::{Edit, Note, StepName, is_planned};
+use crate::document::{Edit, StepName, is_planned};
+use crate::entry::Entry;
 use crate::error::Result;
-use crate::number::{Entry, Number};
+use crate::number::Number;
 use crate::state::Editor;
+use crate::state::windows::{CheckWindow, Windows};
 use crate::texts::fill;
 use crate::texts::refusals::{of_edit, reason_of};
 use crate::theme;
 use crate::tools::check::{Finding, FindingKind, OFF};
+use crate::windows::sub_window::SubWindow;
 
 /// Width of the button with the frames, of that which mends, of a limit's number.
 const FRAMES: f32 = 116.0;
@@ -35,25 +38,6 @@ const LARGE: usize = 200_000;
 
 /// More findings are not listed.
 const MOST: usize = 500;
-
-#[derive(Debug, Default)]
-pub(crate) struct CheckWindow {
-    /// The revision that was checked.
-    checked: Option<u64>,
-    found: Vec<Finding>,
-    /// What helps with each of those that are listed.
-    mends: Vec<Vec<Edit>>,
-    notes: Vec<Note>,
-    limits: bool,
-    trouble: Option<String>,
-    /// A check was asked for.
-    asked: bool,
-    /// The revision at which one was mended, and how many there were before.
-    mended: Option<u64>,
-    before: Option<usize>,
-    /// What the planner makes of a finding beside the window.
-    curing: Option<Background<Vec<Edit>>>,
-}
 
 impl SubWindow for CheckWindow {
     const ID: &'static str = "check";

@@ -5,46 +5,24 @@ use egui::{Button, Context, Rect, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec
 use glam::DQuat;
 use vides_engine::scene::{Channel, Interpolation, Part, Track, Warnings};
 
-use super::{SubWindow, Windows, docked};
+use super::docked;
 use crate::action::Action;
 use crate::document::Edit;
 use crate::error::Result;
-use crate::panels::share;
+use crate::panels::parts::share;
 use crate::playing::rotation_by;
-use crate::space;
 use crate::state::Editor;
+use crate::state::windows::{CompareWindow, Compared, Windows};
 use crate::texts::fill;
 use crate::texts::refusals::reason_of;
-use crate::theme;
+use crate::windows::sub_window::SubWindow;
+use crate::{space, theme};
 
 /// Height of the graph, in points.
 const GRAPH: f32 = 64.0;
 
 /// Most frames of a scene that are looked at; of a longer one each second, third and so on.
 const FRAMES: f64 = 20_000.0;
-
-#[derive(Debug, Default)]
-pub(crate) struct CompareWindow {
-    /// Smoothly through the keys; none: as the track is at first.
-    smooth: Option<bool>,
-    made: Option<Compared>,
-}
-
-/// A rotation in two ways.
-#[derive(Debug)]
-struct Compared {
-    /// Node, number and revision of the document, whether it is smooth.
-    of: (usize, (u64, u64), bool),
-    /// By quaternions and by angles.
-    both: [Track; 2],
-    /// The scene's first and last frame.
-    range: (f64, f64),
-    /// Degrees between the two, from the first frame on, so many frames apart.
-    angles: Vec<f64>,
-    every: f64,
-    /// The largest, and its frame.
-    largest: (f64, f64),
-}
 
 /// The angle between two rotations, in degrees.
 fn between(a: DQuat, b: DQuat) -> f64 {

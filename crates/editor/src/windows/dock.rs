@@ -4,16 +4,15 @@
 //! whose picture is wide, stand at the bottom. One is seen at a time: the one before comes back
 //! when it closes. What one changes is seen at once; Enter keeps it, Escape gives it back.
 
-use std::cell::Cell;
-
 use egui::{Align, Button, Context, Key, Layout, Modifiers, Rect, Stroke, Ui, vec2};
 
-use super::{SubWindow as _, Windows, layer, row_at_right, topmost};
-use crate::frame::LARGE;
-use crate::keys;
-use crate::setup::{ColourWindow, DisplayWindow};
 use crate::state::Editor;
-use crate::theme;
+use crate::state::windows::{
+    CheckWindow, ColourWindow, CompareWindow, DisplayWindow, SpeedWindow, Windows,
+};
+use crate::theme::LARGE;
+use crate::windows::sub_window::{SubWindow as _, layer, row_at_right, topmost};
+use crate::{keys, theme};
 
 /// Distance from the border to what stands in it.
 const MARGIN: f32 = 12.0;
@@ -24,17 +23,6 @@ const LAST: f32 = theme::ROW + 8.0;
 
 /// Width of a button of the last row.
 const BUTTON: f32 = 88.0;
-
-/// Which docked windows are open, and where the last one is seen.
-#[derive(Debug, Default)]
-pub(crate) struct Dock {
-    /// In the order in which they were opened.
-    order: Vec<&'static str>,
-    /// The one that this pass shows, and its place.
-    shown: Option<(&'static str, Rect)>,
-    /// It has just come: the keyboard goes to what keeps.
-    fresh: Cell<bool>,
-}
 
 impl Windows {
     /// Brings a docked window to the front.
@@ -47,9 +35,9 @@ impl Windows {
     /// The docked window in front.
     pub(crate) fn front(&self) -> Option<&'static str> {
         let is_open = |id: &&str| match *id {
-            super::CheckWindow::ID => self.check.is_some(),
-            super::CompareWindow::ID => self.compare.is_some(),
-            super::SpeedWindow::ID => self.speed.is_some(),
+            CheckWindow::ID => self.check.is_some(),
+            CompareWindow::ID => self.compare.is_some(),
+            SpeedWindow::ID => self.speed.is_some(),
             ColourWindow::ID => self.colours.is_some(),
             DisplayWindow::ID => self.display.is_some(),
             _ => self.tool.as_ref().is_some_and(|tool| !tool.waits()),
@@ -80,14 +68,14 @@ pub(crate) fn place(
 ) -> bool {
     let front = editor.windows.front();
     let mut place = *right;
-    if front == Some(super::SpeedWindow::ID) {
+    if front == Some(SpeedWindow::ID) {
         let height = super::speed::height(context, middle.union(*right));
         let edge = middle.bottom() - height;
         place = middle.union(*right).with_min_y(edge);
         (middle.max.y, right.max.y) = (edge, edge);
     }
     editor.windows.dock.shown = front.map(|front| (front, place));
-    front.is_some() && front != Some(super::SpeedWindow::ID)
+    front.is_some() && front != Some(SpeedWindow::ID)
 }
 
 /// The window that was given a place, with what it is closed by: `Some(true)` keeps, `Some(false)`

@@ -4,19 +4,15 @@ use std::borrow::Cow;
 
 use egui::{Grid, Key, Modifiers, ScrollArea};
 
-use super::{SubWindow, Windows, sub_window};
 use crate::action::Action;
 use crate::keys::{SHORTCUTS, combination};
-use crate::menu;
-use crate::space;
 use crate::state::Editor;
+use crate::state::windows::{HelpWindow, Windows};
 use crate::texts::{Language, fill};
-use crate::theme;
+use crate::windows::sub_window::{SubWindow, sub_window};
+use crate::{menu, space, theme};
 
 const KEYS: f32 = 232.0;
-
-#[derive(Debug)]
-pub(crate) struct HelpWindow {}
 
 impl SubWindow for HelpWindow {
     const ID: &'static str = "help";

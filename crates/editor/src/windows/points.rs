@@ -2,20 +2,13 @@
 
 use egui::{Button, Key, Modifiers, vec2};
 
-use super::{SubWindow, Windows, sub_window, takes_keyboard};
 use crate::action::Action;
-use crate::keys;
 use crate::limits::MAX_DIVISION;
 use crate::state::Editor;
+use crate::state::windows::{PointsWindow, Windows};
 use crate::texts::fill;
-use crate::theme;
-
-/// A number picks: clicked, or typed with 0 for ten.
-#[derive(Debug)]
-pub(crate) struct PointsWindow {
-    /// It has just opened, and takes the keyboard.
-    fresh: bool,
-}
+use crate::windows::sub_window::{SubWindow, sub_window, takes_keyboard};
+use crate::{keys, theme};
 
 /// The digits in the order of the numbers that they pick.
 const DIGITS: [Key; MAX_DIVISION] = [

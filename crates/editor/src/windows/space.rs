@@ -3,14 +3,15 @@
 
 use egui::{Button, Grid, Ui, vec2};
 
-use super::{SubWindow, Windows, row_at_right, sub_window};
 use crate::action::Action;
 use crate::document::Edit;
 use crate::number::Number;
 use crate::path::{Space, Up};
 use crate::state::Editor;
+use crate::state::windows::{SpaceWindow, Windows};
 use crate::texts::refusals;
 use crate::theme;
+use crate::windows::sub_window::{SubWindow, row_at_right, sub_window};
 
 /// Between two choices, points.
 const APART: f32 = 14.0;
@@ -19,18 +20,6 @@ const APART: f32 = 14.0;
 const NAME: f32 = 96.0;
 const NUMBER: f32 = 100.0;
 const BUTTON: f32 = 96.0;
-
-#[derive(Debug)]
-pub(crate) struct SpaceWindow {
-    /// What the document had when it was last looked at.
-    of: (Space, String),
-    space: Space,
-    unit: String,
-    /// The path is fitted into the new space.
-    fit: bool,
-    /// The space before a number of it is dragged.
-    before: Option<Space>,
-}
 
 impl SubWindow for SpaceWindow {
     const ID: &'static str = "space";

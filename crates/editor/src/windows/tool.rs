@@ -16,50 +16,25 @@ use super::docked;
 use crate::action::Action;
 use crate::background::Background;
 use crate::document::tool::{Cage, Needs, Tool, ToolInput};
-use crate::document::{Document, Edit, Selection, StepName};
+use crate::document::{Document, Edit, StepName};
+use crate::entry::Entry;
 use crate::error::{EngineError, Error, OutOfRange, Result};
-use crate::files::Purpose;
-use crate::formats;
-use crate::number::{Entry, Number};
-use crate::panels::share;
+use crate::number::Number;
+use crate::panels::parts::share;
 use crate::path::Pose;
 use crate::state::Editor;
+use crate::state::files::Purpose;
+use crate::state::windows::ToolWindow;
 use crate::texts::refusals::of_edit;
 use crate::texts::{Language, fill};
-use crate::theme;
 use crate::tools::{Parameter, Unit};
+use crate::{formats, theme};
 
 /// Width of a number beside its name.
 const NUMBER: f32 = 84.0;
 
 /// Height of what is said above the fields: two lines.
 const WORDS: f32 = 32.0;
-
-#[derive(Debug)]
-pub(crate) struct ToolWindow {
-    tool: Tool,
-    material: ToolInput,
-    numbers: Vec<f64>,
-    /// The numbers before one of them is dragged.
-    before: Option<Vec<f64>>,
-    /// Why the numbers will not do.
-    trouble: Option<String>,
-    /// The path is shown with the tool applied.
-    applied: bool,
-    /// The cage with which it deforms, and its control point that the fields show.
-    cage: Option<Cage>,
-    control: usize,
-    /// A line being drawn in the camera's picture: its places there, and in space.
-    drawn: Vec<(Pos2, DVec3)>,
-    /// Points and frames of what is to be written to a file.
-    written: Option<[usize; 2]>,
-    /// How far the path is from recorded poses: a length and degrees.
-    missed: Option<(f64, f64)>,
-    /// What the tool makes beside the window.
-    work: Option<Background<Option<Edit>>>,
-    /// Where the playhead stood.
-    stood: (Option<f64>, Selection),
-}
 
 impl ToolWindow {
     pub(super) const ID: &'static str = "tool";

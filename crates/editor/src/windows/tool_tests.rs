@@ -3,9 +3,9 @@ use glam::DVec3;
 
 use crate::document::tool::{Needs, tools};
 use crate::document::{At, Edit, Object, ObjectPoint};
-use crate::files::Purpose;
 use crate::path::CameraPath;
 use crate::screenshots::screenshot;
+use crate::state::files::Purpose;
 use crate::tests::*;
 
 /// A path of points, with nothing done to it.

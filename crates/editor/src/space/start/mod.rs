@@ -8,15 +8,15 @@ use std::time::Duration;
 
 use egui::{Align2, Button, FontId, Rect, Role, Ui, Vec2, WidgetInfo, vec2};
 
-pub(crate) use self::sign::Around;
-
 use crate::action::Action;
 use crate::document::Edit;
 use crate::document::tool::{self, Tool};
-use crate::files::{PICTURE, Picture};
+use crate::files::PICTURE;
 use crate::path::Space;
 use crate::setup::Element;
 use crate::state::Editor;
+use crate::state::files::Picture;
+use crate::state::space::Around;
 use crate::texts::fill;
 use crate::texts::refusals::reason_of;
 use crate::theme;

@@ -4,19 +4,16 @@ use egui::{Color32, Painter, Pos2, Shape, Stroke, vec2};
 
 use super::{Begin, TOOLS};
 use crate::document::tool::{self, ToolInput};
-use crate::document::{Document, Info, Object};
+use crate::document::{Document, Info};
 use crate::error::Result;
-use crate::files::{PICTURE, Picture};
-use crate::path::CameraPath;
+use crate::files::PICTURE;
 use crate::state::Editor;
+use crate::state::files::Picture;
+use crate::state::space::Around;
 use crate::tools::fit::Progress;
 
 /// An object of more triangles has no picture of what takes long.
 const MOST: usize = 100_000;
-
-/// The object that is loaded, and the path that would be begun anew.
-#[derive(Clone, Debug)]
-pub(crate) struct Around(Object, CameraPath);
 
 impl PartialEq for Around {
     fn eq(&self, other: &Self) -> bool {

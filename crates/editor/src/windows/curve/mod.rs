@@ -3,20 +3,24 @@
 use egui::{Grid, Rect, Sense, Slider, Ui, vec2};
 use glam::DVec3;
 
-mod pending;
+use crate::state::windows::{Button, CurveWindow};
+
+pub(crate) mod pending;
 mod picture;
 
 use self::pending::{Belonging, CurveSource, GivenUp, Pending, orientation, users};
-use super::{SubWindow, Windows, is_cramped, row_at_right, sub_window};
 use crate::action::Action;
 use crate::document::Document;
+use crate::entry::Entry;
 use crate::limits::PRESETS;
-use crate::number::{Entry, Number};
+use crate::number::Number;
 use crate::panels::curve::{in_place_of_tangents, without_shape};
 use crate::path::{Target, Tcb};
 use crate::state::Editor;
+use crate::state::windows::Windows;
 use crate::texts::fill;
 use crate::theme;
+use crate::windows::sub_window::{SubWindow, is_cramped, row_at_right, sub_window};
 
 /// Widths in points: the presets; beside them a label and three numbers, narrower if cramped.
 const LIST: f32 = 136.0;
@@ -26,22 +30,6 @@ const NARROW_NUMBER: f32 = 70.0;
 /// Height of the picture, and where there is little room.
 const PICTURE: f32 = 150.0;
 const LOW_PICTURE: f32 = 96.0;
-
-#[derive(Debug)]
-pub(crate) struct CurveWindow {
-    pending: Pending,
-    belonging: Belonging,
-    /// The values when a drag began, put back by Escape.
-    dragged: Option<Pending>,
-    /// A button was pressed: what was being typed arrives one pass later.
-    pressed: Option<Button>,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Button {
-    Show,
-    Ok,
-}
 
 #[derive(Clone, Copy)]
 enum Field {

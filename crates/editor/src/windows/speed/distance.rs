@@ -3,13 +3,14 @@
 use egui::{Button, CursorIcon, Id, Key, Modifiers, Rect, Sense, Ui, Vec2, WidgetInfo, pos2};
 
 use super::graph::{Axes, Handle};
-use super::{Section, SpeedWindow, entered_own};
 use crate::action::Action;
 use crate::number::Number;
 use crate::path::{Orientation, Overrides, Pace, Timing};
 use crate::state::Editor;
+use crate::state::windows::SpeedWindow;
 use crate::texts::fill;
 use crate::theme;
+use crate::windows::speed::section::{Section, entered_own};
 
 /// Keys of the way: share of the time, share of the way.
 pub(super) type Keys = [[f64; 2]];

@@ -2,15 +2,16 @@
 
 use egui::{CursorIcon, Id, Rangef, Rect, Ui, pos2};
 
-use super::graph::{Axes, Handle, Held, Quantity};
-use super::{Section, entered_own};
+use super::graph::{Axes, Handle};
 use crate::action::Action;
 use crate::limits::{MAX_SPEED, MIN_SPEED};
 use crate::number::Number;
 use crate::path::{Ease, Pace};
 use crate::state::Editor;
+use crate::state::windows::{Held, Quantity};
 use crate::texts::fill;
 use crate::theme;
+use crate::windows::speed::section::{Section, entered_own};
 
 /// One of the numbers of an ease.
 type Part = fn(&mut Ease) -> &mut f64;

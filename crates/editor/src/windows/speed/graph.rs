@@ -5,13 +5,14 @@ use egui::{
     Response, Sense, Shape, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
 
-use super::{SCALE, Section, goes_by_ten};
 use crate::action::Action;
+use crate::entry::Entry;
 use crate::limits::{BASE_SPEED, MAX_SPEED, MIN_SPEED, SPEEDS};
-use crate::number::Entry;
 use crate::path::{Pace, Timing};
 use crate::state::Editor;
+use crate::state::windows::{Held, Quantity};
 use crate::theme::{self, Palette};
+use crate::windows::speed::section::{SCALE, Section, goes_by_ten};
 
 /// Room above the highest and below the lowest value.
 const MARGIN: f32 = 14.0;
@@ -23,16 +24,6 @@ const CHOSEN: f32 = 8.5;
 const PIECES: usize = 180;
 /// How near a jump of the acceleration its values on both sides are taken.
 const BEFORE: f64 = 1e-9;
-
-/// What the picture shows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Quantity {
-    Speed,
-    /// Percent of the way.
-    Distance,
-    /// Change of the speed per second.
-    Acceleration,
-}
 
 impl Quantity {
     pub(super) const ALL: [Self; 3] = [Self::Speed, Self::Distance, Self::Acceleration];
@@ -235,9 +226,6 @@ fn round_above(value: f64) -> f64 {
         .find(|&round| round >= least)
         .unwrap_or(value)
 }
-
-/// What is held: its id, and the pointer's distance from its middle.
-pub(super) type Held = Option<(Id, Vec2)>;
 
 /// A small square that is dragged by the pointer and moved by the arrow keys.
 pub(super) struct Handle<'a> {

@@ -4,171 +4,38 @@
 
 use egui::{Rect, Sense, Ui, vec2};
 
+use crate::state::windows::SpeedWindow;
+use crate::windows::speed::section::{ABOUT, Section, Size, entered, entered_own};
+
 mod distance;
 mod ease;
 mod graph;
 mod join;
 mod pace;
+pub(crate) mod section;
 mod shapes;
 mod ten;
 
 pub(crate) use self::join::slow_past;
 pub(crate) use self::ten::shapes;
 
-use self::graph::{Axes, Held, Quantity};
-use super::{SubWindow, Windows, docked, is_cramped, is_low};
+use self::graph::Axes;
+use super::docked;
 use crate::action::Action;
-use crate::document::{At, Edit, Info, Selection};
-use crate::limits::{MAX_FPS, MAX_FRAMES, MAX_HOLD, SPEEDS};
-use crate::number::{Entry, Number};
-use crate::panels::orientation::with;
-use crate::panels::share;
-use crate::path::{BaseFrames, Orientation, OrientationOverrides, Pace, Timing};
+use crate::document::{At, Edit, Info};
+use crate::limits::{MAX_FPS, MAX_FRAMES, MAX_HOLD};
+use crate::number::Number;
+use crate::panels::parts::share;
+use crate::path::{BaseFrames, Pace};
 use crate::state::Editor;
+use crate::state::windows::{Quantity, Windows};
 use crate::texts::fill;
 use crate::theme;
-
-/// Room for the values left of the picture.
-const SCALE: f32 = 32.0;
+use crate::windows::sub_window::SubWindow;
 
 /// Least width of what stands beside the picture, and the gap.
 const BESIDE: f32 = 236.0;
 const APART: f32 = 16.0;
-
-/// Height of all about the picture and its rows.
-const ABOUT: f32 = 64.0;
-
-#[derive(Debug)]
-pub(crate) struct SpeedWindow {
-    /// What the picture shows.
-    shown: Quantity,
-    held: Held,
-    /// The square of the ten speeds that was chosen by an arrow key.
-    choose: Option<usize>,
-    /// The key of a given distance whose numbers are shown.
-    key: usize,
-    /// The key for which Delete was pressed.
-    removed: Option<usize>,
-    /// The frames given to a section along with its distance, so that it takes as long as before.
-    fixed: Option<(Selection, u32)>,
-}
-
-/// Sizes of the picture, in points.
-#[derive(Clone, Copy)]
-struct Size {
-    /// From one square to the next.
-    step: f32,
-    height: f32,
-    /// All buttons stand in one row.
-    one_row: bool,
-}
-
-impl Size {
-    const ROOMY: Self = Self {
-        step: 48.0,
-        height: 160.0,
-        one_row: true,
-    };
-    const CRAMPED: Self = Self {
-        step: 40.0,
-        height: 112.0,
-        one_row: false,
-    };
-
-    fn of(context: &egui::Context) -> Self {
-        if is_low(context) {
-            // The numbers below it matter more than its height.
-            let height = 88.0;
-            Self {
-                height,
-                ..Self::CRAMPED
-            }
-        } else if is_cramped(context) {
-            Self::CRAMPED
-        } else {
-            Self::ROOMY
-        }
-    }
-
-    /// Half a step lies outside each outermost facing value.
-    fn width(self) -> f32 {
-        SCALE + self.step * 12.0
-    }
-}
-
-struct Section {
-    speeds: [f64; SPEEDS],
-    before: Option<f64>,
-    after: Option<f64>,
-    pace: Pace,
-    timing: Timing,
-    hold: u32,
-    /// Frames without the hold; `None` at the end of the path.
-    frames: Option<usize>,
-    /// The fixed number of frames, whatever the length; 0: none.
-    fixed: u32,
-    /// They stay when the whole path gets others.
-    locked: bool,
-    /// How much faster it is because it has fewer frames than its length asks for.
-    scale: f64,
-    /// How long it takes; 1 if no time.
-    seconds: f64,
-    /// The point and orientation where it ends.
-    to: Option<(usize, usize)>,
-}
-
-impl Section {
-    fn of(editor: &Editor) -> Option<Self> {
-        let orientation = editor.orientation()?;
-        let at = editor.document.selection();
-        let path = editor.document.path();
-        let (facing, frames, unrounded) = editor
-            .document
-            .timeline(
-                |timeline| match timeline.section_from(at.point, at.orientation) {
-                    Some(section) => (
-                        timeline.facing_speeds(path, section),
-                        Some(timeline.section(section).frames),
-                        timeline.unrounded_frames(path, section),
-                    ),
-                    None => {
-                        let end = timeline.section_count();
-                        (timeline.facing_speeds(path, end), None, 0.0)
-                    }
-                },
-            )
-            .ok()?;
-        let (before, after) = facing;
-        let last = path.points.get(at.point)?.orientations.len() == at.orientation + 1;
-        let to = match (frames, last) {
-            (None, _) => None,
-            (Some(_), true) => Some(((at.point + 1) % path.points.len(), 0)),
-            (Some(_), false) => Some((at.point, at.orientation + 1)),
-        };
-        let moves = frames
-            .filter(|&frames| frames > 0)
-            .map(|frames| frames as f64);
-        Some(Self {
-            timing: Timing::new(orientation, before, after).ok()?,
-            pace: orientation.own.pace.clone(),
-            speeds: orientation.speeds,
-            before,
-            after,
-            hold: orientation.hold,
-            fixed: orientation.own.frames,
-            locked: orientation.own.locked,
-            scale: moves.map_or(1.0, |frames| unrounded / frames),
-            seconds: moves.map_or(1.0, |frames| frames / editor.document.info().fps),
-            frames,
-            to,
-        })
-    }
-}
-
-/// Whether a section goes by its ten speeds, or by a pace that they are near.
-pub(crate) const fn goes_by_ten(pace: &Pace) -> bool {
-    matches!(pace, Pace::Speeds | Pace::Part(_))
-}
 
 impl SubWindow for SpeedWindow {
     const ID: &'static str = "speed";
@@ -461,29 +328,6 @@ fn base_speeds(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
             actions.push(Action::Enter(entry));
         }
     });
-}
-
-/// An entry into a number of the current orientation.
-fn entered(
-    editor: &Editor,
-    entry: Entry,
-    change: impl FnOnce(&mut Orientation, f64),
-) -> Option<Action> {
-    let (at, current) = (editor.document.selection(), editor.orientation()?);
-    let edit = |value| with(at, current, |new| change(new, value));
-    Some(Action::Enter(entry.map(edit)))
-}
-
-/// The same for what it owns.
-fn entered_own(
-    editor: &Editor,
-    entry: Entry,
-    change: impl FnOnce(&mut OrientationOverrides, f64),
-) -> Option<Action> {
-    let (at, current) = (editor.document.selection(), editor.orientation()?);
-    Some(Action::Enter(entry.try_map(|value| {
-        editor.with_own(at, current, |own| change(own, value))
-    })))
 }
 
 #[cfg(test)]

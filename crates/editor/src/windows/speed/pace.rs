@@ -5,14 +5,14 @@ use std::sync::Arc;
 use egui::{Button, Ui};
 
 use super::distance::sampled;
-use super::graph::Quantity;
-use super::{Section, SpeedWindow};
 use crate::action::Action;
 use crate::document::Selection;
 use crate::limits::{BASE_SPEED, MAX_SPEED, MIN_SPEED};
 use crate::path::{Ease, EaseKind, Pace};
 use crate::state::Editor;
+use crate::state::windows::{Quantity, SpeedWindow};
 use crate::theme;
+use crate::windows::speed::section::Section;
 
 /// The initial shares of the time for speeding up and slowing down.
 const SHARE: f64 = 0.25;

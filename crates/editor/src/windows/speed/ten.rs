@@ -2,18 +2,19 @@
 
 use egui::{CursorIcon, Id, Rect, Ui, pos2, vec2};
 
-use super::graph::{Axes, Handle, Held, Quantity};
+use super::graph::{Axes, Handle};
 use super::join::ready;
 use super::shapes::Shape;
-use super::{SCALE, Section, Size, entered};
 use crate::action::Action;
 use crate::limits::{BASE_SPEED, MAX_SPEED, MIN_SPEED, SPEEDS};
 use crate::number::Number;
 use crate::path::{Orientation, Timing};
 use crate::state::Editor;
+use crate::state::windows::{Held, Quantity};
 use crate::texts::fill;
 use crate::theme;
-use crate::windows::row_at_right;
+use crate::windows::speed::section::{SCALE, Section, Size, entered};
+use crate::windows::sub_window::row_at_right;
 
 /// Rounded to so many parts of one, a value stays as it is.
 const EXACT: f64 = 1e9;

@@ -1,30 +1,38 @@
 //! The state of one window: what is edited and what is seen of it.
 
+pub(crate) mod files;
+pub(crate) mod host;
+pub(crate) mod length;
+pub(crate) mod obstacles;
+pub(crate) mod playing;
+pub(crate) mod points_list;
+pub(crate) mod scene_view;
+pub(crate) mod selected;
+pub(crate) mod space;
+pub(crate) mod windows;
+
 use std::path::PathBuf;
 
 use crate::action::Action;
 use crate::background::Start;
-use crate::clipboard::Copied;
 use crate::document::{Document, Edit, Fingerprint, Selection};
-use crate::error::{Error, Result};
-use crate::files::AfterSave;
+use crate::entry::Entry;
+use crate::error::{EngineError, Error, Result};
 use crate::files::Folders;
 use crate::files::recovery::Autosave;
-use crate::host::Warnings;
-use crate::host::pane::HostPane;
-use crate::host::{PlayheadState, Program};
-use crate::length::Length;
-use crate::number::Entry;
-use crate::obstacles::Obstacles;
-use crate::panels::orientation::with;
+use crate::host::{Program, Warnings};
 use crate::path::{Orientation, OrientationOverrides, Pose, SupportPoint};
-use crate::selected::Selected;
 use crate::setup::{Element, Setup};
 use crate::space::Camera;
+use crate::state::files::{AfterSave, Pictures};
+use crate::state::host::{HostPane, PlayheadState};
+use crate::state::length::Length;
+use crate::state::obstacles::Obstacles;
+use crate::state::selected::Selected;
+use crate::state::space::Around;
 use crate::texts::refusals::reason_of;
 use crate::texts::{Language, Texts, fill};
-use crate::theme;
-use crate::{playing, points_list, scene_view, space, windows};
+use crate::{limits, theme};
 
 /// How a window begins.
 #[derive(Debug)]
@@ -146,8 +154,8 @@ pub struct Editor {
     pub(super) points_list: points_list::PointsList,
     pub(super) windows: windows::Windows,
     pub(super) recent: Vec<PathBuf>,
-    pub(super) recent_pictures: crate::files::Pictures<Vec<PathBuf>>,
-    pub(super) begin_pictures: crate::files::Pictures<space::Around>,
+    pub(super) recent_pictures: Pictures<Vec<PathBuf>>,
+    pub(super) begin_pictures: Pictures<Around>,
     pub(super) autosave: Option<Autosave>,
     /// Closing was asked for, and nothing has happened since.
     pub(super) closing: bool,
@@ -227,13 +235,6 @@ impl Editor {
         theme::apply(context, self.setup.theme());
     }
 
-    /// Runs one pass: shows everything and takes the input.
-    pub fn show(&mut self, ui: &mut egui::Ui) {
-        self.closing = false;
-        crate::frame::show(self, ui);
-        self.keep_work(ui.ctx());
-    }
-
     /// Whether closing was asked for and not refused yet.
     pub fn asks_to_close(&self) -> bool {
         self.waiting == Some(Action::Quit)
@@ -290,6 +291,21 @@ impl Editor {
             error: true,
             undoes: None,
         });
+    }
+
+    /// Puts an error into the output field.
+    pub(crate) fn complain_of(&mut self, error: &Error) {
+        self.complain(reason_of(self.language(), error));
+    }
+
+    /// Reports why a hand-over failed.
+    pub(crate) fn complain_of_hand_over(&mut self, error: &Error) {
+        let texts = &self.texts().errors;
+        let why = match error {
+            Error::Engine(EngineError::Limit(_)) => fill(texts.frames, &[&limits::MAX_FRAMES]),
+            other => reason_of(self.language(), other),
+        };
+        self.complain(fill(texts.cannot_hand_over, &[&why]));
     }
 
     /// Lets work that takes long be done by threads, while the window goes on.
@@ -455,3 +471,28 @@ impl Editor {
         self.language().texts()
     }
 }
+
+/// A view that was copied, with its text in the clipboard.
+#[derive(Clone, Debug)]
+pub(crate) struct Copied {
+    pub(crate) view: Orientation,
+    pub(crate) text: String,
+}
+
+/// The edit that changes an orientation.
+pub(crate) fn with(
+    at: Selection,
+    current: &Orientation,
+    change: impl FnOnce(&mut Orientation),
+) -> Edit {
+    let mut orientation = current.clone();
+    change(&mut orientation);
+    Edit::SetOrientation {
+        point: at.point,
+        at: at.orientation,
+        orientation,
+    }
+}
+
+/// The least share of the room that space and picture have side by side.
+pub(crate) const LEAST_SHARE: f32 = 0.25;

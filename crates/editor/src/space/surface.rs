@@ -1,0 +1,57 @@
+//! The space as it is seen in this pass: its projection, and what pointer and keys are meant for.
+
+use egui::{Context, Key, Pos2, Rect};
+
+use crate::setup::View;
+use crate::space::projection::{Axis, Projection, from_pos, scale};
+use crate::state::Editor;
+
+/// A press that moves no farther than this, in points, is no drag: hands tremble.
+pub(crate) const STILL: f32 = 2.0;
+
+/// A drag with Shift is this many times finer.
+pub(crate) const FINE: f64 = 10.0;
+
+/// Factor of the size for a step of the wheel.
+pub(crate) const WHEEL: f64 = 1.1;
+
+pub(crate) struct PointerContext<'a> {
+    pub(crate) context: &'a Context,
+    pub(crate) viewport: Rect,
+    /// Whether a place belongs to the movement window and not to what covers it.
+    pub(crate) mine: &'a dyn Fn(Pos2) -> bool,
+    pub(crate) keyboard: bool,
+}
+
+pub(crate) fn axis_of(key: Key) -> Option<Axis> {
+    match key {
+        Key::X => Some(Axis::X),
+        Key::Y => Some(Axis::Y),
+        Key::Z => Some(Axis::Z),
+        _ => None,
+    }
+}
+
+/// The view with another size: larger about the pointer, smaller back towards the middle.
+pub(crate) fn resized(view: &View, viewport: Rect, pointer: Option<Pos2>, factor: f64) -> View {
+    let mut view = *view;
+    let size = (view.size * factor).clamp(View::MIN_SIZE, View::MAX_SIZE);
+    if let Some(pointer) = pointer.filter(|_| size > view.size) {
+        let away = from_pos(pointer) - from_pos(viewport.center());
+        let unit = scale(&view, viewport);
+        let grown = unit * size / view.size;
+        view.shift[0] += away.x / grown - away.x / unit;
+        view.shift[1] -= away.y / grown - away.y / unit;
+    } else if size < view.size {
+        let share = ((size - 1.0) / (view.size - 1.0)).clamp(0.0, 1.0);
+        let share = if view.size > 1.0 { share } else { 0.0 };
+        view.shift = view.shift.map(|shift| shift * share);
+    }
+    view.size = size;
+    view.in_range()
+}
+
+pub(crate) fn projection_of(editor: &Editor, viewport: Rect) -> Projection {
+    let space = editor.document.path().space;
+    Projection::of(&editor.setup.view, viewport, space)
+}
