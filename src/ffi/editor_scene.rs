@@ -35,9 +35,11 @@ pub unsafe extern "C" fn v_editor_get_scene(
 /// Shows another scene in a window, in one step that the user can take back. scene is
 /// copied, with its space, title, comment and so on; its wireframe object, too, if it has
 /// one. The space of the options is that of what the window began with.
-/// The path of the camera that is shown is edited then, if it has one, with the base
+/// The path that is edited stays so where its node is there under its name and follows
+/// one; else that of the camera that is shown is edited then, if it has one, with the base
 /// speeds that were given when the window was opened. One camera on a path and nothing
-/// else is that path.
+/// else is that path. A drag of the user's ends where it has come to. The playhead stays
+/// at its frame, if the scene has that. A scene like the one before is a step, too.
 /// The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
 /// V_ERR_CLOSED, V_ERR_BUSY, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
@@ -45,8 +47,8 @@ pub unsafe extern "C" fn v_editor_set_scene(editor: *mut V_EDITOR, scene: *const
     border(V_ERR_INTERNAL, || {
         let found = opened(editor)?;
         let copy = read(scene, |document| Ok(document.try_clone()?))?;
-        instance::change(found.window, |document| {
-            replace(document, copy, found.fixed_speeds)
+        instance::command(found.window, |editor| {
+            editor.change(|document| replace(document, copy, found.fixed_speeds))
         })
         .ok_or(CLOSED)??;
         Ok(V_OK)
@@ -56,10 +58,18 @@ pub unsafe extern "C" fn v_editor_set_scene(editor: *mut V_EDITOR, scene: *const
 /// Replaces the contents by a scene.
 fn replace(document: &mut Document, by: SceneDocument, fixed_speeds: bool) -> Result<()> {
     let speeds = document.path().base_frames;
+    let edited = document.edited_scene().and_then(|edited| {
+        let name = &edited.scene().nodes()[edited.node()?].name;
+        let node = by.scene.find(name)?;
+        by.scene.nodes()[node].path().map(|_| node)
+    });
     replace_with(document, by.info, |document| {
         document.apply(Edit::ReplaceScene(Box::new(by.scene)))?;
         if fixed_speeds && document.edits_path() {
             document.apply(Edit::set(At::Path, "base_speeds", speeds))?;
+        }
+        if document.edited_scene().is_some() && edited.is_some() {
+            document.apply(Edit::EditNode(edited))?;
         }
         Ok(())
     })

@@ -102,7 +102,7 @@ pub unsafe extern "C" fn v_editor_play(editor: *mut V_EDITOR, play: c_int) -> c_
 
 /// Makes an orientation of a point current, both counted from 0.
 /// The thread that opened the window; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_RANGE.
+/// V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no path is edited), V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_select(
     editor: *mut V_EDITOR,

@@ -13,6 +13,16 @@ impl Document {
     /// # Errors
     /// `ErrorKind::Memory`; `ErrorKind::Limit` for too many frames of the edited path.
     pub fn frame_range(&self) -> Result<(f64, f64)> {
+        let chosen = self.edited_scene().and_then(|edited| edited.scene().range());
+        chosen.map_or_else(|| self.own_frame_range(), Ok)
+    }
+
+    /// The same as it is where no range is chosen: the first and the last frame of all paths and
+    /// keys.
+    ///
+    /// # Errors
+    /// As [`Document::frame_range`].
+    pub fn own_frame_range(&self) -> Result<(f64, f64)> {
         let own = || -> Result<_> {
             let first = self.start_frame();
             let frames = self.timeline(Timeline::frame_count)??;
@@ -23,9 +33,6 @@ impl Document {
             return own();
         };
         let scene = edited.scene();
-        if let Some(range) = scene.range() {
-            return Ok(range);
-        }
         // The edited path as it is now.
         let mut all = match edited.node() {
             Some(_) => Some(own()?),
@@ -73,8 +80,9 @@ impl Document {
         let path = if edited.node() == Some(shown) {
             self.path()
         } else {
-            let follow = edited.scene().nodes()[shown].path();
-            follow.ok_or(Refused::NoCamera)?.path()
+            let node = &edited.scene().nodes()[shown];
+            let none = || Refused::NoPathOf((&node.name).into());
+            node.path().ok_or_else(none)?.path()
         };
         Self::from_parts(path.try_clone()?, self.info().try_clone()?)
     }

@@ -247,6 +247,9 @@ impl Editor {
             Action::SwitchOnlySelected => self.switch_only_selected(context),
             Action::SwitchKeepsLength => self.switch_keeps_length(),
             Action::SwitchMovesAlong => self.switch_moves_along(),
+            // A host has changed meanwhile what was dragged: the drag has ended.
+            Action::Retime(_) | Action::MoveKeys(_) | Action::MoveMarker { .. }
+                if !self.document.in_step() => {}
             Action::Retime(retiming) => self.retime(retiming),
             Action::MoveKeys(motion) => self.move_keys(&motion),
             Action::MoveMarker { name, to } => self.move_marker(&name, to),

@@ -11,7 +11,7 @@ use egui::{Area, Button, Context, Id, Order, Pos2, Rect, vec2};
 use glam::DVec3;
 
 use crate::action::Action;
-use crate::document::{At, Edit, Object, Selection};
+use crate::document::{At, Document, Edit, Object, Selection};
 use crate::error::{OutOfRange, Refused, Result};
 use crate::math::{orientation, view::View};
 use crate::path::{Change, Orientation, Overrides, Pose, Space, Target};
@@ -157,11 +157,27 @@ impl Editor {
     /// Makes a point and one of its orientations current, both counted from 0.
     ///
     /// # Errors
-    /// `ErrorKind::Range` if there is no such one.
+    /// `ErrorKind::Range` if there is no such one; `ErrorKind::Argument` if no path is edited.
     pub fn select_key(&mut self, point: usize, orientation: usize) -> Result<()> {
+        if !self.document.edits_path() {
+            return Err(Refused::NoPathEdited.into());
+        }
         self.document.select(point, orientation)?;
         self.select(point, orientation);
         Ok(())
+    }
+
+    /// Changes the document; the playhead stays where it was put, if that frame is still there.
+    pub fn change<R>(&mut self, change: impl FnOnce(&mut Document) -> R) -> R {
+        let frame = self.playing.frame();
+        let done = change(self.document_mut());
+        let range = self.document.frame_range();
+        if let (Some(frame), Ok((first, last))) = (frame, range)
+            && (first..=last).contains(&frame)
+        {
+            self.stay_at(frame);
+        }
+        done
     }
 
     /// Shows another object, in one undoable step.

@@ -222,9 +222,9 @@ fn columns(editor: &Editor) -> Vec<Column> {
     let space = decimals(editor.document.path().space.half_size);
     let at = shown.at.point;
     let number = if shown.has_no_point() {
-        // Between two points.
-        let next = (at + 1) % editor.document.path().points.len().max(1);
-        format!("{}–{}", at + 1, next + 1)
+        // Between two points: `at` is that which a point would have there.
+        let next = at % editor.document.path().points.len().max(1);
+        format!("{at}–{}", next + 1)
     } else {
         (at + 1).to_string()
     };

@@ -2,6 +2,7 @@
 //! kept while keys move, what else is shown.
 
 use egui::{Align, Button, Layout, Pos2, Rect, Role, Shape, Stroke, Ui, WidgetInfo, vec2};
+use vides_engine::scene::Part;
 
 use super::buttons::{BUTTON, camera_button, play_button, speed_button};
 use crate::action::Action;
@@ -122,16 +123,28 @@ fn numbers(
         .steps(1.0, 1.0)
         .show(ui, language, "playing.frame", field);
     actions.push(Action::Playhead(entry.map(|value| value - more)));
+    // A scene ends where it is told to.
+    let range = |last: f64| match editor.document.own_frame_range() {
+        Ok(own) if own == (begin, last) => None,
+        _ => Some((begin, last)),
+    };
+    let end_at = |last: f64| match of_scene {
+        true => Edit::Part(Box::new(Part::Range(range(last)))),
+        false => fit(last - begin + 1.0),
+    };
+    let [last_tip, duration_tip] = match of_scene {
+        true => [texts.scene_last_tip; 2],
+        false => [texts.last_frame_tip, texts.duration_tip],
+    };
     let entry = Number::new(texts.last_frame, last)
         .label(texts.of)
-        .hint(texts.last_frame_tip)
+        .hint(last_tip)
         .whole()
         .typed()
-        .fixed_if(of_scene)
         .range(first + 1.0..=first + as_frame(MAX_FRAMES) - 1.0)
         .steps(1.0, 0.0)
         .show(ui, language, "playing.last", field);
-    actions.push(Action::Enter(entry.map(|last| fit(last - first + 1.0))));
+    actions.push(Action::Enter(entry.map(|last| end_at(last - more))));
     ui.add_space(groups - NARROW);
     let entry = Number::new(texts.second, seconds(at))
         .hint(texts.second_tip)
@@ -142,18 +155,18 @@ fn numbers(
         .show(ui, language, "playing.second", field);
     let entry = entry.map(|value| (value * fps).round() + 1.0);
     actions.push(Action::Playhead(entry));
-    // The last frame is shown as long as every other one.
-    let entry = Number::new(texts.duration, count / fps)
+    // The last frame is shown as long as every other one; seconds count from the first frame that
+    // a scene can have.
+    let entry = Number::new(texts.duration, (begin - 1.0 + count) / fps)
         .label(texts.of)
-        .hint(texts.duration_tip)
+        .hint(duration_tip)
         .unit(" s")
         .decimals(2)
         .typed()
-        .fixed_if(of_scene)
-        .range(2.0 / fps..=as_frame(MAX_FRAMES) / fps)
+        .range((begin + 1.0) / fps..=(begin - 1.0 + as_frame(MAX_FRAMES)) / fps)
         .steps(1.0, 0.0)
         .show(ui, language, "playing.duration", field);
-    let entry = entry.map(|seconds| fit((seconds * fps).round()));
+    let entry = entry.map(|seconds| end_at((seconds * fps).round()));
     actions.push(Action::Enter(entry));
     let entry = Number::new(texts.rate, fps)
         .hint(texts.rate_tip)

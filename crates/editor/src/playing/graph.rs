@@ -272,9 +272,10 @@ fn squares(editor: &Editor, held: &mut Held, ui: &Ui, scale: &Scale, actions: &m
             let exact = f64::from(scale.speed(pointer.y - grip) / stretch.scale.max(1e-6));
             let rounded = exact.round().clamp(MIN_SPEED, MAX_SPEED);
             let edit = editor.orientation_edit(|orientation| orientation.speeds[at] = rounded);
-            actions.extend(edit.map(Action::Edit));
+            let drag = |edit| Action::Enter(Entry::Drag(edit));
+            actions.extend(edit.map(drag));
             let other = joins.then(|| follow(editor, stretch, at, rounded));
-            actions.extend(other.flatten().map(Action::Edit));
+            actions.extend(other.flatten().map(drag));
         }
         ended(ui, &response, held, actions);
         let lively = response.hovered() || response.dragged();

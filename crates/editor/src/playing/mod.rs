@@ -347,9 +347,10 @@ fn bar(editor: &Editor, memory: &mut graph::Memory, ui: &mut Ui, actions: &mut V
         true => graph_height(editor, whole.height()),
         false => 0.0,
     };
-    let markers = match editor.playing.marks.markers.is_empty() {
-        true => 0.0,
-        false => markers::HEIGHT,
+    // A scene can have markers: their row is there before the first of them.
+    let markers = match editor.document.edited_scene() {
+        Some(_) => markers::HEIGHT,
+        None => 0.0,
     };
     let nodes = track_rows::rows(editor, &memory.tracks);
     let count = nodes.len();

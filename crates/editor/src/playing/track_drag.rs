@@ -55,6 +55,14 @@ impl Way {
         }
     }
 
+    /// Whether copies are dragged: with Ctrl, which stays so while a number is typed.
+    fn copies(&mut self, held: Modifiers) -> bool {
+        if self.typed.text().is_empty() {
+            self.copies = held.ctrl || held.command;
+        }
+        self.copies
+    }
+
     fn wanted(&self, editor: &Editor, from: f64) -> f64 {
         let Some(number) = self.typed.number() else {
             return from + self.gone;
@@ -127,7 +135,7 @@ impl KeysDrag {
         let held = ui.input(|input| input.modifiers);
         let to = self.way.go_on(editor, ui, response, (time, self.from));
         let (to, copies) = match self.about {
-            None => (Change::By(to - self.from), held.ctrl || held.command),
+            None => (Change::By(to - self.from), self.way.copies(held)),
             Some(about) => {
                 let least = if held.shift { 1.0 / PARTS } else { 1.0 };
                 let from = self.from;

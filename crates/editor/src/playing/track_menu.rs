@@ -120,7 +120,11 @@ fn of_track(editor: &Editor, ui: &mut Ui, (row, track): (Row, &Track), actions: 
         let button = ui.add(Button::selectable(each == *now, words));
         if button.on_hover_text(texts.manner_hint).clicked() {
             if each != *now {
+                let lost = by_angles(now) && !by_angles(&each) && turns(track);
                 push(editor, with(row.node, track, each), actions);
+                if lost {
+                    actions.push(Action::Complain(texts.turns_lost.to_owned()));
+                }
             }
             ui.close();
         }
@@ -145,6 +149,15 @@ fn of_track(editor: &Editor, ui: &mut Ui, (row, track): (Row, &Track), actions: 
         let edit = |to| Ok(changed(&|manner| manner.after = to));
         beyond(editor, ui, (after, &BEYOND[..count]), edit, actions);
     });
+}
+
+/// Whether a node turns by more than a half between two keys of its angles.
+fn turns(track: &Track) -> bool {
+    let values: Vec<_> = track.values().chunks_exact(3).collect();
+    let far = |(from, to): (&f64, &f64)| (to - from).abs() > 180.0;
+    values
+        .windows(2)
+        .any(|two| two[0].iter().zip(two[1]).any(far))
 }
 
 /// The ways from key to key that a track may have, those of the program around at the end.

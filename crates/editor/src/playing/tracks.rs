@@ -128,6 +128,8 @@ fn all(editor: &Editor, memory: &mut Memory, ui: &Ui, (shown, left): (&Shown<'_>
     if let Some(brackets) = shown.brackets() {
         for (x, way) in brackets.into_iter().zip([3.0, -3.0]) {
             let rows = shown.ground.y_range();
+            let end = shown.top + ROW * shown.rows.len() as f32;
+            let rows = Rangef::new(rows.min, rows.max.min(end));
             let stroke = Stroke::new(1.5, palette.accent);
             painter.vline(x, rows, stroke);
             for y in [rows.min + 1.0, rows.max - 1.0] {

@@ -130,6 +130,7 @@ impl Editor {
         let edited = self.document.edited_scene();
         let old = edited.and_then(|edited| edited.scene().nodes().get(node));
         let old = old.map(|old| old.name.clone()).unwrap_or_default();
+        let name = name.trim().to_owned();
         if name.is_empty() {
             return self.complain(fill(self.texts().scene.needs_name, &[&old]));
         }
@@ -139,10 +140,30 @@ impl Editor {
         }
     }
 
+    /// The names of the nodes that aim at one.
+    fn aiming(&self) -> Vec<String> {
+        let edited = self.document.edited_scene();
+        let nodes = edited.map_or(&[][..], |edited| edited.scene().nodes());
+        let aiming = nodes.iter().filter(|node| node.aim.is_some());
+        aiming.map(|node| node.name.clone()).collect()
+    }
+
+    fn has_node(&self, name: &str) -> bool {
+        let edited = self.document.edited_scene();
+        edited.is_some_and(|edited| edited.scene().find(name).is_some())
+    }
+
     fn remove_nodes(&mut self) {
         let mut which = self.selected_nodes();
         which.sort_unstable();
+        let aiming = self.aiming();
         if !which.is_empty() && self.edit_all([part(Part::Remove(which))]) {
+            let left = self.aiming();
+            let lost = |name: &&String| self.has_node(name) && !left.contains(name);
+            let lost: Vec<_> = aiming.iter().filter(lost).cloned().collect();
+            if !lost.is_empty() {
+                self.say_done(fill(self.texts().scene.aims_lost, &[&lost.join(", ")]));
+            }
             // Numbers have moved up: what is edited is selected.
             let edited = self
                 .document

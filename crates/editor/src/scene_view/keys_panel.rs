@@ -83,13 +83,19 @@ pub(super) fn channel(
         }
         let entry = number.show(ui, editor.language(), &id, width);
         if entry != Entry::Idle {
+            let turned = matches!(entry, Entry::Set(number) if number.abs() > 180.0);
             let entry = entry.map(|number| {
                 let mut new = value.clone();
                 new[at] = number;
                 new
             });
+            let far = matches!(entry, Entry::Set(_)) && is_turn && turned
+                && editor.key_state(of.at, channel) != KeyState::NoTrack;
             let action = NodeAction::Value(of.at, channel.clone(), entry);
             actions.push(Action::Node(action));
+            if far {
+                actions.push(Action::Complain(editor.texts().node.more_than_half.to_owned()));
+            }
         }
     };
     let mut switched = None;
@@ -108,7 +114,12 @@ pub(super) fn channel(
                     let (name, label) = words.parts.get(at).copied().unwrap_or_default();
                     let number = (at + 1).to_string();
                     let name = if name.is_empty() { &number } else { name };
-                    field(ui, at, &format!("{} {name}", words.name), label, width);
+                    let whole = match channel {
+                        // Its name is those of its parts.
+                        Channel::Rotation => name.to_owned(),
+                        _ => format!("{} {name}", words.name),
+                    };
+                    field(ui, at, &whole, label, width);
                 }
             });
         }

@@ -124,6 +124,11 @@ fn pressed(context: &Context, with: Modifiers, wanted: Key) -> bool {
     found
 }
 
+/// Whether a text is keys, without nodes.
+fn is_keys(text: &str) -> bool {
+    text.contains("[[node.track]]") && !text.contains("version")
+}
+
 /// Copies, cuts and pastes nodes, and not points.
 fn take_clipboard(editor: &mut Editor, context: &Context) {
     let [mut copies, mut cuts, pastes] =
@@ -134,6 +139,8 @@ fn take_clipboard(editor: &mut Editor, context: &Context) {
             match event {
                 Event::Copy => copies = true,
                 Event::Cut => cuts = true,
+                // Keys go where keys are.
+                Event::Paste(text) if is_keys(text) => return true,
                 Event::Paste(text) => pasted.push(std::mem::take(text)),
                 _ => return true,
             }

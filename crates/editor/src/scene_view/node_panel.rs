@@ -285,11 +285,11 @@ fn node_menu(
         .show(|ui| {
             ui.spacing_mut().item_spacing.y = 0.0;
             let area = ScrollArea::vertical().max_height(MENU);
-            // None, and all but itself.
-            area.show_rows(ui, theme::ROW, nodes.len(), |ui, rows| {
-                for row in rows {
-                    let at = row.checked_sub(1);
-                    let at = at.map(|at| at + usize::from(at >= own));
+            // None, and all but itself and what is in it.
+            let others = (0..nodes.len()).filter(|&at| !is_in(nodes, at, own)).map(Some);
+            let all: Vec<_> = std::iter::once(None).chain(others).collect();
+            area.show_rows(ui, theme::ROW, all.len(), |ui, rows| {
+                for &at in &all[rows] {
                     let entry = Button::selectable(at == now, called(at)).truncate();
                     let entry = entry.min_size(vec2(ui.available_width(), theme::ROW));
                     if ui.add(entry).clicked() && at != now {
@@ -300,6 +300,12 @@ fn node_menu(
         });
     response.on_hover_text(hint);
     chosen
+}
+
+/// Whether a node is another one, or in it.
+fn is_in(nodes: &[Node], at: usize, other: usize) -> bool {
+    let mut above = std::iter::successors(Some(at), |&at| nodes[at].parent);
+    above.any(|at| at == other)
 }
 
 /// A name that leaves room for what stands at the right of a heading.

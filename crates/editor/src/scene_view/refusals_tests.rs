@@ -61,7 +61,7 @@ fn numbers_out_of_range_are_told_with_their_channel() {
         let before = scene(&window);
         for (name, number) in [
             (format!("{} x", texts.position), "1e12"),
-            (format!("{} {}", texts.rotation, texts.pitch), "91"),
+            (texts.pitch.to_owned(), "91"),
             (format!("{} y", texts.scale), "1e300"),
             (texts.intensity.to_owned(), "-1"),
             (format!("{} {}", texts.cone, texts.outer), "91"),

@@ -19,6 +19,9 @@ use crate::texts::refusals::reason_of;
 /// A plane of axes seen with less of its area than this is taken as edge-on: nothing moves.
 const EDGE_ON: f64 = 1e-3;
 
+/// What is nearer to an axis, in its distance from the middle, lies on it.
+const ON_AXIS: f64 = 1e-12;
+
 impl Start {
     /// Its pivot in its parent.
     fn place(&self) -> DVec3 {
@@ -202,6 +205,17 @@ impl Held {
         if by.is_finite() { by } else { DVec3::ZERO }
     }
 
+    /// Whether a turn becomes keys that go the shorter way.
+    pub(super) fn turns_by_quaternions(&self, editor: &Editor) -> bool {
+        let edited = editor.document.edited_scene();
+        let nodes = edited.map_or(&[][..], |edited| edited.scene().nodes());
+        self.all.iter().any(|start| {
+            let node = nodes.get(start.node);
+            let track = node.and_then(|node| node.keys().track(&Channel::Rotation));
+            start.angles.is_none() && track.is_some()
+        })
+    }
+
     /// What a motion makes of what is held; none: there is no such motion of it.
     pub(super) fn changed(&self, motion: Motion) -> Option<NodeChange> {
         let first = self.first();
@@ -262,7 +276,8 @@ impl Held {
                     }
                 };
                 values.push((start.node, Channel::Rotation, rotation));
-                if several {
+                // What lies on the axis stays there.
+                if several && from.cross(about).length() > ON_AXIS * from.length() {
                     values.push(placed(turn * from));
                 }
             }

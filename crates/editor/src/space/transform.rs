@@ -373,8 +373,14 @@ impl Transform {
             }
             Kind::Turn => {
                 let axis = self.letter(editor, self.about(projection));
-                let degrees = language.number(self.amount(projection), 1);
-                fill(texts.turned_by, &[&axis, &degrees])
+                let amount = self.amount(projection);
+                let degrees = language.number(amount, 1);
+                let words = fill(texts.turned_by, &[&axis, &degrees]);
+                let nodes = self.nodes.as_ref().filter(|_| amount.abs() > 180.0);
+                match nodes.is_some_and(|nodes| nodes.turns_by_quaternions(editor)) {
+                    true => fill(editor.texts().node.turned_too_far, &[&words]),
+                    false => words,
+                }
             }
             Kind::Scale => {
                 let factor = language.number(self.amount(projection), 3);

@@ -17,6 +17,20 @@ impl Typed {
                 pressed: true,
                 ..
             } => self.0.pop().is_some(),
+            // With Ctrl a digit is no text.
+            Event::Key {
+                key,
+                pressed: true,
+                modifiers,
+                ..
+            } if modifiers.ctrl => match key.symbol_or_name() {
+                digit if digit.len() == 1 && digit.as_bytes()[0].is_ascii_digit() => {
+                    self.0.push_str(digit);
+                    self.0.truncate(MOST);
+                    true
+                }
+                _ => false,
+            },
             Event::Text(text) => {
                 let before = self.0.len();
                 let signs = text

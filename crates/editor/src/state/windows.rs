@@ -105,7 +105,10 @@ pub(crate) struct Dock {
 }
 
 #[derive(Debug)]
-pub(crate) struct HelpWindow {}
+pub(crate) struct HelpWindow {
+    /// So far it is to be scrolled, in pages.
+    pub(crate) pages: f32,
+}
 
 /// A number picks: clicked, or typed with 0 for ten.
 #[derive(Debug)]

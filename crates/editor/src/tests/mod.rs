@@ -13,6 +13,7 @@ mod monkey;
 mod pictures;
 mod scene_hosts;
 mod scenes;
+mod stumbles;
 
 use std::sync::{OnceLock, PoisonError, RwLock, RwLockReadGuard, RwLockWriteGuard};
 use std::time::{Duration, Instant};

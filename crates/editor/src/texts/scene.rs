@@ -67,6 +67,7 @@ texts! {
             "Das zuletzt Kopierte ist kein Knoten einer Szene: Nichts wurde eingefügt";
         nodes_not_pasted: "The copied nodes cannot be pasted: {0}",
             "Die kopierten Knoten lassen sich nicht einfügen: {0}";
+        aims_lost: "What they aimed at is gone: {0}", "Ihr Ziel ist gelöscht: {0}";
         no_camera: "no camera", "keine Kamera";
         at_frame: "{0}, frame {1}", "{0}, Bild {1}";
     }

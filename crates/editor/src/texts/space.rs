@@ -105,6 +105,8 @@ texts! {
             "Kurve an einem Punkt mit eigenen Tangenten biegen; Alt: nur auf dieser Seite";
         make_closed: "Close the path", "Bahn schließen";
         make_open: "Open the path", "Bahn öffnen";
+        scene_last_tip: "Where the scene ends: type a later end to have room for keys, or an earlier one",
+            "Wo die Szene endet: ein späteres Ende tippen, um Platz für Schlüssel zu haben, oder ein früheres";
         play: "Play", "Abspielen";
         pause: "Pause", "Anhalten";
         play_tip: "Plays the flight (space bar)", "Spielt den Flug ab (Leertaste)";

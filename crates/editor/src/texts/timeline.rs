@@ -105,6 +105,8 @@ texts! {
         graph_meaning: "In time and in value; X: the time stays, Y: the value stays; else as in the rows. Handles: the tangents of selected keys",
             "In der Zeit und im Wert; X: die Zeit bleibt, Y: der Wert bleibt; sonst wie in den Zeilen. Griffe: die Tangenten gewählter Schlüssel";
         keys_clipboard: "Ctrl + C, X, V on the timeline", "Strg + C, X, V auf der Zeitleiste";
+        turns_lost: "Quaternions go the shorter way: turns of more than a half between two keys are lost. Undo brings them back",
+            "Quaternionen gehen den kürzeren Weg: Drehungen um mehr als eine halbe zwischen zwei Schlüsseln gehen verloren. Rückgängig bringt sie wieder";
         clipboard_meaning: "Copy and cut the selected keys of nodes; put them in at the playhead, into the selected nodes",
             "Gewählte Schlüssel von Knoten kopieren und ausschneiden; an der Abspielmarke in die gewählten Knoten einfügen";
         no_keys_selected: "No key of a node is selected", "Kein Schlüssel eines Knotens ist gewählt";

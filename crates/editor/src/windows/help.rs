@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use egui::{Grid, Key, Modifiers, ScrollArea};
+use egui::{Grid, Key, Modifiers, ScrollArea, vec2};
 
 use crate::action::Action;
 use crate::keys::{SHORTCUTS, combination};
@@ -22,7 +22,7 @@ impl SubWindow for HelpWindow {
     }
 
     fn new(_: &Editor) -> Self {
-        Self {}
+        Self { pages: 0.0 }
     }
 
     fn show(&mut self, editor: &Editor, context: &egui::Context, _: &mut Vec<Action>) -> bool {
@@ -32,6 +32,8 @@ impl SubWindow for HelpWindow {
         let column = ((screen.x - 100.0) / 2.0).max(KEYS);
         sub_window(context, Self::ID, texts.title, |ui| {
             ScrollArea::vertical().max_height(height).show(ui, |ui| {
+                let pages = std::mem::take(&mut self.pages);
+                ui.scroll_with_delta(vec2(0.0, -0.9 * pages * height));
                 for (heading, rows) in sections(editor.language()) {
                     let palette = theme::palette(ui);
                     ui.add_space(4.0);
@@ -53,6 +55,22 @@ impl SubWindow for HelpWindow {
                 }
             });
         })
+    }
+}
+
+impl HelpWindow {
+    /// Takes the keys that scroll it, which would move points or nodes.
+    pub(super) fn take_keys(&mut self, context: &egui::Context) {
+        for (key, pages) in [
+            (Key::PageUp, -1.0),
+            (Key::PageDown, 1.0),
+            (Key::Home, -f32::MAX.sqrt()),
+            (Key::End, f32::MAX.sqrt()),
+        ] {
+            if context.input_mut(|input| input.consume_key(Modifiers::NONE, key)) {
+                self.pages += pages;
+            }
+        }
     }
 }
 

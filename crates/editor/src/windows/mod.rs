@@ -103,6 +103,9 @@ pub(super) fn free_of_tooltips(context: &egui::Context) {
 
 /// Takes the keys of what has the keyboard in one of them.
 pub(super) fn take_keys(editor: &mut Editor, context: &egui::Context) {
+    if let Some(window) = &mut editor.windows.help {
+        window.take_keys(context);
+    }
     if let Some(window) = &mut editor.windows.speed {
         window.take_keys(context);
     }

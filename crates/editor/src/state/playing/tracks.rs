@@ -53,6 +53,7 @@ pub(crate) struct Way {
     /// Frames that it went.
     pub(crate) gone: f64,
     pub(crate) typed: Typed,
+    pub(crate) copies: bool,
 }
 
 /// Keys that are dragged.
