@@ -13,6 +13,7 @@ mod monkey;
 mod pictures;
 mod scene_hosts;
 mod scenes;
+mod words;
 
 use std::sync::OnceLock;
 use std::time::{Duration, Instant};
