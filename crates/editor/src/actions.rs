@@ -8,7 +8,6 @@ use crate::document::tool::ToolInput;
 use crate::document::{At, Document, Edit, Selection, no_longer_ahead};
 use crate::error::{Invalid, Result};
 use crate::path::{CameraPath, Tangents, Target, insertion};
-use crate::state::LEAST_SHARE;
 use crate::state::files::{AfterSave, Purpose};
 use crate::state::scene_view::NodeCommand;
 use crate::state::selected::{SelectionChange, step_around};
@@ -16,7 +15,7 @@ use crate::state::windows::{
     CheckWindow, ColourWindow, CompareWindow, CurveWindow, DisplayWindow, HelpWindow, PointsWindow,
     SpaceWindow, SpeedWindow, ToolWindow,
 };
-use crate::state::{Editor, Request};
+use crate::state::{Editor, LEAST_SHARE, Request};
 use crate::texts::fill;
 use crate::texts::refusals::of_edit;
 use crate::windows;

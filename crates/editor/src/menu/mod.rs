@@ -598,4 +598,6 @@ fn walk(context: &Context, bar: &mut Bar, menus: &[Menu]) -> Option<Action> {
 }
 
 #[cfg(test)]
+mod keyboard_tests;
+#[cfg(test)]
 mod tests;

@@ -484,3 +484,5 @@ fn dragged_edge(editor: &Editor, ui: &Ui, rect: Rect, height: f32, actions: &mut
 
 #[cfg(test)]
 mod tests;
+#[cfg(test)]
+mod track_menu_tests;

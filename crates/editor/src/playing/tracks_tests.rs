@@ -12,14 +12,12 @@ use crate::playing::track_rows::OUTSIDE;
 use crate::screenshots::screenshot;
 use crate::setup::Theme;
 use crate::space::tests::{motion, press, release, tap};
-use crate::tests::{
-    BOTH, LARGE, SMALL, functions_change, functions_stay, options, spent, window_of,
-};
+use crate::tests::{LARGE, SMALL, options, spent, window_of};
 use crate::texts::{Language, fill};
 
 pub(in crate::playing) type Window = Harness<'static, Editor>;
 
-fn track(channel: Channel, frames: &[f64], width: usize) -> Track {
+pub(in crate::playing) fn track(channel: Channel, frames: &[f64], width: usize) -> Track {
     let values = (0..frames.len() * width).map(|k| 0.25 * k as f64).collect();
     Track::new(
         channel,
@@ -96,7 +94,7 @@ pub(in crate::playing) fn x_of(harness: &Window, frame: f64) -> f32 {
 }
 
 /// The place of a frame in a row.
-fn place(harness: &Window, row: usize, frame: f64) -> Pos2 {
+pub(in crate::playing) fn place_in_row(harness: &Window, row: usize, frame: f64) -> Pos2 {
     let name = harness.state().texts().timeline.tracks;
     let rows = harness.get_by_role_and_label(Role::Canvas, name).rect();
     pos2(x_of(harness, frame), rows.top() + ROW * (row as f32 + 0.5))
@@ -145,7 +143,7 @@ pub(in crate::playing) fn hold(harness: &mut Window, modifiers: Modifiers) {
     harness.step();
 }
 
-const POSITION: usize = 1;
+pub(in crate::playing) const POSITION: usize = 1;
 const INTENSITY: usize = 2;
 const DRONE: usize = 3;
 
@@ -156,14 +154,14 @@ fn pictures() {
         (Language::German, SMALL, Theme::Light, "de-light"),
     ] {
         let mut harness = window_in(language, size, theme);
-        let at = place(&harness, POSITION, 20.0);
+        let at = place_in_row(&harness, POSITION, 20.0);
         click(&mut harness, at, PointerButton::Primary);
         hold(&mut harness, Modifiers::CTRL);
-        let other = place(&harness, INTENSITY, 10.0);
+        let other = place_in_row(&harness, INTENSITY, 10.0);
         click(&mut harness, other, PointerButton::Primary);
         hold(&mut harness, Modifiers::NONE);
         screenshot(&mut harness, &format!("tracks-{name}.png"));
-        let to = place(&harness, POSITION, 33.0);
+        let to = place_in_row(&harness, POSITION, 33.0);
         take(&mut harness, at, to);
         screenshot(&mut harness, &format!("tracks-{name}-drag.png"));
         release(&mut harness, to, PointerButton::Primary);
@@ -181,7 +179,7 @@ fn diamonds_stand_at_their_frames() {
         (seed >> 33) as f64 / f64::from(1_u32 << 31)
     };
     let mut harness = window();
-    let middle = place(&harness, POSITION, 1.0).y;
+    let middle = place_in_row(&harness, POSITION, 1.0).y;
     let ruler = harness.get_by_label("Frame").rect();
     let rail = Rangef::new(ruler.left() + 8.0, ruler.right() - 8.0);
     let mut checked = 0;
@@ -256,7 +254,7 @@ fn diamonds_stand_at_their_frames() {
 #[test]
 fn keys_are_selected_by_clicks_and_by_a_box() {
     let mut harness = window();
-    let at = |harness: &Window, frame| place(harness, POSITION, frame);
+    let at = |harness: &Window, frame| place_in_row(harness, POSITION, frame);
     let there = at(&harness, 20.0);
     click(&mut harness, there, PointerButton::Primary);
     assert_eq!(selected(&harness), [(Channel::Position, 1)]);
@@ -271,14 +269,14 @@ fn keys_are_selected_by_clicks_and_by_a_box() {
     assert_eq!(selected(&harness).len(), 3);
     hold(&mut harness, Modifiers::NONE);
     // The sign of the node stands for both tracks.
-    let there = place(&harness, 0, 20.0);
+    let there = place_in_row(&harness, 0, 20.0);
     click(&mut harness, there, PointerButton::Primary);
     let both = [(Channel::Position, 1), (Channel::Intensity, 1)];
     assert_eq!(selected(&harness), both);
     let there = at(&harness, 30.0);
     click(&mut harness, there, PointerButton::Primary);
     assert!(selected(&harness).is_empty());
-    let (from, to) = (at(&harness, 15.0), place(&harness, INTENSITY, 45.0));
+    let (from, to) = (at(&harness, 15.0), place_in_row(&harness, INTENSITY, 45.0));
     drag(&mut harness, from, to);
     let all = [
         (Channel::Position, 1),
@@ -289,11 +287,11 @@ fn keys_are_selected_by_clicks_and_by_a_box() {
     assert!(!harness.state().document.can_undo());
     // With Ctrl besides those.
     hold(&mut harness, Modifiers::CTRL);
-    let (from, to) = (at(&harness, 55.0), place(&harness, INTENSITY, 65.0));
+    let (from, to) = (at(&harness, 55.0), place_in_row(&harness, INTENSITY, 65.0));
     drag(&mut harness, from, to);
     assert_eq!(selected(&harness).len(), 4);
     hold(&mut harness, Modifiers::NONE);
-    let (from, to) = (at(&harness, 15.0), place(&harness, INTENSITY, 45.0));
+    let (from, to) = (at(&harness, 15.0), place_in_row(&harness, INTENSITY, 45.0));
     drag(&mut harness, from, to);
     assert_eq!(selected(&harness), all);
     tap(&mut harness, Key::Delete, Modifiers::NONE);
@@ -310,7 +308,7 @@ fn keys_are_selected_by_clicks_and_by_a_box() {
 fn keys_are_dragged_in_time() {
     let mut harness = window();
     let before = values(&harness);
-    let [from, to] = [20.0, 29.7].map(|frame| place(&harness, POSITION, frame));
+    let [from, to] = [20.0, 29.7].map(|frame| place_in_row(&harness, POSITION, frame));
     drag(&mut harness, from, to);
     assert_eq!(
         frames(&harness, &Channel::Position),
@@ -319,7 +317,7 @@ fn keys_are_dragged_in_time() {
     assert_eq!(values(&harness), before);
     assert_eq!(selected(&harness), [(Channel::Position, 1)]);
     // Past another one, which stays as it was, and onto one, whose place it takes.
-    let [from, to] = [30.0, 60.0].map(|frame| place(&harness, POSITION, frame));
+    let [from, to] = [30.0, 60.0].map(|frame| place_in_row(&harness, POSITION, frame));
     drag(&mut harness, from, to);
     assert_eq!(frames(&harness, &Channel::Position), [5.0, 40.0, 60.0]);
     assert_eq!(values(&harness)[6..], before[3..6]);
@@ -328,7 +326,7 @@ fn keys_are_dragged_in_time() {
     assert_eq!(values(&harness), before);
     assert!(!harness.state().document.can_undo());
     // Escape.
-    let [from, to] = [20.0, 50.0].map(|frame| place(&harness, POSITION, frame));
+    let [from, to] = [20.0, 50.0].map(|frame| place_in_row(&harness, POSITION, frame));
     take(&mut harness, from, to);
     assert_eq!(frames(&harness, &Channel::Position)[2], 50.0);
     tap(&mut harness, Key::Escape, Modifiers::NONE);
@@ -342,7 +340,7 @@ fn keys_are_dragged_in_time() {
     assert!(!harness.state().document.can_undo());
     // Shift.
     hold(&mut harness, Modifiers::SHIFT);
-    let to = place(&harness, POSITION, 24.0);
+    let to = place_in_row(&harness, POSITION, 24.0);
     drag(&mut harness, from, to);
     hold(&mut harness, Modifiers::NONE);
     let at = frames(&harness, &Channel::Position)[1];
@@ -359,7 +357,7 @@ fn copies_and_typed_times() {
     harness.state_mut().select_nodes(vec![1]);
     steps_on(&mut harness);
     harness.state_mut().setup.ruler_frames = true;
-    let [from, to] = [20.0, 30.0].map(|frame| place(&harness, POSITION, frame));
+    let [from, to] = [20.0, 30.0].map(|frame| place_in_row(&harness, POSITION, frame));
     hold(&mut harness, Modifiers::CTRL);
     drag(&mut harness, from, to);
     hold(&mut harness, Modifiers::NONE);
@@ -389,12 +387,12 @@ fn a_bracket_scales_the_time_of_a_selection() {
     harness.state_mut().select_nodes(vec![1]);
     steps_on(&mut harness);
     let (from, to) = (
-        place(&harness, POSITION, 15.0),
-        place(&harness, POSITION, 70.0),
+        place_in_row(&harness, POSITION, 15.0),
+        place_in_row(&harness, POSITION, 70.0),
     );
     drag(&mut harness, from, to);
     assert_eq!(selected(&harness).len(), 3);
-    let bracket = place(&harness, POSITION, 60.0) + vec2(OUTSIDE, 0.0);
+    let bracket = place_in_row(&harness, POSITION, 60.0) + vec2(OUTSIDE, 0.0);
     let gone = x_of(&harness, 40.0) - x_of(&harness, 60.0);
     drag(&mut harness, bracket, bracket + vec2(gone, 0.0));
     assert_eq!(
@@ -434,7 +432,7 @@ fn a_bar_is_dragged() {
         edited.scene().nodes()[2].path().unwrap().start_frame()
     };
     assert_eq!(start(&harness), 21.0);
-    let [from, to] = [30.0, 42.0].map(|frame| place(&harness, DRONE, frame));
+    let [from, to] = [30.0, 42.0].map(|frame| place_in_row(&harness, DRONE, frame));
     drag(&mut harness, from, to);
     assert_eq!(start(&harness), 33.0);
     tap(&mut harness, Key::Z, Modifiers::CTRL);
@@ -463,56 +461,6 @@ fn comma_and_period_go_from_key_to_key() {
     }
 }
 
-/// Interpolation, before and after; frames and values stay, and it is one step.
-#[test]
-fn a_track_has_a_menu() {
-    let _stay = functions_stay();
-    for language in BOTH {
-        let mut harness = window_in(language, LARGE, Theme::Light);
-        harness.state_mut().select_nodes(vec![1]);
-        steps_on(&mut harness);
-        let texts = &language.texts().timeline;
-        let before = values(&harness);
-        let at = place(&harness, POSITION, 30.0);
-        for (words, expected) in [
-            (texts.hermite, Interpolation::Hermite),
-            (texts.tcb, Interpolation::Tcb),
-            (texts.cubic, Interpolation::Cubic),
-        ] {
-            click(&mut harness, at, PointerButton::Secondary);
-            harness.get_by_label(words).click();
-            steps_on(&mut harness);
-            let edited = harness.state().document.edited_scene().unwrap();
-            let keys = edited.scene().nodes()[1].keys();
-            let track = keys.track(&Channel::Position).unwrap();
-            assert_eq!(*track.interpolation(), expected);
-            assert_eq!(track.frames(), [5.0, 20.0, 40.0, 60.0]);
-            assert_eq!(track.values(), before);
-            tap(&mut harness, Key::Z, Modifiers::CTRL);
-            assert!(!harness.state().document.can_undo());
-        }
-    }
-}
-
-/// A choice in a menu within the menu closes both.
-#[test]
-fn before_and_after_are_chosen() {
-    let _stay = functions_stay();
-    let mut harness = window();
-    let texts = &Language::English.texts().timeline;
-    let at = place(&harness, POSITION, 30.0);
-    click(&mut harness, at, PointerButton::Secondary);
-    let entry = harness.get_by_label(texts.after).rect().center();
-    click(&mut harness, entry, PointerButton::Primary);
-    harness.get_by_label(texts.repeats).click();
-    steps_on(&mut harness);
-    let edited = harness.state().document.edited_scene().unwrap();
-    let track = edited.scene().nodes()[1].keys().track(&Channel::Position);
-    let ends = (Extrapolation::Hold, Extrapolation::Repeat);
-    assert_eq!(track.unwrap().extrapolation(), ends);
-    assert!(harness.query_by_label(texts.after).is_none());
-}
-
 /// Rows scroll with the wheel; with Ctrl it zooms.
 #[test]
 fn rows_scroll_and_fold() {
@@ -535,7 +483,7 @@ fn rows_scroll_and_fold() {
     steps_on(&mut harness);
     assert_eq!(height(&harness), 44.0);
     let first = |harness: &Window| harness.get_by_label(&name).rect().top();
-    let (at, top) = (place(&harness, 1, 30.0), first(&harness));
+    let (at, top) = (place_in_row(&harness, 1, 30.0), first(&harness));
     for (modifiers, zooms) in [(Modifiers::CTRL, true), (Modifiers::NONE, false)] {
         harness.state_mut().playing.see(None);
         motion(&mut harness, at);
@@ -581,7 +529,7 @@ fn many_rows_scroll_as_fast_as_few() {
         let count = if few { 50 } else { 5_000 };
         harness.state_mut().select_nodes((0..count).collect());
         steps_on(&mut harness);
-        let at = place(&harness, 1, 30.0);
+        let at = place_in_row(&harness, 1, 30.0);
         motion(&mut harness, at);
         let start = spent();
         for pass in 0..30 {
@@ -604,41 +552,14 @@ fn many_rows_scroll_as_fast_as_few() {
     assert!(ratio <= 1.2, "{ratio}");
 }
 
-/// What the program around has registered is in the menu, by its name.
-#[test]
-fn functions_of_the_host_are_in_the_menu() {
-    use vides_engine::scene::host;
-    let _change = functions_change();
-    let first = |question: host::Question<'_>, out: &mut [f64]| {
-        out.copy_from_slice(&question.values[..question.width]);
-        true
-    };
-    host::register("bounce", Some(std::sync::Arc::new(first))).unwrap();
-    let mut harness = window();
-    let at = place(&harness, POSITION, 30.0);
-    click(&mut harness, at, PointerButton::Secondary);
-    harness.get_by_label("host:bounce").click();
-    steps_on(&mut harness);
-    let edited = harness.state().document.edited_scene().unwrap();
-    let track = edited.scene().nodes()[1].keys().track(&Channel::Position);
-    let by = track.unwrap().interpolation();
-    assert_eq!(*by, Interpolation::Host("bounce".to_owned()));
-    // Not where it does not fit, and gone with its function.
-    host::register("bounce", None).unwrap();
-    tap(&mut harness, Key::Z, Modifiers::CTRL);
-    click(&mut harness, at, PointerButton::Primary);
-    click(&mut harness, at, PointerButton::Secondary);
-    assert!(harness.query_by_label("host:bounce").is_none());
-}
-
 /// Shift and Home show the selected keys, else what moves the nodes; Home shows everything.
 #[test]
 fn shift_and_home_show_the_selection() {
     let mut harness = window();
-    let at = place(&harness, POSITION, 20.0);
+    let at = place_in_row(&harness, POSITION, 20.0);
     click(&mut harness, at, PointerButton::Primary);
     hold(&mut harness, Modifiers::SHIFT);
-    let at = place(&harness, POSITION, 40.0);
+    let at = place_in_row(&harness, POSITION, 40.0);
     click(&mut harness, at, PointerButton::Primary);
     hold(&mut harness, Modifiers::NONE);
     let ruler = harness.get_by_label("Frame").rect();

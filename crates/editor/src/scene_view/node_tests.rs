@@ -7,6 +7,7 @@ use crate::document::StepName;
 use crate::path::CameraPath;
 use crate::screenshots::screenshot;
 use crate::state::files::Purpose;
+use crate::state::scene_view::NodeCommand;
 use crate::tests::*;
 
 const CAMERA: usize = 0;

@@ -2,11 +2,14 @@
 
 use egui::Modifiers;
 use egui_kittest::kittest::Queryable as _;
+use glam::{DMat4, DVec2, DVec3};
 use proptest::prelude::*;
 
+use super::super::camera_picture::{FRONT, on_picture, seen};
 use super::*;
 use crate::math::camera::{CameraAxes, Clip};
 use crate::math::orientation::{unit, up_from_roll};
+use crate::math::view::View;
 
 const ASPECT: f64 = 1.5;
 

@@ -5,6 +5,8 @@
 //! [`mod@pointer`] and [`keyboard`] turn events into actions, [`gesture`] applies those of a drag;
 //! [`scene`], [`solid`], [`cameras`], [`ribbon`] and [`overlay`] draw.
 
+mod camera_caption;
+mod camera_picture;
 pub(crate) mod camera_view;
 pub(crate) mod cameras;
 mod drag;
@@ -15,6 +17,7 @@ mod gizmo;
 mod held_nodes;
 mod hold;
 mod keyboard;
+mod labels;
 mod menu;
 mod nodes;
 mod of_nodes;
@@ -471,14 +474,14 @@ impl MovementWindow {
         if let Some(ghost) = editor.ghost.map(Camera::from) {
             let color = editor.setup.theme().palette().text.gamma_multiply(0.65);
             add_camera(&ghost, 40.0, 1.4, color);
-            overlay::name(painter, &look, &ghost, editor.host_name(), color);
+            labels::name(painter, &look, &ghost, editor.host_name(), color);
         }
         let pointed = match pointer.hover {
             Some(Handle::Point(at)) => Some(at),
             _ => None,
         };
         let several = editor.several().unwrap_or_default();
-        overlay::numbers(painter, document, &look, pointed, several);
+        labels::numbers(painter, document, &look, pointed, several);
         if editor.means_nodes() {
             trail::paint(&self.pointer, editor, painter, &look);
         }
@@ -503,7 +506,7 @@ impl MovementWindow {
         };
         if let Some(hint) = hint {
             let color = editor.setup.theme().palette().weak;
-            overlay::hint(painter, look, &hint, color);
+            labels::hint(painter, look, &hint, color);
         }
     }
 }
@@ -534,6 +537,8 @@ mod menu_tests;
 mod node_clicks_tests;
 #[cfg(test)]
 mod nodes_tests;
+#[cfg(test)]
+mod planes_tests;
 #[cfg(test)]
 mod several_tests;
 #[cfg(test)]

@@ -9,7 +9,7 @@ use glam::{DVec2, DVec3};
 use vides_engine::scene::{Kind, Light, Node, NodeState};
 
 use super::cameras::{self, Camera};
-use super::overlay;
+use super::labels;
 use super::picking::REACH;
 use super::projection::{Projection, from_pos};
 use super::scene::{Look, THIN};
@@ -327,7 +327,7 @@ pub(super) fn names(editor: &Editor, painter: &Painter, look: &Look<'_>) {
         }
         for (at, node) in seen {
             let weak = color.gamma_multiply(0.7);
-            overlay::name(painter, look, &now.camera(at), &node.name, weak);
+            labels::name(painter, look, &now.camera(at), &node.name, weak);
         }
     });
 }

@@ -2,7 +2,7 @@
 
 use egui::{Context, RawInput};
 
-use super::super::camera_view;
+use super::super::camera_picture;
 use super::super::cameras::Camera;
 use super::super::projection::Projection;
 use super::*;
@@ -103,7 +103,7 @@ fn what_lies_behind_a_box_is_hidden_and_nothing_else() {
         };
         let up = camera.view.cross(DVec3::Y).normalize().cross(camera.view);
         let camera = Camera { up, ..camera };
-        let perspective = camera_view::eye(editor, &camera, rect, pixels_per_point)
+        let perspective = camera_picture::eye(editor, &camera, rect, pixels_per_point)
             .unwrap()
             .1;
         for (eye, from) in [(parallel, None), (perspective, Some(camera.position))] {

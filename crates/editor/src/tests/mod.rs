@@ -14,6 +14,7 @@ mod pictures;
 mod scene_hosts;
 mod scenes;
 mod stumbles;
+mod words;
 
 use std::sync::{OnceLock, PoisonError, RwLock, RwLockReadGuard, RwLockWriteGuard};
 use std::time::{Duration, Instant};

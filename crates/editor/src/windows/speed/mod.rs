@@ -331,6 +331,8 @@ fn base_speeds(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
 }
 
 #[cfg(test)]
+mod distance_tests;
+#[cfg(test)]
 mod pace_tests;
 #[cfg(test)]
 mod tests;
