@@ -72,9 +72,7 @@ pub(crate) use each;
 #[must_use]
 pub(crate) fn horner<V: Vector, const N: usize>(coefficients: &[f64; N], x: V) -> V {
     let mut sum = V::splat(coefficients[N - 1]);
-    let mut k = N - 1;
-    while k > 0 {
-        k -= 1;
+    for k in (0..N - 1).rev() {
         sum = sum.mul_add(x, V::splat(coefficients[k]));
     }
     sum
@@ -88,17 +86,26 @@ pub(crate) fn horner_each<V: Vector, const N: usize, const U: usize>(
     x: &[V; U],
 ) -> [V; U] {
     let mut sums = [V::splat(coefficients[N - 1]); U];
-    let mut k = N - 1;
-    while k > 0 {
-        k -= 1;
+    for k in (0..N - 1).rev() {
         let coefficient = V::splat(coefficients[k]);
-        let mut u = 0;
-        while u < U {
+        for u in 0..U {
             sums[u] = sums[u].mul_add(x[u], coefficient);
-            u += 1;
         }
     }
     sums
+}
+
+/// What a number computes by itself.
+macro_rules! by_itself {
+    ($($name:ident($this:ident $(, $other:ident)*) => $value:expr;)*) => {
+        $(
+            #[inline(always)]
+            fn $name(self $(, $other: Self)*) -> Self {
+                let $this = self;
+                $value
+            }
+        )*
+    };
 }
 
 impl Vector for f64 {
@@ -115,38 +122,16 @@ impl Vector for f64 {
     fn store(self, to: &mut [f64]) {
         to[0] = self;
     }
-    #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        self + other
-    }
-    #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        self - other
-    }
-    #[inline(always)]
-    fn mul(self, other: Self) -> Self {
-        self * other
-    }
-    #[inline(always)]
-    fn div(self, other: Self) -> Self {
-        self / other
-    }
-    /// Two roundings: the fused operation would be a call into the library.
-    #[inline(always)]
-    fn mul_add(self, b: Self, c: Self) -> Self {
-        self * b + c
-    }
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        Self::sqrt(self)
-    }
-    #[inline(always)]
-    fn min(self, other: Self) -> Self {
-        if self < other { self } else { other }
-    }
-    #[inline(always)]
-    fn max(self, other: Self) -> Self {
-        if self > other { self } else { other }
+    by_itself! {
+        add(a, b) => a + b;
+        sub(a, b) => a - b;
+        mul(a, b) => a * b;
+        div(a, b) => a / b;
+        // Two roundings: the fused operation would be a call into the library.
+        mul_add(a, b, c) => a * b + c;
+        sqrt(a) => a.sqrt();
+        min(a, b) => if a < b { a } else { b };
+        max(a, b) => if a > b { a } else { b };
     }
     #[inline(always)]
     fn store_records<const PAST: bool>(rows: [Self; 10], to: &mut [f64]) {
@@ -279,17 +264,15 @@ mod x86_64 {
                     high[k] = _mm256_unpackhi_pd(rows[2 * k].0, rows[2 * k + 1].0);
                 }
                 // One record after the other, as memory takes them best.
-                for k in 0..5 {
-                    put::<PAST>(p.add(2 * k), _mm256_castpd256_pd128(low[k]));
+                for (at, pairs) in [(0, low), (10, high)] {
+                    for k in 0..5 {
+                        put::<PAST>(p.add(at + 2 * k), _mm256_castpd256_pd128(pairs[k]));
+                    }
                 }
-                for k in 0..5 {
-                    put::<PAST>(p.add(10 + 2 * k), _mm256_castpd256_pd128(high[k]));
-                }
-                for k in 0..5 {
-                    put::<PAST>(p.add(20 + 2 * k), _mm256_extractf128_pd::<1>(low[k]));
-                }
-                for k in 0..5 {
-                    put::<PAST>(p.add(30 + 2 * k), _mm256_extractf128_pd::<1>(high[k]));
+                for (at, pairs) in [(20, low), (30, high)] {
+                    for k in 0..5 {
+                        put::<PAST>(p.add(at + 2 * k), _mm256_extractf128_pd::<1>(pairs[k]));
+                    }
                 }
             }
         }

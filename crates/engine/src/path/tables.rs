@@ -82,7 +82,7 @@ impl Tables {
         #[allow(clippy::cast_precision_loss)]
         let frames = section.frames as f64;
         if let Some(way) = &section.way {
-            arc_length::measure::<V>(&way.curve, &mut self.arc)?;
+            arc_length::measure::<V>(&way.curve, Some(&mut self.arc))?;
             self.fit_place::<V>(way, frames)?;
         }
         if section.turning.is_quaternion() {
