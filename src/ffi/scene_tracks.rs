@@ -530,7 +530,8 @@ pub unsafe extern "C" fn v_scene_remove_deformation(
 
 /// Deforms points in place. u, v, w run from -1 to 1 along the box (min x y z,
 /// max x y z); a flat side gives coordinate 0 and stays. Axes are 0, 1, 2, angles
-/// degrees. In parentheses the names of what can move, see v_scene_set_track().
+/// degrees in u, v, w: in a box that is no cube what is turned is stretched as the box
+/// is. In parentheses the names of what can move, see v_scene_set_track().
 ///
 /// "taper"      axis a (a): the other two times 1 + (a-1)(1-u^2)
 /// "taper"      axis r0 r1 (r0 r1): from r0 at one end to r1 at the other

@@ -196,6 +196,13 @@ int main(int argc, char **argv)
         serve(100);
         check(frame == all[k] && told == all[k], "the frame is the scene's");
     }
+    /* Another scene leaves it there. */
+    ok(v_editor_get_scene(editor, &scene), "get_scene");
+    ok(v_editor_set_scene(editor, scene), "set_scene");
+    v_scene_free(scene);
+    serve(100);
+    ok(v_editor_get_frame(editor, &frame), "get_frame");
+    check(frame == all[4], "the playhead stays");
     check(v_editor_set_frame(editor, 0.5) == V_ERR_RANGE, "before the first frame");
     check(v_editor_set_frame(editor, 900.5) == V_ERR_RANGE, "after the last frame");
     ok(v_editor_close(editor), "close");

@@ -95,6 +95,10 @@ int main(void)
     ok(v_editor_open(NULL, &editor), "open");
     ok(v_editor_set_scene(editor, scene), "set_scene");
     v_scene_free(scene);
+    if (v_editor_select(editor, 0, 0) != V_ERR_ARGUMENT) {
+        printf("a point was selected where no path is edited\n");
+        failures++;
+    }
     for (;;) {
         struct pollfd watch[2];
 

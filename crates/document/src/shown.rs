@@ -13,7 +13,9 @@ impl Document {
     /// # Errors
     /// `ErrorKind::Memory`; `ErrorKind::Limit` for too many frames of the edited path.
     pub fn frame_range(&self) -> Result<(f64, f64)> {
-        let chosen = self.edited_scene().and_then(|edited| edited.scene().range());
+        let chosen = self
+            .edited_scene()
+            .and_then(|edited| edited.scene().range());
         chosen.map_or_else(|| self.own_frame_range(), Ok)
     }
 

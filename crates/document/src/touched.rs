@@ -33,7 +33,12 @@ impl Touched {
     /// memory for it less is known.
     pub(super) fn note(&mut self, change: &Change, edited: Option<usize>) {
         match change {
-            Change::Several(changes) => changes.iter().for_each(|one| self.note(one, edited)),
+            Change::Several(changes) => {
+                // That another path is edited is no change of either.
+                let other = |one: &Change| matches!(one, Change::Edited(_));
+                let edited = edited.filter(|_| !changes.iter().any(other));
+                changes.iter().for_each(|one| self.note(one, edited));
+            }
             Change::Part(part, _) => self.note_part(part),
             Change::Scene(..) | Change::SceneOf(..) => self.clear(),
             Change::Edited(_) | Change::Info(_) => {}

@@ -228,10 +228,13 @@ fn renamed(
         .show(|ui| {
             let words = (texts.marker_name, texts.marker_name);
             let field = theme::line_edit(ui, &mut renaming.text, "name of a marker", FIELD, words);
-            if renaming.fresh {
+            if field.has_focus() {
+                renaming.fresh = false;
+            } else if renaming.fresh {
+                // A menu that closes takes it away once more.
                 field.request_focus();
                 theme::select(ui, field.id, &renaming.text);
-                renaming.fresh = false;
+                ui.ctx().request_repaint();
             }
             (
                 field.lost_focus(),

@@ -3,7 +3,7 @@
 use super::tracks::tests::{POSITION, click, place_in_row, steps_on, values, window, window_in};
 use crate::setup::Theme;
 use crate::space::tests::tap;
-use crate::tests::{BOTH, LARGE};
+use crate::tests::{BOTH, LARGE, functions_change, functions_stay};
 use crate::texts::Language;
 use egui::{Key, Modifiers, PointerButton};
 use egui_kittest::kittest::Queryable;

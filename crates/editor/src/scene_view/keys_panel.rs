@@ -89,12 +89,16 @@ pub(super) fn channel(
                 new[at] = number;
                 new
             });
-            let far = matches!(entry, Entry::Set(_)) && is_turn && turned
+            let far = matches!(entry, Entry::Set(_))
+                && is_turn
+                && turned
                 && editor.key_state(of.at, channel) != KeyState::NoTrack;
             let action = NodeAction::Value(of.at, channel.clone(), entry);
             actions.push(Action::Node(action));
             if far {
-                actions.push(Action::Complain(editor.texts().node.more_than_half.to_owned()));
+                actions.push(Action::Complain(
+                    editor.texts().node.more_than_half.to_owned(),
+                ));
             }
         }
     };

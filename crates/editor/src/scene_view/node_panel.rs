@@ -286,7 +286,9 @@ fn node_menu(
             ui.spacing_mut().item_spacing.y = 0.0;
             let area = ScrollArea::vertical().max_height(MENU);
             // None, and all but itself and what is in it.
-            let others = (0..nodes.len()).filter(|&at| !is_in(nodes, at, own)).map(Some);
+            let others = (0..nodes.len())
+                .filter(|&at| !is_in(nodes, at, own))
+                .map(Some);
             let all: Vec<_> = std::iter::once(None).chain(others).collect();
             area.show_rows(ui, theme::ROW, all.len(), |ui, rows| {
                 for &at in &all[rows] {

@@ -1,6 +1,7 @@
 //! The panels of an object's deformations and of its shapes.
 
 use egui::{Button, Popup, Role, Ui, WidgetInfo, vec2};
+use glam::DVec3;
 use vides_engine::deform::{Deformation, identity_lattice};
 use vides_engine::scene::{Channel, Kind, Object, Part};
 
@@ -174,7 +175,11 @@ fn axis(editor: &Editor, ui: &mut Ui, this: &Deformation, name: &str) -> Option<
         current_text_value: Some(letter.to_owned()),
         ..WidgetInfo::labeled(Role::Button, true, &label)
     });
-    if !button.on_hover_text(texts.axis_hint).clicked() {
+    let hint = match this.kind() {
+        "bend" => texts.bend_axis_hint,
+        _ => texts.axis_hint,
+    };
+    if !button.on_hover_text(hint).clicked() {
         return None;
     }
     let mut parameters = this.parameters().to_vec();
@@ -182,6 +187,25 @@ fn axis(editor: &Editor, ui: &mut Ui, this: &Deformation, name: &str) -> Option<
         *axis = (*axis + 1.0) % 3.0;
     }
     Deformation::new(this.kind(), &parameters).ok()
+}
+
+/// A deformation along the longest side of the object: what bends does so about another one.
+fn along_longest(of: Shown<'_>, kind: &str, parameters: &[f64]) -> Option<Deformation> {
+    let points = &object(of)?.mesh().points;
+    let ends = |pick: fn(DVec3, DVec3) -> DVec3| points.iter().copied().reduce(pick);
+    let size = (ends(DVec3::max)? - ends(DVec3::min)?).to_array();
+    // Upright, where none is the longest.
+    let longest = [0, 2].into_iter().filter(|&at| size[at] > size[1]);
+    let longest = longest.max_by(|&a, &b| size[a].total_cmp(&size[b]));
+    let longest = longest.unwrap_or(1);
+    let axis = match kind {
+        "bend" => (longest + 2) % 3,
+        "free-form" => return None,
+        _ => longest,
+    };
+    let mut parameters = parameters.to_vec();
+    parameters[0] = axis as f64;
+    Deformation::new(kind, &parameters).ok()
 }
 
 /// The menu of the kinds that there are; each begins with numbers that change nothing.
@@ -203,6 +227,7 @@ fn add(editor: &Editor, ui: &mut Ui, of: Shown<'_>, at: usize, actions: &mut Vec
                 continue;
             };
             if ui.button(called(editor, &new)).clicked() {
+                let new = along_longest(of, kind, parameters).unwrap_or(new);
                 actions.push(edit(Part::InsertDeformation {
                     node: of.at,
                     at,

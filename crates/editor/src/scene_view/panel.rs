@@ -105,6 +105,9 @@ impl Editor {
 
     /// Lets a camera follow a path in place of its keys, in one step.
     pub(crate) fn keys_to_path(&mut self, node: usize) {
+        let edited = self.document.edited_scene();
+        let of = edited.and_then(|edited| edited.scene().nodes().get(node));
+        let aimed = of.is_some_and(|of| of.aim.is_some());
         let made = match self.document.keys_to_path(node, self.tolerance()) {
             Ok(made) => made,
             Err(error) => return self.complain_of(&error),
@@ -120,6 +123,10 @@ impl Editor {
         let off = language.number(made.off, decimals(self.document.path().space.half_size) + 1);
         let turned = language.number(made.turned, 2);
         let text = self.texts().scene.became_path;
-        self.say(fill(text, &[&made.points, &off, &turned]));
+        let mut text = fill(text, &[&made.points, &off, &turned]);
+        if aimed {
+            text += self.texts().scene.aim_became_views;
+        }
+        self.say(text);
     }
 }

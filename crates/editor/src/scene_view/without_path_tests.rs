@@ -40,6 +40,19 @@ fn keys_and_menus_mean_nodes() {
     }
 }
 
+/// A path is edited; a value of another node is changed, and taken back.
+#[test]
+fn undo_selects_what_it_has_changed_and_nothing_else() {
+    let texts = &Language::English.texts().node;
+    let mut window = window_of_parts(Language::English);
+    click_on(&mut window, "camera", Modifiers::NONE);
+    click_on(&mut window, "box", Modifiers::NONE);
+    enter(&mut window, &format!("{} x", texts.scale), "2");
+    assert_eq!(scene_of(&window).nodes()[5].rest.scale.x, 2.0);
+    press(&mut window, CTRL, Key::Z);
+    assert_eq!(selected(&window), ["box"]);
+}
+
 /// Whoever makes a node's first key has the bar under the pointer as before.
 #[test]
 fn the_first_key_moves_nothing() {

@@ -38,7 +38,11 @@ fn a_scene_ends_where_it_is_told_to() {
     assert_eq!(hands.scene().range(), Some((1.0, 225.0)));
     hands.frame(220);
     hands.number(texts.last_frame, "121");
-    assert_eq!(hands.scene().range(), None, "it is what it would be by itself");
+    assert_eq!(
+        hands.scene().range(),
+        None,
+        "it is what it would be by itself"
+    );
     // Seconds count from the first frame that a scene can have, whichever is its own.
     let part = Part::Range(Some((51.0, 226.0)));
     let document = hands.window.state_mut().document_mut();
@@ -54,7 +58,10 @@ fn what_is_lost_is_told() {
     let texts = Language::English.texts();
     let mut hands = Hands::new(options(Language::English));
     hands.add(texts.menu.add_light);
-    hands.rename("   ");
+    hands.key(NONE, Key::F2);
+    hands.window.event(Event::Text("   ".to_owned()));
+    hands.window.run();
+    hands.key(NONE, Key::Enter);
     let told = fill(texts.scene.needs_name, &[&texts.scene.light]);
     assert_eq!(said(&hands.window), Some(told));
     let aim = Part::Links {
@@ -87,9 +94,7 @@ fn what_is_turned_about_itself_stays_where_it_is() {
         wheel.rest.position = DVec3::new(x, 0.03, 0.09);
         scene.add(wheel).unwrap();
     }
-    document
-        .apply(Edit::ReplaceScene(Box::new(scene)))
-        .unwrap();
+    document.apply(Edit::ReplaceScene(Box::new(scene))).unwrap();
     let mut hands = Hands::new(Options {
         document: document.as_opened(),
         ..options(Language::English)

@@ -49,10 +49,10 @@ texts! {
         camera_roll: "Roll", "Winkel";
         camera_roll_hint: "Turns up about the direction of view, in degrees",
             "Dreht oben um die Blickrichtung, in Grad";
-        near: "Nearest", "Nächstes";
+        near: "Nearest", "Nahebene";
         near_hint: "Distance of the nearest thing that it shows",
             "Abstand des Nächsten, das sie zeigt";
-        far: "Farthest", "Fernstes";
+        far: "Farthest", "Fernebene";
         far_hint: "Distance of the farthest thing that it shows",
             "Abstand des Fernsten, das sie zeigt";
 
@@ -110,8 +110,10 @@ texts! {
         box_of_mesh: "Box of the mesh", "Quader des Netzes";
         box_of_mesh_of: "Box of the mesh: {0}", "Quader des Netzes: {0}";
         box_of_mesh_hint: "Let it follow the bounds of the mesh again", "Wieder nach den Grenzen des Netzes";
-        bulge: "Bulge", "Bauchen";
+        bulge: "Bulge", "Ausbauchen";
         axis: "Axis of {0}", "Achse von {0}";
+        bend_axis_hint: "The axis about which it bends what lies along the next one; a click chooses another",
+            "Die Achse, um die sie biegt, was längs der nächsten liegt; ein Klick wählt eine andere";
         axis_hint: "The axis along which it deforms; a click chooses the next one",
             "Die Achse, längs der sie verformt; ein Klick wählt die nächste";
         earlier: "{0} earlier", "{0} früher";

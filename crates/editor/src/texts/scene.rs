@@ -68,6 +68,8 @@ texts! {
         nodes_not_pasted: "The copied nodes cannot be pasted: {0}",
             "Die kopierten Knoten lassen sich nicht einfügen: {0}";
         aims_lost: "What they aimed at is gone: {0}", "Ihr Ziel ist gelöscht: {0}";
+        aim_became_views: ". Its aim has become views of the points",
+            ". Sein Ziel ist zu Blicken der Punkte geworden";
         no_camera: "no camera", "keine Kamera";
         at_frame: "{0}, frame {1}", "{0}, Bild {1}";
     }

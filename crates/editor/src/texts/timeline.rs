@@ -120,7 +120,7 @@ texts! {
             "Die kopierten Schlüssel sind von {0} Knoten, und gewählt sind {1}: nichts wurde eingefügt";
         fits_no_channel: "The copied keys fit no channel of the selected nodes: nothing was pasted",
             "Die kopierten Schlüssel passen zu keinem Kanal der gewählten Knoten: nichts wurde eingefügt";
-        pin_to: "Pin to", "Feststecken an";
+        pin_to: "Pin to", "Anheften an";
         pin_hint: "The path is at this point at the marker's frame: the first pin moves its start, the sections between two share the frames",
             "Die Bahn ist beim Bild der Marke an diesem Punkt: der erste festgesteckte verschiebt den Anfang, die Abschnitte zwischen zweien teilen sich die Bilder";
         no_marker: "No marker", "Keine Marke";
