@@ -101,6 +101,19 @@ pub(crate) fn horner_each<V: Vector, const N: usize, const U: usize>(
     sums
 }
 
+/// What a number computes by itself.
+macro_rules! by_itself {
+    ($($name:ident($this:ident $(, $other:ident)*) => $value:expr;)*) => {
+        $(
+            #[inline(always)]
+            fn $name(self $(, $other: Self)*) -> Self {
+                let $this = self;
+                $value
+            }
+        )*
+    };
+}
+
 impl Vector for f64 {
     const LANES: usize = 1;
     #[inline(always)]
@@ -115,38 +128,16 @@ impl Vector for f64 {
     fn store(self, to: &mut [f64]) {
         to[0] = self;
     }
-    #[inline(always)]
-    fn add(self, other: Self) -> Self {
-        self + other
-    }
-    #[inline(always)]
-    fn sub(self, other: Self) -> Self {
-        self - other
-    }
-    #[inline(always)]
-    fn mul(self, other: Self) -> Self {
-        self * other
-    }
-    #[inline(always)]
-    fn div(self, other: Self) -> Self {
-        self / other
-    }
-    /// Two roundings: the fused operation would be a call into the library.
-    #[inline(always)]
-    fn mul_add(self, b: Self, c: Self) -> Self {
-        self * b + c
-    }
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        Self::sqrt(self)
-    }
-    #[inline(always)]
-    fn min(self, other: Self) -> Self {
-        if self < other { self } else { other }
-    }
-    #[inline(always)]
-    fn max(self, other: Self) -> Self {
-        if self > other { self } else { other }
+    by_itself! {
+        add(a, b) => a + b;
+        sub(a, b) => a - b;
+        mul(a, b) => a * b;
+        div(a, b) => a / b;
+        // Two roundings: the fused operation would be a call into the library.
+        mul_add(a, b, c) => a * b + c;
+        sqrt(a) => a.sqrt();
+        min(a, b) => if a < b { a } else { b };
+        max(a, b) => if a > b { a } else { b };
     }
     #[inline(always)]
     fn store_records<const PAST: bool>(rows: [Self; 10], to: &mut [f64]) {

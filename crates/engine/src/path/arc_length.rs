@@ -93,26 +93,16 @@ fn fits(curve: &Cubic, middle: f64, half: f64, series: &[f64; NODES], tolerance:
     missed(middle - half, even - odd) <= allowed && missed(middle + half, even + odd) <= allowed
 }
 
-/// ∫ over [−1, 1] of a Chebyshev series.
+/// ∫ over [−1, 1] of a Chebyshev series: of its even polynomials.
 #[inline(always)]
+#[allow(clippy::cast_precision_loss)]
 fn integral(series: &[f64; NODES]) -> f64 {
     let mut sum = 0.0;
     for k in (0..NODES).step_by(2).rev() {
-        sum += series[k] * INTEGRALS[k];
+        sum += series[k] * (2.0 / (1.0 - (k * k) as f64));
     }
     sum
 }
-
-/// ∫ over [−1, 1] of the even Chebyshev polynomials.
-const INTEGRALS: [f64; NODES] = {
-    let mut integrals = [0.0; NODES];
-    let mut k = 0;
-    while k < NODES {
-        integrals[k] = 2.0 / (1.0 - (k * k) as f64);
-        k += 2;
-    }
-    integrals
-};
 
 /// Pieces of an interval that are halved until each is good enough, one after the other.
 pub(super) struct Halving {
@@ -192,31 +182,18 @@ fn enlarged(curve: &Cubic) -> Option<Cubic> {
 pub(super) fn length<V: Vector>(curve: &Cubic) -> f64 {
     let large = enlarged(curve);
     let scale = if large.is_some() { ENLARGED } else { 1.0 };
-    length_of::<V>(large.as_ref().unwrap_or(curve)) / scale
+    let curve = large.as_ref().unwrap_or(curve);
+    // Only pieces take memory.
+    measure::<V>(curve, None).unwrap_or_default() / scale
 }
 
-/// The length of a curve that is not [`TINY`].
+/// Measures a curve that is not [`TINY`]: fills `pieces`, where they are wanted, in the order of t
+/// and gives the length.
 #[inline(always)]
-fn length_of<V: Vector>(curve: &Cubic) -> f64 {
-    let mut halving = Halving::new(0.0, 1.0, NARROW);
-    let mut tolerance = None;
-    let mut total = 0.0;
-    while let Some((middle, half)) = halving.next() {
-        let series = chebyshev::series::<V>(&speeds::<V>(curve, middle, half));
-        let part = integral(&series);
-        let tolerance = *tolerance.get_or_insert(TOLERANCE * part);
-        if !fits(curve, middle, half, &series, tolerance) && halving.halve(half) {
-            continue;
-        }
-        total += part;
-    }
-    total
-}
-
-/// Measures a curve that is not [`TINY`]: fills `pieces` in the order of t and gives the length.
-#[inline(always)]
-pub(super) fn measure<V: Vector>(curve: &Cubic, pieces: &mut Vec<Piece>) -> Result<f64> {
-    pieces.clear();
+pub(super) fn measure<V: Vector>(
+    curve: &Cubic,
+    mut pieces: Option<&mut Vec<Piece>>,
+) -> Result<f64> {
     let mut halving = Halving::new(0.0, 1.0, NARROW);
     let mut tolerance = -1.0;
     let mut total = 0.0;
@@ -233,6 +210,11 @@ pub(super) fn measure<V: Vector>(curve: &Cubic, pieces: &mut Vec<Piece>) -> Resu
         if !fits(curve, middle, half, &series, tolerance) && halving.halve(half) {
             continue;
         }
+        let start = total;
+        total += length;
+        let Some(pieces) = &mut pieces else {
+            continue;
+        };
         let speed = chebyshev::powers::<V>(&series);
         let mut distance = [0.0; NODES + 1];
         for j in 0..NODES {
@@ -262,14 +244,13 @@ pub(super) fn measure<V: Vector>(curve: &Cubic, pieces: &mut Vec<Piece>) -> Resu
         pieces.push(Piece {
             middle,
             half,
-            start: total,
+            start,
             length,
             speed,
             distance,
             guess,
             even,
         });
-        total += length;
     }
     Ok(total)
 }
@@ -498,7 +479,7 @@ impl ArcLength {
         let mut pieces = Vec::new();
         let large = enlarged(curve);
         let scale = if large.is_some() { ENLARGED } else { 1.0 };
-        let length = measure::<f64>(large.as_ref().unwrap_or(curve), &mut pieces)? / scale;
+        let length = measure::<f64>(large.as_ref().unwrap_or(curve), Some(&mut pieces))? / scale;
         Ok(Self {
             pieces,
             length,

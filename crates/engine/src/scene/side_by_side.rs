@@ -39,30 +39,25 @@ const SQUARE: usize = 14;
 /// Position, scale, rotation.
 const MOTIONS: [Channel; 3] = [Channel::Position, Channel::Scale, Channel::Rotation];
 
-/// Which nodes a group has, and what of them does not move.
+/// Which nodes a group has, their pivots and the shares of the ways of their [`MOTIONS`].
 #[derive(Debug)]
 struct Head {
     nodes: [usize; GROUP],
     parents: [Option<usize>; GROUP],
     count: usize,
     pivot: [Row; 3],
+    shares: [Row; 3],
 }
 
-/// Where the nodes of a group are.
-struct Placed {
-    /// The three axes and the place, in the parent.
-    own: [[Row; 3]; 4],
-    /// Whether that is too far in the world to compute with.
-    lost: [bool; GROUP],
-}
+/// The three axes and the place of each node, in its parent.
+type Own = [[Row; 3]; 4];
 
 /// Nodes that come one after the other in the order of evaluation, gathered for one frame.
 pub(super) struct Group {
     head: Head,
     /// Both keys.
     keys: [Section; 2],
-    shares: [Row; 3],
-    placed: Placed,
+    own: Own,
     /// The section of the track before ([`Track::straight`]).
     hint: usize,
 }
@@ -73,40 +68,17 @@ fn put(section: &mut Section, row: usize, lane: usize, numbers: &[f64]) {
     }
 }
 
-fn put_arc(section: &mut Section, lane: usize, arc: &GreatArc) {
-    put(section, TURN, lane, &arc.from.to_array());
-    put(section, TURN + 4, lane, &arc.to.to_array());
-    put(section, SQUARE, lane, &[arc.square, arc.inverse]);
-}
-
-impl Head {
-    const NONE: Self = Self {
-        nodes: [0; GROUP],
-        parents: [None; GROUP],
-        count: 0,
-        pivot: [ZEROS; 3],
-    };
-
-    fn add(&mut self, at: usize, node: &Node) -> usize {
-        let lane = self.count;
-        self.count += 1;
-        (self.nodes[lane], self.parents[lane]) = (at, node.parent);
-        for (row, pivot) in self.pivot.iter_mut().zip(node.pivot.to_array()) {
-            row[lane] = pivot;
-        }
-        lane
-    }
-}
-
 impl Group {
     pub(super) const NONE: Self = Self {
-        head: Head::NONE,
-        keys: [[ZEROS; 16]; 2],
-        shares: [ZEROS; 3],
-        placed: Placed {
-            own: [[ZEROS; 3]; 4],
-            lost: [false; GROUP],
+        head: Head {
+            nodes: [0; GROUP],
+            parents: [None; GROUP],
+            count: 0,
+            pivot: [ZEROS; 3],
+            shares: [ZEROS; 3],
         },
+        keys: [[ZEROS; 16]; 2],
+        own: [[ZEROS; 3]; 4],
         hint: 0,
     };
 
@@ -121,11 +93,16 @@ impl Group {
         let mut values = node.rest;
         self.put(at, node, &values);
         for track in node.keys.tracks() {
-            match track.channel() {
-                Channel::Position => self.numbers(0, track, frame, warnings),
-                Channel::Scale => self.numbers(1, track, frame, warnings),
-                Channel::Rotation => self.turn(track, frame, warnings),
-                _ => track.other(frame, &mut values, warnings),
+            let Some(motion) = MOTIONS.iter().position(|motion| motion == track.channel()) else {
+                track.other(frame, &mut values, warnings);
+                continue;
+            };
+            let found = track.straight(frame, &mut self.hint);
+            if found.is_none_or(|found| !self.between(motion, track, found)) {
+                match motion {
+                    2 => self.along(&GreatArc::still(track.rotation(frame, warnings))),
+                    _ => self.still(motion, track.value(frame, warnings).into()),
+                }
             }
         }
         values
@@ -133,85 +110,72 @@ impl Group {
 
     /// Adds a node that is where its values say.
     pub(super) fn put(&mut self, at: usize, node: &Node, values: &Values) {
-        let lane = self.head.add(at, node);
+        let head = &mut self.head;
+        let lane = head.count;
+        head.count += 1;
+        (head.nodes[lane], head.parents[lane]) = (at, node.parent);
+        for (row, pivot) in head.pivot.iter_mut().zip(node.pivot.to_array()) {
+            row[lane] = pivot;
+        }
         self.still(0, values.position);
         self.still(1, values.scale);
-        self.along(&GreatArc::still(values.rotation), 0.0);
-        self.placed.lost[lane] = false;
+        self.along(&GreatArc::still(values.rotation));
     }
 
     fn still(&mut self, motion: usize, value: DVec3) {
-        let numbers = value.to_array();
-        self.between(motion, &numbers, &numbers, 0.0);
-    }
-
-    fn between(&mut self, motion: usize, from: &[f64], to: &[f64], share: f64) {
         let lane = self.head.count - 1;
-        put(&mut self.keys[0], SCALE * motion, lane, &from[..3]);
-        put(&mut self.keys[1], SCALE * motion, lane, &to[..3]);
-        self.shares[motion][lane] = share;
-    }
-
-    fn numbers(&mut self, motion: usize, track: &Track, frame: f64, warnings: &mut Warnings) {
-        match track.straight(frame, &mut self.hint) {
-            Some((section, share)) => {
-                let keys = &track.values()[3 * section..];
-                let next = if share == 0.0 { 0 } else { 3 };
-                self.between(motion, keys, &keys[next..], share);
-            }
-            None => self.still(motion, track.value(frame, warnings).into()),
+        for key in &mut self.keys {
+            put(key, SCALE * motion, lane, &value.to_array());
         }
+        self.head.shares[motion][lane] = 0.0;
     }
 
-    fn along(&mut self, arc: &GreatArc, share: f64) {
+    fn along(&mut self, arc: &GreatArc) {
         let lane = self.head.count - 1;
-        put_arc(&mut self.keys[0], lane, arc);
-        self.shares[2][lane] = share;
+        put(&mut self.keys[0], TURN, lane, &arc.from.to_array());
+        put(&mut self.keys[0], TURN + 4, lane, &arc.to.to_array());
+        put(&mut self.keys[0], SQUARE, lane, &[arc.square, arc.inverse]);
+        self.head.shares[2][lane] = 0.0;
     }
 
-    fn turn(&mut self, track: &Track, frame: f64, warnings: &mut Warnings) {
-        if let Some((section, share)) = track.straight(frame, &mut self.hint)
-            && share != 0.0
+    /// The node added last on its way within a section of a track; false where that is no arc.
+    fn between(&mut self, motion: usize, track: &Track, (section, share): (usize, f64)) -> bool {
+        let lane = self.head.count - 1;
+        if motion < 2 {
+            let keys = &track.values()[3 * section..];
+            let next = if share == 0.0 || keys.len() == 3 {
+                0
+            } else {
+                3
+            };
+            put(&mut self.keys[0], SCALE * motion, lane, &keys[..3]);
+            put(&mut self.keys[1], SCALE * motion, lane, &keys[next..][..3]);
+        } else if share != 0.0
             && let Some(arc) = track.arc(section)
         {
-            self.along(&arc, share);
+            self.along(&arc);
         } else {
-            self.along(&GreatArc::still(track.rotation(frame, warnings)), 0.0);
+            return false;
         }
+        self.head.shares[motion][lane] = share;
+        true
     }
 
     /// Writes where its nodes are in the world and whether they are seen; it is empty then.
     pub(super) fn place(&mut self, states: &mut [NodeState], warnings: &mut Warnings) {
-        let [from, to] = &self.keys;
         let around = Around {
-            from,
-            to,
-            shares: &self.shares,
+            keys: self.keys.each_ref(),
+            shares: &self.head.shares,
             at_key: false,
         };
-        place_widest(&self.head, &around, &mut self.placed, states);
-        self.placed.see(&self.head, states, warnings);
+        place_widest(&self.head, &around, &mut self.own, states, warnings);
         self.head.count = 0;
-    }
-}
-
-impl Placed {
-    fn see(&self, head: &Head, states: &mut [NodeState], warnings: &mut Warnings) {
-        for lane in 0..head.count {
-            let (at, lost) = (head.nodes[lane], self.lost[lane]);
-            let seen = head.parents[lane].is_none_or(|parent| states[parent].visible != 0);
-            states[at].visible &= i32::from(seen && !lost);
-            if lost {
-                warnings.too_far(at);
-            }
-        }
     }
 }
 
 /// The keys around a frame.
 struct Around<'a> {
-    from: &'a Section,
-    to: &'a Section,
+    keys: [&'a Section; 2],
     shares: &'a [Row; 3],
     /// All shares are 0.
     at_key: bool,
@@ -225,8 +189,8 @@ fn at<V: Vector>(row: &Row, k: usize) -> V {
 
 /// L = T(position)·T(pivot)·R·S·T(−pivot) of a vector of nodes, column by column.
 #[inline(always)]
-fn local<V: Vector>(head: &Head, around: &Around<'_>, k: usize, own: &mut [[Row; 3]; 4]) {
-    let (from, to) = (around.from, around.to);
+fn local<V: Vector>(head: &Head, around: &Around<'_>, k: usize, own: &mut Own) {
+    let [from, to] = around.keys;
     let one = V::splat(1.0);
     let [position, scale] = each!(motion in [0, 1] => {
         let share = at::<V>(&around.shares[motion], k);
@@ -272,7 +236,7 @@ fn local<V: Vector>(head: &Head, around: &Around<'_>, k: usize, own: &mut [[Row;
 
 /// The matrix of a node in the world, of its own and that of its parent.
 #[inline(always)]
-fn world<V: Vector>(own: &[[Row; 3]; 4], lane: usize, parent: &[f64; 16]) -> [f64; 16] {
+fn world<V: Vector>(own: &Own, lane: usize, parent: &[f64; 16]) -> [f64; 16] {
     let mut matrix = [0.0; 16];
     for i in (0..4).step_by(V::LANES) {
         let axis = each!(j in [0, 1, 2, 3] => V::load(&parent[4 * j + i..]));
@@ -296,18 +260,20 @@ const IDENTITY: [f64; 16] = [
 fn place<V: Vector>(
     head: &Head,
     around: &Around<'_>,
-    placed: &mut Placed,
+    own: &mut Own,
     states: &mut [NodeState],
+    warnings: &mut Warnings,
 ) {
     for k in (0..head.count).step_by(V::LANES) {
-        local::<V>(head, around, k, &mut placed.own);
+        local::<V>(head, around, k, own);
     }
     for lane in 0..head.count {
-        let parent = match head.parents[lane] {
-            Some(parent) => &states[parent].matrix,
-            None => &IDENTITY,
+        let at = head.nodes[lane];
+        let (parent, mut seen) = match head.parents[lane] {
+            Some(parent) => (&states[parent].matrix, states[parent].visible != 0),
+            None => (&IDENTITY, true),
         };
-        let mut matrix = world::<V>(&placed.own, lane, parent);
+        let mut matrix = world::<V>(own, lane, parent);
         // 0 unless one of them is not finite: one branch for all.
         let mut sum = V::splat(0.0);
         for i in (0..16).step_by(V::LANES) {
@@ -315,17 +281,25 @@ fn place<V: Vector>(
         }
         let mut sums = [0.0; 4];
         sum.store(&mut sums);
-        placed.lost[lane] = sums.iter().sum::<f64>() != 0.0;
-        if placed.lost[lane] {
-            matrix = IDENTITY;
+        if sums.iter().sum::<f64>() != 0.0 {
+            // Too far in the world to compute with.
+            (matrix, seen) = (IDENTITY, false);
+            warnings.too_far(at);
         }
-        states[head.nodes[lane]].matrix = matrix;
+        states[at].matrix = matrix;
+        states[at].visible &= i32::from(seen);
     }
 }
 
-fn place_widest(head: &Head, around: &Around<'_>, placed: &mut Placed, states: &mut [NodeState]) {
+fn place_widest(
+    head: &Head,
+    around: &Around<'_>,
+    own: &mut Own,
+    states: &mut [NodeState],
+    warnings: &mut Warnings,
+) {
     use self as side_by_side;
-    widest!(side_by_side, place, (head: &Head, around: &Around<'_>, placed: &mut Placed, states: &mut [NodeState]) -> ())
+    widest!(side_by_side, place, (head: &Head, around: &Around<'_>, own: &mut Own, states: &mut [NodeState], warnings: &mut Warnings) -> ())
 }
 
 /// A group whose tracks are linear and have their keys at the same frames, as recordings have: all
@@ -333,10 +307,9 @@ fn place_widest(head: &Head, around: &Around<'_>, placed: &mut Placed, states: &
 /// The numbers come out bit for bit as of a [`Group`]: this may be there or not.
 #[derive(Debug)]
 pub(super) struct Pack {
+    /// Its shares are 1 where a track moves it, else 0.
     head: Head,
     sections: Vec<Section>,
-    /// 1 where a track moves it, else 0.
-    moving: [Row; 3],
     /// A node and the channel of its track, if there is one: all others are as it is in time.
     clock: Option<(usize, Channel)>,
     looks: [Looks; GROUP],
@@ -378,37 +351,27 @@ impl Pack {
         if 4 * GROUP * (count - 1) > numbers.max(8 * frames) {
             return Ok(None);
         }
-        let mut pack = Self {
-            head: Head::NONE,
-            sections: vec_with_room(count)?,
-            moving: [ZEROS; 3],
-            clock: clock.map(|(at, track)| (at, track.channel().clone())),
-            looks: [Looks::default(); GROUP],
-        };
-        pack.sections.resize(count, [ZEROS; 16]);
-        for &at in group {
-            pack.add(at, &nodes[at]);
-        }
-        Ok(Some(pack))
-    }
-
-    fn add(&mut self, at: usize, node: &Node) {
-        let lane = self.head.add(at, node);
-        self.looks[lane] = node.rest.looks();
-        let still = GreatArc::still(node.rest.rotation);
-        let [position, scale, turn] = MOTIONS.map(|channel| node.keys.track(&channel));
-        for (motion, track) in [position, scale, turn].into_iter().enumerate() {
-            self.moving[motion][lane] = f64::from(u8::from(track.is_some()));
-        }
-        for (k, section) in self.sections.iter_mut().enumerate() {
-            let rest = [node.rest.position, node.rest.scale].map(|v| v.to_array());
-            for ((motion, track), rest) in [position, scale].into_iter().enumerate().zip(&rest) {
-                let numbers = track.map_or(&rest[..], |track| &track.values()[3 * k..][..3]);
-                put(section, SCALE * motion, lane, numbers);
+        let (mut gathered, mut looks) = (Group::NONE, [Looks::default(); GROUP]);
+        let mut sections = vec_with_room(count)?;
+        for key in 0..count {
+            gathered.head.count = 0;
+            for (&at, looks) in group.iter().zip(&mut looks) {
+                let node = &nodes[at];
+                gathered.put(at, node, &node.rest);
+                for track in node.keys.tracks() {
+                    let motion = MOTIONS.iter().position(|motion| motion == track.channel());
+                    gathered.between(motion.unwrap_or(0), track, (key, 1.0));
+                }
+                *looks = node.rest.looks();
             }
-            let arc = turn.and_then(|turn| turn.arc(k)).unwrap_or(still);
-            put_arc(section, lane, &arc);
+            sections.push(gathered.keys[0]);
         }
+        Ok(Some(Self {
+            head: gathered.head,
+            sections,
+            clock: clock.map(|(at, track)| (at, track.channel().clone())),
+            looks,
+        }))
     }
 
     /// As [`Group::place`]; false, and nothing written, where the tracks go on with an offset.
@@ -433,13 +396,11 @@ impl Pack {
         }
         let from = &self.sections[section];
         let around = Around {
-            from,
-            to: self.sections.get(section + 1).unwrap_or(from),
-            shares: &self.moving.map(|row| row.map(|moves| share * moves)),
+            keys: [from, self.sections.get(section + 1).unwrap_or(from)],
+            shares: &self.head.shares.map(|row| row.map(|moves| share * moves)),
             at_key: share == 0.0,
         };
-        place_widest(&self.head, &around, &mut group.placed, states);
-        group.placed.see(&self.head, states, warnings);
+        place_widest(&self.head, &around, &mut group.own, states, warnings);
         true
     }
 }
