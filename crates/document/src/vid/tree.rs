@@ -75,10 +75,15 @@ impl<'a> From<DeValue<'a>> for Value<'a> {
     }
 }
 
-/// Whether there is memory for one more.
-fn room<T>(entries: &mut Vec<T>) -> Option<()> {
-    entries.try_reserve(1).ok()
+/// Adds one more; None without memory.
+fn push<T>(to: &mut Vec<T>, one: T) -> Option<()> {
+    to.try_reserve(1).ok()?;
+    to.push(one);
+    Some(())
 }
+
+/// Byte offset and name.
+type Key<'a> = (usize, &'a str);
 
 impl<'a> Table<'a> {
     fn find(&self, (_, key): Key<'a>) -> Result<usize, usize> {
@@ -86,83 +91,55 @@ impl<'a> Table<'a> {
             .binary_search_by(|(other, _)| (**other).cmp(key))
     }
 
-    /// None if it has the key, or very many others.
+    /// None if it has the key, or very many others: each insertion moves what is behind it.
     fn insert(&mut self, key: Key<'a>, value: Value<'a>) -> Option<()> {
-        let at = self.find(key).err()?;
-        // Each insertion moves what is behind it.
-        if self.entries.len() == KEYS {
-            return None;
-        }
-        room(&mut self.entries)?;
+        let at = self.find(key).err().filter(|_| self.entries.len() < KEYS)?;
+        self.entries.try_reserve(1).ok()?;
         let entry = (Cow::Borrowed(key.1), (key.0, value));
         self.entries.insert(at, entry);
         Some(())
     }
 
-    fn get(&mut self, key: Key<'a>) -> Option<&mut Value<'a>> {
-        let at = self.find(key).ok()?;
-        Some(&mut self.entries[at].1.1)
-    }
-
-    /// Puts what follows a header where it says; None if something else is there.
-    fn attach(&mut self, header: &Header<'a>, mut table: Table<'a>) -> Option<()> {
-        let last = header.name.rfind('.').map_or(0, |dot| dot + 1);
-        let (before, name) = header.name.split_at(last);
-        let last = (header.at + last, name);
-        let (mut parent, mut at) = (self, header.at);
-        for name in before.split_terminator('.') {
-            let key = (at, name);
-            at += name.len() + 1;
-            if parent.get(key).is_none() {
-                let open = true;
-                let entries = Vec::new();
-                parent.insert(key, Value::Table(Table { entries, open }))?;
-            }
-            parent = match parent.get(key)? {
-                Value::Table(table) => table,
-                Value::Array(elements) => match &mut elements.last_mut()?.1 {
-                    Value::Table(table) => table,
-                    _ => return None,
-                },
-                _ => return None,
-            };
-            if !parent.open {
-                return None;
-            }
-        }
-        table.open = true;
-        if !header.repeated {
-            return parent.insert(last, Value::Table(table));
-        }
-        let element = (header.offset, Value::Table(table));
-        let new = parent.find(last).is_err();
-        if new {
-            parent.insert(last, Value::Array(Vec::new()))?;
-        }
-        let Value::Array(elements) = parent.get(last)? else {
-            return None;
+    /// Puts what follows a header where its name says; None if something else is there. A table that
+    /// may come again is the element of an array, reported where its header begins.
+    fn attach(&mut self, name: Key<'a>, repeated: Option<usize>, table: Table<'a>) -> Option<()> {
+        let (first, rest) = match name.1.split_once('.') {
+            Some((first, rest)) => (first, Some((name.0 + first.len() + 1, rest))),
+            None => (name.1, None),
         };
-        // An array that stands behind a key is not added to.
-        let open = matches!(elements.last(), Some((_, Value::Table(table))) if table.open);
-        if !new && !open {
-            return None;
+        let key = (name.0, first);
+        let found = self.find(key);
+        if found.is_err() {
+            let new = match (rest, repeated) {
+                (None, None) => return self.insert(key, Value::Table(table)),
+                (None, Some(_)) => Value::Array(Vec::new()),
+                (Some(_), _) => Value::Table(Table {
+                    open: true,
+                    ..Table::default()
+                }),
+            };
+            self.insert(key, new)?;
         }
-        room(elements)?;
-        elements.push(element);
-        Some(())
+        let at = found.unwrap_or_else(|at| at);
+        match (&mut self.entries[at].1.1, rest, repeated) {
+            (Value::Table(below), Some(rest), _) => below.opened()?.attach(rest, repeated, table),
+            (Value::Array(elements), Some(rest), _) => match &mut elements.last_mut()?.1 {
+                Value::Table(below) => below.opened()?.attach(rest, repeated, table),
+                _ => None,
+            },
+            (Value::Array(elements), None, Some(offset)) => {
+                // An array that stands behind a key is not added to.
+                let open = matches!(elements.last(), Some((_, Value::Table(last))) if last.open);
+                (found.is_err() || open).then_some(())?;
+                push(elements, (offset, Value::Table(table)))
+            }
+            _ => None,
+        }
     }
-}
 
-/// Byte offset and name.
-type Key<'a> = (usize, &'a str);
-
-/// `[a.b]` or `[[a.b]]`.
-struct Header<'a> {
-    offset: usize,
-    /// Byte offset of the name.
-    at: usize,
-    name: &'a str,
-    repeated: bool,
+    fn opened(&mut self) -> Option<&mut Self> {
+        self.open.then_some(self)
+    }
 }
 
 /// Arrays within arrays and tables within tables, at the most.
@@ -174,29 +151,22 @@ const KEYS: usize = 64;
 /// The tree of a text that is written plainly; None if it is not, or there is no memory.
 pub(super) fn read(text: &str) -> Option<Table<'_>> {
     let mut plain = Plain { text, at: 0 };
-    let mut root = Table::default();
-    let mut table = Table::default();
-    let mut header = None;
-    loop {
-        plain.blank()?;
-        let next = plain.peek();
-        if !matches!(next, None | Some(b'[')) {
-            let (key, value) = plain.pair(DEPTH)?;
-            table.insert(key, value)?;
-            plain.end_of_line()?;
-            continue;
+    let mut root = plain.pairs()?;
+    while plain.peek().is_some() {
+        let offset = plain.at;
+        plain.at += 1;
+        let repeated = plain.take(b'[').then_some(offset);
+        let name = (plain.at, plain.while_in(|byte| bare(byte) || byte == b'.'));
+        let whole = name.1.split('.').count() <= DEPTH && !name.1.split('.').any(str::is_empty);
+        if !whole || !plain.take(b']') || (repeated.is_some() && !plain.take(b']')) {
+            return None;
         }
-        let done = std::mem::take(&mut table);
-        match &header {
-            None => root = done,
-            Some(header) => root.attach(header, done)?,
-        }
-        if next.is_none() {
-            return Some(root);
-        }
-        header = Some(plain.header()?);
         plain.end_of_line()?;
+        let mut table = plain.pairs()?;
+        table.open = true;
+        root.attach(name, repeated, table)?;
     }
+    Some(root)
 }
 
 fn bare(byte: u8) -> bool {
@@ -254,36 +224,30 @@ impl<'a> Plain<'a> {
     }
 
     fn key(&mut self) -> Option<Key<'a>> {
-        let offset = self.at;
-        let key = self.while_in(bare);
-        (!key.is_empty()).then_some((offset, key))
+        let key = (self.at, self.while_in(bare));
+        (!key.1.is_empty()).then_some(key)
     }
 
-    fn header(&mut self) -> Option<Header<'a>> {
-        let offset = self.at;
-        self.at += 1;
-        let repeated = self.take(b'[');
-        let at = self.at;
-        let name = self.while_in(|byte| bare(byte) || byte == b'.');
-        let depth = name.split('.').count();
-        let plain = depth <= DEPTH && !name.split('.').any(str::is_empty);
-        let closed = self.take(b']') && (!repeated || self.take(b']'));
-        (plain && closed).then_some(Header {
-            offset,
-            at,
-            name,
-            repeated,
-        })
+    /// What stands before the next header.
+    fn pairs(&mut self) -> Option<Table<'a>> {
+        let mut table = Table::default();
+        loop {
+            self.blank()?;
+            if matches!(self.peek(), None | Some(b'[')) {
+                return Some(table);
+            }
+            self.pair(&mut table, DEPTH)?;
+            self.end_of_line()?;
+        }
     }
 
-    fn pair(&mut self, depth: usize) -> Option<(Key<'a>, Value<'a>)> {
+    fn pair(&mut self, into: &mut Table<'a>, depth: usize) -> Option<()> {
+        self.spaces();
         let key = self.key()?;
         self.spaces();
-        if !self.take(b'=') {
-            return None;
-        }
+        self.take(b'=').then_some(())?;
         self.spaces();
-        Some((key, self.value(depth)?))
+        into.insert(key, self.value(depth)?)
     }
 
     fn value(&mut self, depth: usize) -> Option<Value<'a>> {
@@ -314,63 +278,50 @@ impl<'a> Plain<'a> {
             if self.take(b']') {
                 return Some(Value::Array(elements));
             }
-            let offset = self.at;
-            let value = self.value(depth)?;
-            room(&mut elements)?;
-            elements.push((offset, value));
+            push(&mut elements, (self.at, self.value(depth)?))?;
             self.blank()?;
-            if !self.take(b',') && self.peek() != Some(b']') {
-                return None;
-            }
+            (self.take(b',') || self.peek() == Some(b']')).then_some(())?;
         }
     }
 
     fn inline(&mut self, depth: usize) -> Option<Value<'a>> {
-        self.at += 1;
         let mut table = Table::default();
+        let mut before = b'{';
         loop {
-            self.spaces();
-            let (key, value) = self.pair(depth)?;
-            table.insert(key, value)?;
+            self.take(before).then_some(())?;
+            self.pair(&mut table, depth)?;
             self.spaces();
             if self.take(b'}') {
                 return Some(Value::Table(table));
             }
-            if !self.take(b',') {
-                return None;
-            }
+            before = b',';
         }
+    }
+
+    fn digits(&mut self) -> Option<usize> {
+        let count = self.while_in(|byte| byte.is_ascii_digit()).len();
+        (count > 0).then_some(count)
     }
 
     /// As TOML has it, which asks for more than Rust does; most of a file is this.
     fn number(&mut self) -> Option<Value<'a>> {
         let start = self.at;
         self.take(b'-');
-        let first = self.peek();
-        let digits = self.while_in(|byte| byte.is_ascii_digit()).len();
-        if digits == 0 || (digits > 1 && first == Some(b'0')) {
-            return None;
-        }
-        let mut whole = true;
+        let zero = self.peek() == Some(b'0');
+        (self.digits()? == 1 || !zero).then_some(())?;
+        let end = self.at;
         if self.take(b'.') {
-            whole = false;
-            if self.while_in(|byte| byte.is_ascii_digit()).is_empty() {
-                return None;
-            }
+            self.digits()?;
         }
         if self.take(b'e') || self.take(b'E') {
-            whole = false;
             let _ = self.take(b'-') || self.take(b'+');
-            if self.while_in(|byte| byte.is_ascii_digit()).is_empty() {
-                return None;
-            }
+            self.digits()?;
         }
         let text = &self.text[start..self.at];
         let number = text.parse().ok()?;
-        Some(if whole {
-            Value::Integer(number, text.parse().ok())
-        } else {
-            Value::Float(number)
+        Some(match self.at == end {
+            true => Value::Integer(number, text.parse().ok()),
+            false => Value::Float(number),
         })
     }
 }

@@ -6,7 +6,7 @@ use super::arc_length::{self, Halving, Piece};
 use super::arcs::ShortBezier;
 use super::section_sampler::{ArcLengthCurve, SectionSampler};
 use super::turning::Turning;
-use crate::error::{Result, vec_with_room};
+use crate::error::{Result, try_box, vec_with_room};
 use crate::math::chebyshev::{self, NODES, SHORT};
 use crate::math::vector::{Vector, fetch, horner_each};
 
@@ -99,14 +99,12 @@ impl Tables {
             copy.extend_from_slice(from);
             Ok(copy)
         }
-        let mut kept = vec_with_room(1)?;
-        kept.push(Self {
+        try_box(Self {
             arc: copy(&self.arc)?,
             place: copy(&self.place)?,
             turn: copy(&self.turn)?,
             bezier: self.bezier,
-        });
-        Ok(kept.into_boxed_slice())
+        })
     }
 
     pub(super) fn fetch(&self) {

@@ -49,20 +49,15 @@ struct Head {
     shares: [Row; 3],
 }
 
-/// Where the nodes of a group are.
-struct Placed {
-    /// The three axes and the place, in the parent.
-    own: [[Row; 3]; 4],
-    /// Whether that is too far in the world to compute with.
-    lost: [bool; GROUP],
-}
+/// The three axes and the place of each node, in its parent.
+type Own = [[Row; 3]; 4];
 
 /// Nodes that come one after the other in the order of evaluation, gathered for one frame.
 pub(super) struct Group {
     head: Head,
     /// Both keys.
     keys: [Section; 2],
-    placed: Placed,
+    own: Own,
     /// The section of the track before ([`Track::straight`]).
     hint: usize,
 }
@@ -83,10 +78,7 @@ impl Group {
             shares: [ZEROS; 3],
         },
         keys: [[ZEROS; 16]; 2],
-        placed: Placed {
-            own: [[ZEROS; 3]; 4],
-            lost: [false; GROUP],
-        },
+        own: [[ZEROS; 3]; 4],
         hint: 0,
     };
 
@@ -171,36 +163,19 @@ impl Group {
 
     /// Writes where its nodes are in the world and whether they are seen; it is empty then.
     pub(super) fn place(&mut self, states: &mut [NodeState], warnings: &mut Warnings) {
-        let [from, to] = &self.keys;
         let around = Around {
-            from,
-            to,
+            keys: self.keys.each_ref(),
             shares: &self.head.shares,
             at_key: false,
         };
-        place_widest(&self.head, &around, &mut self.placed, states);
-        self.placed.see(&self.head, states, warnings);
+        place_widest(&self.head, &around, &mut self.own, states, warnings);
         self.head.count = 0;
-    }
-}
-
-impl Placed {
-    fn see(&self, head: &Head, states: &mut [NodeState], warnings: &mut Warnings) {
-        for lane in 0..head.count {
-            let (at, lost) = (head.nodes[lane], self.lost[lane]);
-            let seen = head.parents[lane].is_none_or(|parent| states[parent].visible != 0);
-            states[at].visible &= i32::from(seen && !lost);
-            if lost {
-                warnings.too_far(at);
-            }
-        }
     }
 }
 
 /// The keys around a frame.
 struct Around<'a> {
-    from: &'a Section,
-    to: &'a Section,
+    keys: [&'a Section; 2],
     shares: &'a [Row; 3],
     /// All shares are 0.
     at_key: bool,
@@ -214,8 +189,8 @@ fn at<V: Vector>(row: &Row, k: usize) -> V {
 
 /// L = T(position)·T(pivot)·R·S·T(−pivot) of a vector of nodes, column by column.
 #[inline(always)]
-fn local<V: Vector>(head: &Head, around: &Around<'_>, k: usize, own: &mut [[Row; 3]; 4]) {
-    let (from, to) = (around.from, around.to);
+fn local<V: Vector>(head: &Head, around: &Around<'_>, k: usize, own: &mut Own) {
+    let [from, to] = around.keys;
     let one = V::splat(1.0);
     let [position, scale] = each!(motion in [0, 1] => {
         let share = at::<V>(&around.shares[motion], k);
@@ -261,7 +236,7 @@ fn local<V: Vector>(head: &Head, around: &Around<'_>, k: usize, own: &mut [[Row;
 
 /// The matrix of a node in the world, of its own and that of its parent.
 #[inline(always)]
-fn world<V: Vector>(own: &[[Row; 3]; 4], lane: usize, parent: &[f64; 16]) -> [f64; 16] {
+fn world<V: Vector>(own: &Own, lane: usize, parent: &[f64; 16]) -> [f64; 16] {
     let mut matrix = [0.0; 16];
     for i in (0..4).step_by(V::LANES) {
         let axis = each!(j in [0, 1, 2, 3] => V::load(&parent[4 * j + i..]));
@@ -285,18 +260,20 @@ const IDENTITY: [f64; 16] = [
 fn place<V: Vector>(
     head: &Head,
     around: &Around<'_>,
-    placed: &mut Placed,
+    own: &mut Own,
     states: &mut [NodeState],
+    warnings: &mut Warnings,
 ) {
     for k in (0..head.count).step_by(V::LANES) {
-        local::<V>(head, around, k, &mut placed.own);
+        local::<V>(head, around, k, own);
     }
     for lane in 0..head.count {
-        let parent = match head.parents[lane] {
-            Some(parent) => &states[parent].matrix,
-            None => &IDENTITY,
+        let at = head.nodes[lane];
+        let (parent, mut seen) = match head.parents[lane] {
+            Some(parent) => (&states[parent].matrix, states[parent].visible != 0),
+            None => (&IDENTITY, true),
         };
-        let mut matrix = world::<V>(&placed.own, lane, parent);
+        let mut matrix = world::<V>(own, lane, parent);
         // 0 unless one of them is not finite: one branch for all.
         let mut sum = V::splat(0.0);
         for i in (0..16).step_by(V::LANES) {
@@ -304,17 +281,25 @@ fn place<V: Vector>(
         }
         let mut sums = [0.0; 4];
         sum.store(&mut sums);
-        placed.lost[lane] = sums.iter().sum::<f64>() != 0.0;
-        if placed.lost[lane] {
-            matrix = IDENTITY;
+        if sums.iter().sum::<f64>() != 0.0 {
+            // Too far in the world to compute with.
+            (matrix, seen) = (IDENTITY, false);
+            warnings.too_far(at);
         }
-        states[head.nodes[lane]].matrix = matrix;
+        states[at].matrix = matrix;
+        states[at].visible &= i32::from(seen);
     }
 }
 
-fn place_widest(head: &Head, around: &Around<'_>, placed: &mut Placed, states: &mut [NodeState]) {
+fn place_widest(
+    head: &Head,
+    around: &Around<'_>,
+    own: &mut Own,
+    states: &mut [NodeState],
+    warnings: &mut Warnings,
+) {
     use self as side_by_side;
-    widest!(side_by_side, place, (head: &Head, around: &Around<'_>, placed: &mut Placed, states: &mut [NodeState]) -> ())
+    widest!(side_by_side, place, (head: &Head, around: &Around<'_>, own: &mut Own, states: &mut [NodeState], warnings: &mut Warnings) -> ())
 }
 
 /// A group whose tracks are linear and have their keys at the same frames, as recordings have: all
@@ -411,13 +396,11 @@ impl Pack {
         }
         let from = &self.sections[section];
         let around = Around {
-            from,
-            to: self.sections.get(section + 1).unwrap_or(from),
+            keys: [from, self.sections.get(section + 1).unwrap_or(from)],
             shares: &self.head.shares.map(|row| row.map(|moves| share * moves)),
             at_key: share == 0.0,
         };
-        place_widest(&self.head, &around, &mut group.placed, states);
-        group.placed.see(&self.head, states, warnings);
+        place_widest(&self.head, &around, &mut group.own, states, warnings);
         true
     }
 }
