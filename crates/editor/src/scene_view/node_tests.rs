@@ -344,9 +344,9 @@ fn deformations_come_move_and_go() {
         assert_eq!(kinds(&window), [("bend", 2.0), ("twist", 0.0)]);
         let first = format!("1. {}", language.tool("bend"));
         click(&mut window, &fill(texts.axis, &[&first]));
-        assert_eq!(kinds(&window), [("bend", 2.0), ("twist", 1.0)]);
+        assert_eq!(kinds(&window), [("bend", 0.0), ("twist", 0.0)]);
         click(&mut window, &fill(texts.remove_deformation, &[&first]));
-        assert_eq!(kinds(&window), [("twist", 1.0)]);
+        assert_eq!(kinds(&window), [("twist", 0.0)]);
         enter(&mut window, texts.angle, "45");
         diamond_of(&mut window, texts.angle);
         let angle = Channel::Deformation {
