@@ -72,7 +72,9 @@ pub(crate) use each;
 #[must_use]
 pub(crate) fn horner<V: Vector, const N: usize>(coefficients: &[f64; N], x: V) -> V {
     let mut sum = V::splat(coefficients[N - 1]);
-    for k in (0..N - 1).rev() {
+    let mut k = N - 1;
+    while k > 0 {
+        k -= 1;
         sum = sum.mul_add(x, V::splat(coefficients[k]));
     }
     sum
@@ -86,10 +88,14 @@ pub(crate) fn horner_each<V: Vector, const N: usize, const U: usize>(
     x: &[V; U],
 ) -> [V; U] {
     let mut sums = [V::splat(coefficients[N - 1]); U];
-    for k in (0..N - 1).rev() {
+    let mut k = N - 1;
+    while k > 0 {
+        k -= 1;
         let coefficient = V::splat(coefficients[k]);
-        for u in 0..U {
+        let mut u = 0;
+        while u < U {
             sums[u] = sums[u].mul_add(x[u], coefficient);
+            u += 1;
         }
     }
     sums
@@ -264,15 +270,17 @@ mod x86_64 {
                     high[k] = _mm256_unpackhi_pd(rows[2 * k].0, rows[2 * k + 1].0);
                 }
                 // One record after the other, as memory takes them best.
-                for (at, pairs) in [(0, low), (10, high)] {
-                    for k in 0..5 {
-                        put::<PAST>(p.add(at + 2 * k), _mm256_castpd256_pd128(pairs[k]));
-                    }
+                for k in 0..5 {
+                    put::<PAST>(p.add(2 * k), _mm256_castpd256_pd128(low[k]));
                 }
-                for (at, pairs) in [(20, low), (30, high)] {
-                    for k in 0..5 {
-                        put::<PAST>(p.add(at + 2 * k), _mm256_extractf128_pd::<1>(pairs[k]));
-                    }
+                for k in 0..5 {
+                    put::<PAST>(p.add(10 + 2 * k), _mm256_castpd256_pd128(high[k]));
+                }
+                for k in 0..5 {
+                    put::<PAST>(p.add(20 + 2 * k), _mm256_extractf128_pd::<1>(low[k]));
+                }
+                for k in 0..5 {
+                    put::<PAST>(p.add(30 + 2 * k), _mm256_extractf128_pd::<1>(high[k]));
                 }
             }
         }

@@ -18,7 +18,7 @@ use super::timing::Timing;
 use super::turning::{AT_TARGET, Turning};
 use crate::error::Result;
 use crate::math::orientation::POLE;
-use crate::math::vector::{PAIR, Vector, each, horner};
+use crate::math::vector::{PAIR, Vector, horner};
 
 /// Frames of a block, whose numbers all stay in the first-level cache.
 const BLOCK: usize = 128;
@@ -228,7 +228,11 @@ fn run<const C: usize>(
 
 #[inline(always)]
 fn arguments<V: Vector, const C: usize>(fit: &Fit<C>, phi: &[f64]) -> [V; AT_ONCE] {
-    each!(u in [0, 1, 2, 3] => fit.x(V::load(&phi[u * V::LANES..])))
+    let mut x = [V::splat(0.0); AT_ONCE];
+    for u in 0..AT_ONCE {
+        x[u] = fit.x(V::load(&phi[u * V::LANES..]));
+    }
+    x
 }
 
 #[inline(always)]
@@ -385,32 +389,52 @@ fn upright<V: Vector>(up: Up, [x, y, z]: [V; 3]) -> [V; 3] {
 fn write_vector<V: Vector>(section: &SectionSampler, block: &Block, k: usize) -> [V; 10] {
     let place = if let Some(ArcLengthCurve { curve, .. }) = &section.way {
         let t = V::load(&block.t[k..]);
-        let (a, b, c, d) = (curve.a, curve.b, curve.c, curve.d);
-        each!(i in [0, 1, 2] => horner(&[d[i], c[i], b[i], a[i]], t))
+        [
+            horner::<V, 4>(&[curve.d.x, curve.c.x, curve.b.x, curve.a.x], t),
+            horner::<V, 4>(&[curve.d.y, curve.c.y, curve.b.y, curve.a.y], t),
+            horner::<V, 4>(&[curve.d.z, curve.c.z, curve.b.z, curve.a.z], t),
+        ]
     } else {
-        each!(i in [0, 1, 2] => V::splat(section.position[i]))
+        let p = section.position;
+        [V::splat(p.x), V::splat(p.y), V::splat(p.z)]
     };
+    let q = &block.q;
     let view = match &section.turning {
-        Turning::Kept(view, up) => {
-            each!(v in [view.x, view.y, view.z, up.x, up.y, up.z] => V::splat(v))
-        }
+        Turning::Kept(view, up) => [
+            V::splat(view.x),
+            V::splat(view.y),
+            V::splat(view.z),
+            V::splat(up.x),
+            V::splat(up.y),
+            V::splat(up.z),
+        ],
         Turning::Tracked(target, _) => view_at_target(
             upright(
                 section.space.up,
-                each!(i in [0, 1, 2] => V::splat(target[i]).sub(place[i])),
+                [
+                    V::splat(target.x).sub(place[0]),
+                    V::splat(target.y).sub(place[1]),
+                    V::splat(target.z).sub(place[2]),
+                ],
             ),
-            V::load(&block.q[0][k..]),
-            V::load(&block.q[1][k..]),
+            V::load(&q[0][k..]),
+            V::load(&q[1][k..]),
         ),
-        _ => view_from_quaternion(each!(i in [0, 1, 2, 3] => V::load(&block.q[i][k..]))),
+        _ => view_from_quaternion([
+            V::load(&q[0][k..]),
+            V::load(&q[1][k..]),
+            V::load(&q[2][k..]),
+            V::load(&q[3][k..]),
+        ]),
     };
-    let zoom = horner(&section.zoom, V::load(&block.phi[k..]));
-    let [x, y, z] = place;
-    let [a, b, c, d, e, f] = match section.space.up {
+    let zoom = horner::<V, 4>(&section.zoom, V::load(&block.phi[k..]));
+    let view = match section.space.up {
         Up::Y => view,
-        Up::Z => each!(i in [2, 0, 1, 5, 3, 4] => view[i]),
+        Up::Z => [view[2], view[0], view[1], view[5], view[3], view[4]],
     };
-    [x, y, z, a, b, c, d, e, f, zoom]
+    [
+        place[0], place[1], place[2], view[0], view[1], view[2], view[3], view[4], view[5], zoom,
+    ]
 }
 
 /// Computes tracked frames at the target, or straight above or below it, the plain way.
