@@ -2502,7 +2502,8 @@ int v_scene_remove_deformation(V_SCENE *scene, int node, int at);
 /**
  * Deforms points in place. u, v, w run from -1 to 1 along the box (min x y z,
  * max x y z); a flat side gives coordinate 0 and stays. Axes are 0, 1, 2, angles
- * degrees. In parentheses the names of what can move, see v_scene_set_track().
+ * degrees in u, v, w: in a box that is no cube what is turned is stretched as the box
+ * is. In parentheses the names of what can move, see v_scene_set_track().
  *
  * "taper"      axis a (a): the other two times 1 + (a-1)(1-u^2)
  * "taper"      axis r0 r1 (r0 r1): from r0 at one end to r1 at the other
@@ -3170,7 +3171,7 @@ int v_editor_play(V_EDITOR *editor, int play);
 /**
  * Makes an orientation of a point current, both counted from 0.
  * The thread that opened the window; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_RANGE.
+ * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no path is edited), V_ERR_RANGE.
  */
 int v_editor_select(V_EDITOR *editor, int point, int orientation);
 
@@ -3240,9 +3241,11 @@ int v_editor_get_scene(const V_EDITOR *editor,
  * Shows another scene in a window, in one step that the user can take back. scene is
  * copied, with its space, title, comment and so on; its wireframe object, too, if it has
  * one. The space of the options is that of what the window began with.
- * The path of the camera that is shown is edited then, if it has one, with the base
+ * The path that is edited stays so where its node is there under its name and follows
+ * one; else that of the camera that is shown is edited then, if it has one, with the base
  * speeds that were given when the window was opened. One camera on a path and nothing
- * else is that path.
+ * else is that path. A drag of the user's ends where it has come to. The playhead stays
+ * at its frame, if the scene has that. A scene like the one before is a step, too.
  * The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
  * V_ERR_CLOSED, V_ERR_BUSY, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
  */
