@@ -11,7 +11,7 @@ pub(crate) struct Length {
 /// The path as it was when its length was last looked at.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Seen {
-    /// [`Editor::step_number`]
+    /// [`crate::Editor::step_number`]
     pub(crate) state: (u64, u64),
     /// The newest state of that path.
     pub(crate) newest: u64,

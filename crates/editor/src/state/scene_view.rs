@@ -50,7 +50,7 @@ pub(crate) enum NewNode {
 pub(crate) enum NodeAction {
     /// An entry into what the node has.
     Enter(Box<Entry<Edit>>),
-    /// An entry into a channel, see [`Editor::set_channel`].
+    /// An entry into a channel, see [`crate::Editor::set_channel`].
     Value(usize, Channel, Entry<Vec<f64>>),
     /// A click on a diamond.
     SwitchKey(usize, Channel),
@@ -98,7 +98,7 @@ pub(crate) struct SceneSelection {
     pub(crate) keys: Vec<KeyAt>,
     /// Their frames, and the names of their nodes.
     pub(crate) frames: Vec<(f64, String)>,
-    /// [`EditedScene::numbering`] and [`EditedScene::number`] of the scene in which it is so.
+    /// `EditedScene`'s `numbering` and `number` of the scene in which it is so.
     pub(crate) made_of: (u64, u64),
 }
 
@@ -151,6 +151,6 @@ pub(crate) struct Now {
     pub(crate) trouble: Option<(usize, Error)>,
     /// [`crate::document::EditedScene::meshes`].
     pub(crate) meshes: u64,
-    /// [`crate::document::EditedScene::number`] and [`Document::revision`].
+    /// [`crate::document::EditedScene::number`] and [`crate::document::Document::revision`].
     pub(crate) made_of: (u64, u64),
 }

@@ -57,7 +57,7 @@ pub(crate) trait SubWindow: Sized {
 
     fn new(editor: &Editor) -> Self;
 
-    /// Shows it by [`sub_window`] or [`docked`] and pushes what it asks for. False: it closes.
+    /// Shows it by [`sub_window`] or docked, and pushes what it asks for. False: it closes.
     fn show(&mut self, editor: &Editor, context: &egui::Context, actions: &mut Vec<Action>)
     -> bool;
 }

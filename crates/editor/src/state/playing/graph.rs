@@ -15,7 +15,7 @@ use crate::state::playing::{Beside, Retiming};
 #[derive(Debug, Default)]
 pub(crate) struct Graph {
     pub(crate) stretches: Vec<Stretch>,
-    /// The highest speed, or [`MAX_SPEED`] if that is higher.
+    /// The highest speed, or the largest of the ten if that is higher.
     pub(crate) highest: f32,
 }
 

@@ -66,7 +66,7 @@ pub(crate) struct DragConstraint {
 /// What a part of a drag changes of nodes.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum NodeChange {
-    /// Numbers of channels, see [`Editor::set_channel`].
+    /// Numbers of channels, see [`crate::Editor::set_channel`].
     Values(Vec<(usize, Channel, Vec<f64>)>),
     /// A node's pivot goes there, in its own coordinates; the node stays.
     Pivot(usize, DVec3),
