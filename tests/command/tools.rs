@@ -618,9 +618,8 @@ fn a_scene_is_checked_and_plotted_by_its_cameras_path() {
         let found = found.flat_map(|finding| [&finding["first_frame"], &finding["last_frame"]]);
         found.filter_map(serde_json::Value::as_f64).collect()
     };
-    assert!(text.contains("path.start = 1.0\n"), "{text}");
-    let later = text.replace("path.start = 1.0\n", "path.start = 11.0\n");
-    let later = later.replacen("version = 1\n", "version = 1\nfirst_frame = 101\n", 1);
+    let later = text.replacen("\nfirst_frame = 1\n", "\nfirst_frame = 101\n", 1);
+    let later = later.replacen("\nstart_frame = 1.0\n", "\nstart_frame = 11.0\n", 1);
     let more = frames(&text).into_iter().map(|frame| frame + 110.0);
     assert_eq!(frames(&later), more.collect::<Vec<_>>());
     assert!(!frames(&later).is_empty());

@@ -395,21 +395,21 @@ fn scrubbing_a_large_scene_stays_fluent() {
     assert!(pass < 60.0, "{pass} ms");
 }
 
-/// The bar's totals are the scene's: nothing is typed there.
+/// It is the range of the scene, and a step.
 #[test]
-fn the_length_of_a_scene_is_only_shown() {
+fn the_end_of_a_scene_is_typed() {
     let mut window = window_of_file(&car(), Language::English, Theme::Dark);
-    let before = window.state().document().revision();
+    let scene = |window: &Window| window.state().document().scene().unwrap();
+    let before = scene(&window);
     let texts = &Language::English.texts().space;
-    for name in [texts.last_frame, texts.duration] {
-        assert!(!value(&window, name).is_empty());
-        window.get_by_label(name).click();
-        window.run();
-        window.event(egui::Event::Text("20".to_owned()));
-        press(&mut window, Modifiers::NONE, Key::Enter);
-        assert_eq!(said(&window), None);
+    for (name, text, last) in [(texts.last_frame, "20", 20.0), (texts.duration, "4", 100.0)] {
+        enter(&mut window, name, text);
+        assert_eq!(scene(&window).range(), Some((1.0, last)));
     }
-    assert_eq!(window.state().document().revision(), before);
+    for _ in 0..2 {
+        press(&mut window, Modifiers::CTRL, Key::Z);
+    }
+    assert_eq!(scene(&window), before);
 }
 
 /// The rest goes on.

@@ -60,7 +60,7 @@ fn the_car_is_made_by_hand() {
     hands.diamond(node.rotation);
     hands.track(&Channel::Rotation, &[time.euler_linear]);
     hands.frame(26);
-    hands.number(&format!("{} {}", node.rotation, node.pitch), "1440");
+    hands.number(node.pitch, "1440");
     hands.track(&Channel::Rotation, &[time.after, time.goes_on]);
     for (name, place) in [
         ("wheel front right", ["-0.07", "0.03", "0.09"]),
@@ -117,7 +117,7 @@ fn the_car_is_made_by_hand() {
     hands.track(&Channel::Rotation, &[time.euler_catmull_rom]);
     for (frame, bent) in [(1, "20"), (26, "-30"), (51, "45"), (76, "20")] {
         hands.frame(frame);
-        hands.number(&format!("{} {}", node.rotation, node.pitch), bent);
+        hands.number(node.pitch, bent);
     }
     hands.track(&Channel::Rotation, &[time.after, time.repeats]);
 
@@ -126,7 +126,7 @@ fn the_car_is_made_by_hand() {
     hands.place(["0", "0", "0"]);
     hands.click(node.directional);
     hands.number(node.intensity, "0.8");
-    hands.number(&format!("{} {}", node.rotation, node.pitch), &yaw(0.9, 0.4));
+    hands.number(node.pitch, &yaw(0.9, 0.4));
 
     hands.select("car");
     let ways = [

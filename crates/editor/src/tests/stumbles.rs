@@ -79,7 +79,7 @@ fn what_is_lost_is_told() {
     hands.number(texts.node.yaw, "200");
     let told = texts.node.more_than_half;
     assert_eq!(said(&hands.window).as_deref(), Some(told));
-    hands.key(NONE, Key::Delete);
+    hands.entry(1, texts.menu.remove_nodes);
     let told = fill(texts.scene.aims_lost, &[&"camera"]);
     assert_eq!(said(&hands.window), Some(told));
 }
