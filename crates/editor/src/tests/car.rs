@@ -45,7 +45,7 @@ fn the_car_is_made_by_hand() {
     let texts = Language::English.texts();
     let (menu, node, time) = (&texts.menu, &texts.node, &texts.timeline);
     let mut hands = Hands::new(options(Language::English));
-    let turn = format!("{} {}", node.rotation, node.yaw);
+    let turn = node.yaw;
 
     hands.add(menu.add_group);
     hands.rename("car");
@@ -105,7 +105,7 @@ fn the_car_is_made_by_hand() {
         (76, yaw(0.801144, -0.598472)),
     ] {
         hands.frame(frame);
-        hands.number(&turn, &turned);
+        hands.number(turn, &turned);
         if frame == 38 {
             hands.key_to(&Channel::Rotation, "1.5"); // seconds: frame 38.5
         }
@@ -142,7 +142,7 @@ fn the_car_is_made_by_hand() {
             hands.diamond(node.rotation);
         }
         hands.place(place);
-        hands.number(&turn, &turned);
+        hands.number(turn, &turned);
     }
     hands.track(&Channel::Position, &[time.catmull_rom]);
     hands.track(&Channel::Rotation, &[time.catmull_rom]);

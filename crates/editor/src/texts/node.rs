@@ -179,8 +179,8 @@ texts! {
         by_its_path: "Its path moves this", "Das bewegt seine Bahn";
         more_than_half: "Keys of quaternions go the shorter way: for more than half a turn choose Angles in the menu of the track (right button)",
             "Schlüssel von Quaternionen gehen den kürzeren Weg: Für mehr als eine halbe Drehung im Menü der Spur (rechte Taste) Winkel wählen";
-        turned_too_far: "{0}\nMore than half a turn: only keys by angles keep it",
-            "{0}\nMehr als eine halbe Drehung: Nur Schlüssel aus Winkeln behalten sie";
+        turned_too_far: "{0} · More than half a turn: only keys by angles keep it",
+            "{0} · Mehr als eine halbe Drehung: Nur Schlüssel aus Winkeln behalten sie";
         set_keys: "Keys for position, rotation and scale of the selected nodes",
             "Schlüssel für Ort, Drehung und Größe der gewählten Knoten";
         keys_set: "Keys for position, rotation and scale", "Schlüssel für Ort, Drehung und Größe";
