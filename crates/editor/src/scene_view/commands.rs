@@ -148,9 +148,10 @@ impl Editor {
         aiming.map(|node| node.name.clone()).collect()
     }
 
+    /// Whether a node is left; of a path alone it is its camera.
     fn has_node(&self, name: &str) -> bool {
         let edited = self.document.edited_scene();
-        edited.is_some_and(|edited| edited.scene().find(name).is_some())
+        edited.is_none_or(|edited| edited.scene().find(name).is_some())
     }
 
     fn remove_nodes(&mut self) {
