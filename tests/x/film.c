@@ -155,6 +155,7 @@ static void shown(V_EDITOR *editor, int camera, const char *folder)
     if (camera == 1) {
         check(v_editor_get_path(editor, &path) == V_ERR_ARGUMENT, "keys are no path");
         check(v_path_load(file, &loaded) == V_ERR_ARGUMENT, "keys are no path of a file");
+        ok(v_editor_select(editor, 0, 0), "the path that was edited still is");
     } else {
         V_POSE of_path, of_file;
         ok(v_editor_get_path(editor, &path), "get_path");

@@ -89,10 +89,7 @@ pub(super) fn channel(
                 new[at] = number;
                 new
             });
-            let far = matches!(entry, Entry::Set(_))
-                && is_turn
-                && turned
-                && editor.key_state(of.at, channel) != KeyState::NoTrack;
+            let far = is_turn && turned && editor.key_state(of.at, channel) != KeyState::NoTrack;
             let action = NodeAction::Value(of.at, channel.clone(), entry);
             actions.push(Action::Node(action));
             if far {

@@ -124,9 +124,9 @@ fn pressed(context: &Context, with: Modifiers, wanted: Key) -> bool {
     found
 }
 
-/// Whether a text is keys, without nodes.
+/// Whether a text is keys: nodes are a file, which begins with its version.
 fn is_keys(text: &str) -> bool {
-    text.contains("[[node.track]]") && !text.contains("version")
+    text.contains("[[node.track]]") && !text.trim_start().starts_with("version")
 }
 
 /// Copies, cuts and pastes nodes, and not points.

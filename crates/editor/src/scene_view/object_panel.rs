@@ -194,7 +194,7 @@ fn along_longest(of: Shown<'_>, kind: &str, parameters: &[f64]) -> Option<Deform
     let points = &object(of)?.mesh().points;
     let ends = |pick: fn(DVec3, DVec3) -> DVec3| points.iter().copied().reduce(pick);
     let size = (ends(DVec3::max)? - ends(DVec3::min)?).to_array();
-    // Upright, where none is the longest.
+    // Along y, where none is longer.
     let longest = [0, 2].into_iter().filter(|&at| size[at] > size[1]);
     let longest = longest.max_by(|&a, &b| size[a].total_cmp(&size[b]));
     let longest = longest.unwrap_or(1);

@@ -53,6 +53,21 @@ fn undo_selects_what_it_has_changed_and_nothing_else() {
     assert_eq!(selected(&window), ["box"]);
 }
 
+/// Keys are keys where the list has the keyboard, too.
+#[test]
+fn keys_are_pasted_beside_the_list() {
+    let mut window = window_of_parts(Language::English);
+    click_on(&mut window, "lamp", Modifiers::NONE);
+    let text = "[[node.track]]\nchannel = \"position\"\ninterpolation = \"linear\"\n\
+                frames = [0.0]\nvalues = [[0.0, 9.0, 0.0]]\n";
+    window.event(Event::Paste(text.to_owned()));
+    window.run();
+    let scene = scene_of(&window);
+    let track = scene.nodes()[4].keys().track(&Channel::Position).unwrap();
+    assert_eq!(track.frames(), [1.0, 11.0]);
+    assert_eq!(track.values()[..3], [0.0, 9.0, 0.0]);
+}
+
 /// Whoever makes a node's first key has the bar under the pointer as before.
 #[test]
 fn the_first_key_moves_nothing() {

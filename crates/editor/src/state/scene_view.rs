@@ -37,7 +37,7 @@ pub(crate) enum NodeCommand {
 /// A node that begins without a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum NewNode {
-    /// Above the space, shining into all directions.
+    /// High in the space, shining into all directions.
     Light,
     /// As the view that is shown now.
     Camera,

@@ -14,6 +14,9 @@ use crate::{menu, space, theme};
 
 const KEYS: f32 = 232.0;
 
+/// More pages than there are.
+const ALL: f32 = 1e3;
+
 impl SubWindow for HelpWindow {
     const ID: &'static str = "help";
 
@@ -64,8 +67,8 @@ impl HelpWindow {
         for (key, pages) in [
             (Key::PageUp, -1.0),
             (Key::PageDown, 1.0),
-            (Key::Home, -f32::MAX.sqrt()),
-            (Key::End, f32::MAX.sqrt()),
+            (Key::Home, -ALL),
+            (Key::End, ALL),
         ] {
             if context.input_mut(|input| input.consume_key(Modifiers::NONE, key)) {
                 self.pages += pages;
