@@ -19,6 +19,11 @@ use crate::texts::fill;
 use crate::texts::refusals::of_edit;
 use crate::tools::block::Fit;
 
+/// Whether a text is keys: nodes are a file, which begins with its version.
+pub(crate) fn is_keys(text: &str) -> bool {
+    text.contains("[[node.track]]") && !text.trim_start().starts_with("version")
+}
+
 impl Editor {
     /// Copies the points that are selected together, else the current orientation.
     pub(crate) fn copy(&mut self, context: &Context) {
@@ -83,6 +88,9 @@ impl Editor {
     /// Puts the points in a text behind the current one, as they lie, or pastes the view whose text
     /// it is.
     pub(crate) fn pasted(&mut self, text: &str) {
+        if is_keys(text) && self.document.edited_scene().is_some() {
+            return self.paste_keys(text);
+        }
         if !self.document.edits_path() {
             return self.do_to_nodes(NodeCommand::Paste(text.to_owned()));
         }

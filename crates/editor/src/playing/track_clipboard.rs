@@ -135,7 +135,7 @@ impl Editor {
     }
 
     /// Puts keys in at the playhead, at the channels of the selected nodes that they fit.
-    pub(super) fn paste_keys(&mut self, text: &str) {
+    pub(crate) fn paste_keys(&mut self, text: &str) {
         let texts = &self.texts().timeline;
         let nodes = match Document::keys_of_text(text) {
             Ok(nodes) if nodes.is_empty() => return self.complain(texts.no_keys),

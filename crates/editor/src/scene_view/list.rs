@@ -10,6 +10,7 @@ use super::list_row::{EYE, Shown, kind, paint, show_eye, sign_color};
 use super::panel::trouble;
 use super::selection::select;
 use crate::action::Action;
+use crate::clipboard::is_keys;
 use crate::state::Editor;
 use crate::state::points_list::NameField;
 use crate::state::scene_view::{NodeCommand, SceneList};
@@ -124,11 +125,6 @@ fn pressed(context: &Context, with: Modifiers, wanted: Key) -> bool {
     found
 }
 
-/// Whether a text is keys: nodes are a file, which begins with its version.
-fn is_keys(text: &str) -> bool {
-    text.contains("[[node.track]]") && !text.trim_start().starts_with("version")
-}
-
 /// Copies, cuts and pastes nodes, and not points.
 fn take_clipboard(editor: &mut Editor, context: &Context) {
     let [mut copies, mut cuts, pastes] =
@@ -139,8 +135,6 @@ fn take_clipboard(editor: &mut Editor, context: &Context) {
             match event {
                 Event::Copy => copies = true,
                 Event::Cut => cuts = true,
-                // Keys go where keys are.
-                Event::Paste(text) if is_keys(text) => return true,
                 Event::Paste(text) => pasted.push(std::mem::take(text)),
                 _ => return true,
             }
@@ -157,7 +151,10 @@ fn take_clipboard(editor: &mut Editor, context: &Context) {
         // It comes as an event.
         Editor::ask_for_clipboard(context);
     }
-    let paste = |text| Action::Nodes(NodeCommand::Paste(text));
+    let paste = |text: String| match is_keys(&text) {
+        true => Action::Pasted(text),
+        false => Action::Nodes(NodeCommand::Paste(text)),
+    };
     editor.act_all(pasted.into_iter().map(paste), context);
 }
 

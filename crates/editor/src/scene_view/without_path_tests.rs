@@ -64,8 +64,8 @@ fn keys_are_pasted_beside_the_list() {
     window.run();
     let scene = scene_of(&window);
     let track = scene.nodes()[4].keys().track(&Channel::Position).unwrap();
-    assert_eq!(track.frames(), [1.0, 11.0]);
-    assert_eq!(track.values()[..3], [0.0, 9.0, 0.0]);
+    assert_eq!(track.frames(), [1.0, 11.0], "{:?}", said(&window));
+    assert_eq!(track.values()[..3], [0.0, 9.0, 0.0], "{:?}", said(&window));
 }
 
 /// Whoever makes a node's first key has the bar under the pointer as before.
