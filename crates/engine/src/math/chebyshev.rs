@@ -107,16 +107,12 @@ const POWERS: [[[f64; HALF]; HALF]; 2] = {
 #[inline(always)]
 fn combine<V: Vector>(factors: &[f64; HALF], rows: &[[f64; HALF]; HALF]) -> [f64; HALF] {
     let mut sums = [0.0; HALF];
-    let mut k = 0;
-    while k < HALF {
+    for k in (0..HALF).step_by(V::LANES) {
         let mut sum = V::splat(0.0);
-        let mut j = 0;
-        while j < HALF {
+        for j in 0..HALF {
             sum = V::splat(factors[j]).mul_add(V::load(&rows[j][k..]), sum);
-            j += 1;
         }
         sum.store(&mut sums[k..]);
-        k += V::LANES;
     }
     sums
 }
@@ -124,11 +120,9 @@ fn combine<V: Vector>(factors: &[f64; HALF], rows: &[[f64; HALF]; HALF]) -> [f64
 #[inline(always)]
 fn weave(even: &[f64; HALF], odd: &[f64; HALF]) -> [f64; NODES] {
     let mut woven = [0.0; NODES];
-    let mut k = 0;
-    while k < HALF {
+    for k in 0..HALF {
         woven[2 * k] = even[k];
         woven[2 * k + 1] = odd[k];
-        k += 1;
     }
     woven
 }
@@ -138,11 +132,9 @@ fn weave(even: &[f64; HALF], odd: &[f64; HALF]) -> [f64; NODES] {
 #[must_use]
 pub(crate) fn series<V: Vector>(values: &[f64; NODES]) -> [f64; NODES] {
     let (mut sums, mut differences) = ([0.0; HALF], [0.0; HALF]);
-    let mut j = 0;
-    while j < HALF {
+    for j in 0..HALF {
         sums[j] = values[j] + values[NODES - 1 - j];
         differences[j] = values[j] - values[NODES - 1 - j];
-        j += 1;
     }
     weave(
         &combine::<V>(&sums, &WEIGHTS[0]),
@@ -171,11 +163,9 @@ pub(crate) fn shorten(series: &mut [f64; NODES], tolerance: f64) {
 #[must_use]
 pub(crate) fn powers<V: Vector>(series: &[f64; NODES]) -> [f64; NODES] {
     let (mut even, mut odd) = ([0.0; HALF], [0.0; HALF]);
-    let mut k = 0;
-    while k < HALF {
+    for k in 0..HALF {
         even[k] = series[2 * k];
         odd[k] = series[2 * k + 1];
-        k += 1;
     }
     weave(
         &combine::<V>(&even, &POWERS[0]),

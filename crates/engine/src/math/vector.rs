@@ -25,24 +25,9 @@ pub(crate) trait Vector: Copy {
     fn sqrt(self) -> Self;
     fn min(self, other: Self) -> Self;
     fn max(self, other: Self) -> Self;
-    /// Writes [`Self::LANES`] records of ten numbers, row k holding the k-th number of each. `PAST`:
-    /// past the caches, where the processor can, to memory that will not be read soon and begins at
-    /// a multiple of [`PAIR`]; nothing is fetched only to be overwritten, and memory writes one
-    /// vector while the next ones are computed. [`settle`] must follow the last one.
-    fn store_records<const PAST: bool>(rows: [Self; 10], to: &mut [f64]);
+    /// Writes [`Self::LANES`] records of ten numbers, row k holding the k-th number of each.
+    fn store_records(rows: [Self; 10], to: &mut [f64]);
 }
-
-/// Makes what was streamed visible like any other store.
-pub(crate) fn settle() {
-    // SAFETY: SSE is part of x86-64.
-    #[cfg(all(target_arch = "x86_64", not(miri)))]
-    unsafe {
-        std::arch::x86_64::_mm_sfence();
-    }
-}
-
-/// Bytes of two numbers, which are streamed at a time.
-pub(crate) const PAIR: usize = 16;
 
 /// Has the processor fetch values that will be read soon, where it can be told so.
 #[inline(always)]
@@ -72,9 +57,7 @@ pub(crate) use each;
 #[must_use]
 pub(crate) fn horner<V: Vector, const N: usize>(coefficients: &[f64; N], x: V) -> V {
     let mut sum = V::splat(coefficients[N - 1]);
-    let mut k = N - 1;
-    while k > 0 {
-        k -= 1;
+    for k in (0..N - 1).rev() {
         sum = sum.mul_add(x, V::splat(coefficients[k]));
     }
     sum
@@ -88,14 +71,10 @@ pub(crate) fn horner_each<V: Vector, const N: usize, const U: usize>(
     x: &[V; U],
 ) -> [V; U] {
     let mut sums = [V::splat(coefficients[N - 1]); U];
-    let mut k = N - 1;
-    while k > 0 {
-        k -= 1;
+    for k in (0..N - 1).rev() {
         let coefficient = V::splat(coefficients[k]);
-        let mut u = 0;
-        while u < U {
+        for u in 0..U {
             sums[u] = sums[u].mul_add(x[u], coefficient);
-            u += 1;
         }
     }
     sums
@@ -140,7 +119,7 @@ impl Vector for f64 {
         max(a, b) => if a > b { a } else { b };
     }
     #[inline(always)]
-    fn store_records<const PAST: bool>(rows: [Self; 10], to: &mut [f64]) {
+    fn store_records(rows: [Self; 10], to: &mut [f64]) {
         to[..10].copy_from_slice(&rows);
     }
 }
@@ -188,7 +167,7 @@ pub(crate) use x86_64::{Avx2, Sse2};
 
 #[cfg(target_arch = "x86_64")]
 mod x86_64 {
-    use super::{PAIR, Vector};
+    use super::Vector;
     use std::arch::x86_64::*;
 
     /// Two numbers: every x86-64 processor.
@@ -199,22 +178,6 @@ mod x86_64 {
     /// that is compiled for AVX2 and FMA and runs on a processor with both.
     #[derive(Debug, Clone, Copy)]
     pub(crate) struct Avx2(__m256d);
-
-    /// Writes two numbers, which `PAST` asks to lie at a multiple of their size.
-    #[inline(always)]
-    unsafe fn put<const PAST: bool>(to: *mut f64, pair: __m128d) {
-        // SAFETY: as the caller promises.
-        unsafe {
-            if !PAST {
-                _mm_storeu_pd(to, pair);
-            } else if cfg!(miri) {
-                // Miri has no streaming store; an aligned one asks the same of the address.
-                _mm_store_pd(to, pair);
-            } else {
-                _mm_stream_pd(to, pair);
-            }
-        }
-    }
 
     impl Vector for Sse2 {
         lane_by_lane! {
@@ -229,16 +192,15 @@ mod x86_64 {
             max(a, b) => _mm_max_pd(a, b);
         }
         #[inline(always)]
-        fn store_records<const PAST: bool>(rows: [Self; 10], to: &mut [f64]) {
+        fn store_records(rows: [Self; 10], to: &mut [f64]) {
             let to = &mut to[..20];
-            assert!(!PAST || to.as_ptr().addr().is_multiple_of(PAIR));
             let p = to.as_mut_ptr();
             for k in (0..10).step_by(2) {
                 let (a, b) = (rows[k].0, rows[k + 1].0);
-                // SAFETY: SSE2 is part of x86-64; 10 + k + 1 ≤ 19, and each pair is even.
+                // SAFETY: SSE2 is part of x86-64; 10 + k + 1 ≤ 19.
                 unsafe {
-                    put::<PAST>(p.add(k), _mm_unpacklo_pd(a, b));
-                    put::<PAST>(p.add(10 + k), _mm_unpackhi_pd(a, b));
+                    _mm_storeu_pd(p.add(k), _mm_unpacklo_pd(a, b));
+                    _mm_storeu_pd(p.add(10 + k), _mm_unpackhi_pd(a, b));
                 }
             }
         }
@@ -257,30 +219,15 @@ mod x86_64 {
             max(a, b) => _mm256_max_pd(a, b);
         }
         #[inline(always)]
-        fn store_records<const PAST: bool>(rows: [Self; 10], to: &mut [f64]) {
+        fn store_records(rows: [Self; 10], to: &mut [f64]) {
             let to = &mut to[..40];
-            assert!(!PAST || to.as_ptr().addr().is_multiple_of(PAIR));
             let p = to.as_mut_ptr();
-            // SAFETY: the type's owner promises the instruction set; 30 + 2·4 + 1 = 39, and each pair
-            // is even.
-            unsafe {
-                let (mut low, mut high) = ([rows[0].0; 5], [rows[0].0; 5]);
-                for k in 0..5 {
-                    low[k] = _mm256_unpacklo_pd(rows[2 * k].0, rows[2 * k + 1].0);
-                    high[k] = _mm256_unpackhi_pd(rows[2 * k].0, rows[2 * k + 1].0);
-                }
-                // One record after the other, as memory takes them best.
-                for k in 0..5 {
-                    put::<PAST>(p.add(2 * k), _mm256_castpd256_pd128(low[k]));
-                }
-                for k in 0..5 {
-                    put::<PAST>(p.add(10 + 2 * k), _mm256_castpd256_pd128(high[k]));
-                }
-                for k in 0..5 {
-                    put::<PAST>(p.add(20 + 2 * k), _mm256_extractf128_pd::<1>(low[k]));
-                }
-                for k in 0..5 {
-                    put::<PAST>(p.add(30 + 2 * k), _mm256_extractf128_pd::<1>(high[k]));
+            for k in (0..10).step_by(2) {
+                let (a, b) = (rows[k].0, rows[k + 1].0);
+                // SAFETY: the type's owner promises the instruction set; 30 + k + 1 ≤ 39.
+                unsafe {
+                    _mm256_storeu2_m128d(p.add(20 + k), p.add(k), _mm256_unpacklo_pd(a, b));
+                    _mm256_storeu2_m128d(p.add(30 + k), p.add(10 + k), _mm256_unpackhi_pd(a, b));
                 }
             }
         }
@@ -313,7 +260,7 @@ mod aarch64 {
         }
         #[inline(always)]
         #[allow(unused_unsafe)]
-        fn store_records<const PAST: bool>(rows: [Self; 10], to: &mut [f64]) {
+        fn store_records(rows: [Self; 10], to: &mut [f64]) {
             let to = &mut to[..20];
             for k in (0..10).step_by(2) {
                 let (Self(a), Self(b)) = (rows[k], rows[k + 1]);
@@ -364,21 +311,11 @@ mod tests {
             *row = V::load(&lanes);
         }
         let mut room = vec![-1.0; 10 * V::LANES + 3];
-        let even = usize::from(!room.as_ptr().addr().is_multiple_of(PAIR));
-        for (past, from) in [(false, 1), (false, 2), (true, even), (true, 2 + even)] {
-            room.fill(-1.0);
-            let to = &mut room[from..][..10 * V::LANES];
-            if past {
-                V::store_records::<true>(rows, to);
-                settle();
-            } else {
-                V::store_records::<false>(rows, to);
-            }
-            for (k, number) in to.iter().enumerate() {
-                assert_eq!(*number, k as f64);
-            }
-            assert_eq!(room.iter().filter(|number| **number == -1.0).count(), 3);
+        V::store_records(rows, &mut room[1..][..10 * V::LANES]);
+        for (k, number) in room[1..][..10 * V::LANES].iter().enumerate() {
+            assert_eq!(*number, k as f64);
         }
+        assert_eq!(room.iter().filter(|number| **number == -1.0).count(), 3);
     }
 
     #[test]

@@ -15,10 +15,6 @@ pub(super) const MAX_ANGLE: f64 = 1.25;
 /// Its cosine.
 const LEAST_COSINE: f64 = 0.3153223623952687;
 
-/// Cosine of 0.25 radians: for arcs up to there the first terms of each polynomial are exact to
-/// rounding, the next being below 1e-16.
-const SMALL_COSINE: f64 = 0.9689124217106447;
-
 /// (2·asin(√d/2))²/d in powers of d ≤ 4·sin²(MAX_ANGLE/2); error 6e-18.
 const ANGLE: [f64; 16] = [
     1.0,
@@ -68,18 +64,6 @@ const SINC: [f64; 8] = [
     -7.473341292114921e-13,
 ];
 
-/// A polynomial: its first terms where all arcs are `SMALL`.
-#[inline(always)]
-fn terms<V: Vector, const SMALL: bool, const FIRST: usize, const ALL: usize>(
-    all: &[f64; ALL],
-    x: V,
-) -> V {
-    match all.first_chunk::<FIRST>() {
-        Some(first) if SMALL => horner(first, x),
-        _ => horner(all, x),
-    }
-}
-
 /// One arc with what depends on its ends alone.
 #[derive(Debug, Clone, Copy)]
 struct Arc<V> {
@@ -91,11 +75,11 @@ struct Arc<V> {
 
 /// Weights of the ends of an arc at `x`, apart from the factor θ/sin θ.
 #[inline(always)]
-fn weights<V: Vector, const SMALL: bool>(square: V, x: V) -> (V, V) {
+fn weights<V: Vector>(square: V, x: V) -> (V, V) {
     let y = V::splat(1.0).sub(x);
     (
-        y.mul(terms::<V, SMALL, 6, 8>(&SINC, y.mul(y).mul(square))),
-        x.mul(terms::<V, SMALL, 6, 8>(&SINC, x.mul(x).mul(square))),
+        y.mul(horner(&SINC, y.mul(y).mul(square))),
+        x.mul(horner(&SINC, x.mul(x).mul(square))),
     )
 }
 
@@ -110,30 +94,30 @@ fn blend<V: Vector>(a: &[V; 4], b: &[V; 4], wa: V, wb: V) -> [V; 4] {
 
 /// Square of the angle between two unit quaternions.
 #[inline(always)]
-fn square_angle<V: Vector, const SMALL: bool>(a: &[V; 4], b: &[V; 4]) -> V {
+fn square_angle<V: Vector>(a: &[V; 4], b: &[V; 4]) -> V {
     let mut chord = V::splat(0.0);
     for k in 0..4 {
         let d = a[k].sub(b[k]);
         chord = d.mul_add(d, chord);
     }
-    chord.mul(terms::<V, SMALL, 8, 16>(&ANGLE, chord))
+    chord.mul(horner(&ANGLE, chord))
 }
 
 impl<V: Vector> Arc<V> {
     #[inline(always)]
-    fn new<const SMALL: bool>(from: [V; 4], to: [V; 4]) -> Self {
-        let square = square_angle::<V, SMALL>(&from, &to);
+    fn new(from: [V; 4], to: [V; 4]) -> Self {
+        let square = square_angle(&from, &to);
         Self {
             from,
             to,
             square,
-            inverse: terms::<V, SMALL, 8, 13>(&INVERSE, square),
+            inverse: horner(&INVERSE, square),
         }
     }
 
     #[inline(always)]
-    fn at<const SMALL: bool>(&self, x: V) -> [V; 4] {
-        let (a, b) = weights::<V, SMALL>(self.square, x);
+    fn at(&self, x: V) -> [V; 4] {
+        let (a, b) = weights(self.square, x);
         let (a, b) = (a.mul(self.inverse), b.mul(self.inverse));
         blend(&self.from, &self.to, a, b)
     }
@@ -146,7 +130,6 @@ pub(super) struct ShortBezier {
     /// Of the arcs of the control polygon, the last without meaning.
     squares: [f64; 4],
     inverses: [f64; 4],
-    small: bool,
 }
 
 impl ShortBezier {
@@ -168,7 +151,7 @@ impl ShortBezier {
         for k in (0..4).step_by(V::LANES) {
             let from = each!(i in [0, 1, 2, 3] => V::load(&rows[i][k..]));
             let to = each!(i in [0, 1, 2, 3] => V::load(&rows[i][k + 1..]));
-            let arcs = Arc::new::<false>(from, to);
+            let arcs = Arc::new(from, to);
             arcs.square.store(&mut squares[k..]);
             arcs.inverse.store(&mut inverses[k..]);
         }
@@ -176,7 +159,6 @@ impl ShortBezier {
             control,
             squares,
             inverses,
-            small: cosine > SMALL_COSINE,
         })
     }
 
@@ -184,15 +166,6 @@ impl ShortBezier {
     /// since views are divided by the length anyway.
     #[inline(always)]
     pub(super) fn at<V: Vector>(&self, phi: V) -> [V; 4] {
-        if self.small {
-            self.within::<V, true>(phi)
-        } else {
-            self.within::<V, false>(phi)
-        }
-    }
-
-    #[inline(always)]
-    fn within<V: Vector, const SMALL: bool>(&self, phi: V) -> [V; 4] {
         let [a, b, c, d] =
             each!(k in [0, 1, 2, 3] => each!(i in [0, 1, 2, 3] => V::splat(self.control[k][i])));
         let [ab, bc, cd] = each!(k in [(0, a, b), (1, b, c), (2, c, d)] => Arc {
@@ -201,11 +174,11 @@ impl ShortBezier {
             square: V::splat(self.squares[k.0]),
             inverse: V::splat(self.inverses[k.0]),
         }
-        .at::<SMALL>(phi));
-        let abc = Arc::new::<SMALL>(ab, bc).at::<SMALL>(phi);
-        let bcd = Arc::new::<SMALL>(bc, cd).at::<SMALL>(phi);
-        let square = square_angle::<V, SMALL>(&abc, &bcd);
-        let (a, b) = weights::<V, SMALL>(square, phi);
+        .at(phi));
+        let abc = Arc::new(ab, bc).at(phi);
+        let bcd = Arc::new(bc, cd).at(phi);
+        let square = square_angle(&abc, &bcd);
+        let (a, b) = weights(square, phi);
         blend(&abc, &bcd, a, b)
     }
 }
@@ -223,16 +196,11 @@ mod tests {
         for k in 0..=1000 {
             let theta = MAX_ANGLE * f64::from(k) / 1000.0;
             let end = exp(DVec3::new(0.6, 0.8, 0.0) * theta) * start;
-            let arc = Arc::<f64>::new::<false>(start.to_array(), end.to_array());
-            let small = Arc::<f64>::new::<true>(start.to_array(), end.to_array());
+            let arc = Arc::<f64>::new(start.to_array(), end.to_array());
             for j in 0..=20 {
                 let x = f64::from(j) / 20.0;
-                let q = DQuat::from_array(arc.at::<false>(x));
+                let q = DQuat::from_array(arc.at(x));
                 assert!((q - slerp(start, end, x)).length() < 2e-15, "{theta} {x}");
-                if theta.cos() >= SMALL_COSINE {
-                    let small = DQuat::from_array(small.at::<true>(x));
-                    assert!((small - q).length() < 4e-16, "{theta} {x}");
-                }
             }
         }
     }

@@ -4,47 +4,44 @@
 //! be compiled for the plainest processor. `--cfg vides_no_simd` leaves only the first, to measure
 //! and to test it.
 
-use super::arc_length;
-use super::fill::{self, Scratch};
+use super::fill::Scratch;
 use super::hermite::Cubic;
 use super::pose::Pose;
 use super::section_sampler::SectionSampler;
 use crate::error::Result;
 use crate::math::vector;
 
-/// Calls a function generic over [`vector::Vector`] with the widest vectors of this processor.
+/// A function that calls one generic over [`vector::Vector`] with the widest vectors of this
+/// processor.
 macro_rules! widest {
-    ($module:ident, $function:ident, ($($name:ident: $type:ty),*) -> $result:ty) => {{
-        #[cfg(all(target_arch = "x86_64", not(vides_no_simd)))]
-        #[target_feature(enable = "avx2,fma")]
-        fn avx2($($name: $type),*) -> $result {
-            $module::$function::<vector::Avx2>($($name),*)
+    ($visible:vis fn $outer:ident = $function:path; ($($name:ident: $type:ty),*) -> $result:ty) => {
+        $visible fn $outer($($name: $type),*) -> $result {
+            use $function as inner;
+            #[cfg(all(target_arch = "x86_64", not(vides_no_simd)))]
+            #[target_feature(enable = "avx2,fma")]
+            fn avx2($($name: $type),*) -> $result {
+                inner::<vector::Avx2>($($name),*)
+            }
+            #[cfg(all(target_arch = "x86_64", not(vides_no_simd)))]
+            if std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma") {
+                // SAFETY: the processor has just been asked for both features.
+                #[allow(unsafe_code)]
+                return unsafe { avx2($($name),*) };
+            }
+            #[cfg(target_arch = "x86_64")]
+            return inner::<vector::Sse2>($($name),*);
+            #[cfg(all(target_arch = "aarch64", not(vides_no_simd)))]
+            return inner::<vector::Neon>($($name),*);
+            #[cfg(not(any(target_arch = "x86_64", all(target_arch = "aarch64", not(vides_no_simd)))))]
+            return inner::<f64>($($name),*);
         }
-        #[cfg(all(target_arch = "x86_64", not(vides_no_simd)))]
-        if std::arch::is_x86_feature_detected!("avx2") && std::arch::is_x86_feature_detected!("fma") {
-            // SAFETY: the processor has just been asked for both features.
-            #[allow(unsafe_code)]
-            return unsafe { avx2($($name),*) };
-        }
-        #[cfg(target_arch = "x86_64")]
-        return $module::$function::<vector::Sse2>($($name),*);
-        #[cfg(all(target_arch = "aarch64", not(vides_no_simd)))]
-        return $module::$function::<vector::Neon>($($name),*);
-        #[cfg(not(any(target_arch = "x86_64", all(target_arch = "aarch64", not(vides_no_simd)))))]
-        return $module::$function::<f64>($($name),*);
-    }};
+    };
 }
 pub(crate) use widest;
 
-pub(super) fn fill(
-    section: &SectionSampler,
-    scratch: &mut Scratch,
-    first: usize,
-    poses: &mut [Pose],
-) -> Result<()> {
-    widest!(fill, fill, (section: &SectionSampler, scratch: &mut Scratch, first: usize, poses: &mut [Pose]) -> Result<()>)
+widest! {
+    pub(super) fn fill = super::fill::fill;
+    (section: &SectionSampler, scratch: &mut Scratch, first: usize, poses: &mut [Pose]) -> Result<()>
 }
 
-pub(super) fn length(curve: &Cubic) -> f64 {
-    widest!(arc_length, length, (curve: &Cubic) -> f64)
-}
+widest! { pub(super) fn length = super::arc_length::length; (curve: &Cubic) -> f64 }

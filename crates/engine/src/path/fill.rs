@@ -18,7 +18,7 @@ use super::timing::Timing;
 use super::turning::{AT_TARGET, Turning};
 use crate::error::Result;
 use crate::math::orientation::POLE;
-use crate::math::vector::{PAIR, Vector, horner};
+use crate::math::vector::{Vector, each, horner};
 
 /// Frames of a block, whose numbers all stay in the first-level cache.
 const BLOCK: usize = 128;
@@ -47,9 +47,6 @@ struct Block {
 #[repr(align(64))]
 struct Records([f64; 10 * STRIDE]);
 
-/// From this many poses on, more than the caches hold, they are written past them.
-const MANY: usize = 50_000;
-
 /// Working memory that one call hands from section to section.
 pub(super) struct Scratch {
     /// The tables of a section that has none of its own yet.
@@ -60,11 +57,10 @@ pub(super) struct Scratch {
     pub(super) once: bool,
     block: Block,
     records: Records,
-    past_caches: bool,
 }
 
 impl Scratch {
-    pub(super) fn new(poses: usize) -> Self {
+    pub(super) fn new() -> Self {
         let row = [0.0; BLOCK + STRIDE];
         let block = Block {
             phi: row,
@@ -78,7 +74,6 @@ impl Scratch {
             once: false,
             block,
             records: Records([0.0; 10 * STRIDE]),
-            past_caches: poses >= MANY,
         }
     }
 }
@@ -88,7 +83,6 @@ impl Scratch {
 const KEEP: usize = 1024;
 
 /// Fills `poses` with frames of a section; `first` is the number of the first of them, from 1.
-/// After the last section [`crate::math::vector::settle`] must follow.
 #[inline(always)]
 pub(super) fn fill<V: Vector>(
     section: &SectionSampler,
@@ -111,7 +105,6 @@ pub(super) fn fill<V: Vector>(
         }
     };
     let (block, records) = (&mut scratch.block, &mut scratch.records);
-    let past_caches = scratch.past_caches;
     let mut number = first;
     for poses in poses.chunks_mut(BLOCK) {
         let count = poses.len();
@@ -129,7 +122,7 @@ pub(super) fn fill<V: Vector>(
             }
             turning => turned::<V>(turning, tables, count, block),
         }
-        write::<V>(section, block, records, past_caches, poses);
+        write::<V>(section, block, records, poses);
         if let Turning::Tracked(target, _) = section.turning {
             resolve_singularities(section, target, &block.phi, poses)?;
         }
@@ -228,11 +221,7 @@ fn run<const C: usize>(
 
 #[inline(always)]
 fn arguments<V: Vector, const C: usize>(fit: &Fit<C>, phi: &[f64]) -> [V; AT_ONCE] {
-    let mut x = [V::splat(0.0); AT_ONCE];
-    for u in 0..AT_ONCE {
-        x[u] = fit.x(V::load(&phi[u * V::LANES..]));
-    }
-    x
+    each!(u in [0, 1, 2, 3] => fit.x(V::load(&phi[u * V::LANES..])))
 }
 
 #[inline(always)]
@@ -355,22 +344,18 @@ fn write<V: Vector>(
     section: &SectionSampler,
     block: &Block,
     records: &mut Records,
-    past_caches: bool,
     poses: &mut [Pose],
 ) {
     let count = poses.len();
     let numbers = Pose::as_numbers(poses);
-    let past_caches = past_caches && numbers.as_ptr().addr().is_multiple_of(PAIR);
     for k in (0..count).step_by(V::LANES) {
         let row = write_vector::<V>(section, block, k);
         if k + V::LANES > count {
-            V::store_records::<false>(row, &mut records.0);
+            V::store_records(row, &mut records.0);
             let left = &mut numbers[10 * k..];
             left.copy_from_slice(&records.0[..left.len()]);
-        } else if past_caches {
-            V::store_records::<true>(row, &mut numbers[10 * k..]);
         } else {
-            V::store_records::<false>(row, &mut numbers[10 * k..]);
+            V::store_records(row, &mut numbers[10 * k..]);
         }
     }
 }
@@ -389,52 +374,32 @@ fn upright<V: Vector>(up: Up, [x, y, z]: [V; 3]) -> [V; 3] {
 fn write_vector<V: Vector>(section: &SectionSampler, block: &Block, k: usize) -> [V; 10] {
     let place = if let Some(ArcLengthCurve { curve, .. }) = &section.way {
         let t = V::load(&block.t[k..]);
-        [
-            horner::<V, 4>(&[curve.d.x, curve.c.x, curve.b.x, curve.a.x], t),
-            horner::<V, 4>(&[curve.d.y, curve.c.y, curve.b.y, curve.a.y], t),
-            horner::<V, 4>(&[curve.d.z, curve.c.z, curve.b.z, curve.a.z], t),
-        ]
+        let (a, b, c, d) = (curve.a, curve.b, curve.c, curve.d);
+        each!(i in [0, 1, 2] => horner(&[d[i], c[i], b[i], a[i]], t))
     } else {
-        let p = section.position;
-        [V::splat(p.x), V::splat(p.y), V::splat(p.z)]
+        each!(i in [0, 1, 2] => V::splat(section.position[i]))
     };
-    let q = &block.q;
     let view = match &section.turning {
-        Turning::Kept(view, up) => [
-            V::splat(view.x),
-            V::splat(view.y),
-            V::splat(view.z),
-            V::splat(up.x),
-            V::splat(up.y),
-            V::splat(up.z),
-        ],
+        Turning::Kept(view, up) => {
+            each!(v in [view.x, view.y, view.z, up.x, up.y, up.z] => V::splat(v))
+        }
         Turning::Tracked(target, _) => view_at_target(
             upright(
                 section.space.up,
-                [
-                    V::splat(target.x).sub(place[0]),
-                    V::splat(target.y).sub(place[1]),
-                    V::splat(target.z).sub(place[2]),
-                ],
+                each!(i in [0, 1, 2] => V::splat(target[i]).sub(place[i])),
             ),
-            V::load(&q[0][k..]),
-            V::load(&q[1][k..]),
+            V::load(&block.q[0][k..]),
+            V::load(&block.q[1][k..]),
         ),
-        _ => view_from_quaternion([
-            V::load(&q[0][k..]),
-            V::load(&q[1][k..]),
-            V::load(&q[2][k..]),
-            V::load(&q[3][k..]),
-        ]),
+        _ => view_from_quaternion(each!(i in [0, 1, 2, 3] => V::load(&block.q[i][k..]))),
     };
-    let zoom = horner::<V, 4>(&section.zoom, V::load(&block.phi[k..]));
-    let view = match section.space.up {
+    let zoom = horner(&section.zoom, V::load(&block.phi[k..]));
+    let [x, y, z] = place;
+    let [a, b, c, d, e, f] = match section.space.up {
         Up::Y => view,
-        Up::Z => [view[2], view[0], view[1], view[5], view[3], view[4]],
+        Up::Z => each!(i in [2, 0, 1, 5, 3, 4] => view[i]),
     };
-    [
-        place[0], place[1], place[2], view[0], view[1], view[2], view[3], view[4], view[5], zoom,
-    ]
+    [x, y, z, a, b, c, d, e, f, zoom]
 }
 
 /// Computes tracked frames at the target, or straight above or below it, the plain way.

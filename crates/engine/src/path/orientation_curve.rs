@@ -4,7 +4,6 @@
 //! Positions, targets and ways are the world's; directions, quaternions and velocities are in y-up
 //! axes ([`super::Up::upright`]).
 
-use std::cell::Cell;
 use std::sync::Arc;
 
 use glam::{DQuat, DVec3};
@@ -138,8 +137,6 @@ struct Work<'a> {
     rolls: Vec<[f64; 4]>,
     guides: Guides<'a>,
     space: Space,
-    /// A key and its velocities: the span that ends there asks, then the one that begins there.
-    passed: Cell<Option<(usize, (DVec3, DVec3))>>,
 }
 
 /// What of a whole path some sections follow.
@@ -233,7 +230,6 @@ fn work<'a>(
         rolls: vec_with_room(spans.len())?,
         guides,
         space,
-        passed: Cell::new(None),
     };
     for span in 0..spans.len() {
         let (from, to) = (&keys[span], &keys[ring.end_of(span)]);
@@ -298,8 +294,8 @@ impl Work<'_> {
                 if let Some(part) = self.part(span, a, b) {
                     return part;
                 }
-                let (_, leave) = self.passing(span);
-                let (reach, _) = self.passing(self.ring.end_of(span));
+                let (_, leave) = self.velocities(span);
+                let (reach, _) = self.velocities(self.ring.end_of(span));
                 Turning::Bezier(bezier_control(
                     a,
                     b,
@@ -363,18 +359,6 @@ impl Work<'_> {
 
     fn own_velocities(&self, key: usize) -> Option<(DVec3, DVec3)> {
         self.keys[key].velocities(self.space.up)
-    }
-
-    /// [`Self::velocities`], kept for whoever asks next.
-    fn passing(&self, key: usize) -> (DVec3, DVec3) {
-        match self.passed.get() {
-            Some((last, velocities)) if last == key => velocities,
-            _ => {
-                let velocities = self.velocities(key);
-                self.passed.set(Some((key, velocities)));
-                velocities
-            }
-        }
     }
 
     /// Velocities with which the curve reaches and leaves a key, limited so that none swings out.

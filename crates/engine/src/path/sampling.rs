@@ -16,7 +16,7 @@ use super::timeline::{Change, Timeline};
 use super::turning::Turning;
 use crate::error::{OutOfRange, Result, try_box, vec_with_room};
 use crate::limits::{MAX_ZOOM, MIN_ZOOM};
-use crate::math::{monotone_cubic, orientation, vector};
+use crate::math::{monotone_cubic, orientation};
 
 /// Everything prepared to give any pose of a path; independent of the path it was made from.
 #[derive(Debug)]
@@ -218,7 +218,7 @@ impl Sampler {
     /// [`crate::Error::Range`] if not all of them are frames of the path, [`crate::Error::Memory`];
     /// what `poses` holds is then unspecified.
     pub fn sample(&self, first: usize, poses: &mut [Pose]) -> Result<()> {
-        self.sample_with(&mut Scratch::new(poses.len()), first, poses)
+        self.fill(&mut Scratch::new(), first, poses)
     }
 
     /// As [`Sampler::sample`], of poses that are handed on and not asked for again: short sections
@@ -227,16 +227,9 @@ impl Sampler {
     /// # Errors
     /// As [`Sampler::sample`].
     pub fn sample_once(&self, first: usize, poses: &mut [Pose]) -> Result<()> {
-        let mut scratch = Scratch::new(poses.len());
+        let mut scratch = Scratch::new();
         scratch.once = true;
-        self.sample_with(&mut scratch, first, poses)
-    }
-
-    /// Each section leaves memory to write its poses while the next one is prepared.
-    fn sample_with(&self, scratch: &mut Scratch, first: usize, poses: &mut [Pose]) -> Result<()> {
-        let filled = self.fill(scratch, first, poses);
-        vector::settle();
-        filled
+        self.fill(&mut scratch, first, poses)
     }
 
     fn fill(&self, scratch: &mut Scratch, first: usize, poses: &mut [Pose]) -> Result<()> {

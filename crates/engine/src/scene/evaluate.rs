@@ -291,7 +291,7 @@ impl Scene {
         warnings: &mut Warnings,
         search: Search,
     ) -> Result<()> {
-        let mut group = Group::NONE;
+        let mut group = Group::default();
         for (at, nodes) in order.chunks(GROUP).enumerate() {
             if let Some(Some(pack)) = packs.get(at)
                 && pack.place(&self.nodes, frame, &mut group, states, warnings)

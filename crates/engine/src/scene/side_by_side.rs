@@ -10,7 +10,7 @@ use std::ops::{Deref, DerefMut};
 use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
-use glam::DVec3;
+use glam::{DMat4, DVec3};
 
 use super::channel::Channel;
 use super::node::{Node, Values};
@@ -27,8 +27,6 @@ pub(super) const GROUP: usize = 16;
 /// A number of each node of a group.
 type Row = [f64; GROUP];
 
-const ZEROS: Row = [0.0; GROUP];
-
 /// What tracks have at a key and towards the next: position, scale, rotation; then the rotation to
 /// which the arc leads, the square and the inverse of that arc.
 type Section = [Row; 16];
@@ -40,19 +38,20 @@ const SQUARE: usize = 14;
 const MOTIONS: [Channel; 3] = [Channel::Position, Channel::Scale, Channel::Rotation];
 
 /// Which nodes a group has, their pivots and the shares of the ways of their [`MOTIONS`].
-#[derive(Debug)]
+#[derive(Debug, Default)]
 struct Head {
     nodes: [usize; GROUP],
     parents: [Option<usize>; GROUP],
     count: usize,
     pivot: [Row; 3],
-    shares: [Row; 3],
+    shares: Shares,
 }
 
 /// The three axes and the place of each node, in its parent.
 type Own = [[Row; 3]; 4];
 
 /// Nodes that come one after the other in the order of evaluation, gathered for one frame.
+#[derive(Default)]
 pub(super) struct Group {
     head: Head,
     /// Both keys.
@@ -69,19 +68,6 @@ fn put(section: &mut Section, row: usize, lane: usize, numbers: &[f64]) {
 }
 
 impl Group {
-    pub(super) const NONE: Self = Self {
-        head: Head {
-            nodes: [0; GROUP],
-            parents: [None; GROUP],
-            count: 0,
-            pivot: [ZEROS; 3],
-            shares: [ZEROS; 3],
-        },
-        keys: [[ZEROS; 16]; 2],
-        own: [[ZEROS; 3]; 4],
-        hint: 0,
-    };
-
     /// Adds a node of which tracks alone move the place, and gives its other values.
     pub(super) fn add(
         &mut self,
@@ -143,13 +129,9 @@ impl Group {
         let lane = self.head.count - 1;
         if motion < 2 {
             let keys = &track.values()[3 * section..];
-            let next = if share == 0.0 || keys.len() == 3 {
-                0
-            } else {
-                3
-            };
+            let next = keys.get(3..6).unwrap_or(&keys[..3]);
             put(&mut self.keys[0], SCALE * motion, lane, &keys[..3]);
-            put(&mut self.keys[1], SCALE * motion, lane, &keys[next..][..3]);
+            put(&mut self.keys[1], SCALE * motion, lane, next);
         } else if share != 0.0
             && let Some(arc) = track.arc(section)
         {
@@ -163,23 +145,14 @@ impl Group {
 
     /// Writes where its nodes are in the world and whether they are seen; it is empty then.
     pub(super) fn place(&mut self, states: &mut [NodeState], warnings: &mut Warnings) {
-        let around = Around {
-            keys: self.keys.each_ref(),
-            shares: &self.head.shares,
-            at_key: false,
-        };
-        place_widest(&self.head, &around, &mut self.own, states, warnings);
+        let (head, keys) = (&self.head, self.keys.each_ref());
+        place_widest(head, keys, &head.shares, &mut self.own, states, warnings);
         self.head.count = 0;
     }
 }
 
-/// The keys around a frame.
-struct Around<'a> {
-    keys: [&'a Section; 2],
-    shares: &'a [Row; 3],
-    /// All shares are 0.
-    at_key: bool,
-}
+/// The shares of the ways of a group's [`MOTIONS`].
+type Shares = [Row; 3];
 
 /// The numbers of a vector of nodes.
 #[inline(always)]
@@ -189,22 +162,27 @@ fn at<V: Vector>(row: &Row, k: usize) -> V {
 
 /// L = T(position)·T(pivot)·R·S·T(−pivot) of a vector of nodes, column by column.
 #[inline(always)]
-fn local<V: Vector>(head: &Head, around: &Around<'_>, k: usize, own: &mut Own) {
-    let [from, to] = around.keys;
+fn local<V: Vector>(
+    head: &Head,
+    [from, to]: [&Section; 2],
+    shares: &Shares,
+    k: usize,
+    own: &mut Own,
+) {
     let one = V::splat(1.0);
     let [position, scale] = each!(motion in [0, 1] => {
-        let share = at::<V>(&around.shares[motion], k);
+        let share = at::<V>(&shares[motion], k);
         let rest = one.sub(share);
         each!(row in [SCALE * motion, SCALE * motion + 1, SCALE * motion + 2] => {
             at::<V>(&from[row], k).mul_add(rest, at::<V>(&to[row], k).mul(share))
         })
     });
     let (mut square, mut inverse) = (at(&from[SQUARE], k), at(&from[SQUARE + 1], k));
-    if around.at_key {
+    if shares[2] == [0.0; GROUP] {
         // The weight of the key is 1 then, and not what comes near it.
         (square, inverse) = (V::splat(0.0), one);
     }
-    let [a, b] = arc_weights(square, inverse, at(&around.shares[2], k));
+    let [a, b] = arc_weights(square, inverse, at(&shares[2], k));
     let [x, y, z, w] = each!(row in [TURN, TURN + 1, TURN + 2, TURN + 3] => {
         at::<V>(&from[row], k).mul_add(a, at::<V>(&from[row + 4], k).mul(b))
     });
@@ -252,20 +230,19 @@ fn world<V: Vector>(own: &Own, lane: usize, parent: &[f64; 16]) -> [f64; 16] {
     matrix
 }
 
-const IDENTITY: [f64; 16] = [
-    1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0,
-];
+const IDENTITY: [f64; 16] = DMat4::IDENTITY.to_cols_array();
 
 #[inline(always)]
 fn place<V: Vector>(
     head: &Head,
-    around: &Around<'_>,
+    keys: [&Section; 2],
+    shares: &Shares,
     own: &mut Own,
     states: &mut [NodeState],
     warnings: &mut Warnings,
 ) {
     for k in (0..head.count).step_by(V::LANES) {
-        local::<V>(head, around, k, own);
+        local::<V>(head, keys, shares, k, own);
     }
     for lane in 0..head.count {
         let at = head.nodes[lane];
@@ -291,15 +268,9 @@ fn place<V: Vector>(
     }
 }
 
-fn place_widest(
-    head: &Head,
-    around: &Around<'_>,
-    own: &mut Own,
-    states: &mut [NodeState],
-    warnings: &mut Warnings,
-) {
-    use self as side_by_side;
-    widest!(side_by_side, place, (head: &Head, around: &Around<'_>, own: &mut Own, states: &mut [NodeState], warnings: &mut Warnings) -> ())
+widest! {
+    fn place_widest = self::place;
+    (head: &Head, keys: [&Section; 2], shares: &Shares, own: &mut Own, states: &mut [NodeState], warnings: &mut Warnings) -> ()
 }
 
 /// A group whose tracks are linear and have their keys at the same frames, as recordings have: all
@@ -351,7 +322,7 @@ impl Pack {
         if 4 * GROUP * (count - 1) > numbers.max(8 * frames) {
             return Ok(None);
         }
-        let (mut gathered, mut looks) = (Group::NONE, [Looks::default(); GROUP]);
+        let (mut gathered, mut looks) = (Group::default(), [Looks::default(); GROUP]);
         let mut sections = vec_with_room(count)?;
         for key in 0..count {
             gathered.head.count = 0;
@@ -395,12 +366,9 @@ impl Pack {
             states[self.head.nodes[lane]].begin(self.looks[lane]);
         }
         let from = &self.sections[section];
-        let around = Around {
-            keys: [from, self.sections.get(section + 1).unwrap_or(from)],
-            shares: &self.head.shares.map(|row| row.map(|moves| share * moves)),
-            at_key: share == 0.0,
-        };
-        place_widest(&self.head, &around, &mut group.own, states, warnings);
+        let keys = [from, self.sections.get(section + 1).unwrap_or(from)];
+        let shares = self.head.shares.map(|row| row.map(|moves| share * moves));
+        place_widest(&self.head, keys, &shares, &mut group.own, states, warnings);
         true
     }
 }
