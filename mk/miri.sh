@@ -3,8 +3,7 @@
 #
 # The sampler's vectors, once as every x86-64 processor has them and once with
 # AVX2, since Miri has only the processor that it is compiled for; and the border's
-# handles, pointers and lists. Miri is a part of nightly toolchains only. (The
-# streaming stores are replaced, see crates/engine/src/math/vector.rs.)
+# handles, pointers and lists. Miri is a part of nightly toolchains only.
 set -eu
 cd "$(dirname "$0")/.."
 command -v rustup >/dev/null || { echo 'miri: rustup is needed' >&2; exit 1; }
