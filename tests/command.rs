@@ -11,6 +11,8 @@ use std::process::{Command, Output, Stdio};
 mod convert;
 #[path = "command/planner.rs"]
 mod planner;
+#[path = "command/properties.rs"]
+mod properties;
 #[path = "command/tools.rs"]
 mod tools;
 
@@ -631,46 +633,4 @@ fn the_manual_page_knows_every_option_and_no_other() {
     for command in COMMANDS {
         assert!(page.contains(command));
     }
-}
-
-/// A file is changed where it lies, or beside it; what is refused leaves it as it was.
-#[test]
-fn properties_are_got_and_set_by_name() {
-    let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("flight.vid");
-    fs::copy(PYRAMID, &file).unwrap();
-    let name = file.to_str().unwrap();
-    let zooms = ["get", name, "point.2.zoom", "point.1.name", "fps"];
-    let before = fs::read_to_string(&file).unwrap();
-    let out = folder.path().join("other.vid");
-    let other = out.to_str().unwrap();
-    let set = [
-        "set",
-        name,
-        "point.2.zoom=31.5",
-        "point.1.name=the corner",
-        "fps=30",
-    ];
-    said(&run(&[&set[..], &["-o", other]].concat()));
-    assert_eq!(fs::read_to_string(&file).unwrap(), before);
-    said(&run(&set));
-    assert_eq!(fs::read(&file).unwrap(), fs::read(&out).unwrap());
-    assert_eq!(said(&run(&zooms)), "31.5\n\"the corner\"\n30.0\n");
-    let all = said(&run(&["get", name]));
-    assert!(all.contains("\npoint.2.view.1.zoom_mm = 31.5\n"), "{all}");
-
-    let after = fs::read(&file).unwrap();
-    let refused = complaint(&run(&["set", name, "fps=24", "point.2.zoom=0"]), 1);
-    assert!(
-        refused.contains("flight.vid: point.2.zoom: the zoom must lie"),
-        "{refused}"
-    );
-    complaint(&run(&["get", name, "point.9.zoom"]), 1);
-    let unknown = complaint(&run(&["set", name, "point.2.colour=1"]), 1);
-    assert!(
-        unknown.contains("no property \"point.2.colour\"; known here: name, position, preset,"),
-        "{unknown}"
-    );
-    complaint(&run(&["set", name, "fps"]), 2);
-    assert_eq!(fs::read(&file).unwrap(), after);
 }

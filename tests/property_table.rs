@@ -10,9 +10,14 @@ const FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/files.md");
 const END: &str = "<!-- end -->";
 
 fn table(rows: &[Listed]) -> String {
-    let mut out = String::from(
-        "| key | kind | unit | range | new | affects | in copies | what it is |\n\
-         |---|---|---|---|---|---|---|---|\n",
+    // No node changes a path, and copies of nodes have everything.
+    let of_path = rows.iter().all(|row| row.owner != Owner::Node);
+    let (heads, lines) = match of_path {
+        true => ("affects | in copies | ", "---|---|"),
+        false => ("", ""),
+    };
+    let mut out = format!(
+        "| key | kind | unit | range | new | {heads}what it is |\n|---|---|---|---|---|{lines}---|\n"
     );
     for row in rows {
         let range = row.range.filter(|(low, _)| *low > f64::from(i32::MIN));
@@ -22,11 +27,15 @@ fn table(rows: &[Listed]) -> String {
             new => format!("`{new}`"),
         };
         let copied = if row.copied { "yes" } else { "" };
-        let (kind, unit, affects) = (row.kind, row.unit.name(), row.affects.name());
+        let affects = match of_path {
+            true => format!("{} | {copied} | ", row.affects.name()),
+            false => String::new(),
+        };
+        let (kind, unit) = (row.kind, row.unit.name());
         let (key, does) = (row.key, row.does.replace('|', "\\|"));
         writeln!(
             out,
-            "| `{key}` | {kind} | {unit} | {range} | {new} | {affects} | {copied} | {does} |"
+            "| `{key}` | {kind} | {unit} | {range} | {new} | {affects}{does} |"
         )
         .unwrap();
     }
@@ -45,7 +54,7 @@ fn the_manual_names_every_key() {
 fn the_documents_tables_are_current() {
     let mut text = std::fs::read_to_string(FILE).unwrap();
     let all = vides::properties();
-    for owner in [Owner::Path, Owner::Point, Owner::View] {
+    for owner in [Owner::Path, Owner::Point, Owner::View, Owner::Node] {
         let begin = format!("<!-- begin: properties of a {} -->\n", owner.name());
         let rows: Vec<_> = all
             .iter()

@@ -79,7 +79,7 @@ type Row = (
     String,
 );
 
-/// The properties of paths, points and views, as the engine's table has them.
+/// The properties of paths, points, views and nodes, as the engine's table has them.
 #[pyfunction]
 pub(crate) fn keys() -> Vec<Row> {
     let row = |listed: Listed| {

@@ -126,6 +126,8 @@ def test_properties_have_the_keys_of_files(path: vides.Path) -> None:
     assert point.zoom == 24 and not point.name
     owners = {"path": path, "point": point, "view": second}
     for row in vides.properties():
+        if row.owner == "node":
+            continue
         owner = owners[row.owner]
         assert any(row.key.startswith(name) for name in dir(owner))
         getattr(owner, row.key)

@@ -119,3 +119,13 @@ def test_nodes_are_copied_and_compared(scene: vides.Scene) -> None:
         np.testing.assert_array_equal(twin.position, cube.position)
         twin.position = (9, 9, 9)
         assert cube.position[0] == 0
+
+
+def test_what_the_table_says_of_nodes_is_an_attribute_of_some_kind() -> None:
+    scene = vides.Scene()
+    nodes = [scene.add(kind, kind) for kind in ("object", "spot", "camera")]
+    keys = [row.key for row in vides.properties() if row.owner == "node"]
+    assert len(keys) == 10
+    for key in keys:
+        name = key.removesuffix("_mm").removesuffix("_degrees")
+        assert any(hasattr(node, name) for node in nodes), key

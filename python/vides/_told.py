@@ -63,10 +63,10 @@ def tools() -> list[Tool]:
 
 
 class Property(NamedTuple):
-    """A property of a path, a point or an orientation."""
+    """A property of a path, a point, an orientation or a node."""
 
     owner: str
-    """What has it: ``"path"``, ``"point"`` or ``"view"``, an orientation."""
+    """What has it: ``"path"``, ``"point"``, ``"view"``, an orientation, or ``"node"``."""
     key: str
     """Its key in files; its unit at the end may be left out."""
     does: str
@@ -85,7 +85,7 @@ def properties() -> list[Property]:
     """What there is to be set by its name, as the engine's table has it.
 
     >>> [(row.owner, row.unit, row.range) for row in properties() if row.key == "zoom_mm"]
-    [('view', 'mm', (1.0, 2000.0))]
+    [('view', 'mm', (1.0, 2000.0)), ('node', 'mm', (1.0, 2000.0))]
     """
     return [Property(*row) for row in _vides.keys()]
 

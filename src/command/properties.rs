@@ -1,4 +1,4 @@
-//! `vides get` and `vides set`: properties of a path by the names of their keys.
+//! `vides get` and `vides set`: properties of a path or a scene by the names of their keys.
 
 use std::fmt::Write as _;
 use std::path::PathBuf;
@@ -10,10 +10,11 @@ use super::{Failure, input, output::Output, print};
 /// What `vides get` is asked.
 #[derive(Args)]
 pub(super) struct Get {
-    /// The path; - is standard input
+    /// The path or scene; - is standard input
     #[arg(value_name = "FILE.vid")]
     file: PathBuf,
-    /// As point.2.zoom, point.2.view.3.zoom or fps; without one, all that the file says
+    /// As point.2.zoom, point.2.view.3.zoom, node.lamp.intensity or fps; without one, all that
+    /// the file says
     #[arg(value_name = "NAME")]
     names: Vec<String>,
 }
@@ -21,21 +22,21 @@ pub(super) struct Get {
 /// What `vides set` is told.
 #[derive(Args)]
 pub(super) struct Set {
-    /// The path; - is standard input
+    /// The path or scene; - is standard input
     #[arg(value_name = "FILE.vid")]
     file: PathBuf,
-    /// As point.2.zoom=30 or fps=25, by the keys of the file; nothing behind the = gives back
-    /// what a new path has
+    /// As point.2.zoom=30, node.lamp.intensity=2 or fps=25, by the keys of the file; nothing
+    /// behind the = gives back what a new one has
     #[arg(value_name = "NAME=VALUE", required = true)]
     values: Vec<String>,
-    /// Where the path goes; - is standard output [default: FILE.vid]
+    /// Where it goes; - is standard output [default: FILE.vid]
     #[arg(short, long, value_name = "OUT.vid")]
     output: Option<PathBuf>,
 }
 
 pub(super) fn get(arguments: &Get) -> Result<(), Failure> {
     let Get { file, names } = arguments;
-    let document = input::load(file)?;
+    let document = input::load_whole(file)?;
     let mut text = String::new();
     if names.is_empty() {
         for (name, value) in document.properties()? {
@@ -56,7 +57,7 @@ pub(super) fn set(arguments: &Set) -> Result<(), Failure> {
         values,
         output,
     } = arguments;
-    let mut document = input::load(file)?.without_history();
+    let mut document = input::load_whole(file)?.without_history();
     for value in values {
         let Some((name, value)) = value.split_once('=') else {
             return Err(Failure::Usage(format!("\"{value}\" is not NAME=VALUE")));

@@ -255,6 +255,7 @@ impl Raw {
                     Owner::Path => At::Path,
                     Owner::Point => At::Point(at),
                     Owner::View => At::View(at, orientation),
+                    Owner::Node => At::Node(at),
                 };
                 let value = match self.c % 61 {
                     0 => Value::Unset,
@@ -290,6 +291,9 @@ impl Raw {
             ),
             Kind::Place => Value::Place(self.vector()),
             Kind::Vector => Value::Vector(self.vector()),
+            Kind::Rotation => Value::Rotation(DQuat::from_xyzw(x[0], x[1], x[2], x[3])),
+            Kind::Colour => Value::Colour([x[0], x[1], x[2]].map(f64::abs)),
+            Kind::Cone => Value::Cone([10.0 * x[0].abs(), 30.0]),
             Kind::Pair(names) => Value::Pair(names, [self.vector(), DVec3::splat(x[3])]),
             Kind::Speeds => Value::Speeds(self.orientation().speeds),
             Kind::Shape => Value::Shape(self.tcb()),

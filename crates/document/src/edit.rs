@@ -202,6 +202,8 @@ pub enum At {
     Point(usize),
     /// An orientation of a point.
     View(usize, usize),
+    /// A node of the scene, where nothing moves it.
+    Node(usize),
 }
 
 impl Edit {

@@ -39,6 +39,15 @@ pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
     {
         return Ok((set::set_info(state, property, value.clone())?, None));
     }
+    if let Edit::Set {
+        place: At::Node(node),
+        property,
+        value,
+    } = edit
+    {
+        let part = set::rest(state, node, property, value)?;
+        return scene_edit::prepare(state, |edits| edits.part(part));
+    }
     let none_edited = matches!(&state.edited_scene, Some(edited) if edited.node().is_none());
     let needs_path = !matches!(
         edit,

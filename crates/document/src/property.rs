@@ -1,12 +1,14 @@
 //! Properties by name: `point.2.zoom = 30` is the zoom of the first view of the second point,
 //! `point.2.view.3.zoom` that of its third, `fps` that of the whole file. Keys are those of a
-//! `.vid` file, and need not have the unit at their end.
+//! `.vid` file, and need not have the unit at their end. `node.lamp.intensity` is that of the node
+//! with that name, `node.2.intensity` that of the second one.
 
 use vides_engine::property::{Kind, Listed, Owner, Table, Value, find, list};
+use vides_engine::scene::{Node, Values};
 
 use crate::edit::{At, Edit};
 use crate::editing::{Document, Selection};
-use crate::error::{EngineError, Error, Malformed, Result};
+use crate::error::{EngineError, Error, Invalid, Malformed, Refused, Result};
 use crate::info::{Info, Object};
 use crate::path::{CameraPath, Orientation, OrientationOverrides, SupportPoint};
 use crate::prepare;
@@ -22,6 +24,7 @@ pub fn properties() -> Vec<Listed> {
     list(Owner::Point, &SupportPoint::NEW, &mut all);
     list(Owner::View, &Orientation::NEW, &mut all);
     list(Owner::View, &OrientationOverrides::NEW, &mut all);
+    list(Owner::Node, &Values::NEW, &mut all);
     all
 }
 
@@ -30,6 +33,7 @@ enum Place<'a> {
     Path(&'a str),
     Point(usize, &'static str),
     View(Selection, &'static str),
+    Node(usize, &'static str),
 }
 
 /// The key that is meant: itself, or that which has a unit besides.
@@ -76,6 +80,31 @@ fn place(name: &str) -> Result<Place<'_>> {
 }
 
 impl Document {
+    fn nodes(&self) -> &[Node] {
+        self.edited_scene()
+            .map_or(&[], |edited| edited.scene().nodes())
+    }
+
+    /// What a name leads to; a node is called by its number, from 1, or by its name.
+    fn place<'a>(&self, name: &'a str) -> Result<Place<'a>> {
+        let Some(rest) = name.strip_prefix("node.") else {
+            return place(name);
+        };
+        let none = || no_property(name, keys::<Values>());
+        let (node, key) = rest.rsplit_once('.').ok_or_else(none)?;
+        let key = full(keys::<Values>(), key).ok_or_else(none)?;
+        let nodes = self.nodes();
+        let at = match node.parse::<usize>() {
+            Ok(number) => number.checked_sub(1).filter(|&at| at < nodes.len()),
+            Err(_) => nodes.iter().position(|known| known.name == node),
+        };
+        let missing = || match nodes {
+            [] => Error::from(Refused::NoScene),
+            _ => EngineError::from(Invalid::NoNodeNamed(node.into())).into(),
+        };
+        Ok(Place::Node(at.ok_or_else(missing)?, key))
+    }
+
     /// Sets a property by its name to a value as it stands in a file; texts need no quotes, and
     /// nothing gives back what a new path has. One step.
     ///
@@ -83,7 +112,7 @@ impl Document {
     /// `ErrorKind::Argument` or `Range` with the name and the reason; `ErrorKind::Memory`. The
     /// path is as it was then.
     pub fn set_property(&mut self, name: &str, value: &str) -> Result<()> {
-        let (place, path) = (place(name)?, self.path());
+        let (place, path) = (self.place(name)?, self.path());
         let told = |error| match error {
             Error::Format { cause, .. } => Error::Property {
                 name: (&name).into(),
@@ -106,6 +135,10 @@ impl Document {
             Place::Point(at, key) => {
                 let point = prepare::point(path, at)?;
                 (At::Point(at), read_value(key, value, point))
+            }
+            Place::Node(at, key) => {
+                let rest = &self.nodes()[at].rest;
+                (At::Node(at), read_value(key, value, rest))
             }
             Place::View(Selection { point, orientation }, key) => {
                 let view = prepare::orientation(path, point, orientation)?;
@@ -152,6 +185,15 @@ impl Document {
                 all.push((format!("{table}{key}"), value.to_owned()));
             }
         }
+        for node in self.nodes() {
+            for row in Values::PROPERTIES
+                .iter()
+                .filter(|row| !(row.same)(&node.rest, &Values::NEW))
+            {
+                let name = format!("node.{}.{}", node.name, row.key());
+                all.push((name, (row.value)(&node.rest).to_string()));
+            }
+        }
         if !self.info().comment.is_empty() {
             all.push(("comment".to_owned(), quoted(&self.info().comment)));
         }
@@ -164,7 +206,8 @@ impl Document {
     /// `ErrorKind::Range` if there is no such property; `ErrorKind::Memory`.
     pub fn property(&self, name: &str) -> Result<String> {
         let path = self.path();
-        let (kind, value) = match place(name)? {
+        let (kind, value) = match self.place(name)? {
+            Place::Node(at, key) => of(&self.nodes()[at].rest, key),
             Place::Point(at, key) => of(prepare::point(path, at)?, key),
             Place::View(at, key) => {
                 let view = prepare::orientation(path, at.point, at.orientation)?;
@@ -215,8 +258,9 @@ fn read_value<T: Table>(key: &str, value: &str, of: &T) -> Result<(&'static str,
     let row = row.ok_or_else(|| no_property(key, keys::<T>()))?;
     let known = row.keys.iter().find(|known| **known == first);
     let property = known.copied().unwrap_or(row.key());
-    // A position has no value that it had when it was new.
-    if value.is_empty() && first == key && key != "position" {
+    // Where a point lies is nothing that a new one has.
+    let own = row.always && !row.copied[0];
+    if value.is_empty() && first == key && !own {
         return Ok((property, Value::Unset));
     }
     let new = match value {

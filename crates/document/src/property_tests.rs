@@ -27,6 +27,49 @@ fn what_is_got_can_be_set() {
     assert!(!document.undo());
 }
 
+/// The same of nodes; what a node cannot have is refused by its full name.
+#[test]
+fn nodes_have_properties() {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/car.vid");
+    let mut document = Document::load_scene(file.as_ref()).unwrap().0;
+    let before = document.to_toml().unwrap();
+    let all = document.properties().unwrap();
+    let of_nodes = all.iter().filter(|(name, _)| name.starts_with("node."));
+    assert!(of_nodes.clone().count() > 10);
+    for (name, value) in of_nodes {
+        document.set_property(name, value).unwrap();
+        assert_eq!(document.property(name).unwrap(), *value, "{name}");
+    }
+    assert_eq!(document.to_toml().unwrap(), before);
+    assert!(!document.undo());
+    for row in Values::PROPERTIES {
+        let name = format!("node.camera.{}", row.key());
+        let value = document.property(&name).unwrap();
+        document.set_property(&name, "").unwrap();
+        document.set_property(&name, &value).unwrap();
+    }
+    assert_eq!(document.to_toml().unwrap(), before);
+    document.set_property("node.sun.intensity", "3").unwrap();
+    assert!(document.to_toml().unwrap().contains("\nintensity = 3.0\n"));
+    assert!(document.undo());
+    assert_eq!(document.to_toml().unwrap(), before);
+    for (name, value, reason) in [
+        ("node.sun.intensity", "-1", "node.sun.intensity: "),
+        ("node.sun.cone", "[40, 20]", "node.sun.cone: "),
+        ("node.sun.rotation", "[0, 0, 0, 0]", "node.sun.rotation: "),
+        ("node.moon.intensity", "1", "moon"),
+        ("node.0.intensity", "1", "\"0\""),
+        ("node.sun.near", "1", "known here: position"),
+        ("node.sun", "1", "known here: position"),
+    ] {
+        let error = document.set_property(name, value).unwrap_err();
+        assert!(error.to_string().contains(reason), "{name}: {error}");
+    }
+    assert_eq!(document.to_toml().unwrap(), before);
+    let error = flight().set_property("node.sun.intensity", "1");
+    assert_eq!(error.unwrap_err().kind(), ErrorKind::Argument);
+}
+
 /// By their short names, and undone in one step each.
 #[test]
 fn names_need_neither_unit_nor_view() {

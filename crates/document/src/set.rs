@@ -4,9 +4,10 @@ use super::change::{Change, State};
 use super::edit::At;
 use super::info::Info;
 use super::prepare::{IDLE, check_position, orientation, point, view};
-use crate::error::{Error, Refused, Result};
+use crate::error::{Error, Refused, Result, can_allocate};
 use crate::path::{CameraPath, Orientation, OrientationOverrides, Space, SupportPoint};
 use vides_engine::property::{Property, Table, Value, find};
+use vides_engine::scene::{Part, Rest, Values};
 
 /// The record of setting a property.
 pub(super) fn set(
@@ -55,7 +56,26 @@ pub(super) fn set(
             }
             view(path, point, at, new)
         }
+        At::Node(node) => Ok(Change::Part(rest(state, node, property, value)?, 0)),
     }
+}
+
+/// What a node has where nothing moves it, with a property set.
+pub(super) fn rest(
+    state: &State,
+    node: usize,
+    property: &'static str,
+    mut value: Value,
+) -> Result<Part> {
+    let edited = state.edited_scene.as_ref().ok_or(Refused::NoScene)?;
+    let mut rest = Rest::of(edited.scene().node(node)?);
+    let row = exchange(&mut rest.values, property, &mut value, &Values::NEW)?;
+    (row.check)(&rest.values, state.path.space)?;
+    can_allocate(size_of::<Rest>())?;
+    Ok(Part::Rest {
+        node,
+        rest: Box::new(rest),
+    })
 }
 
 /// That of setting what the file has besides the path.

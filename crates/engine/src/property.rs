@@ -237,6 +237,9 @@ stored! {
     bool: Switch;
     String: Text;
     DVec3: Place;
+    DQuat: Rotation;
+    [f64; 3]: Colour;
+    [f64; 2]: Cone;
     [f64; SPEEDS]: Speeds;
     Tcb: Shape;
     [Tcb; PRESETS]: Presets;

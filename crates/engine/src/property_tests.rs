@@ -8,6 +8,7 @@ use crate::path::{
     BaseFrames, CameraPath, Ease, EaseKind, Orientation, OrientationOverrides, Pace, PacePart,
     PaceSource, Pose, Sampler, Space, SupportPoint, Timeline, TurningPart, UpPath, UpVector,
 };
+use crate::scene::Values;
 
 /// A value of a kind that differs from that of a new one.
 fn value(kind: Kind) -> Value {
@@ -34,6 +35,9 @@ fn value(kind: Kind) -> Value {
         Kind::Text => Value::Text("three".to_owned()),
         Kind::Place => Value::Place(DVec3::splat(0.3)),
         Kind::Vector => Value::Vector(DVec3::splat(0.3)),
+        Kind::Rotation => Value::Rotation(DQuat::from_xyzw(0.5, 0.5, 0.5, 0.5)),
+        Kind::Colour => Value::Colour([0.3; 3]),
+        Kind::Cone => Value::Cone([3.0, 33.0]),
         Kind::Pair(names) => Value::Pair(names, [DVec3::X, DVec3::Y]),
         Kind::Speeds => Value::Speeds([33.0; limits::SPEEDS]),
         Kind::Shape => Value::Shape(Tcb::new(0.3, 0.3, 0.3)),
@@ -62,7 +66,12 @@ fn each_key_is_its_own<T: Table + Clone + SameBits>() {
     for row in T::PROPERTIES {
         assert!(row.keys.is_empty() || row.keys.len() == row.kinds.len());
         for (key, &kind) in row.keys.iter().zip(row.kinds) {
-            let (given, mut changed) = (value(kind), T::NEW);
+            let mut changed = T::NEW;
+            let given = match (value(kind), row.range) {
+                (Value::Switch(on), _) => Value::Switch((row.value)(&T::NEW) != Value::Switch(on)),
+                (Value::Number(_), Some((low, high))) => Value::Number(0.5 * (low + high)),
+                (given, _) => given,
+            };
             let mut exchanged = given.clone();
             assert!((row.exchange)(&mut changed, &mut exchanged), "{key}");
             assert!((row.check)(&changed, Space::NEW).is_ok(), "{key}");
@@ -98,6 +107,7 @@ fn what_is_set_is_read_and_the_rest_stays() {
     each_key_is_its_own::<SupportPoint>();
     each_key_is_its_own::<Orientation>();
     each_key_is_its_own::<OrientationOverrides>();
+    each_key_is_its_own::<Values>();
 }
 
 #[test]

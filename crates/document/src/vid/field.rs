@@ -1,6 +1,6 @@
 //! Typed access to the `key = value` fields of a file, with errors that give line and reason.
 
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 use toml::de::Error as ParseError;
 
 use super::tree::{Placed, Table, Value as Node};
@@ -176,6 +176,12 @@ impl<'a> Field<'a> {
             Kind::Text => self.text()?.to_owned().into(),
             Kind::Place => property::Value::Place(DVec3::from_array(self.numbers()?)),
             Kind::Vector => property::Value::Vector(DVec3::from_array(self.numbers()?)),
+            Kind::Rotation => {
+                let [w, x, y, z] = self.numbers()?;
+                DQuat::from_xyzw(x, y, z, w).into()
+            }
+            Kind::Colour => property::Value::Colour(self.numbers()?),
+            Kind::Cone => property::Value::Cone(self.numbers()?),
             Kind::Pair(names) => property::Value::Pair(names, self.pair(names)?),
             Kind::Speeds => property::Value::Speeds(self.numbers()?),
             Kind::Shape => self.tcb()?.into(),

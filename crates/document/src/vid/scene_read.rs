@@ -1,6 +1,6 @@
 //! Reads the nodes and markers of a scene from the parsed pieces of its file.
 
-use glam::{DQuat, DVec3};
+use glam::DVec3;
 
 use super::field::{Field, Source, at_line};
 use super::mesh_source;
@@ -11,11 +11,12 @@ use crate::error::{EngineError, Error, Invalid, Malformed, Place, Result, TooMan
 use crate::limits;
 use crate::path::{CameraPath, Space};
 use vides_engine::deform::{Bounds, Deformation};
+use vides_engine::property::find;
 use vides_engine::scene::motion::check_frame;
 use vides_engine::scene::node::check_node_name;
 use vides_engine::scene::{
     Camera, Channel, Extrapolation, FollowPath, Interpolation, Kind, Light, Mesh, MeshSource, Node,
-    Object, Scene, Shape, Track,
+    Object, Scene, Shape, Track, Values,
 };
 
 /// What has been read of a scene; nodes may name nodes further down.
@@ -253,25 +254,13 @@ fn draft(table: Field<'_>, so_far: &mut ReadContext, space: Space) -> Result<Dra
     };
     let (node, added) = (&mut draft.node, &mut draft.rest);
     for field in table.fields()? {
-        let rest = &mut node.rest;
         match field.key {
             "name" | "kind" => {}
+            "position" => node.rest.position = field.vector()?,
+            "scale" => node.rest.scale = field.vector()?,
             "parent" => draft.parent = Some((field.offset(), field.text()?.to_owned())),
             "aim" => draft.aim = Some((field.offset(), field.text()?.to_owned())),
             "pivot" => node.pivot = field.vector()?,
-            "position" => rest.position = field.vector()?,
-            "rotation" => {
-                let [w, x, y, z] = field.numbers()?;
-                rest.rotation = DQuat::from_xyzw(x, y, z, w);
-            }
-            "scale" => rest.scale = field.vector()?,
-            "visible" => rest.visible = field.boolean()?,
-            "zoom_mm" => rest.zoom = field.number()?,
-            "roll_degrees" => rest.roll = field.number()?,
-            "colour" => rest.colour = field.numbers()?,
-            "intensity" => rest.intensity = field.number()?,
-            "cone_degrees" => rest.cone = field.numbers()?,
-            "aim_weight" => rest.aim_weight = field.number()?,
             "near" | "far" => {
                 let Kind::Camera(camera) = &mut node.kind else {
                     return Err(misplaced(&field, &node.kind));
@@ -323,7 +312,11 @@ fn draft(table: Field<'_>, so_far: &mut ReadContext, space: Space) -> Result<Dra
                         .push((element.offset(), track(element, &name)?));
                 }
             }
-            _ => return Err(field.unknown(&KEYS)),
+            key => {
+                let row = find(Values::PROPERTIES, key).ok_or_else(|| field.unknown(&KEYS))?;
+                let mut value = field.plain(row.kind(key), row.range)?;
+                (row.exchange)(&mut node.rest, &mut value);
+            }
         }
     }
     let named = |error: EngineError| error.at(Place::Node((&name).into()));

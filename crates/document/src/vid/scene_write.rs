@@ -8,7 +8,7 @@ use glam::DVec3;
 use super::comments::Comments;
 use super::own::UpPaths;
 use super::write::{
-    Quoted, Text, base_speeds, head, place, point, shape_and_modes, space, to_toml,
+    Quoted, Text, base_speeds, head, place, plain, point, shape_and_modes, space, to_toml,
 };
 use super::{mesh_source, shown, too_large};
 use crate::error::{EngineError, Result};
@@ -17,7 +17,7 @@ use crate::limits::MAX_FILE_BYTES;
 use crate::path::Space;
 use crate::path::camera_path::DEFAULT_PRESETS;
 use vides_engine::deform::{Bounds, Deformation};
-use vides_engine::property::Value;
+use vides_engine::property::{SameBits, Value};
 use vides_engine::scene::{
     Camera, Extrapolation, FollowPath, Kind, Light, Mesh, Node, Object, Pin, Scene, Shape, Track,
     Values,
@@ -81,11 +81,7 @@ pub(crate) fn alone(scene: &Scene) -> Option<&FollowPath> {
         && node.kind == Kind::Camera(Camera::default())
         && node.aim.is_none()
         && same(&node.pivot.to_array(), &[0.0; 3])
-        && node.rest.visible
-        && rest(&node.rest)
-            .iter()
-            .zip(&rest(&Values::default()))
-            .all(|(own, default)| same(&own.1, &default.1))
+        && node.rest.same_bits(&Values::NEW)
         && node.keys().tracks().is_empty()
         && scene.markers().is_empty()
         && scene.camera().is_none()
@@ -99,22 +95,6 @@ pub(crate) fn alone(scene: &Scene) -> Option<&FollowPath> {
 /// Bitwise equality: −0 must come back as −0.
 fn same(a: &[f64], b: &[f64]) -> bool {
     a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.to_bits() == b.to_bits())
-}
-
-/// The written rest values of a node, by key.
-fn rest(values: &Values) -> [(&'static str, Vec<f64>); 9] {
-    let q = values.rotation;
-    [
-        ("position", values.position.to_array().to_vec()),
-        ("rotation", vec![q.w, q.x, q.y, q.z]),
-        ("scale", values.scale.to_array().to_vec()),
-        ("colour", values.colour.to_vec()),
-        ("cone_degrees", values.cone.to_vec()),
-        ("zoom_mm", vec![values.zoom]),
-        ("roll_degrees", vec![values.roll]),
-        ("intensity", vec![values.intensity]),
-        ("aim_weight", vec![values.aim_weight]),
-    ]
 }
 
 fn document(out: &mut Text, scene: &Scene, info: &Info, folder: Option<&Path>) -> fmt::Result {
@@ -155,17 +135,8 @@ fn node(
     if !same(&node.pivot.to_array(), &[0.0; 3]) {
         writeln!(out, "pivot = {:?}", node.pivot.to_array())?;
     }
-    let default = rest(&Values::default());
-    for ((key, numbers), (_, default)) in rest(&node.rest).iter().zip(&default) {
-        if !same(numbers, default) {
-            match numbers[..] {
-                [number] => writeln!(out, "{key} = {number:?}")?,
-                _ => writeln!(out, "{key} = {numbers:?}")?,
-            }
-        }
-    }
-    if !node.rest.visible {
-        writeln!(out, "visible = false")?;
+    for row in Values::PROPERTIES {
+        plain(out, row, &node.rest, &Values::NEW)?;
     }
     match &node.kind {
         Kind::Group => {}

@@ -12,6 +12,8 @@ choices! {
         Point = "point",
         /// An orientation of a support point.
         View = "view",
+        /// A node of a scene.
+        Node = "node",
     }
 }
 

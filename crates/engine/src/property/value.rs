@@ -3,7 +3,7 @@
 use std::fmt::{self, Write as _};
 use std::sync::Arc;
 
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 
 use crate::limits::{PRESETS, SPEEDS};
 use crate::path::{BaseFrames, Ease, PacePart, PaceSource, Tcb, TurningPart, UpPath};
@@ -70,6 +70,9 @@ kinds! {
     Text(String) "text",
     Place(DVec3) "place",
     Vector(DVec3) "vector",
+    Rotation(DQuat) "quaternion, w first",
+    Colour([f64; 3]) "red, green, blue",
+    Cone([f64; 2]) "inner and outer angle",
     Speeds([f64; SPEEDS]) "ten numbers",
     Shape(Tcb) "tension, continuity, bias",
     Presets([Tcb; PRESETS]) "ten of tension, continuity, bias",
@@ -92,6 +95,9 @@ impl fmt::Display for Value {
             Self::Choice(name) => write!(out, "\"{name}\""),
             Self::Text(text) => Quoted(text).fmt(out),
             Self::Place(v) | Self::Vector(v) => write!(out, "{:?}", v.to_array()),
+            Self::Rotation(q) => write!(out, "{:?}", [q.w, q.x, q.y, q.z]),
+            Self::Colour(colour) => write!(out, "{colour:?}"),
+            Self::Cone(angles) => write!(out, "{angles:?}"),
             Self::Pair([one, other], both) => {
                 let [a, b] = both.map(|v| v.to_array());
                 write!(out, "{{ {one} = {a:?}, {other} = {b:?} }}")

@@ -8,10 +8,11 @@ use super::mesh::Object;
 use super::motion::FollowPath;
 use super::state::Looks;
 use crate::error::{Error, Invalid, OutOfRange, Place, Quantity, Result};
-use crate::limits::MAX_COORDINATE;
-use crate::path::camera_path::{check_coordinates, check_name, check_zoom};
+use crate::limits::{MAX_COORDINATE, MAX_ZOOM, MIN_ZOOM};
+use crate::path::camera_path::{check_coordinates, check_name};
 use crate::path::quaternion_spline::normalized;
-use crate::property::choices;
+use crate::path::space::Space;
+use crate::property::{Check, Row, Unit, choices, properties};
 
 /// What a node is.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -77,45 +78,83 @@ impl Default for Camera {
     }
 }
 
-/// Everything of a node that can move, at one moment.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Values {
-    /// In the parent's coordinates.
-    pub position: DVec3,
-    /// Of any length but zero.
-    pub rotation: DQuat,
-    /// Factors along its own axes; negative ones mirror.
-    pub scale: DVec3,
-    /// Hidden nodes hide their children.
-    pub visible: bool,
-    /// Cameras: 1…2000, mm.
-    pub zoom: f64,
-    /// Cameras: degrees, turns up about the view.
-    pub roll: f64,
-    /// Lights and objects: linear red, green, blue, each ≥ 0.
-    pub colour: [f64; 3],
-    /// Lights: ≥ 0.
-    pub intensity: f64,
-    /// Lights: half angles in degrees, inner and outer, 0…90.
-    pub cone: [f64; 2],
-    /// How far it turns to what it aims at, 0…1.
-    pub aim_weight: f64,
+properties! {
+    /// Everything of a node that can move, at one moment.
+    #[derive(Copy)]
+    pub struct Values {
+        /// In the parent's coordinates.
+        pub position: DVec3 = DVec3::ZERO => Row {
+            check: Check::By(|place, _| finite(*place, Place::Position)),
+            unit: Unit::Length,
+            ..Row::new(&["position"])
+        },
+        /// Of any length but zero.
+        pub rotation: DQuat = DQuat::IDENTITY => Row {
+            check: Check::By(|q, _| {
+                let error = |_| Error::Argument(Invalid::RotationZero);
+                normalized(*q).map(drop).map_err(error)
+            }),
+            ..Row::new(&["rotation"])
+        },
+        /// Factors along its own axes; negative ones mirror.
+        pub scale: DVec3 = DVec3::ONE => Row {
+            check: Check::By(|factors, _| finite(*factors, Place::Scale)),
+            ..Row::new(&["scale"])
+        },
+        /// Lights and objects: linear red, green, blue, each ≥ 0.
+        pub colour: [f64; 3] = [1.0; 3] => Row {
+            check: Check::By(|colour, _| {
+                let bright = colour.iter().all(|part| (0.0..=MAX_COORDINATE).contains(part));
+                bright.then_some(()).ok_or(OutOfRange::Colour.into())
+            }),
+            ..Row::new(&["colour"])
+        },
+        /// Lights: half angles, inner and outer, 0…90.
+        pub cone: [f64; 2] = [20.0, 30.0] => Row {
+            check: Check::By(|&[inner, outer], _| {
+                let nested = 0.0 <= inner && inner <= outer && outer <= 90.0;
+                nested.then_some(()).ok_or(OutOfRange::Cone.into())
+            }),
+            unit: Unit::Degrees,
+            ..Row::new(&["cone_degrees"])
+        },
+        /// Cameras: focal length, 1…2000.
+        pub zoom: f64 = 24.0 => Row {
+            check: Check::Between(Quantity::Zoom, MIN_ZOOM, MAX_ZOOM),
+            unit: Unit::Millimetres,
+            ..Row::new(&["zoom_mm"])
+        },
+        /// Cameras: turns up about the view.
+        pub roll: f64 = 0.0 => Row {
+            check: Check::By(|roll, _| {
+                let finite = (-MAX_COORDINATE..=MAX_COORDINATE).contains(roll);
+                finite.then_some(()).ok_or(Invalid::NotFinite(Quantity::Roll).into())
+            }),
+            unit: Unit::Degrees,
+            ..Row::new(&["roll_degrees"])
+        },
+        /// Lights: ≥ 0.
+        pub intensity: f64 = 1.0 => Row {
+            check: Check::Between(Quantity::Intensity, 0.0, MAX_COORDINATE),
+            ..Row::new(&["intensity"])
+        },
+        /// How far it turns to what it aims at.
+        pub aim_weight: f64 = 1.0 => Row {
+            check: Check::Between(Quantity::AimWeight, 0.0, 1.0),
+            ..Row::new(&["aim_weight"])
+        },
+        /// Hidden nodes hide their children.
+        pub visible: bool = true => Row::new(&["visible"]),
+    }
+}
+
+fn finite(vector: DVec3, place: Place) -> Result<()> {
+    check_coordinates(vector).map_err(|error| error.at(place))
 }
 
 impl Default for Values {
     fn default() -> Self {
-        Self {
-            position: DVec3::ZERO,
-            rotation: DQuat::IDENTITY,
-            scale: DVec3::ONE,
-            visible: true,
-            zoom: 24.0,
-            roll: 0.0,
-            colour: [1.0; 3],
-            intensity: 1.0,
-            cone: [20.0, 30.0],
-            aim_weight: 1.0,
-        }
+        Self::NEW
     }
 }
 
@@ -129,28 +168,8 @@ impl Values {
     /// # Errors
     /// The first one that is not.
     pub fn check(&self) -> Result<()> {
-        check_coordinates(self.position).map_err(|error| error.at(Place::Position))?;
-        normalized(self.rotation).map_err(|_| Error::Argument(Invalid::RotationZero))?;
-        check_coordinates(self.scale).map_err(|error| error.at(Place::Scale))?;
-        check_zoom(self.zoom)?;
-        if !self.roll.is_finite() || self.roll.abs() > MAX_COORDINATE {
-            return Err(Invalid::NotFinite(Quantity::Roll).into());
-        }
-        let bright = |value: f64| (0.0..=MAX_COORDINATE).contains(&value);
-        if !self.colour.into_iter().all(bright) {
-            return Err(OutOfRange::Colour.into());
-        }
-        if !bright(self.intensity) {
-            return Err(OutOfRange::Between(Quantity::Intensity, 0.0, MAX_COORDINATE).into());
-        }
-        let [inner, outer] = self.cone;
-        if !(0.0 <= inner && inner <= outer && outer <= 90.0) {
-            return Err(OutOfRange::Cone.into());
-        }
-        if !(0.0..=1.0).contains(&self.aim_weight) {
-            return Err(OutOfRange::Between(Quantity::AimWeight, 0.0, 1.0).into());
-        }
-        Ok(())
+        let mut rows = Self::PROPERTIES.iter();
+        rows.try_for_each(|row| (row.check)(self, Space::default()))
     }
 }
 
