@@ -44,6 +44,22 @@ impl Editor {
         shown
     }
 
+    /// The same of a part that remembers something in a room of the editor: it changes that while
+    /// the rest is only read, and it is back there before an action is done.
+    pub(super) fn part_of<T: Default, R>(
+        &mut self,
+        context: &egui::Context,
+        room: impl Fn(&mut Self) -> &mut T,
+        view: impl FnOnce(&Self, &mut T, &mut Vec<Action>) -> R,
+    ) -> R {
+        let mut actions = Vec::new();
+        let mut own = std::mem::take(room(self));
+        let shown = view(self, &mut own, &mut actions);
+        *room(self) = own;
+        self.act_all(actions, context);
+        shown
+    }
+
     pub(super) fn act_all(
         &mut self,
         actions: impl IntoIterator<Item = Action>,

@@ -38,11 +38,12 @@ const INDENT: f32 = 14.0;
 
 /// Shows it at the left, and takes its room away.
 pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
-    // It changes while the rest of the editor is only read.
-    let mut list = std::mem::take(&mut editor.points_list);
     let context = ui.ctx().clone();
-    editor.part(&context, |editor, actions| list.show(editor, ui, actions));
-    editor.points_list = list;
+    editor.part_of(
+        &context,
+        |editor| &mut editor.points_list,
+        |editor, list, actions| list.show(editor, ui, actions),
+    );
 }
 
 /// Takes F2 where the list has the keyboard: a point is renamed.

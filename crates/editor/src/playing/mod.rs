@@ -330,11 +330,11 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     editor.advance(ui.ctx());
     editor.keep_between();
     let context = ui.ctx().clone();
-    let mut speeds = std::mem::take(&mut editor.playing.speeds);
-    editor.part(&context, |editor, actions| {
-        bar(editor, &mut speeds, ui, actions)
-    });
-    editor.playing.speeds = speeds;
+    editor.part_of(
+        &context,
+        |editor| &mut editor.playing.speeds,
+        |editor, speeds, actions| bar(editor, speeds, ui, actions),
+    );
 }
 
 fn bar(editor: &Editor, memory: &mut graph::Memory, ui: &mut Ui, actions: &mut Vec<Action>) {

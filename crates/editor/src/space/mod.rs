@@ -87,15 +87,17 @@ impl MovementWindow {
     }
 }
 
+/// What the space remembers of itself.
+fn room(editor: &mut Editor) -> &mut MovementWindow {
+    &mut editor.space
+}
+
 pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     points_list::show(editor, ui);
-    // Taken out, so that it can change while the rest of the editor is only read.
-    let mut space = std::mem::take(&mut editor.space);
     let context = ui.ctx().clone();
-    let before = &mut space.view_before;
     let viewport = match editor.shows_sliders() {
-        true => editor.part(&context, |editor, actions| {
-            sliders::show(editor, before, ui, actions)
+        true => editor.part_of(&context, room, |editor, space, actions| {
+            sliders::show(editor, &mut space.view_before, ui, actions)
         }),
         false => {
             let all = ui.available_rect_before_wrap();
@@ -105,17 +107,16 @@ pub(super) fn show(editor: &mut Editor, ui: &mut Ui) {
     };
     let whole = viewport;
     let (viewport, docked) = camera_view::divided(editor, whole);
-    space.show(editor, ui, viewport, docked);
-    let solid = &mut space.seen_solid;
-    editor.host_pane = editor.part(&context, |editor, actions| match docked {
+    show_in(editor, ui, viewport, docked);
+    editor.host_pane = editor.part_of(&context, room, |editor, space, actions| match docked {
         Some(rect) => {
+            let solid = &mut space.seen_solid;
             let pane = camera_view::docked(editor, solid, ui, rect, actions);
             camera_view::dragged_border(editor, ui, (whole, rect), actions);
             pane
         }
-        None => camera_view::show(editor, solid, &context, viewport, actions),
+        None => camera_view::show(editor, &mut space.seen_solid, &context, viewport, actions),
     });
-    editor.space = space;
     editor.part(&context, |editor, actions| {
         scene_view::show(editor, &context, viewport, actions)
     });
@@ -235,87 +236,89 @@ const THUMBNAIL_LINES: usize = 2_000;
 /// About how many pieces the curve of a thumbnail has.
 const THUMBNAIL_PIECES: usize = 400;
 
-impl MovementWindow {
-    /// Shows the space in `viewport`, except where it is `covered`.
-    fn show(&mut self, editor: &mut Editor, ui: &mut Ui, viewport: Rect, covered: Option<Rect>) {
-        let response = ui.interact(
-            viewport,
-            ui.scope_id().with("movement"),
-            Sense::click_and_drag(),
-        );
-        let name = editor.texts().space.name;
-        response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Canvas, true, name));
-        let context = ui.ctx().clone();
-        let layer = ui.layer_id();
-        let mut above = gizmo::rooms(editor, viewport);
-        above.extend(start::rooms(editor, viewport));
-        let mine = |at| {
-            viewport.contains(at)
-                && !above.iter().any(|room| room.contains(at))
-                && covered.is_none_or(|covered| !covered.contains(at))
-                && context.layer_id_at(at).is_none_or(|found| found == layer)
-                && context.memory(|memory| memory.top_modal_layer().is_none())
-        };
-        if response.is_pointer_button_down_on()
-            || context
-                .memory(|memory| memory.focused().is_none() && memory.top_modal_layer().is_none())
-            || is_meant_by_letters(&context, &mine)
-        {
-            response.request_focus();
-        }
-        // The arrow keys move points here; Escape takes a drag back.
-        let filter = EventFilter {
-            horizontal_arrows: true,
-            vertical_arrows: true,
-            escape: self.pointer.moves() || editor.several().is_some(),
-            ..EventFilter::default()
-        };
-        context.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
-        let surface = PointerContext {
-            context: &context,
-            viewport,
-            mine: &mine,
-            keyboard: response.has_focus() && !egui::Popup::is_any_open(&context),
-        };
-        // Each sees what the one before has changed.
-        for event in self.pointer.events(&context) {
-            editor.part(&context, |editor, actions| {
-                self.pointer.take(editor, &surface, event, actions)
-            });
-        }
-        editor.part(&context, |editor, actions| {
-            self.pointer.settle(editor, &surface, actions)
-        });
-        self.pointer.point(editor, &surface);
-        if response.hovered() || response.dragged() {
-            context.set_cursor_icon(self.pointer.cursor());
-        }
-        if response.double_clicked() && self.pointer.hover.is_none() && !self.pointer.clicked_node()
-        {
-            editor.act(Action::View(View::default()), &context);
-        }
-        editor.part(&context, |editor, actions| {
-            let asked = self.pointer.menu.take();
-            menu::show(&mut self.menu, asked, editor, ui, viewport, actions);
-            if let Some(ghost) = editor.ghost.map(Camera::from) {
-                let place = projection_of(editor, viewport).pos(ghost.position);
-                actions.extend(host::button(editor, &context, viewport, place));
-            }
-        });
-        let corner = self.corner(editor, &surface);
-        self.lit = corner;
-        editor.part(&context, |editor, actions| {
-            if let Err(error) = self.draw(editor, &ui.painter_at(viewport), viewport, corner) {
-                actions.push(Action::Complain(reason_of(editor.language(), &error)));
-            }
-        });
-        let before = &mut self.view_before;
-        editor.part(&context, |editor, actions| {
-            gizmo::show(editor, before, ui, viewport, actions);
-            start::show(editor, ui, viewport, actions);
+/// Shows the space in `viewport`, except where it is `covered`.
+fn show_in(editor: &mut Editor, ui: &mut Ui, viewport: Rect, covered: Option<Rect>) {
+    let response = ui.interact(
+        viewport,
+        ui.scope_id().with("movement"),
+        Sense::click_and_drag(),
+    );
+    let name = editor.texts().space.name;
+    response.widget_info(|| egui::WidgetInfo::labeled(egui::Role::Canvas, true, name));
+    let context = ui.ctx().clone();
+    let layer = ui.layer_id();
+    let mut above = gizmo::rooms(editor, viewport);
+    above.extend(start::rooms(editor, viewport));
+    let mine = |at| {
+        viewport.contains(at)
+            && !above.iter().any(|room| room.contains(at))
+            && covered.is_none_or(|covered| !covered.contains(at))
+            && context.layer_id_at(at).is_none_or(|found| found == layer)
+            && context.memory(|memory| memory.top_modal_layer().is_none())
+    };
+    if response.is_pointer_button_down_on()
+        || context.memory(|memory| memory.focused().is_none() && memory.top_modal_layer().is_none())
+        || is_meant_by_letters(&context, &mine)
+    {
+        response.request_focus();
+    }
+    // The arrow keys move points here; Escape takes a drag back.
+    let filter = EventFilter {
+        horizontal_arrows: true,
+        vertical_arrows: true,
+        escape: editor.space.moves() || editor.several().is_some(),
+        ..EventFilter::default()
+    };
+    context.memory_mut(|memory| memory.set_focus_lock_filter(response.id, filter));
+    let surface = PointerContext {
+        context: &context,
+        viewport,
+        mine: &mine,
+        keyboard: response.has_focus() && !egui::Popup::is_any_open(&context),
+    };
+    // Each sees what the one before has changed.
+    for event in editor.space.pointer.events(&context) {
+        editor.part_of(&context, room, |editor, space, actions| {
+            space.pointer.take(editor, &surface, event, actions)
         });
     }
+    editor.part_of(&context, room, |editor, space, actions| {
+        space.pointer.settle(editor, &surface, actions)
+    });
+    editor.part_of(&context, room, |editor, space, actions| {
+        space.pointer.point(editor, &surface);
+        if response.hovered() || response.dragged() {
+            context.set_cursor_icon(space.pointer.cursor());
+        }
+        if response.double_clicked()
+            && space.pointer.hover.is_none()
+            && !space.pointer.clicked_node()
+        {
+            actions.push(Action::View(View::default()));
+        }
+    });
+    editor.part_of(&context, room, |editor, space, actions| {
+        let asked = space.pointer.menu.take();
+        menu::show(&mut space.menu, asked, editor, ui, viewport, actions);
+        if let Some(ghost) = editor.ghost.map(Camera::from) {
+            let place = projection_of(editor, viewport).pos(ghost.position);
+            actions.extend(host::button(editor, &context, viewport, place));
+        }
+    });
+    editor.part_of(&context, room, |editor, space, actions| {
+        space.lit = space.corner(editor, &surface);
+        let drawn = space.draw(editor, &ui.painter_at(viewport), viewport, space.lit);
+        if let Err(error) = drawn {
+            actions.push(Action::Complain(reason_of(editor.language(), &error)));
+        }
+    });
+    editor.part_of(&context, room, |editor, space, actions| {
+        gizmo::show(editor, &mut space.view_before, ui, viewport, actions);
+        start::show(editor, ui, viewport, actions);
+    });
+}
 
+impl MovementWindow {
     /// The corner of the object that a right click would take now.
     fn corner(&self, editor: &Editor, surface: &PointerContext<'_>) -> Option<DVec3> {
         let context = surface.context;
