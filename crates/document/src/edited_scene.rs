@@ -26,7 +26,6 @@ use crate::path::fit_frames::frames_between;
 pub struct EditedScene {
     /// Holds the edited path as it was when the node was chosen.
     scene: Arc<Scene>,
-    node: Option<usize>,
     number: u64,
     meshes: u64,
     pins: Pins,
@@ -47,12 +46,7 @@ enum Moved {
 const REMEMBERED: usize = 32;
 
 /// The path of another node, or a stand-in, and its pins.
-pub(super) struct Other {
-    pub(super) path: CameraPath,
-    pub(super) pins: Pins,
-}
-
-pub(super) fn other_path(scene: &Scene, node: Option<usize>) -> Result<Other> {
+pub(super) fn other_path(scene: &Scene, node: Option<usize>) -> Result<(CameraPath, Pins)> {
     let mut path = match node {
         Some(at) => {
             let node = scene.node(at)?;
@@ -65,13 +59,13 @@ pub(super) fn other_path(scene: &Scene, node: Option<usize>) -> Result<Other> {
     };
     normalise(&mut path)?;
     let pins = Pins::of(scene, node)?;
-    Ok(Other { path, pins })
+    Ok((path, pins))
 }
 
 /// A scene set up to edit the path of a node, and that path.
 pub(super) fn edit(scene: Scene, node: Option<usize>) -> Result<(EditedScene, CameraPath)> {
-    let Other { path, pins } = other_path(&scene, node)?;
-    Ok((EditedScene::new(scene, node, pins)?, path))
+    let (path, pins) = other_path(&scene, node)?;
+    Ok((EditedScene::new(scene, pins)?, path))
 }
 
 /// A scene as first edited: the shown camera's path, if it has one.
@@ -99,13 +93,12 @@ fn stand_in(scene: &Scene) -> Result<CameraPath> {
 }
 
 impl EditedScene {
-    fn new(scene: Scene, node: Option<usize>, pins: Pins) -> Result<Self> {
+    fn new(scene: Scene, pins: Pins) -> Result<Self> {
         can_allocate(size_of::<Scene>() + 64)?;
         let mut changed = VecDeque::new();
         changed.try_reserve_exact(REMEMBERED)?;
         Ok(Self {
             scene: Arc::new(scene),
-            node,
             number: fresh_revision(),
             meshes: fresh_revision(),
             pins,
@@ -117,7 +110,9 @@ impl EditedScene {
 
     /// The scene of a path alone, which is edited.
     pub(super) fn of_path(path: CameraPath) -> Result<Self> {
-        Self::new(Scene::of_path(path)?, Some(0), Pins::default())
+        let scene = Scene::of_path(path)?;
+        let pins = Pins::of(&scene, Some(0))?;
+        Self::new(scene, pins)
     }
 
     /// Exchanges a part of the scene.
@@ -131,11 +126,11 @@ impl EditedScene {
         match part {
             // What is to be removed has come.
             Part::Remove(places) => {
-                self.node = self.node.map(|node| came(places, node));
+                self.pins.node = self.pins.node.map(|node| came(places, node));
                 self.renumber(places, Moved::Came);
             }
             Part::Insert(list) => {
-                self.node = self.node.and_then(|node| went(list.places(), node));
+                self.pins.node = self.pins.node.and_then(|node| went(list.places(), node));
                 self.renumber(list.places(), Moved::Went);
             }
             _ => {}
@@ -189,11 +184,12 @@ impl EditedScene {
         Some(all)
     }
 
-    /// Exchanges the number of the node whose path is edited.
-    pub(super) fn exchange_node(&mut self, node: &mut Option<usize>) {
-        let both = [*node, self.node];
-        swap(&mut self.node, node);
-        self.renew(both.into_iter().flatten().next());
+    /// Exchanges the pins, with the number of the node whose path is edited.
+    pub(super) fn exchange_pins(&mut self, pins: &mut Pins) {
+        swap(&mut self.pins, pins);
+        if self.pins.node != pins.node {
+            self.renew(self.pins.node.or(pins.node));
+        }
     }
 
     fn renew(&mut self, changed: Option<usize>) {
@@ -235,7 +231,7 @@ impl EditedScene {
     /// The number of the node whose path is edited, if any.
     #[must_use]
     pub const fn node(&self) -> Option<usize> {
-        self.node
+        self.pins.node
     }
 
     /// Unique to this scene: equal numbers mean that all but the edited path is equal.
@@ -261,7 +257,7 @@ impl EditedScene {
 
     /// The edited node's path as it is now with what follows it; none: the scene has it so.
     pub(super) fn present_path(&self, path: &CameraPath) -> Result<Option<FollowPath>> {
-        let (Some(node), Some(follow)) = (self.node, self.follow()) else {
+        let (Some(node), Some(follow)) = (self.node(), self.follow()) else {
             return Ok(None);
         };
         if follow.path() == path && self.pins.are_those_of(&self.scene, node) {
@@ -290,7 +286,7 @@ impl EditedScene {
         let count = path.points.len();
         if point >= count {
             let nodes = self.scene.nodes();
-            let name = self.node.map_or("", |node| &nodes[node].name);
+            let name = self.node().map_or("", |node| &nodes[node].name);
             return Err(OutOfRange::NoPathPoint {
                 node: name.into(),
                 point,
@@ -306,36 +302,36 @@ impl EditedScene {
 
     /// The pins with that of a point set or removed.
     pub(super) fn pins_with(&self, point: usize, marker: Option<String>) -> Result<Pins> {
-        let mut pins = vec_with_room(self.pins.0.len() + 1)?;
+        let mut pins = vec_with_room(self.pins.all.len() + 1)?;
         let other = |pin: &&Pinned| pin.parked != 0 || pin.point != point;
-        pins.extend(self.pins.0.iter().filter(other).cloned());
+        pins.extend(self.pins.all.iter().filter(other).cloned());
         pins.extend(marker.map(|marker| Pinned {
             point,
             marker,
             parked: 0,
         }));
         pins.sort_by_key(|pin| pin.point);
-        Ok(Pins(pins))
+        Ok(self.pins.with(pins))
     }
 
     /// The pins with those to a marker at another one, or without them; none: they stay.
     pub(super) fn pins_renamed(&self, marker: &str, to: Option<&str>) -> Result<Option<Pins>> {
-        if self.pins.0.iter().all(|pin| pin.marker != marker) {
+        if self.pins.all.iter().all(|pin| pin.marker != marker) {
             return Ok(None);
         }
-        let mut pins = vec_with_room(self.pins.0.len())?;
-        pins.extend(self.pins.0.iter().filter_map(|pin| {
+        let mut pins = vec_with_room(self.pins.all.len())?;
+        pins.extend(self.pins.all.iter().filter_map(|pin| {
             let mut pin = pin.clone();
             if pin.marker == marker {
                 to?.clone_into(&mut pin.marker);
             }
             Some(pin)
         }));
-        Ok(Some(Pins(pins)))
+        Ok(Some(self.pins.with(pins)))
     }
 
     fn follow(&self) -> Option<&FollowPath> {
-        self.scene.nodes()[self.node?].path()
+        self.scene.nodes()[self.node()?].path()
     }
 
     /// The path's first frame in the scene, unless a pin determines it.
@@ -349,7 +345,7 @@ impl EditedScene {
     /// # Errors
     /// As [`FollowPath::new`].
     pub fn replace_path(&self, scene: &mut Scene, path: &CameraPath) -> Result<()> {
-        if let (Some(node), Some(follow)) = (self.node, self.follow())
+        if let (Some(node), Some(follow)) = (self.node(), self.follow())
             && (scene.nodes()[node].path().map(FollowPath::path) != Some(path)
                 || !self.pins.are_those_of(scene, node)
                 || scene.path_held_by_pins(node)?.is_some())
@@ -374,7 +370,7 @@ impl EditedScene {
     /// The pins of a path of `count` points that takes the place of this one; `number` is the one
     /// that a point gets in it. Pins of points that it lacks go.
     pub(super) fn pins_in(&self, count: usize, number: impl Fn(usize) -> usize) -> Result<Pins> {
-        let mut pins = vec_with_room(self.pins.0.len())?;
+        let mut pins = vec_with_room(self.pins.all.len())?;
         let there = self.pins.there().map(|(point, marker)| Pinned {
             point: number(point),
             marker,
@@ -382,7 +378,7 @@ impl EditedScene {
         });
         pins.extend(there.filter(|pin| pin.point < count));
         pins.sort_by_key(|pin: &Pinned| pin.point);
-        Ok(Pins(pins))
+        Ok(self.pins.with(pins))
     }
 
     pub(super) fn with(&self, path: &CameraPath) -> Result<Scene> {
@@ -393,10 +389,13 @@ impl EditedScene {
     }
 }
 
-/// Points of the edited path and the markers at which they are reached. Pins follow inserted and
-/// removed points; undoing a removal restores them.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Pins(Vec<Pinned>);
+/// The node whose path is edited, if any; points of the path and the markers at which they are
+/// reached. Pins follow inserted and removed points; undoing a removal restores them.
+#[derive(Debug, Clone)]
+pub(super) struct Pins {
+    node: Option<usize>,
+    all: Vec<Pinned>,
+}
 
 #[derive(Debug, Clone)]
 struct Pinned {
@@ -415,11 +414,18 @@ impl Pins {
             marker: pin.marker.clone(),
             parked: 0,
         }));
-        Ok(Self(pins))
+        Ok(Self { node, all: pins })
+    }
+
+    const fn with(&self, all: Vec<Pinned>) -> Self {
+        Self {
+            node: self.node,
+            all,
+        }
     }
 
     fn there(&self) -> impl Iterator<Item = (usize, String)> + '_ {
-        let there = self.0.iter().filter(|pin| pin.parked == 0);
+        let there = self.all.iter().filter(|pin| pin.parked == 0);
         there.map(|pin| (pin.point, pin.marker.clone()))
     }
 
@@ -431,14 +437,14 @@ impl Pins {
     }
 
     pub(super) fn insert_points(&mut self, at: usize, count: usize, removal: u64) {
-        for pin in &mut self.0 {
+        for pin in &mut self.all {
             vid::insert_points(&mut pin.point, &mut pin.parked, at, count, removal);
         }
-        self.0.sort_by_key(|pin| pin.point);
+        self.all.sort_by_key(|pin| pin.point);
     }
 
     pub(super) fn remove_points(&mut self, at: usize, count: usize, removal: u64) {
-        for pin in &mut self.0 {
+        for pin in &mut self.all {
             vid::remove_points(&mut pin.point, &mut pin.parked, at, count, removal);
         }
     }
@@ -455,7 +461,7 @@ impl Document {
     #[must_use]
     pub fn edits_path(&self) -> bool {
         self.edited_scene()
-            .is_none_or(|edited| edited.node.is_some())
+            .is_none_or(|edited| edited.node().is_some())
     }
 
     /// The present scene; of a path alone that of a camera on it.

@@ -2,11 +2,11 @@
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
-use super::change::{Change, State, exchange_all};
+use super::change::{State, exchange_all};
 use super::edit::Edit;
 use super::fingerprint::Fingerprint;
 use super::held;
-use super::history::{History, Record, Step};
+use super::history::{History, Step};
 use super::info::{Info, Object};
 use super::prepare;
 use super::step_name::StepName;
@@ -68,26 +68,6 @@ pub(super) fn fresh_revision() -> u64 {
 impl Default for Document {
     fn default() -> Self {
         Self::new()
-    }
-}
-
-/// A change that is made, with room to be kept or without.
-#[expect(
-    clippy::large_enum_variant,
-    reason = "without a history nothing is allocated"
-)]
-enum Doing {
-    Kept(Record),
-    Alone(Change),
-}
-
-impl Doing {
-    /// Makes it, or takes it back.
-    fn apply(&mut self, state: &mut State, plan: &mut Plan) -> Result<()> {
-        match self {
-            Self::Kept(record) => record.with(|change| change.apply(state, plan)),
-            Self::Alone(change) => change.apply(state, plan),
-        }
     }
 }
 
@@ -270,7 +250,7 @@ impl Document {
     fn done(&mut self, edit: Edit, is_step: bool) -> Result<()> {
         let same_for_a_file = matches!(edit, Edit::EditNode(_));
         let name = StepName::of(&edit, self.path(), self.info());
-        let (change, selection) = prepare::prepare(&self.state, edit)?;
+        let (mut change, selection) = prepare::prepare(&self.state, edit)?;
         if change.is_idle(&self.state) {
             return Ok(());
         }
@@ -284,22 +264,17 @@ impl Document {
         change.reserve(&mut self.state)?;
         let shapes = change.may_undefine_ups();
         let of_scene = change.of_scene();
-        let mut doing = match keeps_record {
-            true => Doing::Kept(Record::new(change)?),
-            false => Doing::Alone(change),
-        };
-        doing.apply(&mut self.state, &mut self.plan)?;
+        change.apply(&mut self.state, &mut self.plan)?;
         let mut follow = || -> Result<_> {
             if shapes {
                 check_ups(&self.state.path)?;
             }
-            let mut held = Vec::new();
-            if let Some(all) = held::what_follows(&self.state, &self.plan, of_scene)? {
-                Record::each(all, &mut held)?;
+            let mut held = held::what_follows(&self.state, &self.plan, of_scene)?;
+            if keeps_record {
                 step.reserve_more(1 + held.len())?;
             }
             exchange_all(&mut held, |held| {
-                held.with(|held| held.apply(&mut self.state, &mut self.plan))
+                held.apply(&mut self.state, &mut self.plan)
             })?;
             Ok(held)
         };
@@ -307,11 +282,11 @@ impl Document {
             Ok(held) => held,
             Err(error) => {
                 // It was just exchanged, and can be again.
-                let _ = doing.apply(&mut self.state, &mut self.plan);
+                let _ = change.apply(&mut self.state, &mut self.plan);
                 return Err(error);
             }
         };
-        if let Doing::Kept(change) = doing {
+        if keeps_record {
             step.name.get_or_insert(name);
             step.push(change);
             // They stand as they are to be undone.

@@ -2,9 +2,9 @@
 
 use glam::DVec3;
 
-use super::change::{Change, State, count_orientations};
+use super::change::{Change, State, Whole, count_orientations};
 use super::edit::{At, Edit};
-use super::edited_scene::{self, EditedScene, Pins};
+use super::edited_scene::{self, EditedScene};
 use super::editing::Selection;
 use super::info::Info;
 use super::place;
@@ -23,7 +23,7 @@ use crate::path::space::Move;
 use crate::path::{CameraPath, Orientation, Pace, Space, SupportPoint, Target, Timeline};
 use crate::path::{ahead, change_up};
 use crate::tools::{block, transform};
-use vides_engine::property::find;
+use vides_engine::property::{SameBits, find};
 
 /// The record of an edit, and the selection it sets, if any.
 pub(super) type Prepared = (Change, Option<Selection>);
@@ -94,14 +94,14 @@ pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
                 return Err(Refused::TwoPointsRemain.into());
             }
             return Ok((
-                Change::remove_point(at)?,
+                Change::Splice(at, 1, vec_with_room(1)?, 0),
                 Some(Selection::at(at.saturating_sub(1), 0)),
             ));
         }
         Edit::MovePoint { from, to } => {
             point(path, from)?;
             point(path, to)?;
-            return Ok((Change::MovePoint { from, to }, Some(Selection::at(to, 0))));
+            return Ok((Change::MovePoint(from, to), Some(Selection::at(to, 0))));
         }
         Edit::Set {
             place,
@@ -118,7 +118,7 @@ pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
             if path.points[point].orientations.len() == 1 {
                 return Err(Refused::OneOrientationRemains.into());
             }
-            let change = Change::RemoveOrientation { point, at };
+            let change = Change::View([point, at], true, None, 0);
             let selection = Selection::at(point, at.saturating_sub(1));
             return Ok((change, Some(selection)));
         }
@@ -136,16 +136,12 @@ pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
             let position = path.points[point].position;
             let target = target::switched(orientation.target, position, absolute, path.space)?;
             orientation.target = target;
-            Change::Orientation {
-                point,
-                at,
-                orientation,
-            }
+            Change::View([point, at], true, Some(orientation), 0)
         }
         Edit::SetInfo(mut info) => {
             info.check(path.space)?;
             info.normalise();
-            Change::Info(info)
+            Change::info(info)
         }
         Edit::EditNode(node) => return other_node(state, node),
         Edit::Part(part) => return scene_edit::prepare(state, |edits| edits.part(*part)),
@@ -204,7 +200,7 @@ pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
                 moved(path, space)?
             } else {
                 path.check_in(space)?;
-                Change::Space(space)
+                in_space(path, space)?
             };
             match &state.edited_scene {
                 // A scene that lies where its path does goes along.
@@ -231,10 +227,19 @@ pub(super) fn view(path: &CameraPath, point: usize, at: usize, new: Orientation)
     let old = orientation(path, point, at)?;
     let new = checked(new, path.points[point].position, path.space)?;
     let orientation = without_the_outdated(old, new)?;
-    Ok(Change::Orientation {
-        point,
-        at,
-        orientation,
+    Ok(Change::View([point, at], true, Some(orientation), 0))
+}
+
+/// The record of setting the space alone.
+fn in_space(path: &CameraPath, space: Space) -> Result<Change> {
+    if path.space.same_bits(&space) {
+        return Ok(IDLE);
+    }
+    let points = Vec::new();
+    Change::settings(CameraPath {
+        space,
+        points,
+        ..*path
     })
 }
 
@@ -270,11 +275,16 @@ pub(super) fn replaced(
     normalise(&mut path)?;
     state.info.check(path.space)?;
     let pins = match &state.edited_scene {
-        Some(edited) => edited.pins_in(path.points.len(), number)?,
-        None => Pins::default(),
+        Some(edited) => Some(edited.pins_in(path.points.len(), number)?),
+        None => None,
     };
     can_allocate(size_of::<CameraPath>())?;
-    let change = Change::Path(Box::new(path), pins, 0);
+    let change = Change::Whole(Whole {
+        path: Some(Box::new(path)),
+        pins,
+        comments: Some(state.comments.without_points(state.node())?),
+        ..Whole::default()
+    });
     Ok((change, Some(Selection::default())))
 }
 
@@ -295,14 +305,19 @@ fn exchanged_scene(
 ) -> Result<Prepared> {
     normalise(&mut path)?;
     can_allocate(size_of::<CameraPath>() + size_of::<EditedScene>())?;
-    let change = Change::Scene(edited.map(Box::new), Box::new(path), comments);
+    let change = Change::Whole(Whole {
+        path: Some(Box::new(path)),
+        comments: Some(comments),
+        scene: Some(edited.map(Box::new)),
+        ..Whole::default()
+    });
     Ok((change, Some(Selection::default())))
 }
 
 fn exchanged(points: transform::Changed) -> Result<Change> {
     let mut changes = vec_with_room(points.len())?;
     for (at, point) in points {
-        changes.push(Change::Point { at, point });
+        changes.push(Change::Point(at, point));
     }
     Ok(Change::Several(changes))
 }
@@ -322,15 +337,11 @@ fn insert_block(state: &State, inserted: block::Inserted) -> Result<Prepared> {
         let mut points = vec_with_room(count)?;
         points.extend((at..at + count).map(&mut take));
         points.iter_mut().for_each(normalise_point);
-        changes.push(Change::InsertPoints {
-            at,
-            points,
-            removal: 0,
-        });
+        changes.push(Change::Splice(at, 0, points, 0));
     }
     for at in changed {
         let point = take(at);
-        changes.push(Change::Point { at, point });
+        changes.push(Change::Point(at, point));
     }
     Ok((
         Change::Several(changes),
@@ -410,33 +421,31 @@ fn on_curve(state: &State, frame: f64) -> Result<Prepared> {
 fn moved(path: &CameraPath, space: Space) -> Result<Change> {
     let to = Move::new(path.space, space);
     let mut changes = vec_with_room(1 + path.points.len())?;
-    changes.push(Change::Space(space));
+    changes.push(in_space(path, space)?);
     for (at, point) in path.points.iter().enumerate() {
         let point = to.point(point)?;
         let checked = point.check(space);
         checked.map_err(|error| error.at(Place::Point(at)))?;
-        changes.push(Change::Point { at, point });
+        changes.push(Change::Point(at, point));
     }
     Ok(Change::Several(changes))
 }
 
 fn fitted(path: &CameraPath, first: usize, last: usize, frames: usize) -> Result<Change> {
     let timeline = Timeline::new(path)?;
-    with_frames(path, fit_frames(path, &timeline, first, last, frames)?)
+    let fixed = fit_frames(path, &timeline, first, last, frames)?;
+    Ok(Change::Several(with_frames(path, fixed)?))
 }
 
-pub(super) fn with_frames(path: &CameraPath, fixed: Vec<Fixed>) -> Result<Change> {
+pub(super) fn with_frames(path: &CameraPath, fixed: Vec<Fixed>) -> Result<Vec<Change>> {
     let mut changes = vec_with_room(fixed.len())?;
     for fixed in fixed {
         let mut orientation = path.points[fixed.point].orientations[fixed.orientation].clone();
         orientation.own = orientation.own.with(|own| own.frames = fixed.frames)?;
-        changes.push(Change::Orientation {
-            point: fixed.point,
-            at: fixed.orientation,
-            orientation,
-        });
+        let place = [fixed.point, fixed.orientation];
+        changes.push(Change::View(place, true, Some(orientation), 0));
     }
-    Ok(Change::Several(changes))
+    Ok(changes)
 }
 
 fn check_room(state: &State, points: usize, orientations: usize) -> Result<()> {
@@ -448,14 +457,7 @@ fn check_room(state: &State, points: usize, orientations: usize) -> Result<()> {
 
 /// Inserts new points; the first becomes current.
 fn inserted(at: usize, points: Vec<SupportPoint>) -> Prepared {
-    (
-        Change::InsertPoints {
-            at,
-            points,
-            removal: 0,
-        },
-        Some(Selection::at(at, 0)),
-    )
+    (Change::Splice(at, 0, points, 0), Some(Selection::at(at, 0)))
 }
 
 /// New points at `positions` with the properties of point `from`.
@@ -508,12 +510,7 @@ fn new_orientation(
         None => point.orientations[at.saturating_sub(1)].clone(),
         Some(orientation) => checked(orientation, point.position, state.path.space)?,
     };
-    let change = Change::InsertOrientation {
-        point: number,
-        at,
-        orientation,
-        removal: 0,
-    };
+    let change = Change::View([number, at], false, Some(orientation), 0);
     Ok((change, Some(Selection::at(number, at))))
 }
 

@@ -4,7 +4,7 @@ use super::change::{Change, State};
 use super::edit::At;
 use super::info::Info;
 use super::prepare::{IDLE, check_position, orientation, point, view};
-use crate::error::{Error, Refused, Result};
+use crate::error::{Error, Refused, Result, can_allocate};
 use crate::path::{CameraPath, Orientation, OrientationOverrides, Space, SupportPoint};
 use vides_engine::property::{Property, Table, Value, find};
 
@@ -23,22 +23,25 @@ pub(super) fn set(
         At::Path => {
             let points = Vec::new();
             let own = CameraPath { points, ..*path };
-            let row = record(path, own, property, &mut value, path.space)?;
-            Ok(row.map_or(IDLE, |row| Change::OfPath(row, value)))
+            match changed(path, own, property, &mut value, path.space)? {
+                Some(settings) => Change::settings(settings),
+                None => Ok(IDLE),
+            }
         }
         At::Point(at) => {
             let there = point(path, at)?;
             if let ("position", Value::Place(position)) = (property, &value) {
                 check_position(there, at, *position, path.space)?;
             }
-            let (name, orientations) = (None, Vec::new());
+            can_allocate(there.name.as_ref().map_or(0, String::len))?;
+            let (name, orientations) = (there.name.clone(), Vec::new());
             let own = SupportPoint {
                 name,
                 orientations,
                 ..*there
             };
-            let row = record(there, own, property, &mut value, path.space)?;
-            Ok(row.map_or(IDLE, |row| Change::OfPoint(at, row, value)))
+            let point = changed(there, own, property, &mut value, path.space)?;
+            Ok(point.map_or(IDLE, |point| Change::Point(at, point)))
         }
         At::View(point, at) => {
             let mut new = orientation(path, point, at)?.clone();
@@ -65,7 +68,7 @@ pub(super) fn set_info(state: &State, property: &'static str, mut value: Value) 
     (row.check)(&info, state.path.space)?;
     Ok(match (row.same)(&info, &state.info) {
         true => IDLE,
-        false => Change::Info(info),
+        false => Change::info(info),
     })
 }
 
@@ -87,19 +90,17 @@ fn exchange<T: Table>(
     }
 }
 
-/// The row by which what is there gets a checked value, `own` being a copy of it; none if it has it.
-fn record<T: Table>(
+/// What is there with a checked value, `own` being a copy of it; none if it has it.
+fn changed<T: Table>(
     there: &T,
     mut own: T,
     property: &'static str,
     value: &mut Value,
     space: Space,
-) -> Result<Option<&'static Property<T>>> {
+) -> Result<Option<T>> {
     let row = exchange(&mut own, property, value, &T::NEW)?;
     (row.check)(&own, space)?;
-    let same = (row.same)(&own, there);
-    (row.exchange)(&mut own, value);
-    Ok((!same).then_some(row))
+    Ok((!(row.same)(&own, there)).then_some(own))
 }
 
 /// The keys of a table.

@@ -35,13 +35,14 @@ impl Touched {
         match change {
             Change::Several(changes) => {
                 // That another path is edited is no change of either.
-                let other = |one: &Change| matches!(one, Change::Edited(_));
+                let other = |one: &Change| matches!(one, Change::Edited(..));
                 let edited = edited.filter(|_| !changes.iter().any(other));
                 changes.iter().for_each(|one| self.note(one, edited));
             }
             Change::Part(part, _) => self.note_part(part),
-            Change::Scene(..) | Change::SceneOf(..) => self.clear(),
-            Change::Edited(_) | Change::Info(_) => {}
+            Change::Whole(whole) if whole.scene.is_some() => self.clear(),
+            Change::Whole(whole) if whole.info.is_some() => {}
+            Change::Edited(..) => {}
             // Of the path that is edited.
             _ => edited.into_iter().for_each(|node| self.add(node)),
         }
