@@ -3,8 +3,10 @@
 
 use std::mem::swap;
 
+use super::edit::Selection;
 use super::edited_scene::{EditedScene, Pins};
 use super::info::Info;
+use super::normalise::count_orientations;
 use super::vid::Comments;
 use crate::error::{Result, can_allocate};
 use crate::path::{CameraPath, Orientation, OrientationOverrides, Plan, SupportPoint, UpVector};
@@ -66,10 +68,6 @@ impl State {
             self.orientations = count_orientations(&self.path.points);
         }
     }
-}
-
-pub(super) fn count_orientations(points: &[SupportPoint]) -> usize {
-    points.iter().map(|point| point.orientations.len()).sum()
 }
 
 /// An exchange of values; its numbers have been checked.
@@ -383,6 +381,12 @@ impl Whole {
             + scene.sum::<usize>()
     }
 }
+
+/// The record of what changes nothing.
+pub(super) const IDLE: Change = Change::Several(Vec::new());
+
+/// The record of an edit, and the selection it sets, if any.
+pub(super) type Prepared = (Change, Option<Selection>);
 
 /// Exchanges one after the other, or none if one cannot be; they then stand in reverse.
 pub(super) fn exchange_all<T>(

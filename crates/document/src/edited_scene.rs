@@ -6,20 +6,16 @@
 use std::collections::VecDeque;
 use std::mem::swap;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use vides_engine::scene::{FollowPath, Part, Scene};
 
-use super::edit::Edit;
-use super::editing::{Document, fresh_revision};
-use super::info::Info;
-use super::prepare::normalise;
-use super::scene::SceneDocument;
-use super::touched::{came, went};
+use super::normalise::{move_into, normalise};
 use super::vid;
 use crate::error::{Invalid, OutOfRange, Refused, Result, can_allocate, vec_with_room};
 use crate::limits::MAX_FRAMES;
-use crate::path::CameraPath;
-use crate::path::fit_frames::frames_between;
+use crate::path::fit_frames::fit_frames;
+use crate::path::{CameraPath, Timeline};
 
 /// A scene, and the node whose path is edited.
 #[derive(Debug, Clone)]
@@ -79,17 +75,14 @@ fn stand_in(scene: &Scene) -> Result<CameraPath> {
     let (first, last) = scene.frame_range();
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     let frames = ((last - first).floor() as usize + 1).clamp(2, MAX_FRAMES);
-    let (path, info) = (CameraPath::try_new()?, Info::default());
-    let mut document = Document::from_parts(path, info)?.without_history();
-    let space = scene.space();
-    document.apply(Edit::SetSpace { space, fit: true })?;
-    let last = document.path().points.len() - 1;
-    document.apply(Edit::FitFrames {
-        first: 0,
-        last,
-        frames,
-    })?;
-    Ok(document.into_parts().0)
+    let mut path = CameraPath::try_new()?;
+    move_into(&mut path, scene.space())?;
+    let timeline = Timeline::new(&path)?;
+    for fixed in fit_frames(&path, &timeline, 0, path.points.len() - 1, frames)? {
+        let view = &mut path.points[fixed.point].orientations[fixed.orientation];
+        view.own = view.own.with(|own| own.frames = fixed.frames)?;
+    }
+    Ok(path)
 }
 
 impl EditedScene {
@@ -335,7 +328,7 @@ impl EditedScene {
     }
 
     /// The path's first frame in the scene, unless a pin determines it.
-    fn start_frame(&self) -> f64 {
+    pub(super) fn start_frame(&self) -> f64 {
         let follow = self.follow().map(FollowPath::start_frame);
         follow.unwrap_or_else(|| self.scene.frame_range().0)
     }
@@ -450,75 +443,31 @@ impl Pins {
     }
 }
 
-impl Document {
-    /// The scene in which the path is edited; none if it is nothing but one camera on this path.
-    #[must_use]
-    pub fn edited_scene(&self) -> Option<&EditedScene> {
-        self.state.edited_scene.as_deref()
-    }
+/// The next [`Document::revision`]: unique but unordered, so relaxed ordering is enough.
+pub(super) fn fresh_revision() -> u64 {
+    static NEXT: AtomicU64 = AtomicU64::new(1);
+    NEXT.fetch_add(1, Ordering::Relaxed)
+}
 
-    /// Whether the path can be edited.
-    #[must_use]
-    pub fn edits_path(&self) -> bool {
-        self.edited_scene()
-            .is_none_or(|edited| edited.node().is_some())
-    }
-
-    /// The present scene; of a path alone that of a camera on it.
-    ///
-    /// # Errors
-    /// `ErrorKind::Memory`; `ErrorKind::Limit` for too many frames.
-    pub fn scene(&self) -> Result<Scene> {
-        match self.edited_scene() {
-            Some(edited) => edited.with(self.path()),
-            None => Ok(Scene::of_path(self.path().try_clone()?)?),
+/// The number that a node has when others have come to these places, in rising order.
+pub(super) fn came(places: &[usize], node: usize) -> usize {
+    // How many come to places before it, each of which puts it one further.
+    let (mut low, mut high) = (0, places.len());
+    while low < high {
+        let middle = low.midpoint(high);
+        if places[middle] <= node + middle {
+            low = middle + 1;
+        } else {
+            high = middle;
         }
     }
+    node + low
+}
 
-    /// As [`Document::scene`], with the info.
-    ///
-    /// # Errors
-    /// As [`Document::scene`].
-    pub fn scene_document(&self) -> Result<SceneDocument> {
-        Ok(SceneDocument::of(self.scene()?, self.info().try_clone()?))
-    }
-
-    /// The scene frame that shows a frame of the path.
-    #[must_use]
-    pub fn frame_of_scene(&self, frame: f64) -> f64 {
-        self.start_frame() + (frame - 1.0)
-    }
-
-    /// The number that people read for a frame of the path: that of the scene, counted from
-    /// `first_frame`.
-    #[must_use]
-    pub fn number_of_frame(&self, frame: f64) -> f64 {
-        self.frame_of_scene(frame) - 1.0 + f64::from(self.info().first_frame)
-    }
-
-    /// The scene frame of the path's first pose; 1 without a scene.
-    #[must_use]
-    pub fn start_frame(&self) -> f64 {
-        let Some(edited) = self.edited_scene() else {
-            return 1.0;
-        };
-        let pins = edited.pins();
-        let before = |point| {
-            self.timeline(|timeline| frames_between(self.path(), timeline, 0, point))
-                .ok()
-        };
-        let pinned = pins.first().and_then(|&(point, frame)| {
-            #[allow(clippy::cast_precision_loss)]
-            Some(frame - before(point)? as f64)
-        });
-        pinned.unwrap_or_else(|| edited.start_frame())
-    }
-
-    /// The inverse of [`Document::frame_of_scene`].
-    #[must_use]
-    pub fn frame_of_path(&self, frame: f64) -> f64 {
-        frame - self.start_frame() + 1.0
-    }
+/// The number that a node has when those at these places, in rising order, have gone.
+pub(super) fn went(places: &[usize], node: usize) -> Option<usize> {
+    let before = places.partition_point(|&place| place < node);
+    (places.get(before) != Some(&node)).then_some(node - before)
 }
 
 #[cfg(test)]

@@ -1,14 +1,15 @@
 //! The document: a path with its edits, its history and cached results.
 
-use std::sync::atomic::{AtomicU64, Ordering};
-
 use super::change::{State, exchange_all};
-use super::edit::Edit;
+use super::edit::{Edit, Selection};
+use super::edited_scene::fresh_revision;
 use super::fingerprint::Fingerprint;
 use super::held;
 use super::history::{History, Step};
 use super::info::{Info, Object};
+use super::normalise::normalise;
 use super::prepare;
+use super::set::orientation;
 use super::step_name::StepName;
 use super::touched::Touched;
 use crate::error::Result;
@@ -16,23 +17,6 @@ use crate::limits;
 use crate::path::up_vector::check_ups;
 use crate::path::{CameraPath, Plan, Sampler, Space, Timeline, UpVector, ahead, alignment};
 use glam::DVec3;
-
-/// The current point and its current orientation, counted from 0.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Selection {
-    /// The point.
-    pub point: usize,
-    /// Its orientation.
-    pub orientation: usize,
-}
-
-impl Selection {
-    /// A selection of this point and orientation.
-    #[must_use]
-    pub const fn at(point: usize, orientation: usize) -> Self {
-        Self { point, orientation }
-    }
-}
 
 /// A path being edited, with its info, selection and history. It can be saved, loaded and sampled
 /// after any edit (unless it has more than [`limits::MAX_FRAMES`] frames).
@@ -57,12 +41,6 @@ pub struct Document {
     plan: Plan,
     /// That of the file it was read from.
     pub(super) fingerprint: Option<Fingerprint>,
-}
-
-/// The next [`Document::revision`]: unique but unordered, so relaxed ordering is enough.
-pub(super) fn fresh_revision() -> u64 {
-    static NEXT: AtomicU64 = AtomicU64::new(1);
-    NEXT.fetch_add(1, Ordering::Relaxed)
 }
 
 impl Default for Document {
@@ -105,7 +83,7 @@ impl Document {
     /// # Errors
     /// The first value that violates [`vides_engine::path::camera_path`] or [`Info`].
     pub fn from_parts(mut path: CameraPath, mut info: Info) -> Result<Self> {
-        prepare::normalise(&mut path)?;
+        normalise(&mut path)?;
         info.check(path.space)?;
         info.normalise();
         Ok(Self::with(path, info))
@@ -210,7 +188,7 @@ impl Document {
     /// # Errors
     /// `ErrorKind::Range` if there is no such point or orientation.
     pub fn select(&mut self, point: usize, orientation: usize) -> Result<()> {
-        prepare::orientation(&self.state.path, point, orientation)?;
+        self::orientation(&self.state.path, point, orientation)?;
         self.selection = Selection::at(point, orientation);
         Ok(())
     }
@@ -544,7 +522,7 @@ impl Document {
     /// `ErrorKind::Range` if there is no such orientation; `ErrorKind::Memory`.
     pub fn up(&self, point: usize, orientation: usize) -> Result<DVec3> {
         let path = self.path();
-        let here = prepare::orientation(path, point, orientation)?;
+        let here = self::orientation(path, point, orientation)?;
         if here.own.up == UpVector::Axis {
             let view = ahead::view(path, point, orientation);
             return Ok(path.space.up.up_from_roll(view, here.roll.to_radians()));

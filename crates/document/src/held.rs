@@ -3,8 +3,8 @@
 use vides_engine::scene::pins::pinned;
 
 use super::change::{Change, State};
-use super::prepare::with_frames;
 use super::scene_edit;
+use super::set::with_frames;
 use crate::error::Result;
 use crate::path::Plan;
 

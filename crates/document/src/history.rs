@@ -4,7 +4,7 @@
 use std::collections::VecDeque;
 
 use super::change::{Change, exchange_all};
-use super::editing::Selection;
+use super::edit::Selection;
 use super::step_name::StepName;
 use crate::error::{Result, vec_with_room};
 use crate::limits;

@@ -2,31 +2,25 @@
 
 use glam::DVec3;
 
-use super::change::{Change, State, Whole, count_orientations};
-use super::edit::{At, Edit};
-use super::edited_scene::{self, EditedScene};
-use super::editing::Selection;
+use super::change::{Change, IDLE, Prepared, State};
+use super::edit::{At, Edit, Selection};
+use super::edited_scene;
 use super::info::Info;
+use super::normalise::{check_all_orientations, count_orientations, normalise_point};
 use super::place;
 use super::scene_edit;
-use super::set;
+use super::set::{self, checked, orientation, point, view, with_frames};
 use super::target;
-use super::vid::Comments;
-use crate::error::{
-    End, Error, OutOfRange, Place, Refused, Result, TooMany, can_allocate, vec_with_room,
-};
+use super::whole::{exchanged_scene, replaced, scene_in};
+use crate::error::{End, Place, Refused, Result, TooMany, vec_with_room};
 use crate::limits;
-use crate::math::orientation::wrap_degrees;
-use crate::path::fit_frames::{Fixed, fit_frames};
+use crate::path::fit_frames::fit_frames;
 use crate::path::insertion::{self, Insertion};
 use crate::path::space::Move;
-use crate::path::{CameraPath, Orientation, Pace, Space, SupportPoint, Target, Timeline};
+use crate::path::{CameraPath, Orientation, Space, SupportPoint, Target, Timeline};
 use crate::path::{ahead, change_up};
 use crate::tools::{block, transform};
 use vides_engine::property::{SameBits, find};
-
-/// The record of an edit, and the selection it sets, if any.
-pub(super) type Prepared = (Change, Option<Selection>);
 
 pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
     let path = &state.path;
@@ -219,17 +213,6 @@ pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
     Ok((change, None))
 }
 
-/// The record of what changes nothing.
-pub(super) const IDLE: Change = Change::Several(Vec::new());
-
-/// The record of setting all values of an orientation.
-pub(super) fn view(path: &CameraPath, point: usize, at: usize, new: Orientation) -> Result<Change> {
-    let old = orientation(path, point, at)?;
-    let new = checked(new, path.points[point].position, path.space)?;
-    let orientation = without_the_outdated(old, new)?;
-    Ok(Change::View([point, at], true, Some(orientation), 0))
-}
-
 /// The record of setting the space alone.
 fn in_space(path: &CameraPath, space: Space) -> Result<Change> {
     if path.space.same_bits(&space) {
@@ -243,51 +226,6 @@ fn in_space(path: &CameraPath, space: Space) -> Result<Change> {
     })
 }
 
-/// The scene with its edited path in another space.
-fn scene_in(
-    edited: &EditedScene,
-    path: &CameraPath,
-    comments: &Comments,
-    space: Space,
-    fit: bool,
-) -> Result<Prepared> {
-    let mut path = path.try_clone()?;
-    if fit {
-        let to = Move::new(path.space, space);
-        for point in &mut path.points {
-            *point = to.point(point)?;
-        }
-    }
-    path.space = space;
-    let mut scene = edited.with(&path)?;
-    scene.set_space(space)?;
-    let (edited, path) = edited_scene::edit(scene, edited.node())?;
-    let (change, _) = exchanged_scene(Some(edited), path, comments.try_clone()?)?;
-    Ok((change, None))
-}
-
-/// Another path, in which a point has this number.
-pub(super) fn replaced(
-    state: &State,
-    mut path: CameraPath,
-    number: impl Fn(usize) -> usize,
-) -> Result<Prepared> {
-    normalise(&mut path)?;
-    state.info.check(path.space)?;
-    let pins = match &state.edited_scene {
-        Some(edited) => Some(edited.pins_in(path.points.len(), number)?),
-        None => None,
-    };
-    can_allocate(size_of::<CameraPath>())?;
-    let change = Change::Whole(Whole {
-        path: Some(Box::new(path)),
-        pins,
-        comments: Some(state.comments.without_points(state.node())?),
-        ..Whole::default()
-    });
-    Ok((change, Some(Selection::default())))
-}
-
 fn other_node(state: &State, node: Option<usize>) -> Result<Prepared> {
     if state.edited_scene.is_some() {
         return scene_edit::prepare(state, |edits| edits.edit_node(node));
@@ -296,22 +234,6 @@ fn other_node(state: &State, node: Option<usize>) -> Result<Prepared> {
         Some(0) => Ok((IDLE, None)),
         _ => Err(Refused::NoScene.into()),
     }
-}
-
-fn exchanged_scene(
-    edited: Option<EditedScene>,
-    mut path: CameraPath,
-    comments: Comments,
-) -> Result<Prepared> {
-    normalise(&mut path)?;
-    can_allocate(size_of::<CameraPath>() + size_of::<EditedScene>())?;
-    let change = Change::Whole(Whole {
-        path: Some(Box::new(path)),
-        comments: Some(comments),
-        scene: Some(edited.map(Box::new)),
-        ..Whole::default()
-    });
-    Ok((change, Some(Selection::default())))
 }
 
 fn exchanged(points: transform::Changed) -> Result<Change> {
@@ -349,21 +271,6 @@ fn insert_block(state: &State, inserted: block::Inserted) -> Result<Prepared> {
     ))
 }
 
-/// Checks a path and normalises it: rolls in (−180, 180], no empty names.
-pub(super) fn normalise(path: &mut CameraPath) -> Result<()> {
-    path.check()?;
-    check_all_orientations(count_orientations(&path.points))?;
-    path.points.iter_mut().for_each(normalise_point);
-    Ok(())
-}
-
-fn normalise_point(point: &mut SupportPoint) {
-    point.name = point.name.take().filter(|name| !name.is_empty());
-    for orientation in &mut point.orientations {
-        orientation.roll = wrap_degrees(orientation.roll);
-    }
-}
-
 /// The orientation with a view ahead along the path replaced by an equal relative target.
 ///
 /// # Errors
@@ -375,29 +282,6 @@ pub fn no_longer_ahead(path: &CameraPath, point: usize, at: usize) -> Result<Ori
         new.target = Target::Relative(ahead::view(path, point, at) * far);
         new.own = new.own.with(|own| own.ahead = None)?;
     }
-    Ok(new)
-}
-
-/// Drops what an orientation owned for values that change, unless it is set in the same edit.
-fn without_the_outdated(old: &Orientation, mut new: Orientation) -> Result<Orientation> {
-    if new.own.is_empty() || new.own != old.own {
-        return Ok(new);
-    }
-    let seen = new.target == old.target && new.roll == old.roll && new.turning == old.turning;
-    let (zoomed, paced) = (new.zoom != old.zoom, new.speeds != old.speeds);
-    new.own = new.own.with(|own| {
-        if !seen {
-            own.velocities = None;
-            own.turning = None;
-            own.roll_slope = None;
-        }
-        if zoomed {
-            own.zoom_slope = None;
-        }
-        if paced && matches!(own.pace, Pace::Part(_)) {
-            own.pace = Pace::Speeds;
-        }
-    })?;
     Ok(new)
 }
 
@@ -435,17 +319,6 @@ fn fitted(path: &CameraPath, first: usize, last: usize, frames: usize) -> Result
     let timeline = Timeline::new(path)?;
     let fixed = fit_frames(path, &timeline, first, last, frames)?;
     Ok(Change::Several(with_frames(path, fixed)?))
-}
-
-pub(super) fn with_frames(path: &CameraPath, fixed: Vec<Fixed>) -> Result<Vec<Change>> {
-    let mut changes = vec_with_room(fixed.len())?;
-    for fixed in fixed {
-        let mut orientation = path.points[fixed.point].orientations[fixed.orientation].clone();
-        orientation.own = orientation.own.with(|own| own.frames = fixed.frames)?;
-        let place = [fixed.point, fixed.orientation];
-        changes.push(Change::View(place, true, Some(orientation), 0));
-    }
-    Ok(changes)
 }
 
 fn check_room(state: &State, points: usize, orientations: usize) -> Result<()> {
@@ -512,59 +385,6 @@ fn new_orientation(
     };
     let change = Change::View([number, at], false, Some(orientation), 0);
     Ok((change, Some(Selection::at(number, at))))
-}
-
-/// Checks an orientation and wraps its roll into (−180, 180].
-fn checked(mut orientation: Orientation, position: DVec3, space: Space) -> Result<Orientation> {
-    orientation.check(position, space)?;
-    orientation.roll = wrap_degrees(orientation.roll);
-    Ok(orientation)
-}
-
-pub(super) fn check_position(
-    point: &SupportPoint,
-    at: usize,
-    position: DVec3,
-    space: Space,
-) -> Result<()> {
-    space.check_place(position)?;
-    for (index, orientation) in point.orientations.iter().enumerate() {
-        if orientation.target == Target::Absolute(position) {
-            return Err(Refused::OnTarget {
-                point: at,
-                orientation: index,
-            }
-            .into());
-        }
-    }
-    Ok(())
-}
-
-fn check_all_orientations(count: usize) -> Result<()> {
-    if count > limits::MAX_ALL_ORIENTATIONS {
-        return Err(TooMany::AllOrientations.into());
-    }
-    Ok(())
-}
-
-pub(super) fn point(path: &CameraPath, at: usize) -> Result<&SupportPoint> {
-    path.points.get(at).ok_or_else(|| {
-        Error::from(OutOfRange::NoPoint {
-            point: at,
-            last: path.points.len() - 1,
-        })
-    })
-}
-
-pub(super) fn orientation(path: &CameraPath, number: usize, at: usize) -> Result<&Orientation> {
-    let point = point(path, number)?;
-    point.orientations.get(at).ok_or_else(|| {
-        Error::from(Refused::NoOrientation {
-            orientation: at,
-            point: number,
-            last: point.orientations.len() - 1,
-        })
-    })
 }
 
 #[cfg(test)]

@@ -4,13 +4,13 @@
 
 use vides_engine::property::{Kind, Listed, Owner, Table, Value, find, list};
 
+use crate::edit::Selection;
 use crate::edit::{At, Edit};
-use crate::editing::{Document, Selection};
+use crate::editing::Document;
 use crate::error::{EngineError, Error, Malformed, Result};
 use crate::info::{Info, Object};
 use crate::path::{CameraPath, Orientation, OrientationOverrides, SupportPoint};
-use crate::prepare;
-use crate::set::{keys, no_property};
+use crate::set::{self, keys, no_property};
 use crate::vid::{self, PATH_KEYS, point_keys, quoted, view_keys};
 
 /// What is known of all properties, key by key in the order of files.
@@ -104,11 +104,11 @@ impl Document {
             }
             Place::Path(key) => (At::Path, read_value(key, value, path)),
             Place::Point(at, key) => {
-                let point = prepare::point(path, at)?;
+                let point = set::point(path, at)?;
                 (At::Point(at), read_value(key, value, point))
             }
             Place::View(Selection { point, orientation }, key) => {
-                let view = prepare::orientation(path, point, orientation)?;
+                let view = set::orientation(path, point, orientation)?;
                 let read = match find(Orientation::PROPERTIES, key) {
                     Some(_) => read_value(key, value, view),
                     None => read_value(key, value, &*view.own),
@@ -165,9 +165,9 @@ impl Document {
     pub fn property(&self, name: &str) -> Result<String> {
         let path = self.path();
         let (kind, value) = match place(name)? {
-            Place::Point(at, key) => of(prepare::point(path, at)?, key),
+            Place::Point(at, key) => of(set::point(path, at)?, key),
             Place::View(at, key) => {
-                let view = prepare::orientation(path, at.point, at.orientation)?;
+                let view = set::orientation(path, at.point, at.orientation)?;
                 view_of(view, key)
             }
             Place::Path(key) => match key.split_once('.') {

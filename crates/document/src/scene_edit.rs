@@ -7,10 +7,10 @@ use vides_engine::scene::{
     Channel, FollowPath, Keep, KeyList, Kind, Node, NodeList, Part, Rest, Scene, Track, Warnings,
 };
 
-use super::change::{Change, State, Whole};
+use super::change::{Change, IDLE, Prepared, State, Whole};
+use super::edit::Selection;
 use super::edited_scene::{EditedScene, Pins, other_path};
-use super::editing::Selection;
-use super::prepare::{Prepared, replaced};
+use super::whole::replaced;
 use crate::error::{Error, Invalid, Result, can_allocate, vec_with_room};
 use crate::path::CameraPath;
 
@@ -32,7 +32,7 @@ pub(super) fn prepare(
         None => Some(EditedScene::of_path(state.path.try_clone()?)?),
     };
     let Some(edited) = fresh.as_ref().or(state.edited_scene.as_deref()) else {
-        return Ok((super::prepare::IDLE, None));
+        return Ok((IDLE, None));
     };
     let mut steps = Steps {
         state,
@@ -43,7 +43,7 @@ pub(super) fn prepare(
     edit(&mut Edits(&mut steps))?;
     let (mut changes, selection) = (steps.changes, steps.selection);
     if changes.iter().all(|change| change.has(edited.scene())) {
-        return Ok((super::prepare::IDLE, None));
+        return Ok((IDLE, None));
     }
     if let Some(fresh) = fresh {
         changes.try_reserve(1)?;

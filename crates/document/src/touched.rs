@@ -3,6 +3,7 @@
 use vides_engine::scene::{Channel, Part};
 
 use super::change::Change;
+use super::edited_scene::{came, went};
 
 /// Nodes and keys of a scene that the last undo or redo has changed and that are there.
 #[derive(Debug, Default)]
@@ -102,25 +103,4 @@ impl Touched {
             None => false,
         });
     }
-}
-
-/// The number that a node has when others have come to these places, in rising order.
-pub(super) fn came(places: &[usize], node: usize) -> usize {
-    // How many come to places before it, each of which puts it one further.
-    let (mut low, mut high) = (0, places.len());
-    while low < high {
-        let middle = low.midpoint(high);
-        if places[middle] <= node + middle {
-            low = middle + 1;
-        } else {
-            high = middle;
-        }
-    }
-    node + low
-}
-
-/// The number that a node has when those at these places, in rising order, have gone.
-pub(super) fn went(places: &[usize], node: usize) -> Option<usize> {
-    let before = places.partition_point(|&place| place < node);
-    (places.get(before) != Some(&node)).then_some(node - before)
 }
