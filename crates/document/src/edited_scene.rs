@@ -443,7 +443,7 @@ impl Pins {
     }
 }
 
-/// The next [`Document::revision`]: unique but unordered, so relaxed ordering is enough.
+/// The next [`crate::Document::revision`]: unique but unordered, so relaxed ordering is enough.
 pub(super) fn fresh_revision() -> u64 {
     static NEXT: AtomicU64 = AtomicU64::new(1);
     NEXT.fetch_add(1, Ordering::Relaxed)

@@ -9,6 +9,7 @@
 mod cage;
 mod change;
 mod check;
+mod computed;
 mod copied;
 mod copied_nodes;
 mod draw;
