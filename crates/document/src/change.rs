@@ -1,16 +1,16 @@
 //! The records behind the edits. Applying a record exchanges its values with those of the document,
 //! so that it undoes itself: undo and redo are one operation and restore every bit.
 
-use std::mem::{swap, take};
+use std::mem::swap;
 
+use super::edit::Selection;
 use super::edited_scene::{EditedScene, Pins};
 use super::info::Info;
+use super::normalise::count_orientations;
 use super::vid::Comments;
-use crate::error::{Result, can_allocate, vec_with_room};
-use crate::path::{
-    CameraPath, Orientation, OrientationOverrides, Plan, Space, SupportPoint, UpVector,
-};
-use vides_engine::property::{Affects, Property, SameBits, Value};
+use crate::error::{Result, can_allocate};
+use crate::path::{CameraPath, Orientation, OrientationOverrides, Plan, SupportPoint, UpVector};
+use vides_engine::property::{Affects, Property, SameBits};
 use vides_engine::scene::{Part, Scene};
 
 /// The state that records change.
@@ -59,83 +59,50 @@ impl State {
         self.edited_scene.as_ref().and_then(|edited| edited.node())
     }
 
-    fn swap_path(&mut self, path: &mut CameraPath) {
-        swap(&mut self.path, path);
-        self.orientations = count_orientations(&self.path.points);
+    /// Exchanges the path, or if the other one has no points, all but these.
+    fn swap_path(&mut self, other: &mut CameraPath) {
+        swap(&mut self.path, other);
+        if self.path.points.is_empty() {
+            swap(&mut self.path.points, &mut other.points);
+        } else {
+            self.orientations = count_orientations(&self.path.points);
+        }
     }
 }
 
-pub(super) fn count_orientations(points: &[SupportPoint]) -> usize {
-    points.iter().map(|point| point.orientations.len()).sum()
-}
-
-/// An exchange of values; its indices have been checked.
+/// An exchange of values; its numbers have been checked.
 #[derive(Debug)]
 pub(super) enum Change {
-    /// A property of the path.
-    OfPath(&'static Property<CameraPath>, Value),
-    /// A property of a point.
-    OfPoint(usize, &'static Property<SupportPoint>, Value),
-    Orientation {
-        point: usize,
-        at: usize,
-        orientation: Orientation,
-    },
-    /// A whole point, orientations included.
-    Point {
-        at: usize,
-        point: SupportPoint,
-    },
-    /// One after the other, each on the result of those before it.
-    Several(Vec<Change>),
-    Space(Space),
-    InsertPoints {
-        at: usize,
-        points: Vec<SupportPoint>,
-        /// The removal that took them away, see [`Comments`]; 0: they are new.
-        removal: u64,
-    },
-    /// `room` has capacity for `count` points, so that undoing an insertion needs no memory.
-    RemovePoints {
-        at: usize,
-        count: usize,
-        room: Vec<SupportPoint>,
-    },
-    MovePoint {
-        from: usize,
-        to: usize,
-    },
-    InsertOrientation {
-        point: usize,
-        at: usize,
-        orientation: Orientation,
-        removal: u64,
-    },
-    RemoveOrientation {
-        point: usize,
-        at: usize,
-    },
-    Info(Box<Info>),
-    /// A path, its pins, and the removal that took its points away.
-    Path(Box<CameraPath>, Pins, u64),
-    /// A path with its scene, which has the pins, and all comments.
-    Scene(Option<Box<EditedScene>>, Box<CameraPath>, Comments),
-    /// The scene of the path, which stays, and all comments.
-    SceneOf(Option<Box<EditedScene>>, Comments),
+    /// A point; without orientations all but these.
+    Point(usize, SupportPoint),
+    /// An orientation by its point and number: whether one goes there, the one that comes, and the
+    /// removal that took that away, see [`Comments`]; 0: it is new.
+    View([usize; 2], bool, Option<Orientation>, u64),
+    /// Points that come there, or, without any, how many go, and the removal. There is room for
+    /// these, so that undoing an insertion needs no memory.
+    Splice(usize, usize, Vec<SupportPoint>, u64),
+    /// A point from one place to another.
+    MovePoint(usize, usize),
+    Whole(Whole),
+    /// The path of another node that is edited, with its pins.
+    Edited(Box<CameraPath>, Pins),
     /// A part of the scene, and the removal that took nodes away.
     Part(Part, u64),
-    /// The pins of the edited path.
-    Pins(Pins),
-    /// Another node whose path is edited.
-    Edited(Box<Exchange>),
+    /// One after the other, each on the result of those before it.
+    Several(Vec<Change>),
 }
 
-/// A node whose path is edited, with that path.
-#[derive(Debug)]
-pub(super) struct Exchange {
-    pub(super) node: Option<usize>,
-    pub(super) path: CameraPath,
-    pub(super) pins: Pins,
+/// Whole things, of which those are exchanged that are given.
+#[derive(Debug, Default)]
+pub(super) struct Whole {
+    pub(super) info: Option<Box<Info>>,
+    /// Without points it is the settings of a path.
+    pub(super) path: Option<Box<CameraPath>>,
+    pub(super) pins: Option<Pins>,
+    /// With another path or scene.
+    pub(super) comments: Option<Comments>,
+    /// The scene of the path, which has the pins, too.
+    pub(super) scene: Option<Option<Box<EditedScene>>>,
 }
 
 impl Change {
@@ -145,7 +112,11 @@ impl Change {
             Some(_) => comments.in_scene()?,
             None => comments.of_path_alone()?,
         };
-        Ok(Self::SceneOf(edited.map(Box::new), comments))
+        Ok(Self::Whole(Whole {
+            comments: Some(comments),
+            scene: Some(edited.map(Box::new)),
+            ..Whole::default()
+        }))
     }
 
     /// Whether this scene is as it makes it.
@@ -167,17 +138,27 @@ impl Change {
                 );
                 [true, pins]
             }
-            Self::SceneOf(..) | Self::Edited(_) => [true, false],
+            Self::Whole(whole) => [whole.scene.is_some() && whole.path.is_none(), false],
+            Self::Edited(..) => [true, false],
             _ => [false; 2],
         }
     }
 
-    pub(super) fn remove_point(at: usize) -> Result<Self> {
-        Ok(Self::RemovePoints {
-            at,
-            count: 1,
-            room: vec_with_room(1)?,
+    pub(super) fn info(info: Box<Info>) -> Self {
+        Self::Whole(Whole {
+            info: Some(info),
+            ..Whole::default()
         })
+    }
+
+    /// The settings of the path: all but its points.
+    pub(super) fn settings(path: CameraPath) -> Result<Self> {
+        can_allocate(size_of::<CameraPath>())?;
+        let path = Some(Box::new(path));
+        Ok(Self::Whole(Whole {
+            path,
+            ..Whole::default()
+        }))
     }
 
     /// Whether it may leave an orientation without a defined up vector, which must be refused.
@@ -188,15 +169,12 @@ impl Change {
         };
         match self {
             Self::Several(changes) => changes.iter().any(Self::may_undefine_ups),
-            Self::Orientation { orientation, .. } | Self::InsertOrientation { orientation, .. } => {
-                demands(orientation)
-            }
-            Self::Point { point, .. } => shapes(point),
-            Self::InsertPoints { points, .. } => points.iter().any(shapes),
-            Self::OfPoint(_, row, value) => row.key() == "tangents" && *value != Value::Unset,
-            Self::OfPath(row, _) => row.key() == "curve",
-            Self::Path(..) | Self::MovePoint { .. } | Self::Edited(_) => true,
-            _ => false,
+            Self::View(_, _, comes, _) => comes.as_ref().is_some_and(demands),
+            Self::Point(_, point) => shapes(point),
+            Self::Splice(_, _, points, _) => points.iter().any(shapes),
+            Self::Whole(whole) => whole.path.is_some(),
+            // What there was, and paths that were checked.
+            Self::MovePoint(..) | Self::Edited(..) | Self::Part(..) => false,
         }
     }
 
@@ -204,8 +182,8 @@ impl Change {
     pub(super) fn reserve(&self, state: &mut State) -> Result<()> {
         let points = &mut state.path.points;
         match self {
-            Self::InsertPoints { points: new, .. } => points.try_reserve(new.len())?,
-            Self::InsertOrientation { point, .. } => {
+            Self::Splice(_, _, new, _) => points.try_reserve(new.len())?,
+            Self::View([point, _], false, ..) => {
                 points[*point].orientations.try_reserve_exact(1)?;
             }
             // Only the first one inserts; the others exchange values.
@@ -220,34 +198,115 @@ impl Change {
     }
 
     pub(super) fn is_idle(&self, state: &State) -> bool {
-        let path = &state.path;
+        let points = &state.path.points;
         match self {
-            Self::Orientation {
-                point,
-                at,
-                orientation,
-            } => path.points[*point].orientations[*at].same_bits(orientation),
-            Self::Point { at, point } => path.points[*at].same_bits(point),
+            Self::View([point, at], true, Some(view), _) => {
+                points[*point].orientations[*at].same_bits(view)
+            }
+            Self::Point(at, point) => points[*at].same_bits(point),
             Self::Several(changes) => changes.iter().all(|change| change.is_idle(state)),
-            Self::Space(space) => path.space.same_bits(space),
-            Self::MovePoint { from, to } => from == to,
+            Self::MovePoint(from, to) => from == to,
             _ => false,
         }
     }
 
-    /// Exchanges its values with those of the document; it then undoes itself.
+    /// Exchanges its values with those of the document; it then undoes itself. Tells `plan` what
+    /// that makes out of date.
     ///
     /// # Errors
     /// What is wrong with a part of the scene; nothing has changed then.
     pub(super) fn apply(&mut self, state: &mut State, plan: &mut Plan) -> Result<()> {
-        self.announce(plan);
-        self.exchange(state)
-    }
-
-    fn exchange(&mut self, state: &mut State) -> Result<()> {
+        let node = state.node();
+        let path = &mut state.path;
         match self {
             Self::Several(changes) => {
-                return exchange_all(changes, |change| change.exchange(state));
+                return exchange_all(changes, |change| change.apply(state, plan));
+            }
+            Self::Point(at, point) => {
+                let there = &mut path.points[*at];
+                if point.orientations.is_empty() {
+                    let idle = |row: &Property<SupportPoint>| {
+                        row.keys.is_empty()
+                            || row.affects == Affects::Nothing
+                            || (row.same)(there, point)
+                    };
+                    if !SupportPoint::PROPERTIES.iter().all(idle) {
+                        plan.point_changed(*at);
+                    }
+                    swap(&mut there.orientations, &mut point.orientations);
+                } else {
+                    plan.all_changed();
+                    state.orientations -= there.orientations.len();
+                    state.orientations += point.orientations.len();
+                }
+                swap(there, point);
+            }
+            Self::View([point, at], goes, comes, removal) => {
+                let views = &mut path.points[*point].orientations;
+                if let (true, Some(view)) = (*goes, &mut *comes) {
+                    plan.point_changed(*point);
+                    swap(&mut views[*at], view);
+                    return Ok(());
+                }
+                plan.all_changed();
+                let comments = &mut state.comments;
+                if let Some(view) = comes.take() {
+                    views.insert(*at, view);
+                    state.orientations += 1;
+                    comments.insert_orientation(node, *point, *at, *removal);
+                } else {
+                    *comes = Some(views.remove(*at));
+                    state.orientations -= 1;
+                    *removal = comments.remove_orientation(node, *point, *at);
+                }
+                *goes = comes.is_none();
+            }
+            Self::Splice(at, gone, points, removal) => {
+                plan.all_changed();
+                if points.is_empty() {
+                    points.extend(path.points.drain(*at..*at + *gone));
+                    state.orientations -= count_orientations(points);
+                    *removal = state.points_removed(*at, *gone);
+                } else {
+                    *gone = points.len();
+                    state.orientations += count_orientations(points);
+                    path.points.splice(*at..*at, points.drain(..));
+                    state.points_inserted(*at, *gone, *removal);
+                }
+            }
+            Self::MovePoint(from, to) => {
+                plan.all_changed();
+                // The insertion reuses the room of the removed point.
+                let point = path.points.remove(*from);
+                path.points.insert(*to, point);
+                let removal = state.points_removed(*from, 1);
+                state.points_inserted(*to, 1, removal);
+                swap(from, to);
+            }
+            Self::Whole(whole) => {
+                if let Some(scene) = &mut whole.scene {
+                    swap(&mut state.edited_scene, scene);
+                }
+                if let Some(comments) = &mut whole.comments {
+                    swap(&mut state.comments, comments);
+                }
+                if let Some(info) = &mut whole.info {
+                    swap(&mut state.info, info);
+                }
+                if let (Some(edited), Some(pins)) = (&mut state.edited_scene, &mut whole.pins) {
+                    edited.exchange_pins(pins);
+                }
+                if let Some(path) = &mut whole.path {
+                    plan.all_changed();
+                    state.swap_path(path);
+                }
+            }
+            Self::Edited(path, pins) => {
+                plan.all_changed();
+                if let Some(edited) = &mut state.edited_scene {
+                    edited.exchange_pins(pins);
+                }
+                state.swap_path(path);
             }
             Self::Part(part, removal) => {
                 if let Some(edited) = &mut state.edited_scene {
@@ -260,198 +319,74 @@ impl Change {
                     _ => {}
                 }
             }
-            Self::Pins(pins) => {
-                if let Some(edited) = &mut state.edited_scene {
-                    swap(edited.pins_mut(), pins);
-                }
-            }
-            Self::SceneOf(scene, comments) => {
-                swap(&mut state.edited_scene, scene);
-                swap(&mut state.comments, comments);
-            }
-            Self::Edited(other) => {
-                if let Some(edited) = &mut state.edited_scene {
-                    swap(edited.pins_mut(), &mut other.pins);
-                    edited.exchange_node(&mut other.node);
-                }
-                state.swap_path(&mut other.path);
-            }
-            Self::Scene(scene, path, comments) => {
-                swap(&mut state.edited_scene, scene);
-                swap(&mut state.comments, comments);
-                state.swap_path(path);
-            }
-            of_path => of_path.exchange_in_path(state),
         }
         Ok(())
     }
 
-    fn exchange_in_path(&mut self, state: &mut State) {
-        let node = state.node();
-        let path = &mut state.path;
-        match self {
-            Self::OfPath(row, value) => {
-                (row.exchange)(path, value);
-            }
-            Self::OfPoint(at, row, value) => {
-                (row.exchange)(&mut path.points[*at], value);
-            }
-            Self::Orientation {
-                point,
-                at,
-                orientation,
-            } => swap(&mut path.points[*point].orientations[*at], orientation),
-            Self::Point { at, point } => {
-                swap(&mut path.points[*at], point);
-                state.orientations -= point.orientations.len();
-                state.orientations += path.points[*at].orientations.len();
-            }
-            Self::Space(space) => swap(&mut path.space, space),
-            Self::InsertPoints {
-                at,
-                points,
-                removal,
-            } => {
-                let (at, count, mut room) = (*at, points.len(), take(points));
-                state.orientations += count_orientations(&room);
-                path.points.splice(at..at, room.drain(..));
-                state.points_inserted(at, count, *removal);
-                *self = Self::RemovePoints { at, count, room };
-            }
-            Self::RemovePoints { at, count, room } => {
-                let (at, mut points) = (*at, take(room));
-                points.extend(path.points.drain(at..at + *count));
-                state.orientations -= count_orientations(&points);
-                *self = Self::InsertPoints {
-                    at,
-                    points,
-                    removal: state.points_removed(at, *count),
-                };
-            }
-            Self::MovePoint { from, to } => {
-                // The insertion reuses the room of the removed point.
-                let point = path.points.remove(*from);
-                path.points.insert(*to, point);
-                let removal = state.points_removed(*from, 1);
-                state.points_inserted(*to, 1, removal);
-                swap(from, to);
-            }
-            Self::InsertOrientation {
-                point,
-                at,
-                orientation,
-                removal,
-            } => {
-                let (point, at) = (*point, *at);
-                state.comments.insert_orientation(node, point, at, *removal);
-                let orientations = &mut path.points[point].orientations;
-                orientations.insert(at, take(orientation));
-                state.orientations += 1;
-                *self = Self::RemoveOrientation { point, at };
-            }
-            Self::RemoveOrientation { point, at } => {
-                state.orientations -= 1;
-                *self = Self::InsertOrientation {
-                    point: *point,
-                    at: *at,
-                    orientation: path.points[*point].orientations.remove(*at),
-                    removal: state.comments.remove_orientation(node, *point, *at),
-                };
-            }
-            Self::Info(info) => swap(&mut state.info, info),
-            Self::Path(other, pins, removal) => {
-                if let Some(edited) = &mut state.edited_scene {
-                    swap(edited.pins_mut(), pins);
-                }
-                let count = path.points.len();
-                let removed = state.comments.remove_points(node, 0, count);
-                state.comments.insert_points(node, 0, 0, *removal);
-                *removal = removed;
-                state.swap_path(other);
-            }
-            Self::Several(_)
-            | Self::Scene(..)
-            | Self::SceneOf(..)
-            | Self::Part(..)
-            | Self::Pins(_)
-            | Self::Edited(_) => {}
-        }
-    }
-
-    /// Tells `plan` what applying it makes out of date.
-    fn announce(&self, plan: &mut Plan) {
-        match self {
-            Self::Info(_) | Self::Part(..) | Self::SceneOf(..) | Self::Pins(_) => {}
-            Self::Several(changes) => changes.iter().for_each(|change| change.announce(plan)),
-            Self::OfPath(row, _) if row.affects == Affects::Nothing => {}
-            Self::OfPoint(_, row, _) if row.affects == Affects::Nothing => {}
-            Self::OfPoint(at, ..) => plan.point_changed(*at),
-            Self::Orientation { point, .. } => plan.point_changed(*point),
-            _ => plan.all_changed(),
-        }
-    }
-
     /// Whether both exchange the same value, so that within a step the older one suffices.
     pub(super) fn is_at_place_of(&self, other: &Self) -> bool {
+        let place = |change: &Self| match change {
+            Self::Point(at, point) if point.orientations.is_empty() => Some([*at, usize::MAX]),
+            Self::View(place, true, Some(_), _) => Some(*place),
+            _ => None,
+        };
         match (self, other) {
-            (Self::OfPath(a, _), Self::OfPath(b, _)) => a.key() == b.key(),
-            (Self::OfPoint(p, a, _), Self::OfPoint(q, b, _)) => (p, a.key()) == (q, b.key()),
-            (
-                Self::Orientation {
-                    point: p, at: a, ..
-                },
-                Self::Orientation {
-                    point: q, at: b, ..
-                },
-            ) => (p, a) == (q, b),
-            (Self::Space(_), Self::Space(_)) | (Self::Info(_), Self::Info(_)) => true,
-            _ => false,
+            (Self::Part(one, _), Self::Part(other, _)) => one.is_at_place_of(other),
+            (Self::Whole(one), Self::Whole(other)) => one.given() == other.given(),
+            _ => place(self).is_some_and(|here| Some(here) == place(other)),
         }
     }
 
     /// Whether it changes the numbers of other places.
     pub(super) fn renumbers(&self) -> bool {
-        if let Self::Several(changes) = self {
-            return changes.iter().any(Self::renumbers);
+        match self {
+            Self::Several(changes) => changes.iter().any(Self::renumbers),
+            Self::Part(part, _) => !part.is_value(),
+            Self::Whole(whole) => whole.comments.is_some(),
+            Self::View(_, goes, comes, _) => !goes || comes.is_none(),
+            Self::Point(..) => false,
+            Self::Splice(..) | Self::MovePoint(..) | Self::Edited(..) => true,
         }
-        if let Self::Part(part, _) = self {
-            return !part.is_value();
-        }
-        matches!(
-            self,
-            Self::InsertPoints { .. }
-                | Self::RemovePoints { .. }
-                | Self::MovePoint { .. }
-                | Self::InsertOrientation { .. }
-                | Self::RemoveOrientation { .. }
-                | Self::Path(..)
-                | Self::Scene(..)
-                | Self::SceneOf(..)
-                | Self::Edited(_)
-        )
     }
 
     /// Approximate bytes of memory.
     pub(super) fn weight(&self) -> usize {
         let beyond = match self {
-            Self::OfPoint(.., Value::Text(text)) => text.len(),
-            Self::InsertPoints { points, .. } => weigh(points),
-            Self::RemovePoints { room, .. } => room.capacity() * size_of::<SupportPoint>(),
-            Self::Info(info) => info.title.len() + info.comment.len() + info.object.bytes(),
-            Self::Path(path, ..) => weigh(&path.points),
-            Self::Scene(scene, path, _) => {
-                weigh(&path.points) + scene.as_ref().map_or(0, |scene| scene.weight())
+            Self::Point(_, point) => weigh(std::slice::from_ref(point)),
+            Self::Splice(_, _, points, _) => {
+                let room = points.capacity() - points.len();
+                weigh(points) + room * size_of::<SupportPoint>()
             }
-            Self::SceneOf(scene, _) => scene.as_ref().map_or(0, |scene| scene.weight()),
+            Self::Whole(whole) => whole.weight(),
+            Self::Edited(path, _) => weigh_path(path),
             Self::Part(part, _) => part.heap_size(),
-            Self::Edited(other) => size_of::<Exchange>() + weigh(&other.path.points),
-            Self::Point { point, .. } => weigh(std::slice::from_ref(point)),
             Self::Several(changes) => changes.iter().map(Self::weight).sum(),
-            _ => 0,
+            Self::View(..) | Self::MovePoint(..) => 0,
         };
         size_of::<Self>() + beyond
     }
 }
+
+impl Whole {
+    fn given(&self) -> [bool; 4] {
+        let (info, path) = (self.info.is_some(), self.path.is_some());
+        [info, path, self.pins.is_some(), self.comments.is_some()]
+    }
+
+    fn weight(&self) -> usize {
+        let info = |info: &Info| info.title.len() + info.comment.len() + info.object.bytes();
+        let scene = self.scene.iter().flatten().map(|scene| scene.weight());
+        self.info.as_deref().map_or(0, info)
+            + self.path.as_deref().map_or(0, weigh_path)
+            + scene.sum::<usize>()
+    }
+}
+
+/// The record of what changes nothing.
+pub(super) const IDLE: Change = Change::Several(Vec::new());
+
+/// The record of an edit, and the selection it sets, if any.
+pub(super) type Prepared = (Change, Option<Selection>);
 
 /// Exchanges one after the other, or none if one cannot be; they then stand in reverse.
 pub(super) fn exchange_all<T>(
@@ -471,13 +406,19 @@ pub(super) fn exchange_all<T>(
     Ok(())
 }
 
+fn weigh_path(path: &CameraPath) -> usize {
+    size_of::<CameraPath>() + weigh(&path.points)
+}
+
 fn weigh(points: &[SupportPoint]) -> usize {
     let owned = points
         .iter()
         .flat_map(|point| &point.orientations)
         .filter(|orientation| !orientation.own.is_empty())
         .count();
+    let names = points.iter().filter_map(|point| point.name.as_ref());
     size_of_val(points)
+        + names.map(String::len).sum::<usize>()
         + count_orientations(points) * size_of::<Orientation>()
         + owned * size_of::<OrientationOverrides>()
 }

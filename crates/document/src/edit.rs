@@ -216,3 +216,20 @@ impl Edit {
         }
     }
 }
+
+/// The current point and its current orientation, counted from 0.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Selection {
+    /// The point.
+    pub point: usize,
+    /// Its orientation.
+    pub orientation: usize,
+}
+
+impl Selection {
+    /// A selection of this point and orientation.
+    #[must_use]
+    pub const fn at(point: usize, orientation: usize) -> Self {
+        Self { point, orientation }
+    }
+}

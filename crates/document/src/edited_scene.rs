@@ -6,27 +6,22 @@
 use std::collections::VecDeque;
 use std::mem::swap;
 use std::sync::Arc;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use vides_engine::scene::{FollowPath, Part, Scene};
 
-use super::edit::Edit;
-use super::editing::{Document, fresh_revision};
-use super::info::Info;
-use super::prepare::normalise;
-use super::scene::SceneDocument;
-use super::touched::{came, went};
+use super::normalise::{move_into, normalise};
 use super::vid;
 use crate::error::{Invalid, OutOfRange, Refused, Result, can_allocate, vec_with_room};
 use crate::limits::MAX_FRAMES;
-use crate::path::CameraPath;
-use crate::path::fit_frames::frames_between;
+use crate::path::fit_frames::fit_frames;
+use crate::path::{CameraPath, Timeline};
 
 /// A scene, and the node whose path is edited.
 #[derive(Debug, Clone)]
 pub struct EditedScene {
     /// Holds the edited path as it was when the node was chosen.
     scene: Arc<Scene>,
-    node: Option<usize>,
     number: u64,
     meshes: u64,
     pins: Pins,
@@ -47,12 +42,7 @@ enum Moved {
 const REMEMBERED: usize = 32;
 
 /// The path of another node, or a stand-in, and its pins.
-pub(super) struct Other {
-    pub(super) path: CameraPath,
-    pub(super) pins: Pins,
-}
-
-pub(super) fn other_path(scene: &Scene, node: Option<usize>) -> Result<Other> {
+pub(super) fn other_path(scene: &Scene, node: Option<usize>) -> Result<(CameraPath, Pins)> {
     let mut path = match node {
         Some(at) => {
             let node = scene.node(at)?;
@@ -65,13 +55,13 @@ pub(super) fn other_path(scene: &Scene, node: Option<usize>) -> Result<Other> {
     };
     normalise(&mut path)?;
     let pins = Pins::of(scene, node)?;
-    Ok(Other { path, pins })
+    Ok((path, pins))
 }
 
 /// A scene set up to edit the path of a node, and that path.
 pub(super) fn edit(scene: Scene, node: Option<usize>) -> Result<(EditedScene, CameraPath)> {
-    let Other { path, pins } = other_path(&scene, node)?;
-    Ok((EditedScene::new(scene, node, pins)?, path))
+    let (path, pins) = other_path(&scene, node)?;
+    Ok((EditedScene::new(scene, pins)?, path))
 }
 
 /// A scene as first edited: the shown camera's path, if it has one.
@@ -85,27 +75,23 @@ fn stand_in(scene: &Scene) -> Result<CameraPath> {
     let (first, last) = scene.frame_range();
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     let frames = ((last - first).floor() as usize + 1).clamp(2, MAX_FRAMES);
-    let (path, info) = (CameraPath::try_new()?, Info::default());
-    let mut document = Document::from_parts(path, info)?.without_history();
-    let space = scene.space();
-    document.apply(Edit::SetSpace { space, fit: true })?;
-    let last = document.path().points.len() - 1;
-    document.apply(Edit::FitFrames {
-        first: 0,
-        last,
-        frames,
-    })?;
-    Ok(document.into_parts().0)
+    let mut path = CameraPath::try_new()?;
+    move_into(&mut path, scene.space())?;
+    let timeline = Timeline::new(&path)?;
+    for fixed in fit_frames(&path, &timeline, 0, path.points.len() - 1, frames)? {
+        let view = &mut path.points[fixed.point].orientations[fixed.orientation];
+        view.own = view.own.with(|own| own.frames = fixed.frames)?;
+    }
+    Ok(path)
 }
 
 impl EditedScene {
-    fn new(scene: Scene, node: Option<usize>, pins: Pins) -> Result<Self> {
+    fn new(scene: Scene, pins: Pins) -> Result<Self> {
         can_allocate(size_of::<Scene>() + 64)?;
         let mut changed = VecDeque::new();
         changed.try_reserve_exact(REMEMBERED)?;
         Ok(Self {
             scene: Arc::new(scene),
-            node,
             number: fresh_revision(),
             meshes: fresh_revision(),
             pins,
@@ -117,7 +103,9 @@ impl EditedScene {
 
     /// The scene of a path alone, which is edited.
     pub(super) fn of_path(path: CameraPath) -> Result<Self> {
-        Self::new(Scene::of_path(path)?, Some(0), Pins::default())
+        let scene = Scene::of_path(path)?;
+        let pins = Pins::of(&scene, Some(0))?;
+        Self::new(scene, pins)
     }
 
     /// Exchanges a part of the scene.
@@ -131,11 +119,11 @@ impl EditedScene {
         match part {
             // What is to be removed has come.
             Part::Remove(places) => {
-                self.node = self.node.map(|node| came(places, node));
+                self.pins.node = self.pins.node.map(|node| came(places, node));
                 self.renumber(places, Moved::Came);
             }
             Part::Insert(list) => {
-                self.node = self.node.and_then(|node| went(list.places(), node));
+                self.pins.node = self.pins.node.and_then(|node| went(list.places(), node));
                 self.renumber(list.places(), Moved::Went);
             }
             _ => {}
@@ -189,11 +177,12 @@ impl EditedScene {
         Some(all)
     }
 
-    /// Exchanges the number of the node whose path is edited.
-    pub(super) fn exchange_node(&mut self, node: &mut Option<usize>) {
-        let both = [*node, self.node];
-        swap(&mut self.node, node);
-        self.renew(both.into_iter().flatten().next());
+    /// Exchanges the pins, with the number of the node whose path is edited.
+    pub(super) fn exchange_pins(&mut self, pins: &mut Pins) {
+        swap(&mut self.pins, pins);
+        if self.pins.node != pins.node {
+            self.renew(self.pins.node.or(pins.node));
+        }
     }
 
     fn renew(&mut self, changed: Option<usize>) {
@@ -235,7 +224,7 @@ impl EditedScene {
     /// The number of the node whose path is edited, if any.
     #[must_use]
     pub const fn node(&self) -> Option<usize> {
-        self.node
+        self.pins.node
     }
 
     /// Unique to this scene: equal numbers mean that all but the edited path is equal.
@@ -261,7 +250,7 @@ impl EditedScene {
 
     /// The edited node's path as it is now with what follows it; none: the scene has it so.
     pub(super) fn present_path(&self, path: &CameraPath) -> Result<Option<FollowPath>> {
-        let (Some(node), Some(follow)) = (self.node, self.follow()) else {
+        let (Some(node), Some(follow)) = (self.node(), self.follow()) else {
             return Ok(None);
         };
         if follow.path() == path && self.pins.are_those_of(&self.scene, node) {
@@ -290,7 +279,7 @@ impl EditedScene {
         let count = path.points.len();
         if point >= count {
             let nodes = self.scene.nodes();
-            let name = self.node.map_or("", |node| &nodes[node].name);
+            let name = self.node().map_or("", |node| &nodes[node].name);
             return Err(OutOfRange::NoPathPoint {
                 node: name.into(),
                 point,
@@ -306,40 +295,40 @@ impl EditedScene {
 
     /// The pins with that of a point set or removed.
     pub(super) fn pins_with(&self, point: usize, marker: Option<String>) -> Result<Pins> {
-        let mut pins = vec_with_room(self.pins.0.len() + 1)?;
+        let mut pins = vec_with_room(self.pins.all.len() + 1)?;
         let other = |pin: &&Pinned| pin.parked != 0 || pin.point != point;
-        pins.extend(self.pins.0.iter().filter(other).cloned());
+        pins.extend(self.pins.all.iter().filter(other).cloned());
         pins.extend(marker.map(|marker| Pinned {
             point,
             marker,
             parked: 0,
         }));
         pins.sort_by_key(|pin| pin.point);
-        Ok(Pins(pins))
+        Ok(self.pins.with(pins))
     }
 
     /// The pins with those to a marker at another one, or without them; none: they stay.
     pub(super) fn pins_renamed(&self, marker: &str, to: Option<&str>) -> Result<Option<Pins>> {
-        if self.pins.0.iter().all(|pin| pin.marker != marker) {
+        if self.pins.all.iter().all(|pin| pin.marker != marker) {
             return Ok(None);
         }
-        let mut pins = vec_with_room(self.pins.0.len())?;
-        pins.extend(self.pins.0.iter().filter_map(|pin| {
+        let mut pins = vec_with_room(self.pins.all.len())?;
+        pins.extend(self.pins.all.iter().filter_map(|pin| {
             let mut pin = pin.clone();
             if pin.marker == marker {
                 to?.clone_into(&mut pin.marker);
             }
             Some(pin)
         }));
-        Ok(Some(Pins(pins)))
+        Ok(Some(self.pins.with(pins)))
     }
 
     fn follow(&self) -> Option<&FollowPath> {
-        self.scene.nodes()[self.node?].path()
+        self.scene.nodes()[self.node()?].path()
     }
 
     /// The path's first frame in the scene, unless a pin determines it.
-    fn start_frame(&self) -> f64 {
+    pub(super) fn start_frame(&self) -> f64 {
         let follow = self.follow().map(FollowPath::start_frame);
         follow.unwrap_or_else(|| self.scene.frame_range().0)
     }
@@ -349,7 +338,7 @@ impl EditedScene {
     /// # Errors
     /// As [`FollowPath::new`].
     pub fn replace_path(&self, scene: &mut Scene, path: &CameraPath) -> Result<()> {
-        if let (Some(node), Some(follow)) = (self.node, self.follow())
+        if let (Some(node), Some(follow)) = (self.node(), self.follow())
             && (scene.nodes()[node].path().map(FollowPath::path) != Some(path)
                 || !self.pins.are_those_of(scene, node)
                 || scene.path_held_by_pins(node)?.is_some())
@@ -374,7 +363,7 @@ impl EditedScene {
     /// The pins of a path of `count` points that takes the place of this one; `number` is the one
     /// that a point gets in it. Pins of points that it lacks go.
     pub(super) fn pins_in(&self, count: usize, number: impl Fn(usize) -> usize) -> Result<Pins> {
-        let mut pins = vec_with_room(self.pins.0.len())?;
+        let mut pins = vec_with_room(self.pins.all.len())?;
         let there = self.pins.there().map(|(point, marker)| Pinned {
             point: number(point),
             marker,
@@ -382,7 +371,7 @@ impl EditedScene {
         });
         pins.extend(there.filter(|pin| pin.point < count));
         pins.sort_by_key(|pin: &Pinned| pin.point);
-        Ok(Pins(pins))
+        Ok(self.pins.with(pins))
     }
 
     pub(super) fn with(&self, path: &CameraPath) -> Result<Scene> {
@@ -393,10 +382,13 @@ impl EditedScene {
     }
 }
 
-/// Points of the edited path and the markers at which they are reached. Pins follow inserted and
-/// removed points; undoing a removal restores them.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Pins(Vec<Pinned>);
+/// The node whose path is edited, if any; points of the path and the markers at which they are
+/// reached. Pins follow inserted and removed points; undoing a removal restores them.
+#[derive(Debug, Clone)]
+pub(super) struct Pins {
+    node: Option<usize>,
+    all: Vec<Pinned>,
+}
 
 #[derive(Debug, Clone)]
 struct Pinned {
@@ -415,11 +407,18 @@ impl Pins {
             marker: pin.marker.clone(),
             parked: 0,
         }));
-        Ok(Self(pins))
+        Ok(Self { node, all: pins })
+    }
+
+    const fn with(&self, all: Vec<Pinned>) -> Self {
+        Self {
+            node: self.node,
+            all,
+        }
     }
 
     fn there(&self) -> impl Iterator<Item = (usize, String)> + '_ {
-        let there = self.0.iter().filter(|pin| pin.parked == 0);
+        let there = self.all.iter().filter(|pin| pin.parked == 0);
         there.map(|pin| (pin.point, pin.marker.clone()))
     }
 
@@ -431,88 +430,44 @@ impl Pins {
     }
 
     pub(super) fn insert_points(&mut self, at: usize, count: usize, removal: u64) {
-        for pin in &mut self.0 {
+        for pin in &mut self.all {
             vid::insert_points(&mut pin.point, &mut pin.parked, at, count, removal);
         }
-        self.0.sort_by_key(|pin| pin.point);
+        self.all.sort_by_key(|pin| pin.point);
     }
 
     pub(super) fn remove_points(&mut self, at: usize, count: usize, removal: u64) {
-        for pin in &mut self.0 {
+        for pin in &mut self.all {
             vid::remove_points(&mut pin.point, &mut pin.parked, at, count, removal);
         }
     }
 }
 
-impl Document {
-    /// The scene in which the path is edited; none if it is nothing but one camera on this path.
-    #[must_use]
-    pub fn edited_scene(&self) -> Option<&EditedScene> {
-        self.state.edited_scene.as_deref()
-    }
+/// The next [`crate::Document::revision`]: unique but unordered, so relaxed ordering is enough.
+pub(super) fn fresh_revision() -> u64 {
+    static NEXT: AtomicU64 = AtomicU64::new(1);
+    NEXT.fetch_add(1, Ordering::Relaxed)
+}
 
-    /// Whether the path can be edited.
-    #[must_use]
-    pub fn edits_path(&self) -> bool {
-        self.edited_scene()
-            .is_none_or(|edited| edited.node.is_some())
-    }
-
-    /// The present scene; of a path alone that of a camera on it.
-    ///
-    /// # Errors
-    /// `ErrorKind::Memory`; `ErrorKind::Limit` for too many frames.
-    pub fn scene(&self) -> Result<Scene> {
-        match self.edited_scene() {
-            Some(edited) => edited.with(self.path()),
-            None => Ok(Scene::of_path(self.path().try_clone()?)?),
+/// The number that a node has when others have come to these places, in rising order.
+pub(super) fn came(places: &[usize], node: usize) -> usize {
+    // How many come to places before it, each of which puts it one further.
+    let (mut low, mut high) = (0, places.len());
+    while low < high {
+        let middle = low.midpoint(high);
+        if places[middle] <= node + middle {
+            low = middle + 1;
+        } else {
+            high = middle;
         }
     }
+    node + low
+}
 
-    /// As [`Document::scene`], with the info.
-    ///
-    /// # Errors
-    /// As [`Document::scene`].
-    pub fn scene_document(&self) -> Result<SceneDocument> {
-        Ok(SceneDocument::of(self.scene()?, self.info().try_clone()?))
-    }
-
-    /// The scene frame that shows a frame of the path.
-    #[must_use]
-    pub fn frame_of_scene(&self, frame: f64) -> f64 {
-        self.start_frame() + (frame - 1.0)
-    }
-
-    /// The number that people read for a frame of the path: that of the scene, counted from
-    /// `first_frame`.
-    #[must_use]
-    pub fn number_of_frame(&self, frame: f64) -> f64 {
-        self.frame_of_scene(frame) - 1.0 + f64::from(self.info().first_frame)
-    }
-
-    /// The scene frame of the path's first pose; 1 without a scene.
-    #[must_use]
-    pub fn start_frame(&self) -> f64 {
-        let Some(edited) = self.edited_scene() else {
-            return 1.0;
-        };
-        let pins = edited.pins();
-        let before = |point| {
-            self.timeline(|timeline| frames_between(self.path(), timeline, 0, point))
-                .ok()
-        };
-        let pinned = pins.first().and_then(|&(point, frame)| {
-            #[allow(clippy::cast_precision_loss)]
-            Some(frame - before(point)? as f64)
-        });
-        pinned.unwrap_or_else(|| edited.start_frame())
-    }
-
-    /// The inverse of [`Document::frame_of_scene`].
-    #[must_use]
-    pub fn frame_of_path(&self, frame: f64) -> f64 {
-        frame - self.start_frame() + 1.0
-    }
+/// The number that a node has when those at these places, in rising order, have gone.
+pub(super) fn went(places: &[usize], node: usize) -> Option<usize> {
+    let before = places.partition_point(|&place| place < node);
+    (places.get(before) != Some(&node)).then_some(node - before)
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@ use vides_engine::scene::{Camera, Extrapolation, Kind, Marker, Node};
 use super::*;
 use crate::error::ErrorKind;
 use crate::path::{Pose, Space};
-use crate::{At, Edit};
+use crate::{At, Document, Edit};
 use glam::DVec3;
 
 /// A car on a path, a camera on another one from frame 11 on, and a lamp on the car.

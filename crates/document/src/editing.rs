@@ -1,38 +1,21 @@
 //! The document: a path with its edits, its history and cached results.
 
-use std::sync::atomic::{AtomicU64, Ordering};
-
-use super::change::{Change, State, exchange_all};
-use super::edit::Edit;
+use super::change::{State, exchange_all};
+use super::edit::{Edit, Selection};
+use super::edited_scene::fresh_revision;
 use super::fingerprint::Fingerprint;
 use super::held;
-use super::history::{History, Record, Step};
+use super::history::{History, Step};
 use super::info::{Info, Object};
+use super::normalise::normalise;
 use super::prepare;
+use super::set::orientation;
 use super::step_name::StepName;
 use super::touched::Touched;
 use crate::error::Result;
 use crate::limits;
 use crate::path::up_vector::check_ups;
-use crate::path::{CameraPath, Plan, Sampler, Space, Timeline, UpVector, ahead, alignment};
-use glam::DVec3;
-
-/// The current point and its current orientation, counted from 0.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub struct Selection {
-    /// The point.
-    pub point: usize,
-    /// Its orientation.
-    pub orientation: usize,
-}
-
-impl Selection {
-    /// A selection of this point and orientation.
-    #[must_use]
-    pub const fn at(point: usize, orientation: usize) -> Self {
-        Self { point, orientation }
-    }
-}
+use crate::path::{CameraPath, Plan};
 
 /// A path being edited, with its info, selection and history. It can be saved, loaded and sampled
 /// after any edit (unless it has more than [`limits::MAX_FRAMES`] frames).
@@ -54,40 +37,14 @@ pub struct Document {
     saved: u64,
     /// Unique to these contents within the process.
     revision: u64,
-    plan: Plan,
+    pub(super) plan: Plan,
     /// That of the file it was read from.
     pub(super) fingerprint: Option<Fingerprint>,
-}
-
-/// The next [`Document::revision`]: unique but unordered, so relaxed ordering is enough.
-pub(super) fn fresh_revision() -> u64 {
-    static NEXT: AtomicU64 = AtomicU64::new(1);
-    NEXT.fetch_add(1, Ordering::Relaxed)
 }
 
 impl Default for Document {
     fn default() -> Self {
         Self::new()
-    }
-}
-
-/// A change that is made, with room to be kept or without.
-#[expect(
-    clippy::large_enum_variant,
-    reason = "without a history nothing is allocated"
-)]
-enum Doing {
-    Kept(Record),
-    Alone(Change),
-}
-
-impl Doing {
-    /// Makes it, or takes it back.
-    fn apply(&mut self, state: &mut State, plan: &mut Plan) -> Result<()> {
-        match self {
-            Self::Kept(record) => record.with(|change| change.apply(state, plan)),
-            Self::Alone(change) => change.apply(state, plan),
-        }
     }
 }
 
@@ -109,7 +66,7 @@ impl Document {
     /// A new path in a space around an object, which is no change of the user's.
     ///
     /// # Errors
-    /// As [`Space::around`]; `ErrorKind::Memory`.
+    /// As [`vides_engine::path::Space::around`]; `ErrorKind::Memory`.
     pub fn around(object: Object) -> Result<Self> {
         let mut document = Self::try_new()?.without_history();
         let mut info = document.info().clone();
@@ -125,7 +82,7 @@ impl Document {
     /// # Errors
     /// The first value that violates [`vides_engine::path::camera_path`] or [`Info`].
     pub fn from_parts(mut path: CameraPath, mut info: Info) -> Result<Self> {
-        prepare::normalise(&mut path)?;
+        normalise(&mut path)?;
         info.check(path.space)?;
         info.normalise();
         Ok(Self::with(path, info))
@@ -230,7 +187,7 @@ impl Document {
     /// # Errors
     /// `ErrorKind::Range` if there is no such point or orientation.
     pub fn select(&mut self, point: usize, orientation: usize) -> Result<()> {
-        prepare::orientation(&self.state.path, point, orientation)?;
+        self::orientation(&self.state.path, point, orientation)?;
         self.selection = Selection::at(point, orientation);
         Ok(())
     }
@@ -270,7 +227,7 @@ impl Document {
     fn done(&mut self, edit: Edit, is_step: bool) -> Result<()> {
         let same_for_a_file = matches!(edit, Edit::EditNode(_));
         let name = StepName::of(&edit, self.path(), self.info());
-        let (change, selection) = prepare::prepare(&self.state, edit)?;
+        let (mut change, selection) = prepare::prepare(&self.state, edit)?;
         if change.is_idle(&self.state) {
             return Ok(());
         }
@@ -284,22 +241,17 @@ impl Document {
         change.reserve(&mut self.state)?;
         let shapes = change.may_undefine_ups();
         let of_scene = change.of_scene();
-        let mut doing = match keeps_record {
-            true => Doing::Kept(Record::new(change)?),
-            false => Doing::Alone(change),
-        };
-        doing.apply(&mut self.state, &mut self.plan)?;
+        change.apply(&mut self.state, &mut self.plan)?;
         let mut follow = || -> Result<_> {
             if shapes {
                 check_ups(&self.state.path)?;
             }
-            let mut held = Vec::new();
-            if let Some(all) = held::what_follows(&self.state, &self.plan, of_scene)? {
-                Record::each(all, &mut held)?;
+            let mut held = held::what_follows(&self.state, &self.plan, of_scene)?;
+            if keeps_record {
                 step.reserve_more(1 + held.len())?;
             }
             exchange_all(&mut held, |held| {
-                held.with(|held| held.apply(&mut self.state, &mut self.plan))
+                held.apply(&mut self.state, &mut self.plan)
             })?;
             Ok(held)
         };
@@ -307,11 +259,11 @@ impl Document {
             Ok(held) => held,
             Err(error) => {
                 // It was just exchanged, and can be again.
-                let _ = doing.apply(&mut self.state, &mut self.plan);
+                let _ = change.apply(&mut self.state, &mut self.plan);
                 return Err(error);
             }
         };
-        if let Doing::Kept(change) = doing {
+        if keeps_record {
             step.name.get_or_insert(name);
             step.push(change);
             // They stand as they are to be undone.
@@ -552,85 +504,5 @@ impl Document {
     /// Marks the present state as the saved one.
     pub fn mark_saved(&mut self) {
         self.saved = self.number;
-    }
-
-    /// Calls `f` with the current lengths and frame counts.
-    ///
-    /// # Errors
-    /// `ErrorKind::Memory`.
-    pub fn timeline<R>(&self, f: impl FnOnce(&Timeline) -> R) -> Result<R> {
-        Ok(self.plan.timeline(&self.state.path, f)?)
-    }
-
-    /// The camera's up at an orientation, roll included: a unit vector in world coordinates,
-    /// perpendicular to the view.
-    ///
-    /// # Errors
-    /// `ErrorKind::Range` if there is no such orientation; `ErrorKind::Memory`.
-    pub fn up(&self, point: usize, orientation: usize) -> Result<DVec3> {
-        let path = self.path();
-        let here = prepare::orientation(path, point, orientation)?;
-        if here.own.up == UpVector::Axis {
-            let view = ahead::view(path, point, orientation);
-            return Ok(path.space.up.up_from_roll(view, here.roll.to_radians()));
-        }
-        self.timeline(|timeline| alignment::up(path, timeline, point, orientation))
-    }
-
-    /// The path prepared for sampling.
-    ///
-    /// # Errors
-    /// `ErrorKind::Memory`; `ErrorKind::Limit` for more than [`limits::MAX_FRAMES`] frames.
-    pub fn sampler(&self) -> Result<&Sampler> {
-        Ok(self.plan.sampler(&self.state.path)?)
-    }
-
-    /// The smallest space that holds the object, with a tenth to spare.
-    ///
-    /// # Errors
-    /// As [`Space::around`].
-    pub fn space_around_object(&self) -> Result<Space> {
-        let object = self.state.info.object.iter();
-        Ok(Space::around(
-            object.map(|point| point.position),
-            self.path().space.up,
-        )?)
-    }
-
-    /// The smallest space that holds the path's curve, with a tenth to spare.
-    ///
-    /// # Errors
-    /// As [`Space::around`]; [`vides_engine::Error::Memory`].
-    pub fn space_around_path(&self) -> Result<Space> {
-        self.space_around(std::iter::empty())
-    }
-
-    /// The smallest space that holds the path's curve and the object, with a tenth to spare.
-    ///
-    /// # Errors
-    /// As [`Document::space_around_path`].
-    pub fn space_around_all(&self) -> Result<Space> {
-        let object = self.state.info.object.iter();
-        self.space_around(object.map(|point| point.position))
-    }
-
-    /// How many of the path's points lie outside its space.
-    #[must_use]
-    pub fn points_outside(&self) -> usize {
-        let (path, space) = (self.path(), self.path().space);
-        let (low, high) = (space.low(), space.high());
-        let places = path.points.iter().map(|point| point.position);
-        let outside = |place: &DVec3| place.cmplt(low).any() || place.cmpgt(high).any();
-        places.filter(outside).count()
-    }
-
-    fn space_around(&self, others: impl Iterator<Item = DVec3>) -> Result<Space> {
-        self.timeline(|timeline| {
-            // Dense enough that the spare tenth covers the curve between samples.
-            let along = (0..timeline.segment_count()).flat_map(|segment| {
-                (0..=16).map(move |k| timeline.curve(segment).point(f64::from(k) / 16.0))
-            });
-            Ok(Space::around(along.chain(others), self.path().space.up)?)
-        })?
     }
 }

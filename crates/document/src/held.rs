@@ -3,9 +3,9 @@
 use vides_engine::scene::pins::pinned;
 
 use super::change::{Change, State};
-use super::prepare::with_frames;
 use super::scene_edit;
-use crate::error::{Result, vec_with_room};
+use super::set::with_frames;
+use crate::error::Result;
 use crate::path::Plan;
 
 /// What must follow a change, of the scene and of its pins: the frame counts that pins require of
@@ -14,37 +14,27 @@ pub(super) fn what_follows(
     state: &State,
     plan: &Plan,
     [of_scene, of_pins]: [bool; 2],
-) -> Result<Option<Change>> {
+) -> Result<Vec<Change>> {
+    let mut held = Vec::new();
     let Some(edited) = &state.edited_scene else {
-        return Ok(None);
+        return Ok(held);
     };
     let path = &state.path;
     let pins = edited.pins();
-    let mut held = match pins.is_empty() {
-        true => None,
-        false => {
-            let pinned = plan.timeline(path, |timeline| pinned(path, timeline, &pins))??;
-            let fixed = Some(pinned.fixed).filter(|fixed| !fixed.is_empty());
-            fixed.map(|fixed| with_frames(path, fixed)).transpose()?
-        }
+    if !pins.is_empty() {
+        let pinned = plan.timeline(path, |timeline| pinned(path, timeline, &pins))??;
+        held = with_frames(path, pinned.fixed)?;
+    }
+    let mut follow = |mut others: Vec<Change>| -> Result<()> {
+        held.try_reserve(others.len())?;
+        held.append(&mut others);
+        Ok(())
     };
     if of_pins {
-        let others = scene_edit::held_by_pins(edited)?;
-        if !others.is_empty() {
-            held = Some(both(held, Change::Several(others))?);
-        }
+        follow(scene_edit::held_by_pins(edited)?)?;
     }
     if of_scene && edited.is_path_alone() && edited.scene().space() == path.space {
-        held = Some(both(held, scene_edit::path_again(state, edited)?)?);
+        follow(scene_edit::path_again(state, edited)?)?;
     }
     Ok(held)
-}
-
-fn both(first: Option<Change>, second: Change) -> Result<Change> {
-    let Some(first) = first else {
-        return Ok(second);
-    };
-    let mut both = vec_with_room(2)?;
-    both.extend([first, second]);
-    Ok(Change::Several(both))
 }

@@ -4,89 +4,16 @@
 use std::collections::VecDeque;
 
 use super::change::{Change, exchange_all};
-use super::editing::Selection;
+use super::edit::Selection;
 use super::step_name::StepName;
-use crate::error::{Result, try_box, vec_with_room};
+use crate::error::{Result, vec_with_room};
 use crate::limits;
-use vides_engine::scene::Part;
-
-/// A change, as small as it is: most parts of a scene are smaller than those of paths, and a scene
-/// of many keys has many. It is on the heap before it is done, so that it can be kept then.
-#[derive(Debug)]
-pub(super) enum Record {
-    /// [`Change::Part`].
-    Part(Box<[Part]>, u64),
-    Other(Box<[Change]>),
-}
-
-impl Record {
-    pub(super) fn new(change: Change) -> Result<Self> {
-        Ok(match change {
-            Change::Part(part, removal) => Self::Part(try_box(part)?, removal),
-            other => Self::Other(try_box(other)?),
-        })
-    }
-
-    /// Those of a change of several, each by itself.
-    pub(super) fn each(change: Change, records: &mut Vec<Self>) -> Result<()> {
-        match change {
-            Change::Several(changes) => changes
-                .into_iter()
-                .try_for_each(|one| Self::each(one, records)),
-            one => {
-                records.try_reserve(1)?;
-                records.push(Self::new(one)?);
-                Ok(())
-            }
-        }
-    }
-
-    /// Does the change, which then undoes itself.
-    pub(super) fn with(&mut self, mut apply: impl FnMut(&mut Change) -> Result<()>) -> Result<()> {
-        let (part, removal) = match self {
-            Self::Other(other) => return other.iter_mut().try_for_each(apply),
-            Self::Part(part, removal) => (&mut part[0], removal),
-        };
-        let mut change = Change::Part(std::mem::replace(part, Part::Camera(None)), *removal);
-        let done = apply(&mut change);
-        if let Change::Part(now, number) = change {
-            (*part, *removal) = (now, number);
-        }
-        done
-    }
-
-    fn renumbers(&self) -> bool {
-        match self {
-            Self::Part(part, _) => part.iter().any(|part| !part.is_value()),
-            Self::Other(other) => other.iter().any(Change::renumbers),
-        }
-    }
-
-    fn is_at_place_of(&self, other: &Self) -> bool {
-        match (self, other) {
-            (Self::Part(one, _), Self::Part(other, _)) => one[0].is_at_place_of(&other[0]),
-            (Self::Other(one), Self::Other(other)) => one[0].is_at_place_of(&other[0]),
-            _ => false,
-        }
-    }
-
-    fn weight(&self) -> usize {
-        let beyond: usize = match self {
-            Self::Part(part, _) => part
-                .iter()
-                .map(|part| size_of::<Part>() + part.heap_size())
-                .sum(),
-            Self::Other(other) => other.iter().map(Change::weight).sum(),
-        };
-        size_of::<Self>() + beyond
-    }
-}
 
 /// What a single undo takes back.
 #[derive(Debug)]
 pub(super) struct Step {
     /// The records that lead to the other side, in the order of application.
-    changes: Vec<Record>,
+    changes: Vec<Change>,
     /// The selection on the other side.
     pub(super) selection: Selection,
     /// Number of the state on the other side.
@@ -119,7 +46,7 @@ impl Step {
 
     /// Adds the record that undoes the newest change, unless an older one already does. The newest
     /// is last until [`Step::close`] reverses the order.
-    pub(super) fn push(&mut self, inverse: Record) {
+    pub(super) fn push(&mut self, inverse: Change) {
         let known = self
             .changes
             .iter()
@@ -154,11 +81,8 @@ impl Step {
     }
 
     /// Applies each record, which then undoes itself; none if one cannot be.
-    pub(super) fn exchange(
-        &mut self,
-        mut apply: impl FnMut(&mut Change) -> Result<()>,
-    ) -> Result<()> {
-        exchange_all(&mut self.changes, |record| record.with(&mut apply))
+    pub(super) fn exchange(&mut self, apply: impl FnMut(&mut Change) -> Result<()>) -> Result<()> {
+        exchange_all(&mut self.changes, apply)
     }
 
     /// Puts the records back into the order in which they came, so that more can follow.
@@ -169,7 +93,7 @@ impl Step {
     /// Puts closed steps together, given in the order in which they were done.
     fn join(
         steps: impl DoubleEndedIterator<Item = Self>,
-        mut changes: Vec<Record>,
+        mut changes: Vec<Change>,
     ) -> Option<Self> {
         let mut joined: Option<Self> = None;
         // What was done last is taken back first; the other side is that of the first.
@@ -185,7 +109,7 @@ impl Step {
     }
 
     fn weight(&self) -> usize {
-        size_of::<Self>() + self.changes.iter().map(Record::weight).sum::<usize>()
+        size_of::<Self>() + self.changes.iter().map(Change::weight).sum::<usize>()
     }
 }
 

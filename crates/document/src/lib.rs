@@ -9,6 +9,7 @@
 mod cage;
 mod change;
 mod check;
+mod computed;
 mod copied;
 mod copied_nodes;
 mod draw;
@@ -19,10 +20,12 @@ pub mod error;
 mod fingerprint;
 mod held;
 mod history;
+mod in_scene;
 mod info;
 mod keys_to_path;
 mod loading;
 mod mesh_file;
+mod normalise;
 mod not_a_file;
 mod notes;
 mod path_to_keys;
@@ -42,12 +45,13 @@ pub mod tool;
 mod touched;
 #[doc(hidden)]
 pub mod vid;
+mod whole;
 mod wireframe;
 
 pub use copied_nodes::CopiedNodes;
-pub use edit::{At, Edit};
+pub use edit::{At, Edit, Selection};
 pub use edited_scene::EditedScene;
-pub use editing::{Document, Selection};
+pub use editing::Document;
 pub use error::{Error, Result};
 pub use fingerprint::Fingerprint;
 pub use info::{Info, Object, ObjectPoint};

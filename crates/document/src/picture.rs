@@ -7,7 +7,8 @@ use vides_engine::tools::clearance::Clearance;
 use vides_engine::tools::fit::Progress;
 
 use super::edit::Edit;
-use super::editing::{Document, Selection};
+use super::edit::Selection;
+use super::editing::Document;
 use crate::error::Result;
 
 impl Document {

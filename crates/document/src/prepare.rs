@@ -2,31 +2,25 @@
 
 use glam::DVec3;
 
-use super::change::{Change, State, count_orientations};
-use super::edit::{At, Edit};
-use super::edited_scene::{self, EditedScene, Pins};
-use super::editing::Selection;
+use super::change::{Change, IDLE, Prepared, State};
+use super::edit::{At, Edit, Selection};
+use super::edited_scene;
 use super::info::Info;
+use super::normalise::{check_all_orientations, count_orientations, normalise_point};
 use super::place;
 use super::scene_edit;
-use super::set;
+use super::set::{self, checked, orientation, point, view, with_frames};
 use super::target;
-use super::vid::Comments;
-use crate::error::{
-    End, Error, OutOfRange, Place, Refused, Result, TooMany, can_allocate, vec_with_room,
-};
+use super::whole::{exchanged_scene, replaced, scene_in};
+use crate::error::{End, Place, Refused, Result, TooMany, vec_with_room};
 use crate::limits;
-use crate::math::orientation::wrap_degrees;
-use crate::path::fit_frames::{Fixed, fit_frames};
+use crate::path::fit_frames::fit_frames;
 use crate::path::insertion::{self, Insertion};
 use crate::path::space::Move;
-use crate::path::{CameraPath, Orientation, Pace, Space, SupportPoint, Target, Timeline};
+use crate::path::{CameraPath, Orientation, Space, SupportPoint, Target, Timeline};
 use crate::path::{ahead, change_up};
 use crate::tools::{block, transform};
-use vides_engine::property::find;
-
-/// The record of an edit, and the selection it sets, if any.
-pub(super) type Prepared = (Change, Option<Selection>);
+use vides_engine::property::{SameBits, find};
 
 pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
     let path = &state.path;
@@ -103,14 +97,14 @@ pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
                 return Err(Refused::TwoPointsRemain.into());
             }
             return Ok((
-                Change::remove_point(at)?,
+                Change::Splice(at, 1, vec_with_room(1)?, 0),
                 Some(Selection::at(at.saturating_sub(1), 0)),
             ));
         }
         Edit::MovePoint { from, to } => {
             point(path, from)?;
             point(path, to)?;
-            return Ok((Change::MovePoint { from, to }, Some(Selection::at(to, 0))));
+            return Ok((Change::MovePoint(from, to), Some(Selection::at(to, 0))));
         }
         Edit::Set {
             place,
@@ -127,7 +121,7 @@ pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
             if path.points[point].orientations.len() == 1 {
                 return Err(Refused::OneOrientationRemains.into());
             }
-            let change = Change::RemoveOrientation { point, at };
+            let change = Change::View([point, at], true, None, 0);
             let selection = Selection::at(point, at.saturating_sub(1));
             return Ok((change, Some(selection)));
         }
@@ -145,16 +139,12 @@ pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
             let position = path.points[point].position;
             let target = target::switched(orientation.target, position, absolute, path.space)?;
             orientation.target = target;
-            Change::Orientation {
-                point,
-                at,
-                orientation,
-            }
+            Change::View([point, at], true, Some(orientation), 0)
         }
         Edit::SetInfo(mut info) => {
             info.check(path.space)?;
             info.normalise();
-            Change::Info(info)
+            Change::info(info)
         }
         Edit::EditNode(node) => return other_node(state, node),
         Edit::Part(part) => return scene_edit::prepare(state, |edits| edits.part(*part)),
@@ -213,7 +203,7 @@ pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
                 moved(path, space)?
             } else {
                 path.check_in(space)?;
-                Change::Space(space)
+                in_space(path, space)?
             };
             match &state.edited_scene {
                 // A scene that lies where its path does goes along.
@@ -232,59 +222,17 @@ pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
     Ok((change, None))
 }
 
-/// The record of what changes nothing.
-pub(super) const IDLE: Change = Change::Several(Vec::new());
-
-/// The record of setting all values of an orientation.
-pub(super) fn view(path: &CameraPath, point: usize, at: usize, new: Orientation) -> Result<Change> {
-    let old = orientation(path, point, at)?;
-    let new = checked(new, path.points[point].position, path.space)?;
-    let orientation = without_the_outdated(old, new)?;
-    Ok(Change::Orientation {
-        point,
-        at,
-        orientation,
-    })
-}
-
-/// The scene with its edited path in another space.
-fn scene_in(
-    edited: &EditedScene,
-    path: &CameraPath,
-    comments: &Comments,
-    space: Space,
-    fit: bool,
-) -> Result<Prepared> {
-    let mut path = path.try_clone()?;
-    if fit {
-        let to = Move::new(path.space, space);
-        for point in &mut path.points {
-            *point = to.point(point)?;
-        }
+/// The record of setting the space alone.
+fn in_space(path: &CameraPath, space: Space) -> Result<Change> {
+    if path.space.same_bits(&space) {
+        return Ok(IDLE);
     }
-    path.space = space;
-    let mut scene = edited.with(&path)?;
-    scene.set_space(space)?;
-    let (edited, path) = edited_scene::edit(scene, edited.node())?;
-    let (change, _) = exchanged_scene(Some(edited), path, comments.try_clone()?)?;
-    Ok((change, None))
-}
-
-/// Another path, in which a point has this number.
-pub(super) fn replaced(
-    state: &State,
-    mut path: CameraPath,
-    number: impl Fn(usize) -> usize,
-) -> Result<Prepared> {
-    normalise(&mut path)?;
-    state.info.check(path.space)?;
-    let pins = match &state.edited_scene {
-        Some(edited) => edited.pins_in(path.points.len(), number)?,
-        None => Pins::default(),
-    };
-    can_allocate(size_of::<CameraPath>())?;
-    let change = Change::Path(Box::new(path), pins, 0);
-    Ok((change, Some(Selection::default())))
+    let points = Vec::new();
+    Change::settings(CameraPath {
+        space,
+        points,
+        ..*path
+    })
 }
 
 fn other_node(state: &State, node: Option<usize>) -> Result<Prepared> {
@@ -297,21 +245,10 @@ fn other_node(state: &State, node: Option<usize>) -> Result<Prepared> {
     }
 }
 
-fn exchanged_scene(
-    edited: Option<EditedScene>,
-    mut path: CameraPath,
-    comments: Comments,
-) -> Result<Prepared> {
-    normalise(&mut path)?;
-    can_allocate(size_of::<CameraPath>() + size_of::<EditedScene>())?;
-    let change = Change::Scene(edited.map(Box::new), Box::new(path), comments);
-    Ok((change, Some(Selection::default())))
-}
-
 fn exchanged(points: transform::Changed) -> Result<Change> {
     let mut changes = vec_with_room(points.len())?;
     for (at, point) in points {
-        changes.push(Change::Point { at, point });
+        changes.push(Change::Point(at, point));
     }
     Ok(Change::Several(changes))
 }
@@ -331,35 +268,16 @@ fn insert_block(state: &State, inserted: block::Inserted) -> Result<Prepared> {
         let mut points = vec_with_room(count)?;
         points.extend((at..at + count).map(&mut take));
         points.iter_mut().for_each(normalise_point);
-        changes.push(Change::InsertPoints {
-            at,
-            points,
-            removal: 0,
-        });
+        changes.push(Change::Splice(at, 0, points, 0));
     }
     for at in changed {
         let point = take(at);
-        changes.push(Change::Point { at, point });
+        changes.push(Change::Point(at, point));
     }
     Ok((
         Change::Several(changes),
         Some(Selection::at(at.min(path.points.len() - 1), 0)),
     ))
-}
-
-/// Checks a path and normalises it: rolls in (−180, 180], no empty names.
-pub(super) fn normalise(path: &mut CameraPath) -> Result<()> {
-    path.check()?;
-    check_all_orientations(count_orientations(&path.points))?;
-    path.points.iter_mut().for_each(normalise_point);
-    Ok(())
-}
-
-fn normalise_point(point: &mut SupportPoint) {
-    point.name = point.name.take().filter(|name| !name.is_empty());
-    for orientation in &mut point.orientations {
-        orientation.roll = wrap_degrees(orientation.roll);
-    }
 }
 
 /// The orientation with a view ahead along the path replaced by an equal relative target.
@@ -373,29 +291,6 @@ pub fn no_longer_ahead(path: &CameraPath, point: usize, at: usize) -> Result<Ori
         new.target = Target::Relative(ahead::view(path, point, at) * far);
         new.own = new.own.with(|own| own.ahead = None)?;
     }
-    Ok(new)
-}
-
-/// Drops what an orientation owned for values that change, unless it is set in the same edit.
-fn without_the_outdated(old: &Orientation, mut new: Orientation) -> Result<Orientation> {
-    if new.own.is_empty() || new.own != old.own {
-        return Ok(new);
-    }
-    let seen = new.target == old.target && new.roll == old.roll && new.turning == old.turning;
-    let (zoomed, paced) = (new.zoom != old.zoom, new.speeds != old.speeds);
-    new.own = new.own.with(|own| {
-        if !seen {
-            own.velocities = None;
-            own.turning = None;
-            own.roll_slope = None;
-        }
-        if zoomed {
-            own.zoom_slope = None;
-        }
-        if paced && matches!(own.pace, Pace::Part(_)) {
-            own.pace = Pace::Speeds;
-        }
-    })?;
     Ok(new)
 }
 
@@ -419,33 +314,20 @@ fn on_curve(state: &State, frame: f64) -> Result<Prepared> {
 fn moved(path: &CameraPath, space: Space) -> Result<Change> {
     let to = Move::new(path.space, space);
     let mut changes = vec_with_room(1 + path.points.len())?;
-    changes.push(Change::Space(space));
+    changes.push(in_space(path, space)?);
     for (at, point) in path.points.iter().enumerate() {
         let point = to.point(point)?;
         let checked = point.check(space);
         checked.map_err(|error| error.at(Place::Point(at)))?;
-        changes.push(Change::Point { at, point });
+        changes.push(Change::Point(at, point));
     }
     Ok(Change::Several(changes))
 }
 
 fn fitted(path: &CameraPath, first: usize, last: usize, frames: usize) -> Result<Change> {
     let timeline = Timeline::new(path)?;
-    with_frames(path, fit_frames(path, &timeline, first, last, frames)?)
-}
-
-pub(super) fn with_frames(path: &CameraPath, fixed: Vec<Fixed>) -> Result<Change> {
-    let mut changes = vec_with_room(fixed.len())?;
-    for fixed in fixed {
-        let mut orientation = path.points[fixed.point].orientations[fixed.orientation].clone();
-        orientation.own = orientation.own.with(|own| own.frames = fixed.frames)?;
-        changes.push(Change::Orientation {
-            point: fixed.point,
-            at: fixed.orientation,
-            orientation,
-        });
-    }
-    Ok(Change::Several(changes))
+    let fixed = fit_frames(path, &timeline, first, last, frames)?;
+    Ok(Change::Several(with_frames(path, fixed)?))
 }
 
 fn check_room(state: &State, points: usize, orientations: usize) -> Result<()> {
@@ -457,14 +339,7 @@ fn check_room(state: &State, points: usize, orientations: usize) -> Result<()> {
 
 /// Inserts new points; the first becomes current.
 fn inserted(at: usize, points: Vec<SupportPoint>) -> Prepared {
-    (
-        Change::InsertPoints {
-            at,
-            points,
-            removal: 0,
-        },
-        Some(Selection::at(at, 0)),
-    )
+    (Change::Splice(at, 0, points, 0), Some(Selection::at(at, 0)))
 }
 
 /// New points at `positions` with the properties of point `from`.
@@ -517,66 +392,8 @@ fn new_orientation(
         None => point.orientations[at.saturating_sub(1)].clone(),
         Some(orientation) => checked(orientation, point.position, state.path.space)?,
     };
-    let change = Change::InsertOrientation {
-        point: number,
-        at,
-        orientation,
-        removal: 0,
-    };
+    let change = Change::View([number, at], false, Some(orientation), 0);
     Ok((change, Some(Selection::at(number, at))))
-}
-
-/// Checks an orientation and wraps its roll into (−180, 180].
-fn checked(mut orientation: Orientation, position: DVec3, space: Space) -> Result<Orientation> {
-    orientation.check(position, space)?;
-    orientation.roll = wrap_degrees(orientation.roll);
-    Ok(orientation)
-}
-
-pub(super) fn check_position(
-    point: &SupportPoint,
-    at: usize,
-    position: DVec3,
-    space: Space,
-) -> Result<()> {
-    space.check_place(position)?;
-    for (index, orientation) in point.orientations.iter().enumerate() {
-        if orientation.target == Target::Absolute(position) {
-            return Err(Refused::OnTarget {
-                point: at,
-                orientation: index,
-            }
-            .into());
-        }
-    }
-    Ok(())
-}
-
-fn check_all_orientations(count: usize) -> Result<()> {
-    if count > limits::MAX_ALL_ORIENTATIONS {
-        return Err(TooMany::AllOrientations.into());
-    }
-    Ok(())
-}
-
-pub(super) fn point(path: &CameraPath, at: usize) -> Result<&SupportPoint> {
-    path.points.get(at).ok_or_else(|| {
-        Error::from(OutOfRange::NoPoint {
-            point: at,
-            last: path.points.len() - 1,
-        })
-    })
-}
-
-pub(super) fn orientation(path: &CameraPath, number: usize, at: usize) -> Result<&Orientation> {
-    let point = point(path, number)?;
-    point.orientations.get(at).ok_or_else(|| {
-        Error::from(Refused::NoOrientation {
-            orientation: at,
-            point: number,
-            last: point.orientations.len() - 1,
-        })
-    })
 }
 
 #[cfg(test)]

@@ -6,13 +6,13 @@
 use vides_engine::property::{Kind, Listed, Owner, Table, Value, find, list};
 use vides_engine::scene::{Node, Values};
 
+use crate::edit::Selection;
 use crate::edit::{At, Edit};
-use crate::editing::{Document, Selection};
+use crate::editing::Document;
 use crate::error::{EngineError, Error, Invalid, Malformed, Refused, Result};
 use crate::info::{Info, Object};
 use crate::path::{CameraPath, Orientation, OrientationOverrides, SupportPoint};
-use crate::prepare;
-use crate::set::{keys, no_property};
+use crate::set::{self, keys, no_property};
 use crate::vid::{self, PATH_KEYS, point_keys, quoted, view_keys};
 
 /// What is known of all properties, key by key in the order of files.
@@ -133,7 +133,7 @@ impl Document {
             }
             Place::Path(key) => (At::Path, read_value(key, value, path)),
             Place::Point(at, key) => {
-                let point = prepare::point(path, at)?;
+                let point = set::point(path, at)?;
                 (At::Point(at), read_value(key, value, point))
             }
             Place::Node(at, key) => {
@@ -141,7 +141,7 @@ impl Document {
                 (At::Node(at), read_value(key, value, rest))
             }
             Place::View(Selection { point, orientation }, key) => {
-                let view = prepare::orientation(path, point, orientation)?;
+                let view = set::orientation(path, point, orientation)?;
                 let read = match find(Orientation::PROPERTIES, key) {
                     Some(_) => read_value(key, value, view),
                     None => read_value(key, value, &*view.own),
@@ -208,9 +208,9 @@ impl Document {
         let path = self.path();
         let (kind, value) = match self.place(name)? {
             Place::Node(at, key) => of(&self.nodes()[at].rest, key),
-            Place::Point(at, key) => of(prepare::point(path, at)?, key),
+            Place::Point(at, key) => of(set::point(path, at)?, key),
             Place::View(at, key) => {
-                let view = prepare::orientation(path, at.point, at.orientation)?;
+                let view = set::orientation(path, at.point, at.orientation)?;
                 view_of(view, key)
             }
             Place::Path(key) => match key.split_once('.') {

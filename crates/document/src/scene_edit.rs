@@ -7,11 +7,12 @@ use vides_engine::scene::{
     Channel, FollowPath, Keep, KeyList, Kind, Node, NodeList, Part, Rest, Scene, Track, Warnings,
 };
 
-use super::change::{Change, Exchange, State};
-use super::edited_scene::{EditedScene, Other, other_path};
-use super::editing::Selection;
-use super::prepare::{Prepared, replaced};
+use super::change::{Change, IDLE, Prepared, State, Whole};
+use super::edit::Selection;
+use super::edited_scene::{EditedScene, Pins, other_path};
+use super::whole::replaced;
 use crate::error::{Error, Invalid, Result, can_allocate, vec_with_room};
+use crate::path::CameraPath;
 
 /// The records of an edit, and the scene as they find it.
 struct Steps<'a> {
@@ -31,7 +32,7 @@ pub(super) fn prepare(
         None => Some(EditedScene::of_path(state.path.try_clone()?)?),
     };
     let Some(edited) = fresh.as_ref().or(state.edited_scene.as_deref()) else {
-        return Ok((super::prepare::IDLE, None));
+        return Ok((IDLE, None));
     };
     let mut steps = Steps {
         state,
@@ -42,7 +43,7 @@ pub(super) fn prepare(
     edit(&mut Edits(&mut steps))?;
     let (mut changes, selection) = (steps.changes, steps.selection);
     if changes.iter().all(|change| change.has(edited.scene())) {
-        return Ok((super::prepare::IDLE, None));
+        return Ok((IDLE, None));
     }
     if let Some(fresh) = fresh {
         changes.try_reserve(1)?;
@@ -73,6 +74,14 @@ impl Edits<'_, '_> {
         self.push(Change::Part(part, 0))
     }
 
+    /// Exchanges the pins of the edited path.
+    fn push_pins(&mut self, pins: Pins) -> Result<()> {
+        self.push(Change::Whole(Whole {
+            pins: Some(pins),
+            ..Whole::default()
+        }))
+    }
+
     /// Exchanges a part, with all that must go along.
     pub(super) fn part(&mut self, part: Part) -> Result<()> {
         let edited = self.0.edited.node();
@@ -98,7 +107,7 @@ impl Edits<'_, '_> {
                     return Ok(());
                 }
                 let pins = self.0.edited.pins_with(point, marker)?;
-                self.push(Change::Pins(pins))
+                self.push_pins(pins)
             }
             Part::Marker { name, frame: None } => {
                 self.unpin_from(&name)?;
@@ -175,7 +184,7 @@ impl Edits<'_, '_> {
             })?;
         }
         match self.0.edited.pins_renamed(marker, to)? {
-            Some(pins) => self.push(Change::Pins(pins)),
+            Some(pins) => self.push_pins(pins),
             None => Ok(()),
         }
     }
@@ -275,11 +284,11 @@ impl Edits<'_, '_> {
     }
 
     fn other_node(&mut self, node: Option<usize>) -> Result<()> {
-        let Other { path, pins } = other_path(self.scene(), node)?;
+        let (path, pins) = other_path(self.scene(), node)?;
         self.0.state.info.check(path.space)?;
-        can_allocate(size_of::<Exchange>())?;
+        can_allocate(size_of::<CameraPath>())?;
         self.0.selection = Some(Selection::default());
-        self.push(Change::Edited(Box::new(Exchange { node, path, pins })))
+        self.push(Change::Edited(Box::new(path), pins))
     }
 
     fn edited_path(&mut self, node: usize, path: Option<Box<FollowPath>>) -> Result<()> {
@@ -462,7 +471,7 @@ pub(super) fn held_by_pins(edited: &EditedScene) -> Result<Vec<Change>> {
 }
 
 /// A scene of nothing but a camera on a path is that path.
-pub(super) fn path_again(state: &State, edited: &EditedScene) -> Result<Change> {
+pub(super) fn path_again(state: &State, edited: &EditedScene) -> Result<Vec<Change>> {
     let mut steps = Steps {
         state,
         edited,
@@ -471,5 +480,5 @@ pub(super) fn path_again(state: &State, edited: &EditedScene) -> Result<Change> 
     };
     Edits(&mut steps).edit_node(Some(0))?;
     Edits(&mut steps).push(Change::scene(None, &state.comments)?)?;
-    Ok(Change::Several(steps.changes))
+    Ok(steps.changes)
 }

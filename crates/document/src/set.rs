@@ -1,11 +1,16 @@
-//! From an edit that sets a property to its record.
+//! From an edit that sets a property, or all values of an orientation, to its record.
 
-use super::change::{Change, State};
+use glam::DVec3;
+
+use super::change::{Change, IDLE, State};
 use super::edit::At;
 use super::info::Info;
-use super::prepare::{IDLE, check_position, orientation, point, view};
-use crate::error::{Error, Refused, Result, can_allocate};
-use crate::path::{CameraPath, Orientation, OrientationOverrides, Space, SupportPoint};
+use crate::error::{Error, OutOfRange, Refused, Result, can_allocate, vec_with_room};
+use crate::math::orientation::wrap_degrees;
+use crate::path::fit_frames::Fixed;
+use crate::path::{
+    CameraPath, Orientation, OrientationOverrides, Pace, Space, SupportPoint, Target,
+};
 use vides_engine::property::{Property, Table, Value, find};
 use vides_engine::scene::{Part, Rest, Values};
 
@@ -24,22 +29,25 @@ pub(super) fn set(
         At::Path => {
             let points = Vec::new();
             let own = CameraPath { points, ..*path };
-            let row = record(path, own, property, &mut value, path.space)?;
-            Ok(row.map_or(IDLE, |row| Change::OfPath(row, value)))
+            match changed(path, own, property, &mut value, path.space)? {
+                Some(settings) => Change::settings(settings),
+                None => Ok(IDLE),
+            }
         }
         At::Point(at) => {
             let there = point(path, at)?;
             if let ("position", Value::Place(position)) = (property, &value) {
                 check_position(there, at, *position, path.space)?;
             }
-            let (name, orientations) = (None, Vec::new());
+            can_allocate(there.name.as_ref().map_or(0, String::len))?;
+            let (name, orientations) = (there.name.clone(), Vec::new());
             let own = SupportPoint {
                 name,
                 orientations,
                 ..*there
             };
-            let row = record(there, own, property, &mut value, path.space)?;
-            Ok(row.map_or(IDLE, |row| Change::OfPoint(at, row, value)))
+            let point = changed(there, own, property, &mut value, path.space)?;
+            Ok(point.map_or(IDLE, |point| Change::Point(at, point)))
         }
         At::View(point, at) => {
             let mut new = orientation(path, point, at)?.clone();
@@ -85,7 +93,7 @@ pub(super) fn set_info(state: &State, property: &'static str, mut value: Value) 
     (row.check)(&info, state.path.space)?;
     Ok(match (row.same)(&info, &state.info) {
         true => IDLE,
-        false => Change::Info(info),
+        false => Change::info(info),
     })
 }
 
@@ -107,19 +115,17 @@ fn exchange<T: Table>(
     }
 }
 
-/// The row by which what is there gets a checked value, `own` being a copy of it; none if it has it.
-fn record<T: Table>(
+/// What is there with a checked value, `own` being a copy of it; none if it has it.
+fn changed<T: Table>(
     there: &T,
     mut own: T,
     property: &'static str,
     value: &mut Value,
     space: Space,
-) -> Result<Option<&'static Property<T>>> {
+) -> Result<Option<T>> {
     let row = exchange(&mut own, property, value, &T::NEW)?;
     (row.check)(&own, space)?;
-    let same = (row.same)(&own, there);
-    (row.exchange)(&mut own, value);
-    Ok((!same).then_some(row))
+    Ok((!(row.same)(&own, there)).then_some(own))
 }
 
 /// The keys of a table.
@@ -132,4 +138,96 @@ pub(super) fn no_property(name: &str, known: impl Iterator<Item = &'static str>)
     let (name, known) = (name.escape_debug(), known.collect::<Vec<_>>().join(", "));
     let (name, known) = ((&name).into(), (&known).into());
     Refused::NoProperty { name, known }.into()
+}
+
+/// The record of setting all values of an orientation.
+pub(super) fn view(path: &CameraPath, point: usize, at: usize, new: Orientation) -> Result<Change> {
+    let old = orientation(path, point, at)?;
+    let new = checked(new, path.points[point].position, path.space)?;
+    let orientation = without_the_outdated(old, new)?;
+    Ok(Change::View([point, at], true, Some(orientation), 0))
+}
+
+/// Checks an orientation and wraps its roll into (−180, 180].
+pub(super) fn checked(
+    mut orientation: Orientation,
+    position: DVec3,
+    space: Space,
+) -> Result<Orientation> {
+    orientation.check(position, space)?;
+    orientation.roll = wrap_degrees(orientation.roll);
+    Ok(orientation)
+}
+
+/// Drops what an orientation owned for values that change, unless it is set in the same edit.
+fn without_the_outdated(old: &Orientation, mut new: Orientation) -> Result<Orientation> {
+    if new.own.is_empty() || new.own != old.own {
+        return Ok(new);
+    }
+    let seen = new.target == old.target && new.roll == old.roll && new.turning == old.turning;
+    let (zoomed, paced) = (new.zoom != old.zoom, new.speeds != old.speeds);
+    new.own = new.own.with(|own| {
+        if !seen {
+            own.velocities = None;
+            own.turning = None;
+            own.roll_slope = None;
+        }
+        if zoomed {
+            own.zoom_slope = None;
+        }
+        if paced && matches!(own.pace, Pace::Part(_)) {
+            own.pace = Pace::Speeds;
+        }
+    })?;
+    Ok(new)
+}
+
+pub(super) fn with_frames(path: &CameraPath, fixed: Vec<Fixed>) -> Result<Vec<Change>> {
+    let mut changes = vec_with_room(fixed.len())?;
+    for fixed in fixed {
+        let mut orientation = path.points[fixed.point].orientations[fixed.orientation].clone();
+        orientation.own = orientation.own.with(|own| own.frames = fixed.frames)?;
+        let place = [fixed.point, fixed.orientation];
+        changes.push(Change::View(place, true, Some(orientation), 0));
+    }
+    Ok(changes)
+}
+
+pub(super) fn check_position(
+    point: &SupportPoint,
+    at: usize,
+    position: DVec3,
+    space: Space,
+) -> Result<()> {
+    space.check_place(position)?;
+    for (index, orientation) in point.orientations.iter().enumerate() {
+        if orientation.target == Target::Absolute(position) {
+            return Err(Refused::OnTarget {
+                point: at,
+                orientation: index,
+            }
+            .into());
+        }
+    }
+    Ok(())
+}
+
+pub(super) fn point(path: &CameraPath, at: usize) -> Result<&SupportPoint> {
+    path.points.get(at).ok_or_else(|| {
+        Error::from(OutOfRange::NoPoint {
+            point: at,
+            last: path.points.len() - 1,
+        })
+    })
+}
+
+pub(super) fn orientation(path: &CameraPath, number: usize, at: usize) -> Result<&Orientation> {
+    let point = point(path, number)?;
+    point.orientations.get(at).ok_or_else(|| {
+        Error::from(Refused::NoOrientation {
+            orientation: at,
+            point: number,
+            last: point.orientations.len() - 1,
+        })
+    })
 }

@@ -3,6 +3,7 @@
 use vides_engine::scene::{Channel, Part};
 
 use super::change::Change;
+use super::edited_scene::{came, went};
 
 /// Nodes and keys of a scene that the last undo or redo has changed and that are there.
 #[derive(Debug, Default)]
@@ -35,13 +36,14 @@ impl Touched {
         match change {
             Change::Several(changes) => {
                 // That another path is edited is no change of either.
-                let other = |one: &Change| matches!(one, Change::Edited(_));
+                let other = |one: &Change| matches!(one, Change::Edited(..));
                 let edited = edited.filter(|_| !changes.iter().any(other));
                 changes.iter().for_each(|one| self.note(one, edited));
             }
             Change::Part(part, _) => self.note_part(part),
-            Change::Scene(..) | Change::SceneOf(..) => self.clear(),
-            Change::Edited(_) | Change::Info(_) => {}
+            Change::Whole(whole) if whole.scene.is_some() => self.clear(),
+            Change::Whole(whole) if whole.info.is_some() => {}
+            Change::Edited(..) => {}
             // Of the path that is edited.
             _ => edited.into_iter().for_each(|node| self.add(node)),
         }
@@ -101,25 +103,4 @@ impl Touched {
             None => false,
         });
     }
-}
-
-/// The number that a node has when others have come to these places, in rising order.
-pub(super) fn came(places: &[usize], node: usize) -> usize {
-    // How many come to places before it, each of which puts it one further.
-    let (mut low, mut high) = (0, places.len());
-    while low < high {
-        let middle = low.midpoint(high);
-        if places[middle] <= node + middle {
-            low = middle + 1;
-        } else {
-            high = middle;
-        }
-    }
-    node + low
-}
-
-/// The number that a node has when those at these places, in rising order, have gone.
-pub(super) fn went(places: &[usize], node: usize) -> Option<usize> {
-    let before = places.partition_point(|&place| place < node);
-    (places.get(before) != Some(&node)).then_some(node - before)
 }

@@ -267,6 +267,15 @@ impl Comments {
         Ok(comments)
     }
 
+    /// Those that are of no point of this node's path, for another path.
+    pub(crate) fn without_points(&self, node: Option<usize>) -> Result<Self> {
+        let mut comments = self.try_clone()?;
+        comments
+            .all
+            .retain(|comment| comment.node != node || !matches!(comment.table, Table::Point(..)));
+        Ok(comments)
+    }
+
     pub(crate) fn insert_orientation(
         &mut self,
         node: Option<usize>,

@@ -6,7 +6,7 @@ use std::fmt::{self, Write};
 use super::field::{Source, fields};
 use super::scene_read;
 use super::scene_write;
-use super::write::{Quoted, Text};
+use super::text::{Quoted, Text};
 use super::{pieces, too_large};
 use crate::error::{EngineError, Result};
 use crate::limits::MAX_FILE_BYTES;

@@ -8,7 +8,7 @@ use std::path::Path;
 use vides_engine::scene::MeshSource;
 
 use super::field::Field;
-use super::write::{Quoted, Text};
+use super::text::{Quoted, Text};
 use crate::error::{Malformed, Result};
 use crate::mesh_file::name_from;
 

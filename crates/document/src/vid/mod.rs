@@ -28,17 +28,21 @@
 //! speed_curve = [1.0, 20.0, 50.0, 50.0, 50.0, 50.0, 50.0, 50.0, 50.0, 50.0]
 //! ```
 
+mod alone;
 mod comments;
 pub mod field;
 mod keys_text;
+mod mesh;
 mod mesh_source;
 mod own;
+mod path_read;
 mod pieces;
 mod read;
 mod scene_read;
 mod scene_write;
 mod shown;
 mod statements;
+mod text;
 pub mod tree;
 mod weight;
 mod write;
@@ -50,14 +54,16 @@ use super::not_a_file::open;
 use crate::error::{EngineError, Error, Malformed, Result, can_allocate, vec_with_room};
 use crate::limits::MAX_FILE_BYTES;
 
+pub(super) use alone::alone;
 pub(super) use comments::{Comments, insert_points, remove_points};
 pub(super) use keys_text::{keys_from_toml, keys_to_toml};
+pub(super) use path_read::{point_keys, view_keys};
 pub(super) use read::{
-    PATH_KEYS, from_toml, nodes_from_toml, point_keys, scene_from_toml, shown_from_toml, value_of,
-    view_keys,
+    PATH_KEYS, from_toml, nodes_from_toml, scene_from_toml, shown_from_toml, value_of,
 };
-pub(super) use scene_write::{alone, nodes_to_toml, scene_to_toml};
-pub(super) use write::{quoted, to_toml, view_to_toml};
+pub(super) use scene_write::{nodes_to_toml, scene_to_toml};
+pub(super) use text::quoted;
+pub(super) use write::{to_toml, view_to_toml};
 
 /// The format version that is written, and the newest that is read.
 const VERSION: i64 = 1;

@@ -1,4 +1,4 @@
-//! Reads and writes what points and orientations own.
+//! Reads and writes by the rows of tables: what paths, points and orientations have.
 
 use std::fmt::{self, Write};
 use std::sync::Arc;
@@ -6,17 +6,17 @@ use std::sync::Arc;
 use glam::{DQuat, DVec3};
 
 use super::field::Field;
-use super::read::{base_speeds, presets};
-use super::write::plain;
+use super::text::plain;
 use crate::error::{Malformed, Result, TooMany, can_allocate, vec_with_room};
 use crate::limits;
 use crate::path::camera_path::check_curve_speed;
 use crate::path::own::{check_distance, check_track};
 use crate::path::{
-    Ease, EaseKind, Orientation, OrientationOverrides, PacePart, PaceSource, Space, TurningPart,
-    UpPath, UpPathPoint, UpVector,
+    BaseFrames, Ease, EaseKind, Orientation, OrientationOverrides, PacePart, PaceSource, Space,
+    Tcb, TurningPart, UpPath, UpPathPoint, UpVector,
 };
-use vides_engine::property::{Kind, Property, Value, find};
+use crate::set::keys;
+use vides_engine::property::{Kind, Property, Table, Value, find};
 
 #[derive(Default)]
 pub(super) struct ReadContext {
@@ -93,6 +93,33 @@ pub(super) fn value<T>(
         }
         kind => field.plain(kind, row.range)?,
     })
+}
+
+/// Reads what is said of a whole file or path by its row; false if the key is of something else.
+pub(super) fn read_setting<T: Table>(field: Field<'_>, of: &mut T) -> Result<bool> {
+    let so_far = &mut ReadContext::default();
+    Rows::default().read(field, T::PROPERTIES, of, Space::NEW, so_far)
+}
+
+fn base_speeds(table: Field<'_>, speeds: &mut BaseFrames) -> Result<()> {
+    for field in table.fields()? {
+        if !read_setting(field, speeds)? {
+            return Err(field.unknown(&keys::<BaseFrames>().collect::<Vec<_>>()));
+        }
+    }
+    Ok(())
+}
+
+fn presets(table: Field<'_>, presets: &mut [Tcb; limits::PRESETS]) -> Result<()> {
+    for field in table.fields()? {
+        // Exactly one digit: 01 and +1 are not other names of 1.
+        let preset = match field.key.as_bytes() {
+            [digit @ b'0'..=b'9'] => &mut presets[usize::from(digit - b'0')],
+            _ => return Err(field.error(Malformed::PresetNumber)),
+        };
+        *preset = field.tcb()?;
+    }
+    Ok(())
 }
 
 fn up_path(field: Field<'_>, so_far: &mut ReadContext) -> Result<Arc<UpPath>> {

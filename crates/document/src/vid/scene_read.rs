@@ -3,9 +3,9 @@
 use glam::DVec3;
 
 use super::field::{Field, Source, at_line};
-use super::mesh_source;
-use super::own::ReadContext;
-use super::read::{one_line, points, read_setting, space};
+use super::mesh;
+use super::own::{ReadContext, read_setting};
+use super::path_read::{one_line, points, space};
 use super::shown::Shown;
 use crate::error::{EngineError, Error, Invalid, Malformed, Place, Result, TooMany, vec_with_room};
 use crate::limits;
@@ -15,8 +15,8 @@ use vides_engine::property::find;
 use vides_engine::scene::motion::check_frame;
 use vides_engine::scene::node::check_node_name;
 use vides_engine::scene::{
-    Camera, Channel, Extrapolation, FollowPath, Interpolation, Kind, Light, Mesh, MeshSource, Node,
-    Object, Scene, Shape, Track, Values,
+    Camera, Channel, Extrapolation, FollowPath, Interpolation, Kind, Light, Node, Object, Scene,
+    Shape, Track, Values,
 };
 
 /// What has been read of a scene; nodes may name nodes further down.
@@ -279,7 +279,7 @@ fn draft(table: Field<'_>, so_far: &mut ReadContext, space: Space) -> Result<Dra
                 *light = field.choice()?;
             }
             "mesh" => {
-                let (source, mesh) = mesh(field)?;
+                let (source, mesh) = mesh::read(field)?;
                 let Kind::Object(object) = &mut node.kind else {
                     return Err(misplaced(&field, &node.kind));
                 };
@@ -382,78 +382,6 @@ fn numbers(array: Field<'_>, rows: Option<usize>) -> Result<Vec<f64>> {
     Ok(all)
 }
 
-fn vectors(array: Field<'_>, most: usize) -> Result<Vec<DVec3>> {
-    let elements = array.elements()?;
-    if elements.len() > most {
-        return Err(array.error(TooMany::MeshPoints));
-    }
-    let mut all = vec_with_room(elements.len())?;
-    for element in elements {
-        all.push(element.vector()?);
-    }
-    Ok(all)
-}
-
-fn indices<const N: usize>(array: Field<'_>) -> Result<Vec<[u32; N]>> {
-    let elements = array.elements()?;
-    let mut all = vec_with_room(elements.len())?;
-    for element in elements {
-        let corners = element.elements()?;
-        if corners.len() != N {
-            return Err(element.error(Malformed::NumberCount {
-                wanted: N,
-                found: corners.len(),
-            }));
-        }
-        let mut row = [0; N];
-        for (index, corner) in row.iter_mut().zip(corners) {
-            *index = corner.integer_in(0, u32::MAX.into())? as u32;
-        }
-        all.push(row);
-    }
-    Ok(all)
-}
-
-fn colours(array: Field<'_>) -> Result<Vec<[u8; 3]>> {
-    let rows = indices::<3>(array)?;
-    let mut all = vec_with_room(rows.len())?;
-    for row in rows {
-        let byte = |value: u32| {
-            u8::try_from(value).map_err(|_| array.error(Malformed::Between { low: 0, high: 255 }))
-        };
-        all.push([byte(row[0])?, byte(row[1])?, byte(row[2])?]);
-    }
-    Ok(all)
-}
-
-/// Takes a field of a mesh; false if it is none of [`MESH_KEYS`].
-pub(super) fn take_mesh(field: &Field<'_>, mesh: &mut Mesh) -> Result<bool> {
-    match field.key {
-        "points" => mesh.points = vectors(*field, limits::MAX_MESH_POINTS)?,
-        "colours" => mesh.colours = colours(*field)?,
-        "lines" => mesh.lines = indices(*field)?,
-        "triangles" => mesh.triangles = indices(*field)?,
-        _ => return Ok(false),
-    }
-    Ok(true)
-}
-
-pub(super) const MESH_KEYS: [&str; 4] = ["points", "colours", "lines", "triangles"];
-
-/// A mesh: its own points, or the file that has them.
-fn mesh(table: Field<'_>) -> Result<(Option<MeshSource>, Mesh)> {
-    let mut mesh = Mesh::default();
-    let mut source = mesh_source::Reading::default();
-    for field in table.fields()? {
-        if !source.take(&field)? && !take_mesh(&field, &mut mesh)? {
-            let known: Vec<&str> = MESH_KEYS.into_iter().chain(mesh_source::KEYS).collect();
-            return Err(field.unknown(&known));
-        }
-    }
-    let alone = mesh == Mesh::default();
-    Ok((source.done(&table, alone)?, mesh))
-}
-
 fn shape(table: Field<'_>) -> Result<Shape> {
     let mut shape = Shape {
         name: String::new(),
@@ -463,8 +391,8 @@ fn shape(table: Field<'_>) -> Result<Shape> {
     for field in table.fields()? {
         match field.key {
             "name" => shape.name = one_line(field)?,
-            "points" => shape.points = vectors(field, limits::MAX_MESH_POINTS)?,
-            "colours" => shape.colours = colours(field)?,
+            "points" => shape.points = mesh::vectors(field, limits::MAX_MESH_POINTS)?,
+            "colours" => shape.colours = mesh::colours(field)?,
             _ => return Err(field.unknown(&["name", "points", "colours"])),
         }
     }

@@ -1,16 +1,16 @@
 //! From a scene to the text of its `.vid` file.
 
-use std::fmt::{self, Debug, Write, from_fn};
+use std::fmt::{self, Write, from_fn};
 use std::path::Path;
 
 use glam::DVec3;
 
+use super::alone::alone;
 use super::comments::Comments;
 use super::own::UpPaths;
-use super::write::{
-    Quoted, Text, base_speeds, head, place, plain, point, shape_and_modes, space, to_toml,
-};
-use super::{mesh_source, shown, too_large};
+use super::text::{Quoted, Text, plain, rows};
+use super::write::{base_speeds, head, place, point, shape_and_modes, space, to_toml};
+use super::{mesh, mesh_source, shown, too_large};
 use crate::error::{EngineError, Result};
 use crate::info::Info;
 use crate::limits::MAX_FILE_BYTES;
@@ -19,8 +19,7 @@ use crate::path::camera_path::DEFAULT_PRESETS;
 use vides_engine::deform::{Bounds, Deformation};
 use vides_engine::property::{SameBits, Value};
 use vides_engine::scene::{
-    Camera, Extrapolation, FollowPath, Kind, Light, Mesh, Node, Object, Pin, Scene, Shape, Track,
-    Values,
+    Camera, Extrapolation, FollowPath, Kind, Light, Node, Object, Pin, Scene, Shape, Track, Values,
 };
 
 /// The text of a scene, or of its path if it is just a camera on that; refused if it is too long to
@@ -71,32 +70,6 @@ pub(crate) fn nodes_to_toml(scene: &Scene, which: &[bool], info: &Info) -> Resul
     Ok(out.0)
 }
 
-/// The path of a scene that is nothing but a camera on it.
-pub(crate) fn alone(scene: &Scene) -> Option<&FollowPath> {
-    let [node] = scene.nodes() else {
-        return None;
-    };
-    let path = node.path()?;
-    let plain = node.name == "camera"
-        && node.kind == Kind::Camera(Camera::default())
-        && node.aim.is_none()
-        && same(&node.pivot.to_array(), &[0.0; 3])
-        && node.rest.same_bits(&Values::NEW)
-        && node.keys().tracks().is_empty()
-        && scene.markers().is_empty()
-        && scene.camera().is_none()
-        && scene.range().is_none()
-        && path.start_frame() == 1.0
-        && path.extrapolation() == Extrapolation::Hold
-        && path.path().space == scene.space();
-    plain.then_some(path)
-}
-
-/// Bitwise equality: −0 must come back as −0.
-fn same(a: &[f64], b: &[f64]) -> bool {
-    a.len() == b.len() && a.iter().zip(b).all(|(a, b)| a.to_bits() == b.to_bits())
-}
-
 fn document(out: &mut Text, scene: &Scene, info: &Info, folder: Option<&Path>) -> fmt::Result {
     head(out, info)?;
     shown::write(out, scene)?;
@@ -132,7 +105,7 @@ fn node(
             writeln!(out, "{key} = {}", Quoted(&scene.nodes()[link].name))?;
         }
     }
-    if !same(&node.pivot.to_array(), &[0.0; 3]) {
+    if !node.pivot.same_bits(&DVec3::ZERO) {
         writeln!(out, "pivot = {:?}", node.pivot.to_array())?;
     }
     for row in Values::PROPERTIES {
@@ -156,18 +129,6 @@ fn node(
     tracks.try_for_each(|track| self::track(out, track))
 }
 
-fn rows<T: Debug>(out: &mut Text, key: &str, rows: impl IntoIterator<Item = T>) -> fmt::Result {
-    let mut rows = rows.into_iter().peekable();
-    if rows.peek().is_none() {
-        return Ok(());
-    }
-    writeln!(out, "{key} = [")?;
-    for row in rows {
-        writeln!(out, "  {row:?},")?;
-    }
-    writeln!(out, "]")
-}
-
 fn object(out: &mut Text, object: &Object, folder: Option<&Path>) -> fmt::Result {
     if object.weights().iter().any(|weight| weight.to_bits() != 0) {
         writeln!(out, "weights = {:?}", object.weights())?;
@@ -177,20 +138,13 @@ fn object(out: &mut Text, object: &Object, folder: Option<&Path>) -> fmt::Result
         mesh_source::write(out, source, folder)?;
     } else if !object.mesh().points.is_empty() {
         writeln!(out, "\n[node.mesh]")?;
-        mesh(out, object.mesh())?;
+        mesh::write(out, object.mesh())?;
     }
     for shape in object.shapes() {
         self::shape(out, shape)?;
     }
     let mut deformations = object.deformations().iter();
     deformations.try_for_each(|(deformation, bounds)| self::deformation(out, deformation, bounds))
-}
-
-pub(super) fn mesh(out: &mut Text, mesh: &Mesh) -> fmt::Result {
-    rows(out, "points", mesh.points.iter().map(DVec3::to_array))?;
-    rows(out, "colours", &mesh.colours)?;
-    rows(out, "lines", &mesh.lines)?;
-    rows(out, "triangles", &mesh.triangles)
 }
 
 fn shape(out: &mut Text, shape: &Shape) -> fmt::Result {
@@ -231,8 +185,7 @@ fn path(out: &mut Text, follow: &FollowPath, pins: &[Pin], space: Space) -> fmt:
     base_speeds(out, path)?;
     writeln!(out, "\n[node.path.presets]")?;
     for (number, preset) in path.presets.iter().enumerate() {
-        let of = |tcb: &crate::path::Tcb| [tcb.tension, tcb.continuity, tcb.bias];
-        if !same(&of(preset), &of(&DEFAULT_PRESETS[number])) {
+        if !preset.same_bits(&DEFAULT_PRESETS[number]) {
             writeln!(out, "{number} = {}", Value::Shape(*preset))?;
         }
     }

@@ -3,7 +3,7 @@
 use std::fmt::{self, Write};
 
 use super::field::{Field, Source};
-use super::write::{Quoted, Text};
+use super::text::{Quoted, Text};
 use crate::error::{EngineError, Error, Invalid, Key, Result};
 use vides_engine::scene::Scene;
 

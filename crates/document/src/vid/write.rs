@@ -1,16 +1,15 @@
-//! From a document to the text of its `.vid` file. Of numbers and lists of them `{:?}` writes TOML,
-//! with the fewest digits that parse to the same bits.
+//! From a document to the text of its `.vid` file.
 
 use std::fmt::{self, Write};
 use std::path::Path;
 
 use super::comments::{Comments, OURS};
 use super::own::UpPaths;
-use super::{OFF_NAME, VERSION, mesh_source, own, scene_write};
+use super::text::{Quoted, Text, plain};
+use super::{OFF_NAME, VERSION, mesh, mesh_source, own};
 use crate::error::{EngineError, Result};
 use crate::info::{Info, Object};
-pub(super) use vides_engine::property::Quoted;
-use vides_engine::property::{Kind, Property, Value};
+use vides_engine::property::{Kind, Value};
 use vides_engine::tools::check::OFF;
 
 use crate::path::{BaseFrames, CameraPath, Orientation, Space, SupportPoint};
@@ -35,22 +34,6 @@ pub(crate) fn view_to_toml(view: &Orientation) -> Result<String> {
     let written = orientation(&mut out, "point", view, &mut UpPaths::default());
     written.map_err(|_| EngineError::Memory)?;
     Ok(out.0.trim_start().to_owned())
-}
-
-/// A text in quotes.
-pub(crate) fn quoted(text: &str) -> String {
-    Quoted(text).to_string()
-}
-
-/// A string that reports running out of memory.
-pub(super) struct Text(pub(super) String);
-
-impl Write for Text {
-    fn write_str(&mut self, more: &str) -> fmt::Result {
-        self.0.try_reserve(more.len()).map_err(|_| fmt::Error)?;
-        self.0.push_str(more);
-        Ok(())
-    }
 }
 
 fn document(out: &mut Text, path: &CameraPath, info: &Info, folder: Option<&Path>) -> fmt::Result {
@@ -130,7 +113,7 @@ fn object(out: &mut Text, points: &Object, folder: Option<&Path>) -> fmt::Result
     }
     if let Some(mesh) = points.mesh() {
         writeln!(out, "\n[object]")?;
-        return scene_write::mesh(out, mesh);
+        return mesh::write(out, mesh);
     }
     if points.is_empty() {
         return Ok(());
@@ -177,18 +160,6 @@ fn orientation<'a>(
 ) -> fmt::Result {
     writeln!(out, "\n[[{header}.orientation]]")?;
     own::write(out, orientation, up_paths)
-}
-
-/// A property, if it is not as in a new one or always stands there.
-pub(super) fn plain<T>(out: &mut impl Write, row: &Property<T>, of: &T, new: &T) -> fmt::Result {
-    if row.keys.is_empty() || !row.always && (row.same)(of, new) {
-        return Ok(());
-    }
-    let value = (row.value)(of);
-    match row.key_of(&value) {
-        Some(key) => writeln!(out, "{key} = {value}"),
-        None => Ok(()),
-    }
 }
 
 #[cfg(test)]
