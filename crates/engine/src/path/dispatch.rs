@@ -5,11 +5,7 @@
 //! and to test it.
 
 use super::arc_length;
-use super::fill::{self, Scratch};
 use super::hermite::Cubic;
-use super::pose::Pose;
-use super::section_sampler::SectionSampler;
-use crate::error::Result;
 use crate::math::vector;
 
 /// Calls a function generic over [`vector::Vector`] with the widest vectors of this processor.
@@ -35,15 +31,6 @@ macro_rules! widest {
     }};
 }
 pub(crate) use widest;
-
-pub(super) fn fill(
-    section: &SectionSampler,
-    scratch: &mut Scratch,
-    first: usize,
-    poses: &mut [Pose],
-) -> Result<()> {
-    widest!(fill, fill, (section: &SectionSampler, scratch: &mut Scratch, first: usize, poses: &mut [Pose]) -> Result<()>)
-}
 
 pub(super) fn length(curve: &Cubic) -> f64 {
     widest!(arc_length, length, (curve: &Cubic) -> f64)

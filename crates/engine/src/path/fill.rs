@@ -8,17 +8,19 @@ use std::sync::atomic::Ordering;
 
 use glam::DVec3;
 
+use super::ahead::AT_TARGET;
 use super::arc_length;
+use super::dispatch::widest;
 use super::pose::Pose;
 use super::section_sampler::{ArcLengthCurve, SectionSampler};
 use super::space::Up;
 use super::speed_curve::{INTERVALS, SpeedCurve};
 use super::tables::{Fit, Tables, quaternions};
 use super::timing::Timing;
-use super::turning::{AT_TARGET, Turning};
+use super::turning::Turning;
 use crate::error::Result;
 use crate::math::orientation::POLE;
-use crate::math::vector::{PAIR, Vector, horner};
+use crate::math::vector::{self, PAIR, Vector, horner};
 
 /// Frames of a block, whose numbers all stay in the first-level cache.
 const BLOCK: usize = 128;
@@ -86,6 +88,16 @@ impl Scratch {
 /// Shorter sections keep their tables only when they are filled again: that takes memory and time
 /// of its own, for nothing if every pose is wanted once.
 const KEEP: usize = 1024;
+
+/// [`fill`] with the widest vectors of this processor.
+pub(super) fn fill_widest(
+    section: &SectionSampler,
+    scratch: &mut Scratch,
+    first: usize,
+    poses: &mut [Pose],
+) -> Result<()> {
+    widest!(self, fill, (section: &SectionSampler, scratch: &mut Scratch, first: usize, poses: &mut [Pose]) -> Result<()>)
+}
 
 /// Fills `poses` with frames of a section; `first` is the number of the first of them, from 1.
 /// After the last section [`crate::math::vector::settle`] must follow.

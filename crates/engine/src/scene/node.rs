@@ -1,16 +1,16 @@
 //! A node of the scene: its kind, its rest values, what moves it.
 
-use glam::{DQuat, DVec3};
+use glam::DVec3;
 
 use super::channel::Channel;
 use super::keys::Keys;
 use super::mesh::Object;
 use super::motion::FollowPath;
-use super::state::Looks;
-use crate::error::{Error, Invalid, OutOfRange, Place, Quantity, Result};
+use super::track::Track;
+pub use super::values::Values;
+use crate::error::{Error, Invalid, OutOfRange, Place, Result};
 use crate::limits::MAX_COORDINATE;
-use crate::path::camera_path::{check_coordinates, check_name, check_zoom};
-use crate::path::quaternion_spline::normalized;
+use crate::path::camera_path::{check_coordinates, check_name};
 use crate::property::choices;
 
 /// What a node is.
@@ -77,83 +77,6 @@ impl Default for Camera {
     }
 }
 
-/// Everything of a node that can move, at one moment.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Values {
-    /// In the parent's coordinates.
-    pub position: DVec3,
-    /// Of any length but zero.
-    pub rotation: DQuat,
-    /// Factors along its own axes; negative ones mirror.
-    pub scale: DVec3,
-    /// Hidden nodes hide their children.
-    pub visible: bool,
-    /// Cameras: 1…2000, mm.
-    pub zoom: f64,
-    /// Cameras: degrees, turns up about the view.
-    pub roll: f64,
-    /// Lights and objects: linear red, green, blue, each ≥ 0.
-    pub colour: [f64; 3],
-    /// Lights: ≥ 0.
-    pub intensity: f64,
-    /// Lights: half angles in degrees, inner and outer, 0…90.
-    pub cone: [f64; 2],
-    /// How far it turns to what it aims at, 0…1.
-    pub aim_weight: f64,
-}
-
-impl Default for Values {
-    fn default() -> Self {
-        Self {
-            position: DVec3::ZERO,
-            rotation: DQuat::IDENTITY,
-            scale: DVec3::ONE,
-            visible: true,
-            zoom: 24.0,
-            roll: 0.0,
-            colour: [1.0; 3],
-            intensity: 1.0,
-            cone: [20.0, 30.0],
-            aim_weight: 1.0,
-        }
-    }
-}
-
-impl Values {
-    pub(super) const fn looks(&self) -> Looks {
-        (self.colour, self.intensity, self.cone, self.visible)
-    }
-
-    /// Everything finite and in range.
-    ///
-    /// # Errors
-    /// The first one that is not.
-    pub fn check(&self) -> Result<()> {
-        check_coordinates(self.position).map_err(|error| error.at(Place::Position))?;
-        normalized(self.rotation).map_err(|_| Error::Argument(Invalid::RotationZero))?;
-        check_coordinates(self.scale).map_err(|error| error.at(Place::Scale))?;
-        check_zoom(self.zoom)?;
-        if !self.roll.is_finite() || self.roll.abs() > MAX_COORDINATE {
-            return Err(Invalid::NotFinite(Quantity::Roll).into());
-        }
-        let bright = |value: f64| (0.0..=MAX_COORDINATE).contains(&value);
-        if !self.colour.into_iter().all(bright) {
-            return Err(OutOfRange::Colour.into());
-        }
-        if !bright(self.intensity) {
-            return Err(OutOfRange::Between(Quantity::Intensity, 0.0, MAX_COORDINATE).into());
-        }
-        let [inner, outer] = self.cone;
-        if !(0.0 <= inner && inner <= outer && outer <= 90.0) {
-            return Err(OutOfRange::Cone.into());
-        }
-        if !(0.0..=1.0).contains(&self.aim_weight) {
-            return Err(OutOfRange::Between(Quantity::AimWeight, 0.0, 1.0).into());
-        }
-        Ok(())
-    }
-}
-
 /// A node of a scene. The scene holds its parent and aim together.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Node {
@@ -200,7 +123,7 @@ impl Node {
     #[must_use]
     pub fn moves(&self) -> bool {
         use super::channel::Channel::{Position, Rotation, Scale};
-        let mut tracks = self.keys.tracks().iter().map(super::Track::channel);
+        let mut tracks = self.keys.tracks().iter().map(Track::channel);
         self.path.is_some() || tracks.any(|of| matches!(of, Position | Rotation | Scale))
     }
 
@@ -218,7 +141,7 @@ impl Node {
 
     /// Whether no keys move what a path would.
     pub(super) fn check_path(&self) -> Result<()> {
-        let mut taken = self.keys.tracks().iter().map(super::Track::channel);
+        let mut taken = self.keys.tracks().iter().map(Track::channel);
         match taken.find(|channel| self.path_moves(channel)) {
             Some(channel) => Err(Invalid::KeysMoveIt {
                 node: (&self.name).into(),
@@ -234,13 +157,13 @@ impl Node {
     /// # Errors
     /// [`Error::Argument`] if the node has no such channel or a path moves it, [`Error::Range`] if
     /// the width does not fit, [`Error::Limit`], [`Error::Memory`].
-    pub fn set_track(&mut self, track: super::Track) -> Result<()> {
+    pub fn set_track(&mut self, track: Track) -> Result<()> {
         self.check_track(&track)?;
         self.keys.set(track)
     }
 
     /// Whether it can have this track.
-    pub(super) fn check_track(&self, track: &super::Track) -> Result<()> {
+    pub(super) fn check_track(&self, track: &Track) -> Result<()> {
         let width = track.channel().width(self)?;
         if track.channel_width() != width {
             return Err(OutOfRange::TrackWidth {
@@ -273,7 +196,7 @@ impl Node {
             Kind::Object(object) => object.heap_size(),
             _ => 0,
         };
-        let tracks = self.keys.tracks().iter().map(super::Track::heap_size);
+        let tracks = self.keys.tracks().iter().map(Track::heap_size);
         size_of::<Self>() + 300 + path + object + tracks.sum::<usize>()
     }
 
@@ -317,4 +240,47 @@ pub fn check_node_name(name: &str) -> Result<()> {
         return Err(Invalid::NoName.into());
     }
     Ok(())
+}
+
+impl Channel {
+    /// How many numbers it has at a node.
+    ///
+    /// # Errors
+    /// [`crate::Error::Argument`] or [`crate::Error::Range`] if the node has no such channel.
+    pub fn width(&self, node: &Node) -> Result<usize> {
+        let none = || {
+            Error::Argument(Invalid::NoChannelOfKind {
+                kind: node.kind.name(),
+                channel: (&self).into(),
+            })
+        };
+        let kind = &node.kind;
+        let has = match self {
+            Self::Position | Self::Rotation | Self::Scale | Self::Visible | Self::Value { .. } => {
+                true
+            }
+            Self::Zoom | Self::Roll => matches!(kind, Kind::Camera(_)),
+            Self::Colour => matches!(kind, Kind::Light(_) | Kind::Object(_)),
+            Self::Intensity | Self::Cone => matches!(kind, Kind::Light(_)),
+            Self::AimWeight => matches!(kind, Kind::Light(_) | Kind::Camera(_)),
+            Self::Weights | Self::Deformation { .. } => matches!(kind, Kind::Object(_)),
+        };
+        let width = match (self, kind) {
+            (Self::Weights, Kind::Object(object)) => match object.shapes().len() {
+                0 => return Err(Invalid::NoShapes.into()),
+                shapes => Some(shapes),
+            },
+            (Self::Deformation { at, parameter }, Kind::Object(object)) => {
+                let all = object.deformations();
+                let missing = OutOfRange::NoDeformation {
+                    at: *at,
+                    count: all.len(),
+                };
+                let (deformation, _) = all.get(*at).ok_or(missing)?;
+                Some(deformation.parameter(parameter)?.len())
+            }
+            _ => self.own_width(),
+        };
+        width.filter(|_| has).ok_or_else(none)
+    }
 }
