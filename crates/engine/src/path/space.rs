@@ -60,7 +60,7 @@ impl Move {
     /// A support point with all it has.
     ///
     /// # Errors
-    /// [`Error::Memory`]; [`Error::Argument`] for a fixed up that would lie along x.
+    /// [`crate::Error::Memory`]; [`crate::Error::Argument`] for a fixed up that would lie along x.
     pub fn point(self, point: &SupportPoint) -> Result<SupportPoint> {
         let mut new = point.try_clone()?;
         new.position = self.place(point.position);

@@ -4,7 +4,7 @@ use super::interpolation::Interpolation;
 use super::time::Extrapolation;
 use crate::error::{Result, vec_with_room};
 
-/// Keys, as [`Track::new`] takes them.
+/// Keys, as [`super::Track::new`] takes them.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct KeyList {
     /// Their frames, strictly increasing.

@@ -146,7 +146,7 @@ impl Scene {
     /// Removes a node with all that is in it. Later ones move up; aims at what is removed end.
     ///
     /// # Errors
-    /// [`Error::Range`] if there is none, [`Error::Memory`].
+    /// [`crate::Error::Range`] if there is none, [`crate::Error::Memory`].
     pub fn remove(&mut self, at: usize) -> Result<()> {
         let mut removal = Removal::new(self)?;
         removal.remove(at)?;
