@@ -2,8 +2,10 @@
 
 File A imports file B where A names an item of B: in a `use` whose name it then uses, or in a path.
 Names are followed through re-exports to the file that has the item, so that a `mod` or a `pub use`
-alone is no import; methods are not seen. Tests are left out. Usage: imports.py [--edges] [FOLDER]
-With --edges also those imports without which the largest circle would be smallest.
+alone is no import; methods are not seen. Tests are left out. Usage: imports.py [--edges] [--plain]
+[FOLDER]
+With --edges also those imports without which the largest circle would be smallest. With --plain
+re-exports are imports as others are and not followed.
 """
 
 import pathlib
@@ -48,6 +50,17 @@ def leaves(tree):
     return tree.split(",")
 
 
+def plainly(files, file, names):
+    """The module to whose file the words of a path lead, whatever that file has."""
+    here = file.module
+    for name in names:
+        if name in ("crate", "self", "super"):
+            here = {"crate": (), "self": here, "super": here[:-1]}[name]
+        elif here + (name,) in files:
+            here += (name,)
+    return here
+
+
 def resolve(files, file, names, seen=()):
     """The module whose file has what the path names from there; None outside the crate."""
     here = file.module
@@ -72,7 +85,7 @@ def resolve(files, file, names, seen=()):
     return None
 
 
-def imports(source):
+def imports(source, plain=False):
     """For each file of a crate the files that it imports."""
     files = {}
     for path in sorted(source.rglob("*.rs")):
@@ -81,7 +94,12 @@ def imports(source):
             module = inside.with_suffix("").parts
             module = module[:-1] if module[-1] in ("mod", "lib", "main") else module
             files[module] = File(path, module)
-    found = {file: {resolve(files, file, path) for path in file.paths} for file in files.values()}
+    if plain:
+        for file in files.values():
+            paths = {path for path in file.paths if len(path) > 1}
+            file.paths = paths.union(map(tuple, [*file.uses.values(), *file.globs]))
+    find = plainly if plain else resolve
+    found = {file: {find(files, file, path) for path in file.paths} for file in files.values()}
     return {file.module: modules - {None, file.module} for file, modules in found.items()}
 
 
@@ -99,9 +117,9 @@ def circles(graph):
 
 
 def main():
-    root = pathlib.Path(next((a for a in sys.argv[1:] if a != "--edges"), "."))
+    root = pathlib.Path(next((a for a in sys.argv[1:] if not a.startswith("--")), "."))
     for source in [root / "src", *sorted(root.glob("crates/*/src"))]:
-        graph = imports(source)
+        graph = imports(source, "--plain" in sys.argv)
         found = circles(graph)
         print(f"{source.relative_to(root)}: {len(graph)} files, circles: {[len(c) for c in found]}")
         for circle in found:

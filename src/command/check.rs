@@ -7,8 +7,9 @@ use clap::Args;
 use vides::document::{Document, Edit, Note};
 use vides::tools::check::{Finding, FindingKind, Limits, OFF};
 
+use super::failure::{Failure, complain, print};
+use super::input;
 use super::table::{Align, Table};
-use super::{Failure, complain, input, print};
 
 #[derive(Args)]
 pub(super) struct Arguments {

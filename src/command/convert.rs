@@ -5,8 +5,9 @@ use std::path::PathBuf;
 use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
 use vides::formats::{self, As, Format, OPTIONS, Options, Report};
 
+use super::failure::{Failure, complain, one_line};
 use super::sample::write_out;
-use super::{Failure, complain, input, one_line, scene};
+use super::{input, scene};
 
 #[derive(Args)]
 #[command(after_help = after_help())]

@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use super::{Failure, input};
+use super::failure::Failure;
+use super::input;
 
 pub(super) fn run(file: Option<&Path>, object: Option<&Path>) -> Result<(), Failure> {
     if file.is_some_and(input::is_standard_stream) {

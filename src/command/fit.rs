@@ -8,10 +8,11 @@ use vides::formats::{self, Recording, Report};
 use vides::path::{Space, Up};
 use vides::tools::fit::{Options, Tolerance, fit};
 
+use super::failure::{Failure, complain, one_line};
+use super::input;
 use super::moves::{numbers, up};
 use super::output::Output;
 use super::progress::progress;
-use super::{Failure, complain, input, one_line};
 
 #[derive(Args)]
 pub(super) struct Arguments {

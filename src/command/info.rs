@@ -4,11 +4,12 @@ use std::fmt::{Display, Write};
 use std::path::Path;
 
 use vides::document::Info;
-use vides::limits::ZOOM_UNIT;
 use vides::path::{CameraPath, Change, CurveParameters, Section, Space, Timeline};
 
+use super::failure::{Failure, one_line, print};
+use super::info_parts::{changed, heading, last_of, modes};
 use super::table::{Align, Table, decimals};
-use super::{Failure, info_json, input, one_line, print, scene};
+use super::{info_json, input, scene};
 
 pub(super) fn run(file: &Path, json: bool) -> Result<(), Failure> {
     let document = input::load_scene(file)?;
@@ -31,27 +32,6 @@ fn tables(file: &Path, path: &CameraPath, info: &Info) -> vides::Result<String> 
         points(path),
         sections(path, info, &timeline)
     ))
-}
-
-/// Title and comment.
-pub(super) fn heading(info: &Info) -> String {
-    let mut text = String::new();
-    // Writing into a string cannot fail.
-    if !info.title.is_empty() {
-        let _ = writeln!(text, "{}\n", one_line(&info.title));
-    }
-    for line in info.comment.trim_end().lines() {
-        let _ = writeln!(text, "  {}", one_line(line));
-    }
-    if !info.comment.trim_end().is_empty() {
-        text.push('\n');
-    }
-    text
-}
-
-/// How the camera turns, and how the zoom runs, as in a file.
-pub(super) const fn modes(path: &CameraPath) -> [&'static str; 2] {
-    [path.orientation_mode.name(), path.zoom_mode.name()]
 }
 
 fn summary(
@@ -121,11 +101,6 @@ fn summary(
         );
     }
     text
-}
-
-pub(super) fn last_of(first: i64, frames: usize) -> i64 {
-    // Both are far below 2⁶³.
-    first + frames as i64 - 1
 }
 
 fn points(path: &CameraPath) -> Table {
@@ -244,18 +219,6 @@ fn place(path: &CameraPath, point: usize, orientation: usize) -> String {
         format!("{}.{}", point + 1, orientation + 1)
     } else {
         (point + 1).to_string()
-    }
-}
-
-/// What changes in a section, by how much and in which unit.
-pub(super) fn changed(section: &Section, half_size: f64) -> (&'static str, f64, &'static str) {
-    let amount = section.amount;
-    match section.change {
-        Change::Position => ("position", half_size * amount, ""),
-        Change::View => ("view", 180.0 * amount, "degrees"),
-        Change::Roll => ("roll", 90.0 * amount, "degrees"),
-        Change::Zoom => ("zoom", ZOOM_UNIT * amount, "mm"),
-        Change::Nothing => ("nothing", 0.0, ""),
     }
 }
 

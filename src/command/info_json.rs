@@ -7,7 +7,7 @@ use vides::document::{Info, SceneDocument};
 use vides::path::{CameraPath, CurveParameters, Timeline};
 use vides::scene::{Kind, Node, Scene};
 
-use super::info::{changed, last_of, modes};
+use super::info_parts::{changed, last_of, modes};
 use super::input;
 
 pub(super) fn object(file: &Path, document: &SceneDocument) -> vides::Result<String> {

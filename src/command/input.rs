@@ -11,7 +11,7 @@ use vides::error::reason;
 use vides::formats::{Source, formats};
 use vides::limits::MAX_FILE_BYTES;
 
-use super::{Failure, complain, one_line};
+use super::failure::{Failure, complain, one_line};
 
 pub(super) fn load(file: &Path) -> Result<Document, Failure> {
     match stream(file)? {

@@ -10,9 +10,11 @@ mod check;
 mod completions_tests;
 mod convert;
 mod edit;
+mod failure;
 mod fit;
 mod info;
 mod info_json;
+mod info_parts;
 mod input;
 mod moves;
 mod output;
@@ -33,7 +35,8 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
-use vides::error::{EngineError, reason};
+
+use self::failure::{Failure, complain, one_line, print};
 
 /// Plans camera paths: a few support points with views become every camera pose between them.
 #[derive(Parser)]
@@ -103,42 +106,6 @@ enum Command {
     Tool(tools::Tool),
 }
 
-/// Why the command ends early or not with success.
-enum Failure {
-    /// The arguments do not fit together.
-    Usage(String),
-    /// A file is invalid, or the system refused.
-    Input(String),
-    /// All was done, and a check found something.
-    Findings,
-    /// The reader of our standard output closed it (`vides … | head`).
-    ReaderGone,
-}
-
-impl From<EngineError> for Failure {
-    fn from(error: EngineError) -> Self {
-        vides::Error::from(error).into()
-    }
-}
-
-impl From<vides::Error> for Failure {
-    fn from(error: vides::Error) -> Self {
-        Self::Input(error.to_string())
-    }
-}
-
-impl From<vides::formats::Error> for Failure {
-    fn from(error: vides::formats::Error) -> Self {
-        Self::Input(error.to_string())
-    }
-}
-
-impl From<vides::window::Error> for Failure {
-    fn from(error: vides::window::Error) -> Self {
-        Self::Input(error.to_string())
-    }
-}
-
 pub(crate) fn run() -> ExitCode {
     let cli = match Cli::try_parse() {
         Ok(cli) => cli,
@@ -189,38 +156,6 @@ fn complain_of_usage(error: &clap::Error) -> ExitCode {
     ExitCode::from(2)
 }
 
-/// Nobody could be told of a failing standard error.
-fn complain(message: &str) {
-    let _ = writeln!(io::stderr(), "vides: {message}");
-}
-
-fn print(text: &str) -> Result<(), Failure> {
-    let mut out = io::stdout().lock();
-    out.write_all(text.as_bytes())
-        .and_then(|()| out.flush())
-        .map_err(|error| output_failed(&error))
-}
-
-fn output_failed(error: &io::Error) -> Failure {
-    if error.kind() == io::ErrorKind::BrokenPipe {
-        Failure::ReaderGone
-    } else {
-        Failure::Input(format!("standard output: {}", reason(error)))
-    }
-}
-
-/// A text for one line of a terminal: control characters are replaced.
-fn one_line(text: &str) -> String {
-    let show = |c: char| {
-        if c.is_control() {
-            char::REPLACEMENT_CHARACTER
-        } else {
-            c
-        }
-    };
-    text.chars().map(show).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use clap::CommandFactory;
@@ -230,13 +165,5 @@ mod tests {
     #[test]
     fn the_arguments_are_declared_soundly() {
         Cli::command().debug_assert();
-    }
-
-    #[test]
-    fn a_message_stays_on_its_line() {
-        assert_eq!(
-            one_line("point \u{1b}[2J\n3 – ü"),
-            "point \u{fffd}[2J\u{fffd}3 – ü"
-        );
     }
 }

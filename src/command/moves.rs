@@ -11,8 +11,9 @@ use vides::path::{Space, Up};
 use vides::tools::moves::{MOVES, Move};
 use vides::tools::{Parameter, Unit};
 
+use super::failure::Failure;
+use super::input;
 use super::output::Output;
-use super::{Failure, input};
 
 pub(super) struct Arguments {
     chosen: &'static Move,

@@ -5,7 +5,8 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use vides::document::{Document, Edit};
 
-use super::{Failure, input, print};
+use super::failure::{Failure, print};
+use super::input;
 
 /// Where the path goes that is made.
 #[derive(Args)]

@@ -5,7 +5,8 @@ use std::path::PathBuf;
 
 use clap::Args;
 
-use super::{Failure, input, output::Output, print};
+use super::failure::{Failure, print};
+use super::{input, output::Output};
 
 /// What `vides get` is asked.
 #[derive(Args)]

@@ -8,9 +8,10 @@ use vides::planner::{Request, retime};
 use vides::tools::check::FindingKind;
 
 use super::check::limit;
+use super::failure::{Failure, complain};
+use super::input;
 use super::output::Output;
 use super::progress::progress;
-use super::{Failure, complain, input};
 
 #[derive(Args)]
 pub(super) struct Arguments {

@@ -8,8 +8,9 @@ use clap::{Args, ValueEnum};
 use vides::document::{At, Document, Edit, SceneDocument};
 use vides::formats::{self, Flight, MAX_DECIMALS, Options, Report, export, export_to};
 
+use super::failure::{Failure, output_failed};
 use super::progress::Bar;
-use super::{Failure, input, output_failed, scene};
+use super::{input, scene};
 
 #[derive(Args)]
 pub(super) struct Arguments {

@@ -11,9 +11,10 @@ use vides::document::SceneDocument;
 use vides::scene::host::{self, Question};
 use vides::scene::{Extrapolation, Kind, Node};
 
-use super::info::heading;
+use super::failure::{Failure, one_line};
+use super::info_parts::heading;
+use super::input;
 use super::table::{Align, Table};
-use super::{Failure, input, one_line};
 
 pub(super) fn tables(file: &Path, document: &SceneDocument) -> String {
     let scene = &document.scene;

@@ -6,9 +6,10 @@ use clap::Args;
 use vides::document::Edit;
 use vides::planner::{SteadyRequest, steady};
 
+use super::failure::{Failure, complain};
+use super::input;
 use super::output::Output;
 use super::progress::progress;
-use super::{Failure, complain, input};
 
 #[derive(Args)]
 pub(super) struct Arguments {

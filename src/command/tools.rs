@@ -11,8 +11,9 @@ use vides::path::CameraPath;
 use vides::tools::block::{self, Fit};
 use vides::tools::{blend, transform};
 
+use super::failure::Failure;
 use super::output::Output;
-use super::{Failure, input, moves};
+use super::{input, moves};
 
 #[derive(Subcommand)]
 pub(super) enum Tool {

@@ -7,10 +7,11 @@ use vides::document::{Document, Info};
 use vides::path::Up;
 use vides::planner::{TourRequest, tour};
 
+use super::failure::{Failure, complain};
+use super::input;
 use super::moves::{numbers, up};
 use super::output::Output;
 use super::progress::progress;
-use super::{Failure, complain, input};
 
 #[derive(Args)]
 pub(super) struct Arguments {

@@ -1,12 +1,12 @@
 use std::collections::HashSet;
 
-use glam::DVec3;
+use glam::{DQuat, DVec3};
 
 use super::*;
 use crate::limits;
 use crate::path::{
     BaseFrames, CameraPath, Ease, EaseKind, Orientation, OrientationOverrides, Pace, PacePart,
-    PaceSource, Pose, Sampler, Space, SupportPoint, Timeline, TurningPart, UpPath, UpVector,
+    PaceSource, Pose, Sampler, Space, SupportPoint, Tcb, Timeline, TurningPart, UpPath, UpVector,
 };
 use crate::scene::Values;
 

@@ -4,16 +4,18 @@
 use std::io::Write;
 use std::path::Path;
 
+use vides_engine::path::{Pose, Sampler};
+
 use super::blocks;
 use super::content::Content;
 use super::error::Result;
 use super::flight::Flight;
-use super::format::{Format, Row};
+use super::format::Format;
 use super::loss::Report;
 use super::options::Options;
+use super::row::Row;
 use super::rows;
 use super::source::Source;
-use crate::path::{Pose, Sampler};
 
 /// Lines of numbers.
 pub(super) struct Ascii;
@@ -24,9 +26,6 @@ const ROW: Row = Row {
     endings: &["txt"],
     ..Row::PLAIN
 };
-
-/// The most decimals of a line: what is worth writing in the smallest spaces that are used.
-pub const MAX_DECIMALS: usize = 30;
 
 impl Format for Ascii {
     fn row(&self) -> &'static Row {
@@ -69,7 +68,7 @@ impl Format for Ascii {
 /// Writes all poses, one per line, as VRP, VPN and VUP (x y z each) and zoom.
 ///
 /// # Errors
-/// [`super::Error::Document`] if `out` fails or memory runs out.
+/// [`super::error::Error::Document`] if `out` fails or memory runs out.
 pub fn write_ascii(sampler: &Sampler, out: &mut dyn Write) -> Result<()> {
     blocks::write(
         Vec::new(),
@@ -86,7 +85,7 @@ pub fn write_ascii(sampler: &Sampler, out: &mut dyn Write) -> Result<()> {
 /// # Errors
 /// As [`write_ascii`], naming the file.
 pub fn write_ascii_file(sampler: &Sampler, file: &Path) -> Result<()> {
-    super::doors::save_with(file, &mut |out| write_ascii(sampler, out))
+    super::saving::save_with(file, &mut |out| write_ascii(sampler, out))
 }
 
 pub(super) fn push_line(text: &mut Vec<u8>, pose: &Pose, decimals: usize) {

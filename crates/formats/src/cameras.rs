@@ -5,17 +5,18 @@
 use std::io::Write;
 
 use glam::{DMat3, DMat4, DVec3};
+use vides_engine::math::camera::CameraAxes;
 
 use super::content::{Content, Recording};
 use super::error::Result;
 use super::flight::Flight;
-use super::format::{Format, Row};
+use super::format::Format;
 use super::lens::{Lens, Lenses};
 use super::loss::{Loss, Report};
 use super::options::Options;
+use super::row::Row;
 use super::source::Source;
 use super::{blocks, convention, rows, tree};
-use crate::math::camera::CameraAxes;
 
 pub(super) struct Cameras;
 

@@ -6,18 +6,19 @@ use std::cell::Cell;
 use std::io::Write;
 
 use glam::DVec3;
+use vides_engine::math::camera::CameraAxes;
 
 use super::content::{Content, Recording};
 use super::convention;
 use super::error::{Cause, Result};
 use super::flight::Flight;
-use super::format::{Format, Row};
+use super::format::Format;
 use super::lens::Lenses;
 use super::loss::Report;
 use super::options::Options;
+use super::row::Row;
 use super::rows;
 use super::source::Source;
-use crate::math::camera::CameraAxes;
 
 pub(super) struct Chan;
 

@@ -4,6 +4,11 @@ use glam::DVec3;
 use vides_document::error::{TooMany, vec_with_room};
 use vides_document::{Info, ObjectPoint, SceneDocument};
 use vides_engine::error::{Invalid, Place as EnginePlace};
+use vides_engine::limits::{
+    MAX_COMMENT_BYTES, MAX_FPS, MAX_FRAMES, MAX_NAME_BYTES, MAX_OBJECT_POINTS,
+};
+use vides_engine::math::quaternion::{angle, continue_sign};
+use vides_engine::path::{CameraPath, Plan, Pose, Space, Up};
 use vides_engine::scene::{Camera, Channel, Interpolation, Kind, Node, Scene, Track};
 use vides_engine::tools::fit::{self, Tolerance};
 
@@ -11,9 +16,6 @@ use super::convention::Continued;
 use super::error::{Cause, Place, Result};
 use super::loss::{Loss, Report};
 use super::options::{As, Options};
-use crate::limits::{MAX_COMMENT_BYTES, MAX_FPS, MAX_FRAMES, MAX_NAME_BYTES, MAX_OBJECT_POINTS};
-use crate::math::quaternion::{angle, continue_sign};
-use crate::path::{CameraPath, Plan, Pose, Space, Up};
 
 /// The zoom of poses without a field of view: that of a new path.
 pub(super) const DEFAULT_ZOOM: f64 = 24.0;
@@ -62,10 +64,10 @@ impl Recording {
     /// Appends a pose.
     ///
     /// # Errors
-    /// [`super::Error::Document`] for too many or if memory runs out.
+    /// [`super::error::Error::Document`] for too many or if memory runs out.
     pub fn push(&mut self, pose: Pose) -> Result<()> {
         if self.poses.len() >= MAX_FRAMES {
-            return Err(super::Error::Document(TooMany::SceneFrames.into()));
+            return Err(super::error::Error::Document(TooMany::SceneFrames.into()));
         }
         self.poses.try_reserve(1)?;
         self.poses.push(pose);
@@ -312,7 +314,7 @@ impl Recording {
 }
 
 fn check(pose: &Pose) -> Result<(), vides_engine::Error> {
-    crate::path::camera_path::check_zoom(pose.zoom)?;
+    vides_engine::path::camera_path::check_zoom(pose.zoom)?;
     let finite = [pose.position(), pose.view(), pose.up()];
     if !finite.iter().all(|vector| vector.is_finite())
         || !(pose.view().cross(pose.up()).length() > 1e-9)

@@ -4,13 +4,13 @@
 //! takes (0, 0, 1) to the view and (0, 1, 0) to up.
 
 use glam::{DAffine3, DMat3, DMat4, DQuat, DVec3};
+use vides_engine::limits::{MAX_ZOOM, MIN_ZOOM};
+use vides_engine::math::camera::CameraAxes;
+use vides_engine::math::orientation::quaternion_from_view;
+use vides_engine::math::quaternion::continue_sign;
+use vides_engine::path::{Pose, Up};
 
 use super::error::{Cause, Place, Result, Wanted};
-use crate::limits::{MAX_ZOOM, MIN_ZOOM};
-use crate::math::camera::CameraAxes;
-use crate::math::orientation::quaternion_from_view;
-use crate::math::quaternion::continue_sign;
-use crate::path::{Pose, Up};
 
 /// The height of the film in mm (36 × 24 mm).
 pub const FILM_HEIGHT: f64 = 24.0;

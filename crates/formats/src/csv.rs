@@ -7,9 +7,10 @@ use std::io::Write;
 use super::content::Content;
 use super::error::Result;
 use super::flight::Flight;
-use super::format::{Format, Row};
+use super::format::Format;
 use super::loss::Report;
 use super::options::Options;
+use super::row::Row;
 use super::rows;
 use super::source::Source;
 

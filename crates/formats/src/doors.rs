@@ -3,17 +3,19 @@
 use std::io::{self, Write};
 use std::path::Path;
 
-use vides_document::error::EngineError;
 use vides_document::{Error as DocumentError, SceneDocument, keys_to_path, save};
 use vides_engine::tools::fit::Tolerance;
 
+use super::all::formats;
 use super::blocks::Progress;
 use super::content::{Content, Recording};
 use super::error::{Error, Result};
 use super::flight::Flight;
-use super::format::{Format, Row, formats};
+use super::format::Format;
 use super::loss::{Loss, Report};
 use super::options::{As, Options};
+use super::row::Row;
+use super::saving::{kept, save_with, saved};
 use super::source::Source;
 
 /// A scene that was read.
@@ -226,37 +228,5 @@ pub fn recording(source: &Source, options: &Options, report: &mut Report) -> Res
     match content?.1 {
         Content::Poses(recording) => Ok(recording),
         Content::Scene(_) => Err(Error::NotPoses.at(&source.name)),
-    }
-}
-
-/// [`save::save_with`] for what writes with our errors.
-pub(super) fn save_with(
-    file: &Path,
-    write: &mut dyn FnMut(&mut dyn Write) -> Result<()>,
-) -> Result<()> {
-    saved(|failure| {
-        save::save_with(file, &mut |out| {
-            write(out).map_err(|error| kept(failure, error))
-        })
-    })
-}
-
-/// Saves with what fails by our errors, which are kept aside.
-fn saved(save: impl FnOnce(&mut Option<Error>) -> Result<(), DocumentError>) -> Result<()> {
-    let mut failure = None;
-    let saved = save(&mut failure);
-    match failure {
-        Some(error) => Err(error),
-        None => Ok(saved?),
-    }
-}
-
-fn kept(failure: &mut Option<Error>, error: Error) -> DocumentError {
-    match error {
-        Error::Document(error) => error,
-        other => {
-            *failure = Some(other);
-            EngineError::Memory.into()
-        }
     }
 }

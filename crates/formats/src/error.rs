@@ -4,8 +4,8 @@ use std::fmt;
 
 use vides_document::error::{EngineError, ErrorKind, Text};
 
-use super::format::formats;
 use super::options::OPTIONS;
+use super::row::NAMES;
 
 /// Why a file cannot be read or written.
 #[derive(Debug, thiserror::Error)]
@@ -49,7 +49,7 @@ pub enum Error {
         given: Text,
     },
     /// No format has this name.
-    #[error("there is no format \"{0}\"; formats are {names}", names = names(formats().iter().map(|format| format.row().name)))]
+    #[error("there is no format \"{0}\"; formats are {names}", names = names(NAMES.into_iter()))]
     UnknownFormat(Text),
     /// No format is written into files of this name.
     #[error("{0}: no format has this ending: name it, with --to in the command")]

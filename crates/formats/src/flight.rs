@@ -5,16 +5,16 @@ use std::io::Write;
 use glam::{DAffine3, DMat4, DQuat, DVec3};
 use vides_document::error::{Place as ScenePlace, TooMany, vec_with_room};
 use vides_document::{Info, SceneDocument};
+use vides_engine::limits::MAX_FRAMES;
+use vides_engine::path::{Pose, Up};
 use vides_engine::scene::{FollowPath, Kind, Node, NodeState, Scene, Warnings};
 
 use super::blocks::{self, Progress};
 use super::convention::{self, focal_pixels};
 use super::error::{Error, Result};
-use super::format::Row;
 use super::loss::{Loss, Report};
 use super::options::Options;
-use crate::limits::MAX_FRAMES;
-use crate::path::{Pose, Up};
+use super::row::Row;
 
 /// A share of a frame that is rounding.
 const HAIR: f64 = 1e-6;

@@ -4,18 +4,19 @@
 use std::io::Write;
 
 use glam::{DMat4, DVec4};
+use vides_engine::math::camera::CameraAxes;
+use vides_engine::path::{Pose, Space};
 
 use super::blocks;
 use super::content::{Content, DEFAULT_ZOOM, Recording};
 use super::error::Result;
 use super::flight::Flight;
-use super::format::{Format, Row};
+use super::format::Format;
 use super::loss::{Loss, Report};
 use super::options::Options;
+use super::row::Row;
 use super::source::Source;
 use super::tree::{self, At};
-use crate::math::camera::CameraAxes;
-use crate::path::{Pose, Space};
 
 pub(super) struct Json;
 

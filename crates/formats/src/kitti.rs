@@ -4,18 +4,18 @@
 
 use std::io::Write;
 
-use glam::{DMat3, DMat4};
+use vides_engine::math::camera::CameraAxes;
 
 use super::content::{Content, DEFAULT_ZOOM, Recording};
 use super::convention;
 use super::error::Result;
 use super::flight::Flight;
-use super::format::{Format, Row};
+use super::format::Format;
 use super::loss::{Loss, Report};
 use super::options::Options;
+use super::row::Row;
 use super::rows;
 use super::source::Source;
-use crate::math::camera::CameraAxes;
 
 pub(super) struct Kitti;
 
@@ -26,32 +26,19 @@ const ROW: Row = Row {
     ..Row::PLAIN
 };
 
-/// Whether this begins with a matrix that turns.
-pub(super) fn is_kitti(beginning: &str) -> bool {
-    rows::first(beginning)
-        .is_some_and(|row| convention::rotation_of(DMat3::from_mat4(matrix(row))).is_ok())
-}
-
-fn matrix(row: [f64; 12]) -> DMat4 {
-    let mut rows = [0.0; 16];
-    rows[..12].copy_from_slice(&row);
-    rows[15] = 1.0;
-    DMat4::from_cols_array(&rows).transpose()
-}
-
 impl Format for Kitti {
     fn row(&self) -> &'static Row {
         &ROW
     }
 
     fn recognises(&self, source: &Source) -> bool {
-        is_kitti(source.beginning())
+        rows::is_matrix(source.beginning())
     }
 
     fn read(&self, source: &Source, _: &Options, report: &mut Report) -> Result<Content> {
         let mut recording = Recording::default();
         for (place, row) in rows::rows(source.text()?) {
-            let matrix = matrix(rows::numbers(&place, row)?);
+            let matrix = rows::matrix(rows::numbers(&place, row)?);
             recording.push(place.matrix(matrix, CameraAxes::OpenCv, DEFAULT_ZOOM)?)?;
         }
         report.add(Loss::Times);

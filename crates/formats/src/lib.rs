@@ -10,6 +10,7 @@
 
 #![forbid(unsafe_code)]
 
+mod all;
 mod ascii;
 mod base64;
 mod blocks;
@@ -33,7 +34,9 @@ mod names;
 mod nerfstudio;
 mod options;
 mod osg;
+mod row;
 mod rows;
+mod saving;
 mod script;
 mod source;
 mod space;
@@ -43,16 +46,15 @@ mod tum;
 mod usd;
 mod vid;
 
-pub use ascii::{MAX_DECIMALS, write_ascii, write_ascii_file};
+pub use all::{by_name, by_target, formats};
+pub use ascii::{write_ascii, write_ascii_file};
 pub use blocks::Progress;
 pub use content::{Content, Recording, missed};
 pub use doors::{Imported, export, export_to, import, losses, read, recording};
 pub use error::{Cause, Error, Place, Result, Wanted};
 pub use flight::Flight;
-pub use format::{Format, Row, by_name, by_target, formats};
+pub use format::Format;
 pub use loss::{Loss, Report};
-pub use options::{As, OPTIONS, OptionRow, Options};
+pub use options::{As, MAX_DECIMALS, OPTIONS, OptionRow, Options};
+pub use row::Row;
 pub use source::Source;
-
-use vides_document as document;
-use vides_engine::{limits, math, path};

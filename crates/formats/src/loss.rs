@@ -3,8 +3,7 @@
 use std::fmt;
 
 use vides_document::error::Text;
-
-use crate::limits::MAX_FPS;
+use vides_engine::limits::MAX_FPS;
 
 /// Something that is lost on the way, or worth a word.
 #[derive(Debug, Clone, PartialEq)]

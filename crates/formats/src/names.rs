@@ -2,9 +2,10 @@
 
 use std::collections::{HashMap, HashSet};
 
+use vides_engine::limits::MAX_NAME_BYTES;
+
 use super::content::one_line;
 use super::error::Result;
-use crate::limits::MAX_NAME_BYTES;
 
 /// Room for a number behind a name.
 const NUMBER: usize = 16;

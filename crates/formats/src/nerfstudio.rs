@@ -5,20 +5,21 @@
 use std::io::Write;
 
 use glam::DMat4;
+use vides_engine::math::camera::CameraAxes;
+use vides_engine::path::{Pose, Timeline, Up};
 use vides_engine::scene::Channel;
 
 use super::content::{Content, Recording};
 use super::error::{Cause, Result, Wanted};
 use super::flight::Flight;
-use super::format::{Format, Row};
+use super::format::Format;
 use super::lens::Lenses;
 use super::loss::{Loss, Report};
 use super::options::Options;
+use super::row::Row;
 use super::source::Source;
 use super::tree::{self, At};
 use super::{blocks, convention, rows};
-use crate::math::camera::CameraAxes;
-use crate::path::{Pose, Timeline, Up};
 
 pub(super) struct Nerfstudio;
 

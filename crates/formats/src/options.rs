@@ -1,8 +1,12 @@
 //! What one may choose when a file is written or read: the command's long options and C's.
 
+use vides_engine::limits::{MAX_FPS, MAX_HALF_SIZE};
+use vides_engine::path::Up;
+
 use super::error::{Error, Result};
-use crate::limits::{MAX_FPS, MAX_HALF_SIZE};
-use crate::path::Up;
+
+/// The most decimals of a line: what is worth writing in the smallest spaces that are used.
+pub const MAX_DECIMALS: usize = 30;
 
 /// What the motion of a camera becomes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -221,7 +225,7 @@ pub const OPTIONS: &[OptionRow] = &[
         wanted: "a whole number from 0 to 30",
         set: |options, text| {
             let digits = text.parse().ok();
-            options.digits = Some(digits.filter(|digits| *digits <= super::MAX_DECIMALS)?);
+            options.digits = Some(digits.filter(|digits| *digits <= MAX_DECIMALS)?);
             Some(())
         },
     },

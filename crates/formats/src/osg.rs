@@ -3,15 +3,17 @@
 
 use std::io::Write;
 
+use vides_engine::math::camera::CameraAxes;
+
 use super::content::Content;
 use super::error::Result;
 use super::flight::Flight;
-use super::format::{Format, Row};
+use super::format::Format;
 use super::loss::Report;
 use super::options::Options;
+use super::row::Row;
 use super::source::Source;
 use super::{rows, tum};
-use crate::math::camera::CameraAxes;
 
 pub(super) struct Osg;
 

@@ -2,11 +2,12 @@
 
 use std::io::Write;
 
-use glam::DQuat;
+use glam::{DMat3, DMat4, DQuat};
+use vides_engine::path::Pose;
 
 use super::content::Recording;
+use super::convention;
 use super::error::{Cause, Place, Result, Wanted};
-use crate::path::Pose;
 
 /// The words of a line.
 pub(super) fn words(line: &str) -> impl Iterator<Item = &str> + Clone {
@@ -93,7 +94,7 @@ pub(super) fn is_poses(beginning: &str, commas: bool) -> bool {
     let row = first_row(beginning);
     let wide = row.is_some_and(|row| matches!(words(row).count(), POSE..=12));
     // Twelve numbers without commas may be a matrix.
-    wide && beginning.contains(',') == commas && (commas || !super::kitti::is_kitti(beginning))
+    wide && beginning.contains(',') == commas && (commas || !is_matrix(beginning))
 }
 
 /// The poses in a text, with or without frame numbers before and seconds behind, all alike; a
@@ -154,6 +155,20 @@ pub(super) fn poses_of_text(text: &str) -> Result<Recording> {
     recording.frames = (width > Some(POSE)).then_some(frames);
     recording.seconds = (width > Some(POSE + 1)).then_some(seconds);
     Ok(recording)
+}
+
+/// Whether this begins with a matrix that turns.
+pub(super) fn is_matrix(beginning: &str) -> bool {
+    first(beginning)
+        .is_some_and(|row| convention::rotation_of(DMat3::from_mat4(matrix(row))).is_ok())
+}
+
+/// A matrix of three rows as one of four.
+pub(super) fn matrix(row: [f64; 12]) -> DMat4 {
+    let mut rows = [0.0; 16];
+    rows[..12].copy_from_slice(&row);
+    rows[15] = 1.0;
+    DMat4::from_cols_array(&rows).transpose()
 }
 
 #[cfg(test)]

@@ -3,9 +3,9 @@
 use std::path::{Component, Path, PathBuf};
 
 use vides_document::read_bytes;
+use vides_engine::limits::MAX_FILE_BYTES;
 
 use super::error::{Cause, Error, Place, Result};
-use crate::limits::MAX_FILE_BYTES;
 
 /// The content of a file, or a folder.
 #[derive(Debug, Default)]

@@ -5,11 +5,11 @@ use std::collections::HashMap;
 
 use glam::DVec3;
 use vides_document::error::vec_with_room;
+use vides_engine::path::{Space, Up};
 use vides_engine::scene::{Channel, Kind, Light, NodeState, Scene, Warnings};
 
 use super::content::Recording;
 use super::error::Result;
-use crate::path::{Space, Up};
 
 /// Nodes that are placed, over all frames that are looked at.
 const PLACED: usize = 100_000;

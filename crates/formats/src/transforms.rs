@@ -4,18 +4,20 @@
 
 use std::io::Write;
 
+use vides_engine::math::camera::CameraAxes;
+use vides_engine::path::{Pose, Up};
+
 use super::content::{Content, Recording};
 use super::error::Result;
 use super::flight::Flight;
-use super::format::{Format, Row};
+use super::format::Format;
 use super::lens::{Lens, Lenses};
 use super::loss::{Loss, Report};
 use super::options::Options;
+use super::row::Row;
 use super::source::Source;
 use super::tree::{self, At};
 use super::{blocks, convention, rows};
-use crate::math::camera::CameraAxes;
-use crate::path::{Pose, Up};
 
 pub(super) struct Transforms;
 

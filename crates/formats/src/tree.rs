@@ -4,10 +4,10 @@ use std::fmt;
 
 use glam::{DMat4, DVec3};
 use serde_json::Value;
+use vides_engine::math::camera::CameraAxes;
+use vides_engine::path::{Pose, Up};
 
 use super::error::{Cause, Place, Result, Wanted};
-use crate::math::camera::CameraAxes;
-use crate::path::{Pose, Up};
 
 /// Bytes that the parser takes, by a generous estimate, for an object and for any other value.
 const OBJECT: usize = 700;
@@ -234,12 +234,12 @@ impl<'a> At<'a> {
     }
 
     /// An error here.
-    pub(super) fn wrong(self, cause: Cause) -> super::Error {
+    pub(super) fn wrong(self, cause: Cause) -> super::error::Error {
         self.place().wrong(cause)
     }
 
     /// An error here: something else is expected.
-    pub(super) fn expected(self, wanted: Wanted) -> super::Error {
+    pub(super) fn expected(self, wanted: Wanted) -> super::error::Error {
         self.place().expected(wanted)
     }
 

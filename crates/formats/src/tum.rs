@@ -4,17 +4,18 @@
 use std::io::Write;
 
 use glam::{DQuat, DVec3};
+use vides_engine::math::camera::CameraAxes;
 
 use super::content::{Content, DEFAULT_ZOOM, Recording};
 use super::convention;
 use super::error::{Cause, Result};
 use super::flight::Flight;
-use super::format::{Format, Row};
+use super::format::Format;
 use super::loss::{Loss, Report};
 use super::options::Options;
+use super::row::Row;
 use super::rows;
 use super::source::Source;
-use crate::math::camera::CameraAxes;
 
 pub(super) struct Tum;
 

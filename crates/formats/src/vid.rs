@@ -2,15 +2,17 @@
 
 use std::io::Write;
 
+use vides_document::SceneDocument;
+
 use super::blocks;
 use super::content::Content;
 use super::error::{Error, Result};
 use super::flight::Flight;
-use super::format::{Format, Row};
+use super::format::Format;
 use super::loss::Report;
 use super::options::Options;
+use super::row::Row;
 use super::source::Source;
-use crate::document::SceneDocument;
 
 pub(super) struct Vid;
 

@@ -8,7 +8,8 @@ use clap::Args;
 use vides::document::save;
 use vides::plot;
 
-use super::{Failure, complain, input, one_line, print};
+use super::failure::{Failure, complain, one_line, print};
+use super::input;
 
 #[derive(Args)]
 pub(super) struct Arguments {

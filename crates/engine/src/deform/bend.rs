@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::Bounds;
+use super::bounds::Bounds;
 
 /// Bends the middle line, keeping its length, by `angle` (radians) about `axis`; straight beyond.
 pub(super) fn by_angle(bounds: &Bounds, axis: usize, angle: f64, points: &mut [DVec3]) {

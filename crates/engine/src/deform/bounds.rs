@@ -3,8 +3,8 @@
 use glam::DVec3;
 
 use crate::error::{Invalid, Result};
-use crate::path::Space;
-use crate::path::camera_path::check_coordinates;
+use crate::path::checks::check_coordinates;
+use crate::path::cube::Space;
 
 /// A box along the axes.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -2,10 +2,8 @@
 
 use glam::DVec3;
 
-use super::Bounds;
-
-/// Control points of the lattice, 4×4×4.
-pub const LATTICE: usize = 64;
+use super::bounds::Bounds;
+use super::formula::LATTICE;
 
 /// The identity: x, y, z of each control point in the box's coordinates, first index fastest.
 #[must_use]

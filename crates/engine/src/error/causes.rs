@@ -3,10 +3,13 @@
 
 use std::fmt;
 
-use super::{Called, Index, List, Quantity, Text};
+use super::counting::{Called, Index};
+use super::range::Quantity;
+use super::text::{List, Text};
 use crate::limits;
-use crate::scene::{Channel, Interpolation};
-use crate::tools::check::FindingKind;
+use crate::scene::channel::Channel;
+use crate::scene::interpolation::Interpolation;
+use crate::tools::kinds::FindingKind;
 
 /// The name of a kind with the article that goes with it.
 struct WithArticle<'a>(&'a str);

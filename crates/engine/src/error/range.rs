@@ -2,7 +2,9 @@
 
 use std::fmt;
 
-use super::{Called, Entry, Index, List, Text};
+use super::counting::{Called, Entry, Index};
+use super::text::{List, Text};
+use crate::deform::formula;
 use crate::limits;
 
 /// Something with a number that can be wrong by itself.
@@ -279,7 +281,7 @@ pub enum OutOfRange {
     NoDeformation { at: usize, count: usize },
     #[error(
         "the deformation \"{deformation}\" does not take {given} numbers; it takes {}",
-        List(crate::deform::counts(deformation))
+        List(formula::counts(deformation))
     )]
     DeformationNumbers {
         deformation: &'static str,

@@ -4,35 +4,21 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::alignment::UpAlong;
 use super::arc_length::ArcLength;
 use super::camera_path::CameraPath;
 use super::chain::Chain;
 use super::curve;
 use super::dispatch;
-use super::hermite::Cubic;
+use super::frenet::Normals;
+use super::hermite::{Cubic, NO_TANGENT, end_direction};
 use super::space::{Space, Up};
-use super::turning::AT_TARGET;
+use super::up_path::UpPath;
 use crate::error::{Result, try_arc};
 use crate::math::orientation::unit;
+use crate::math::rotation_minimising::{chord, perpendicular, step, turned};
 
-/// A tangent shorter than this share of the curve's size counts as none.
-const NO_TANGENT: f64 = 1e-12;
-
-/// Direction of movement at an end: the tangent, or else the next derivative that is not zero.
-pub(super) fn end_direction(curve: &Cubic, at_end: bool) -> Option<DVec3> {
-    let (t, inwards) = if at_end { (1.0, -1.0) } else { (0.0, 1.0) };
-    let size = NO_TANGENT * (curve.a.length() + curve.b.length() + curve.c.length());
-    let derivatives = [
-        curve.derivative(t),
-        inwards * curve.second_derivative(t),
-        6.0 * curve.a,
-    ];
-    derivatives
-        .into_iter()
-        .find(|derivative| derivative.length() > size)
-        .map(unit)
-}
+/// A camera nearer to its target than this, in half sizes, has no direction of its own.
+pub(super) const AT_TARGET: f64 = 1e-9;
 
 /// Direction in which a point is left; without one, the last before it, else the next after it.
 fn direction_at(path: &CameraPath, point: usize) -> Option<DVec3> {
@@ -248,6 +234,86 @@ impl Follow {
             }
         };
         found.map(|up| axes.upright(up))
+    }
+}
+
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum UpAlong {
+    Point(DVec3),
+    Path(Arc<UpPath>),
+    Minimal(Arc<TransportedFrame>),
+    Frenet(Arc<Normals>),
+    /// The up of the key in which the section begins, where the camera stays.
+    Key(DVec3),
+}
+
+/// A minimal up along one section.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct TransportedFrame {
+    /// Directions and ups at equal steps of the curve's parameter, both of the world.
+    pub nodes: Vec<(DVec3, DVec3)>,
+    /// Extra turn at both ends, so that a closed path closes.
+    pub turn: [f64; 2],
+}
+
+impl UpAlong {
+    /// By how much an up that does not turn about the view by itself is turned, from φ = 0 to 1.
+    pub(super) fn twist(&self, moves: bool) -> Option<f64> {
+        match self {
+            Self::Minimal(carried) => Some(carried.turn[1] - carried.turn[0]),
+            Self::Key(_) if !moves => Some(0.0),
+            _ => None,
+        }
+    }
+
+    pub(super) fn standing(&self, view: DVec3) -> Option<DVec3> {
+        match self {
+            Self::Key(up) => perpendicular(*up, view),
+            _ => None,
+        }
+    }
+
+    /// At the parameter `t` of a segment, φ of its length, for a view there.
+    pub(super) fn at(
+        &self,
+        follow: &Follow,
+        (segment, length): (usize, f64),
+        (t, phi): (f64, f64),
+        view: DVec3,
+    ) -> Option<DVec3> {
+        let rail = &follow.rail;
+        let place = || rail.chain.curves[segment].point(t);
+        let up = match self {
+            Self::Key(up) => *up,
+            Self::Point(point) => *point - place(),
+            Self::Path(path) => {
+                path.place((rail.chain.starts[segment] + phi * length) / rail.chain.length())
+                    - place()
+            }
+            Self::Frenet(normals) => normals.up(segment, (t, phi), view)?,
+            Self::Minimal(carried) => {
+                let steps = carried.nodes.len() - 1;
+                let at = ((t * steps as f64) as usize).min(steps - 1);
+                let (from, up) = carried.nodes[at];
+                let begin = at as f64 / steps as f64;
+                let middle = 0.5 * (begin + t);
+                let there = match follow.look {
+                    Look::Ahead(distance) if distance > 0.0 => {
+                        let arc = ArcLength::new(&rail.chain.curves[segment]).ok()?;
+                        follow.look_direction(
+                            (segment, length),
+                            middle,
+                            arc.length_at(middle) / length,
+                        )
+                    }
+                    _ => follow.look_direction((segment, length), middle, 0.0),
+                };
+                let up = step(up, from, view, chord(from, there.unwrap_or(view), view));
+                let [a, b] = carried.turn;
+                turned(up, view, a + (b - a) * phi)
+            }
+        };
+        perpendicular(up, view)
     }
 }
 

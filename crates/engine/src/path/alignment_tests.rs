@@ -2,9 +2,15 @@
 //! rotation-minimising equation u′ = −(u·v′)v, and for jumps.
 
 use super::*;
+use crate::math::rotation_minimising::shortest;
+use crate::path::arc_length::ArcLength;
+use crate::path::frenet::Normals;
 use crate::path::insertion::tests::random_path;
 use crate::path::test_support::Random;
-use crate::path::{CurveKind, Pose, Sampler, SupportPoint, Tangents, Timeline};
+use crate::path::ups::Alignment;
+use crate::path::{
+    CurveKind, Pose, Sampler, SupportPoint, Tangents, Target, Timeline, UpPath, UpVector,
+};
 
 fn set(path: &mut CameraPath, up: &UpVector, ahead: Option<f64>) {
     for orientation in path.points.iter_mut().flat_map(|p| &mut p.orientations) {

@@ -4,12 +4,12 @@
 use glam::{DQuat, DVec3};
 
 use super::ahead;
-use super::alignment::rolled;
+use super::ahead::AT_TARGET;
 use super::camera_path::{CameraPath, Orientation, Target};
 use super::hermite::Cubic;
 use super::space::{Space, Up};
 use super::timeline::{Change, Timeline, next};
-use super::turning::AT_TARGET;
+use super::ups::rolled;
 use crate::math::orientation::quaternion_from_view;
 use crate::math::quaternion::{angle, continue_sign};
 

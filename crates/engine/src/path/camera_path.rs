@@ -3,50 +3,18 @@
 
 use glam::DVec3;
 
+pub use super::base_frames::*;
+pub use super::checks::*;
+use super::cube::Space;
 pub use super::modes::*;
 use super::own::{Overrides, Tangents};
-use super::space::Space;
-use super::up_vector::check_ups;
-use crate::error::{Error, Invalid, OutOfRange, Place, Quantity, Result, TooMany, vec_with_room};
+pub use super::tcb::Tcb;
+use crate::error::{Error, Invalid, OutOfRange, Place, Quantity, Result, vec_with_room};
 use crate::limits;
 use crate::math::orientation;
 use crate::property::{
     Affects, Check, Copied, Kind, Row, SameBits, Stored, Unit, Value, properties,
 };
-
-/// Tension, continuity and bias, each in [−1, 1] (Kochanek and Bartels 1984;
-/// thesis 3.6.2, where tension is called a).
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub struct Tcb {
-    /// −1 round, 0 normal, 1 tight.
-    pub tension: f64,
-    /// −1 corner, 0 smooth, 1 inverted corner.
-    pub continuity: f64,
-    /// −1 turns before the point, 0 even, 1 turns after it ("overshoot").
-    pub bias: f64,
-}
-
-impl Tcb {
-    /// The three values in the order of their name.
-    #[must_use]
-    pub const fn new(tension: f64, continuity: f64, bias: f64) -> Self {
-        Self {
-            tension,
-            continuity,
-            bias,
-        }
-    }
-
-    /// Checks that each is in [−1, 1].
-    ///
-    /// # Errors
-    /// [`crate::Error::Range`] names the value that is not.
-    pub fn check(self) -> Result<()> {
-        check_shape(self.tension, Quantity::Tension)?;
-        check_shape(self.continuity, Quantity::Continuity)?;
-        check_shape(self.bias, Quantity::Bias)
-    }
-}
 
 /// Where a point takes its tension, continuity and bias from (thesis A.4.1).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -494,38 +462,6 @@ impl CameraPath {
             CurveParameters::Own(tcb) => tcb,
         }
     }
-
-    /// Checks that everything is finite, in range and within the limits.
-    ///
-    /// # Errors
-    /// The first fault, with its place.
-    pub fn check(&self) -> Result<()> {
-        self.check_in(self.space)
-    }
-
-    /// As [`CameraPath::check`], as if it lay in this space.
-    ///
-    /// # Errors
-    /// As [`CameraPath::check`].
-    pub fn check_in(&self, space: Space) -> Result<()> {
-        if self.points.len() < limits::MIN_POINTS {
-            return Err(OutOfRange::TooFewSupportPoints.into());
-        }
-        if self.points.len() > limits::MAX_POINTS {
-            return Err(TooMany::SupportPoints.into());
-        }
-        for preset in self.presets {
-            preset.check()?;
-        }
-        check_base_frames(self.base_frames)?;
-        space.check()?;
-        for (index, point) in self.points.iter().enumerate() {
-            point
-                .check(space)
-                .map_err(|error| error.at(Place::Point(index)))?;
-        }
-        check_ups(self)
-    }
 }
 
 impl SupportPoint {
@@ -575,65 +511,4 @@ impl SupportPoint {
         }
         Ok(())
     }
-}
-
-/// Finite, and small enough to compute with.
-///
-/// # Errors
-/// [`crate::Error::Argument`] if not finite, [`crate::Error::Range`] if too large.
-pub fn check_coordinates(v: DVec3) -> Result<()> {
-    if !v.is_finite() {
-        return Err(Invalid::NotFinite(Quantity::Coordinate).into());
-    }
-    if v.abs().max_element() > limits::MAX_COORDINATE {
-        return Err(OutOfRange::Exceeds(Quantity::Coordinate, limits::MAX_COORDINATE).into());
-    }
-    Ok(())
-}
-
-/// One line of text: no control characters, at most [`limits::MAX_NAME_BYTES`] bytes.
-///
-/// # Errors
-/// [`crate::Error::Argument`] or [`crate::Error::Limit`].
-pub fn check_name(name: &str) -> Result<()> {
-    if name.len() > limits::MAX_NAME_BYTES {
-        return Err(TooMany::NameBytes.into());
-    }
-    if name.chars().any(char::is_control) {
-        return Err(Invalid::ControlCharacter.into());
-    }
-    Ok(())
-}
-
-/// A tension, continuity or bias (`what` says which): in [−1, 1].
-///
-/// # Errors
-/// [`crate::Error::Range`].
-pub fn check_shape(value: f64, what: Quantity) -> Result<()> {
-    if !(-1.0..=1.0).contains(&value) {
-        return Err(OutOfRange::Between(what, -1.0, 1.0).into());
-    }
-    Ok(())
-}
-
-/// A zoom: 1…2000.
-///
-/// # Errors
-/// [`crate::Error::Range`].
-pub fn check_zoom(zoom: f64) -> Result<()> {
-    if !(limits::MIN_ZOOM..=limits::MAX_ZOOM).contains(&zoom) {
-        return Err(OutOfRange::Between(Quantity::Zoom, limits::MIN_ZOOM, limits::MAX_ZOOM).into());
-    }
-    Ok(())
-}
-
-/// One value of a speed curve: 1…100.
-///
-/// # Errors
-/// [`crate::Error::Range`].
-pub fn check_curve_speed(speed: f64) -> Result<()> {
-    if !(limits::MIN_SPEED..=limits::MAX_SPEED).contains(&speed) {
-        return Err(OutOfRange::Between(Quantity::CurveSpeed, 1.0, limits::MAX_SPEED).into());
-    }
-    Ok(())
 }

@@ -7,11 +7,12 @@
 use glam::{DQuat, DVec3};
 
 use super::ahead::{self, Look};
-use super::alignment::{self, End, common_look};
+use super::alignment;
 use super::camera_path::{CameraPath, Orientation};
 use super::space::Up;
 use super::timeline::{Change, Timeline};
 use super::up_vector::UpVector;
+use super::ups::{End, common_look};
 use crate::error::{Result, vec_with_room};
 use crate::math::orientation::wrap_degrees;
 use crate::math::rotation_minimising::signed_angle;

@@ -4,11 +4,7 @@
 //! be compiled for the plainest processor. `--cfg vides_no_simd` leaves only the first, to measure
 //! and to test it.
 
-use super::fill::Scratch;
 use super::hermite::Cubic;
-use super::pose::Pose;
-use super::section_sampler::SectionSampler;
-use crate::error::Result;
 use crate::math::vector;
 
 /// A function that calls one generic over [`vector::Vector`] with the widest vectors of this
@@ -38,10 +34,5 @@ macro_rules! widest {
     };
 }
 pub(crate) use widest;
-
-widest! {
-    pub(super) fn fill = super::fill::fill;
-    (section: &SectionSampler, scratch: &mut Scratch, first: usize, poses: &mut [Pose]) -> Result<()>
-}
 
 widest! { pub(super) fn length = super::arc_length::length; (curve: &Cubic) -> f64 }

@@ -4,11 +4,12 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::camera_path::check_curve_speed;
+use super::checks::check_curve_speed;
 use crate::error::{OutOfRange, Result};
-use crate::property::{SameBits, choices};
+use crate::property::named::named;
+use crate::property::same_bits::SameBits;
 
-choices! {
+named! {
     /// How the speed rises and falls.
     pub enum EaseKind {
         /// As a quarter of a sine.

@@ -8,17 +8,19 @@ use std::sync::atomic::Ordering;
 
 use glam::DVec3;
 
+use super::ahead::AT_TARGET;
 use super::arc_length;
+use super::dispatch::widest;
 use super::pose::Pose;
 use super::section_sampler::{ArcLengthCurve, SectionSampler};
 use super::space::Up;
 use super::speed_curve::{INTERVALS, SpeedCurve};
 use super::tables::{Fit, Tables, quaternions};
 use super::timing::Timing;
-use super::turning::{AT_TARGET, Turning};
+use super::turning::Turning;
 use crate::error::Result;
 use crate::math::orientation::POLE;
-use crate::math::vector::{Vector, each, horner};
+use crate::math::vector::{self, Vector, each, horner};
 
 /// Frames of a block, whose numbers all stay in the first-level cache.
 const BLOCK: usize = 128;
@@ -81,6 +83,11 @@ impl Scratch {
 /// Shorter sections keep their tables only when they are filled again: that takes memory and time
 /// of its own, for nothing if every pose is wanted once.
 const KEEP: usize = 1024;
+
+widest! {
+    pub(super) fn fill_widest = self::fill;
+    (section: &SectionSampler, scratch: &mut Scratch, first: usize, poses: &mut [Pose]) -> Result<()>
+}
 
 /// Fills `poses` with frames of a section; `first` is the number of the first of them, from 1.
 #[inline(always)]

@@ -6,8 +6,7 @@
 
 use glam::DVec3;
 
-use super::ahead::end_direction;
-use super::hermite::Cubic;
+use super::hermite::{Cubic, end_direction};
 use crate::error::{Result, vec_with_room};
 use crate::math::rotation_minimising::{perpendicular, shortest, signed_angle, turned};
 

@@ -2,6 +2,8 @@
 
 use glam::DVec3;
 
+use crate::math::orientation::unit;
+
 /// A basis matrix M by rows: P(t) = \[t³ t² t 1\]·M·G, where G are the four
 /// points or tangents that the kind of curve is made from (thesis 3.5).
 pub type BasisMatrix = [[f64; 4]; 4];
@@ -80,6 +82,24 @@ impl Cubic {
     pub fn second_derivative(&self, t: f64) -> DVec3 {
         6.0 * self.a * t + 2.0 * self.b
     }
+}
+
+/// A tangent shorter than this share of the curve's size counts as none.
+pub(super) const NO_TANGENT: f64 = 1e-12;
+
+/// Direction of movement at an end: the tangent, or else the next derivative that is not zero.
+pub(super) fn end_direction(curve: &Cubic, at_end: bool) -> Option<DVec3> {
+    let (t, inwards) = if at_end { (1.0, -1.0) } else { (0.0, 1.0) };
+    let size = NO_TANGENT * (curve.a.length() + curve.b.length() + curve.c.length());
+    let derivatives = [
+        curve.derivative(t),
+        inwards * curve.second_derivative(t),
+        6.0 * curve.a,
+    ];
+    derivatives
+        .into_iter()
+        .find(|derivative| derivative.length() > size)
+        .map(unit)
 }
 
 #[cfg(test)]

@@ -8,16 +8,16 @@ use std::sync::Arc;
 
 use glam::{DQuat, DVec3};
 
-use super::ahead::{Follow, Look, Rail, end_direction};
-use super::alignment::{Alignment, End, UpAlong, look_between, rolled};
+use super::ahead::{Follow, Look, Rail, UpAlong};
 use super::camera_path::{OrientationMode, Target, Tcb};
-use super::hermite::Cubic;
+use super::hermite::{Cubic, end_direction};
 use super::own::{Overrides, TurningPart};
 use super::quaternion_spline::{
     bezier, bezier_control, end_velocity, key_velocities, mean_velocity, reflect,
 };
 use super::space::{Space, Up};
 use super::turning::Turning;
+use super::ups::{Alignment, End, look_between, rolled};
 use crate::error::{Result, vec_with_room};
 use crate::math::monotone_cubic;
 use crate::math::orientation::{self, POLE};

@@ -4,16 +4,15 @@ use std::sync::OnceLock;
 use std::sync::atomic::AtomicBool;
 
 use super::ahead;
-use super::alignment::rolled;
 use super::arc_length;
 use super::camera_path::{CameraPath, ZoomMode};
-use super::dispatch;
-use super::fill::Scratch;
+use super::fill::{Scratch, fill_widest};
 use super::orientation_curve::{self, Key, turnings};
 use super::pose::Pose;
 use super::section_sampler::{ArcLengthCurve, Motion, SectionSampler};
 use super::timeline::{Change, Timeline};
 use super::turning::Turning;
+use super::ups::rolled;
 use crate::error::{OutOfRange, Result, try_box, vec_with_room};
 use crate::limits::{MAX_ZOOM, MIN_ZOOM};
 use crate::math::{monotone_cubic, orientation};
@@ -260,7 +259,7 @@ impl Sampler {
             let (moved, after) = after.split_at_mut(between);
             if between > 0 {
                 SectionSampler::fetch(&self.sections[index + 1..]);
-                dispatch::fill(section, scratch, number - section.start, moved)?;
+                fill_widest(section, scratch, number - section.start, moved)?;
                 if let Some(tables) = scratch.kept.take() {
                     kept.try_reserve(1)?;
                     kept.push((section, tables));

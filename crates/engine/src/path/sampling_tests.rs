@@ -133,7 +133,7 @@ fn two_numbers_at_once_give_the_poses_of_the_plain_way() {
 
 #[test]
 fn the_widest_vectors_give_the_poses_of_the_plain_way() {
-    against_the_plain_way("the widest", &dispatch::fill);
+    against_the_plain_way("the widest", &fill_widest);
 }
 
 #[test]

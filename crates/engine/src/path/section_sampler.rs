@@ -6,9 +6,8 @@ use std::sync::atomic::AtomicBool;
 
 use glam::{DQuat, DVec3};
 
-use super::ahead::end_direction;
 use super::arc_length::ArcLength;
-use super::hermite::Cubic;
+use super::hermite::{Cubic, end_direction};
 use super::pose::Pose;
 use super::space::Space;
 use super::tables::Tables;

@@ -6,7 +6,6 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::ahead::{self, Rail};
-use super::alignment::{self, Alignment, rolled};
 use super::camera_path::{CameraPath, CurveKind, Orientation};
 use super::curve;
 use super::dispatch;
@@ -14,6 +13,7 @@ use super::hermite::Cubic;
 use super::orientation_curve::Guides;
 use super::speed_curve::SpeedCurve;
 use super::timing::{Timing, facing};
+use super::ups::{self, Alignment, rolled};
 use crate::error::{Result, TooMany, vec_with_room};
 use crate::limits::{BASE_SPEED, MAX_FRAMES, ZOOM_UNIT};
 use crate::math::rotation_minimising::signed_angle;
@@ -243,7 +243,7 @@ impl Timeline {
             let segments = self.segments.iter();
             let segments = segments.map(|segment| (segment.curve, segment.length));
             let rail = self.rail.insert(Rail::new(path, segments)?);
-            if alignment::any(path) {
+            if ups::any(path) {
                 self.alignment = Some(Alignment::new(path, rail)?);
             }
         }

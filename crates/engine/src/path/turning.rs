@@ -4,16 +4,13 @@
 
 use glam::{DQuat, DVec3};
 
-use super::ahead::Follow;
+use super::ahead::{AT_TARGET, Follow};
 use super::quaternion_spline::{barry_goldman_between, bezier};
 use super::space::Space;
 use crate::math::monotone_cubic::{self, value};
 use crate::math::orientation::{self, POLE};
 use crate::math::quaternion::{continue_sign, log, slerp};
 use crate::math::rotation_minimising::{perpendicular, turned};
-
-/// A camera nearer to its target than this, in half sizes, has no direction of its own.
-pub(super) const AT_TARGET: f64 = 1e-9;
 
 /// Step of the differences that give the velocity of a view along the way.
 const STEP: f64 = 1.0 / 16384.0;

@@ -1,6 +1,7 @@
 //! The rows of all tables in one list, for programs that show or set properties by name.
 
-use super::{Affects, Kind, Table, Unit, choices};
+use super::table::{Affects, Table, Unit, choices};
+use super::value::Kind;
 
 choices! {
     /// What has a property.

@@ -6,7 +6,11 @@ use std::sync::Arc;
 use glam::{DQuat, DVec3};
 
 use crate::limits::{PRESETS, SPEEDS};
-use crate::path::{BaseFrames, Ease, PacePart, PaceSource, Tcb, TurningPart, UpPath};
+use crate::path::base_frames::BaseFrames;
+use crate::path::ease::Ease;
+use crate::path::own_parts::{PacePart, PaceSource, TurningPart};
+use crate::path::tcb::Tcb;
+use crate::path::up_path::UpPath;
 
 macro_rules! kinds {
     ($($kind:ident($type:ty) $words:literal,)*) => {

@@ -3,11 +3,11 @@
 use std::mem::swap;
 
 use super::channel::Channel;
-use super::markers::{Marker, Pin};
+use super::marker::{Marker, Pin};
 use super::motion::{FollowPath, check_frame};
 use super::node::{Kind, Node, check_node_name};
+use super::node_list::NodeList;
 use super::part::{Part, Rest};
-use super::part_nodes::NodeList;
 use super::scene::{Scene, check_numbers, copy, taken};
 use super::time::Extrapolation;
 use super::track::Track;
@@ -366,4 +366,70 @@ impl Scene {
         self.numbers = from.numbers;
         Ok(())
     }
+}
+
+impl Scene {
+    /// Whether an exchange would change nothing.
+    #[must_use]
+    pub fn has(&self, part: &Part) -> bool {
+        let of = |at: usize| self.nodes().get(at);
+        match part {
+            Part::Insert(list) => list.nodes().is_empty(),
+            Part::Remove(places) => places.is_empty(),
+            Part::Name { node, name } => of(*node).is_some_and(|node| node.name == *name),
+            Part::Rest { node, rest } => {
+                of(*node).is_some_and(|node| same_rest(&Rest::of(node), rest))
+            }
+            Part::Links { node, parent, aim } => {
+                of(*node).is_some_and(|node| (node.parent, node.aim) == (*parent, *aim))
+            }
+            Part::Path { node, path: None } => of(*node).is_some_and(|node| node.path.is_none()),
+            Part::Track {
+                node,
+                channel,
+                track: None,
+            } => of(*node).is_some_and(|node| node.keys.track(channel).is_none()),
+            Part::Keys { remove, put, .. } => remove.is_empty() && put.is_empty(),
+            Part::Marker { name, frame } => {
+                self.marker(name).map(f64::to_bits) == frame.map(f64::to_bits)
+            }
+            Part::Pin {
+                node,
+                point,
+                marker,
+            } => {
+                let mut pins = self.pins.iter();
+                let pin = pins.find(|pin| (pin.node, pin.point) == (*node, *point));
+                pin.map(|pin| &pin.marker) == marker.as_ref()
+            }
+            Part::MoveDeformation { from, to, .. } => from == to,
+            Part::Camera(camera) => self.camera() == *camera,
+            Part::Range(range) => {
+                let bits = |range: (f64, f64)| (range.0.to_bits(), range.1.to_bits());
+                self.range().map(bits) == range.map(bits)
+            }
+            _ => false,
+        }
+    }
+}
+
+/// Bit by bit, so that −0 is not 0.
+fn same_rest(a: &Rest, b: &Rest) -> bool {
+    let numbers = |rest: &Rest| {
+        let values = &rest.values;
+        let mut all = rest.pivot.to_array().to_vec();
+        all.extend(values.position.to_array());
+        all.extend(values.rotation.to_array());
+        all.extend(values.scale.to_array());
+        all.extend(values.colour);
+        all.extend(values.cone);
+        all.extend([
+            values.zoom,
+            values.roll,
+            values.intensity,
+            values.aim_weight,
+        ]);
+        all.into_iter().map(f64::to_bits).collect::<Vec<_>>()
+    };
+    a.kind == b.kind && a.values.visible == b.values.visible && numbers(a) == numbers(b)
 }

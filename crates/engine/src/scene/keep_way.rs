@@ -8,12 +8,12 @@ use glam::{DAffine3, DMat4, DQuat, DVec3, DVec4};
 
 use super::channel::Channel;
 use super::motion::{FollowPath, Motion as _};
-use super::node::Values;
 use super::part::{Part, Rest};
 use super::reparent::{KEPT, without_shear};
 use super::scene::Scene;
 use super::state::{NodeState, Warnings};
 use super::track::{Interpolation, Track};
+use super::values::Values;
 use crate::error::{Invalid, Result, TooMany, can_allocate, vec_with_room};
 use crate::limits::MAX_FRAMES;
 use crate::math::quaternion::continue_sign;

@@ -1,12 +1,10 @@
 //! A node that moves by keys: a track for each channel that changes.
 
-use glam::DQuat;
-
 use super::channel::Channel;
 use super::motion::Motion;
-use super::node::Values;
 use super::state::Warnings;
 use super::track::Track;
+use super::values::Values;
 use crate::error::{Result, TooMany};
 use crate::limits::{MAX_TRACKS, MAX_ZOOM, MIN_ZOOM};
 
@@ -145,12 +143,4 @@ impl Motion for Keys {
         let ends = self.tracks.iter().map(Track::ends);
         ends.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
     }
-}
-
-pub(super) fn quaternion(wxyz: &[f64]) -> DQuat {
-    DQuat::from_xyzw(wxyz[1], wxyz[2], wxyz[3], wxyz[0])
-}
-
-pub(super) fn wxyz(q: DQuat) -> [f64; 4] {
-    [q.w, q.x, q.y, q.z]
 }

@@ -1,30 +1,11 @@
 //! The markers of a scene, and the points of paths that are pinned to them.
 
+use super::marker::{Marker, Pin};
 use super::motion::{FollowPath, check_frame};
 use super::node::check_node_name;
 use super::scene::{Scene, copy};
 use crate::error::{Invalid, OutOfRange, Place, Result, TooMany};
 use crate::limits::{MAX_MARKERS, MAX_PINS};
-
-/// A named frame of the timeline.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Marker {
-    /// Unique in its scene, one line, not empty.
-    pub name: String,
-    /// Any finite number.
-    pub frame: f64,
-}
-
-/// A point of a node's path that is reached at a marker.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Pin {
-    /// The number of the node.
-    pub node: usize,
-    /// The support point of its path, counted from 0.
-    pub point: usize,
-    /// The name of the marker.
-    pub marker: String,
-}
 
 impl Scene {
     /// The markers, by name.

@@ -5,13 +5,15 @@ use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::part_object::Boxed;
 use crate::deform::{Bounds, Deformation};
 use crate::error::{Entry, Invalid, OutOfRange, Place, Result, TooMany, can_allocate, try_arc};
 use crate::limits::{
     MAX_COORDINATE, MAX_DEFORMATIONS, MAX_MESH_CORNERS, MAX_MESH_POINTS, MAX_SHAPES,
 };
 use crate::path::camera_path::{check_coordinates, check_name};
+
+/// A deformation with its box; none: that of the mesh.
+pub(super) type Boxed = (Deformation, Option<Bounds>);
 
 /// Geometry at rest. With neither lines nor triangles it is a cloud of points.
 #[derive(Debug, Clone, PartialEq, Default)]

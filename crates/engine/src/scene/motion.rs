@@ -4,9 +4,9 @@ use std::mem::swap;
 
 use glam::DVec3;
 
-use super::node::Values;
 use super::state::Warnings;
 use super::time::{Extrapolation, local_frame};
+use super::values::Values;
 use crate::error::{Invalid, OutOfRange, Quantity, Result};
 use crate::limits::MAX_COORDINATE;
 use crate::math::orientation::quaternion_from_view;

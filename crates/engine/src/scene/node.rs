@@ -1,18 +1,17 @@
 //! A node of the scene: its kind, its rest values, what moves it.
 
-use glam::{DQuat, DVec3};
+use glam::DVec3;
 
 use super::channel::Channel;
 use super::keys::Keys;
 use super::mesh::Object;
 use super::motion::FollowPath;
-use super::state::Looks;
-use crate::error::{Error, Invalid, OutOfRange, Place, Quantity, Result};
-use crate::limits::{MAX_COORDINATE, MAX_ZOOM, MIN_ZOOM};
+use super::track::Track;
+pub use super::values::Values;
+use crate::error::{Error, Invalid, OutOfRange, Place, Result};
+use crate::limits::MAX_COORDINATE;
 use crate::path::camera_path::{check_coordinates, check_name};
-use crate::path::quaternion_spline::normalized;
-use crate::path::space::Space;
-use crate::property::{Check, Row, Unit, choices, properties};
+use crate::property::choices;
 
 /// What a node is.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -78,101 +77,6 @@ impl Default for Camera {
     }
 }
 
-properties! {
-    /// Everything of a node that can move, at one moment.
-    #[derive(Copy)]
-    pub struct Values {
-        /// In the parent's coordinates.
-        pub position: DVec3 = DVec3::ZERO => Row {
-            check: Check::By(|place, _| finite(*place, Place::Position)),
-            unit: Unit::Length,
-            ..Row::new(&["position"])
-        },
-        /// Of any length but zero.
-        pub rotation: DQuat = DQuat::IDENTITY => Row {
-            check: Check::By(|q, _| {
-                let error = |_| Error::Argument(Invalid::RotationZero);
-                normalized(*q).map(drop).map_err(error)
-            }),
-            ..Row::new(&["rotation"])
-        },
-        /// Factors along its own axes; negative ones mirror.
-        pub scale: DVec3 = DVec3::ONE => Row {
-            check: Check::By(|factors, _| finite(*factors, Place::Scale)),
-            ..Row::new(&["scale"])
-        },
-        /// Lights and objects: linear red, green, blue, each ≥ 0.
-        pub colour: [f64; 3] = [1.0; 3] => Row {
-            check: Check::By(|colour, _| {
-                let bright = colour.iter().all(|part| (0.0..=MAX_COORDINATE).contains(part));
-                bright.then_some(()).ok_or(OutOfRange::Colour.into())
-            }),
-            ..Row::new(&["colour"])
-        },
-        /// Lights: half angles, inner and outer, 0…90.
-        pub cone: [f64; 2] = [20.0, 30.0] => Row {
-            check: Check::By(|&[inner, outer], _| {
-                let nested = 0.0 <= inner && inner <= outer && outer <= 90.0;
-                nested.then_some(()).ok_or(OutOfRange::Cone.into())
-            }),
-            unit: Unit::Degrees,
-            ..Row::new(&["cone_degrees"])
-        },
-        /// Cameras: focal length, 1…2000.
-        pub zoom: f64 = 24.0 => Row {
-            check: Check::Between(Quantity::Zoom, MIN_ZOOM, MAX_ZOOM),
-            unit: Unit::Millimetres,
-            ..Row::new(&["zoom_mm"])
-        },
-        /// Cameras: turns up about the view.
-        pub roll: f64 = 0.0 => Row {
-            check: Check::By(|roll, _| {
-                let finite = (-MAX_COORDINATE..=MAX_COORDINATE).contains(roll);
-                finite.then_some(()).ok_or(Invalid::NotFinite(Quantity::Roll).into())
-            }),
-            unit: Unit::Degrees,
-            ..Row::new(&["roll_degrees"])
-        },
-        /// Lights: ≥ 0.
-        pub intensity: f64 = 1.0 => Row {
-            check: Check::Between(Quantity::Intensity, 0.0, MAX_COORDINATE),
-            ..Row::new(&["intensity"])
-        },
-        /// How far it turns to what it aims at.
-        pub aim_weight: f64 = 1.0 => Row {
-            check: Check::Between(Quantity::AimWeight, 0.0, 1.0),
-            ..Row::new(&["aim_weight"])
-        },
-        /// Hidden nodes hide their children.
-        pub visible: bool = true => Row::new(&["visible"]),
-    }
-}
-
-fn finite(vector: DVec3, place: Place) -> Result<()> {
-    check_coordinates(vector).map_err(|error| error.at(place))
-}
-
-impl Default for Values {
-    fn default() -> Self {
-        Self::NEW
-    }
-}
-
-impl Values {
-    pub(super) const fn looks(&self) -> Looks {
-        (self.colour, self.intensity, self.cone, self.visible)
-    }
-
-    /// Everything finite and in range.
-    ///
-    /// # Errors
-    /// The first one that is not.
-    pub fn check(&self) -> Result<()> {
-        let mut rows = Self::PROPERTIES.iter();
-        rows.try_for_each(|row| (row.check)(self, Space::default()))
-    }
-}
-
 /// A node of a scene. The scene holds its parent and aim together.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Node {
@@ -219,7 +123,7 @@ impl Node {
     #[must_use]
     pub fn moves(&self) -> bool {
         use super::channel::Channel::{Position, Rotation, Scale};
-        let mut tracks = self.keys.tracks().iter().map(super::Track::channel);
+        let mut tracks = self.keys.tracks().iter().map(Track::channel);
         self.path.is_some() || tracks.any(|of| matches!(of, Position | Rotation | Scale))
     }
 
@@ -237,7 +141,7 @@ impl Node {
 
     /// Whether no keys move what a path would.
     pub(super) fn check_path(&self) -> Result<()> {
-        let mut taken = self.keys.tracks().iter().map(super::Track::channel);
+        let mut taken = self.keys.tracks().iter().map(Track::channel);
         match taken.find(|channel| self.path_moves(channel)) {
             Some(channel) => Err(Invalid::KeysMoveIt {
                 node: (&self.name).into(),
@@ -253,13 +157,13 @@ impl Node {
     /// # Errors
     /// [`Error::Argument`] if the node has no such channel or a path moves it, [`Error::Range`] if
     /// the width does not fit, [`Error::Limit`], [`Error::Memory`].
-    pub fn set_track(&mut self, track: super::Track) -> Result<()> {
+    pub fn set_track(&mut self, track: Track) -> Result<()> {
         self.check_track(&track)?;
         self.keys.set(track)
     }
 
     /// Whether it can have this track.
-    pub(super) fn check_track(&self, track: &super::Track) -> Result<()> {
+    pub(super) fn check_track(&self, track: &Track) -> Result<()> {
         let width = track.channel().width(self)?;
         if track.channel_width() != width {
             return Err(OutOfRange::TrackWidth {
@@ -292,7 +196,7 @@ impl Node {
             Kind::Object(object) => object.heap_size(),
             _ => 0,
         };
-        let tracks = self.keys.tracks().iter().map(super::Track::heap_size);
+        let tracks = self.keys.tracks().iter().map(Track::heap_size);
         size_of::<Self>() + 300 + path + object + tracks.sum::<usize>()
     }
 
@@ -336,4 +240,47 @@ pub fn check_node_name(name: &str) -> Result<()> {
         return Err(Invalid::NoName.into());
     }
     Ok(())
+}
+
+impl Channel {
+    /// How many numbers it has at a node.
+    ///
+    /// # Errors
+    /// [`crate::Error::Argument`] or [`crate::Error::Range`] if the node has no such channel.
+    pub fn width(&self, node: &Node) -> Result<usize> {
+        let none = || {
+            Error::Argument(Invalid::NoChannelOfKind {
+                kind: node.kind.name(),
+                channel: (&self).into(),
+            })
+        };
+        let kind = &node.kind;
+        let has = match self {
+            Self::Position | Self::Rotation | Self::Scale | Self::Visible | Self::Value { .. } => {
+                true
+            }
+            Self::Zoom | Self::Roll => matches!(kind, Kind::Camera(_)),
+            Self::Colour => matches!(kind, Kind::Light(_) | Kind::Object(_)),
+            Self::Intensity | Self::Cone => matches!(kind, Kind::Light(_)),
+            Self::AimWeight => matches!(kind, Kind::Light(_) | Kind::Camera(_)),
+            Self::Weights | Self::Deformation { .. } => matches!(kind, Kind::Object(_)),
+        };
+        let width = match (self, kind) {
+            (Self::Weights, Kind::Object(object)) => match object.shapes().len() {
+                0 => return Err(Invalid::NoShapes.into()),
+                shapes => Some(shapes),
+            },
+            (Self::Deformation { at, parameter }, Kind::Object(object)) => {
+                let all = object.deformations();
+                let missing = OutOfRange::NoDeformation {
+                    at: *at,
+                    count: all.len(),
+                };
+                let (deformation, _) = all.get(*at).ok_or(missing)?;
+                Some(deformation.parameter(parameter)?.len())
+            }
+            _ => self.own_width(),
+        };
+        width.filter(|_| has).ok_or_else(none)
+    }
 }

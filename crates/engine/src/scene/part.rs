@@ -10,14 +10,14 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::channel::Channel;
+use super::key_list::{KeyList, Manner};
 use super::mesh::{Geometry, Shape};
 use super::motion::FollowPath;
-use super::node::{Kind, Node, Values};
-use super::part_nodes::NodeList;
-use super::scene::Scene;
-use super::splice::{KeyList, Manner};
+use super::node::{Kind, Node};
+use super::node_list::NodeList;
 use super::time::Extrapolation;
 use super::track::Track;
+use super::values::Values;
 use crate::deform::{Bounds, Deformation};
 use crate::error::{Result, can_allocate};
 
@@ -186,9 +186,9 @@ pub enum Part {
         /// The marker.
         marker: Option<String>,
     },
-    /// [`Scene::camera`].
+    /// [`super::Scene::camera`].
     Camera(Option<usize>),
-    /// [`Scene::range`].
+    /// [`super::Scene::range`].
     Range(Option<(f64, f64)>),
 }
 
@@ -325,72 +325,6 @@ impl Part {
             | Self::Pin { .. }
             | Self::Camera(_)
             | Self::Range(_) => None,
-        }
-    }
-}
-
-/// Bit by bit, so that −0 is not 0.
-fn same_rest(a: &Rest, b: &Rest) -> bool {
-    let numbers = |rest: &Rest| {
-        let values = &rest.values;
-        let mut all = rest.pivot.to_array().to_vec();
-        all.extend(values.position.to_array());
-        all.extend(values.rotation.to_array());
-        all.extend(values.scale.to_array());
-        all.extend(values.colour);
-        all.extend(values.cone);
-        all.extend([
-            values.zoom,
-            values.roll,
-            values.intensity,
-            values.aim_weight,
-        ]);
-        all.into_iter().map(f64::to_bits).collect::<Vec<_>>()
-    };
-    a.kind == b.kind && a.values.visible == b.values.visible && numbers(a) == numbers(b)
-}
-
-impl Scene {
-    /// Whether an exchange would change nothing.
-    #[must_use]
-    pub fn has(&self, part: &Part) -> bool {
-        let of = |at: usize| self.nodes().get(at);
-        match part {
-            Part::Insert(list) => list.nodes().is_empty(),
-            Part::Remove(places) => places.is_empty(),
-            Part::Name { node, name } => of(*node).is_some_and(|node| node.name == *name),
-            Part::Rest { node, rest } => {
-                of(*node).is_some_and(|node| same_rest(&Rest::of(node), rest))
-            }
-            Part::Links { node, parent, aim } => {
-                of(*node).is_some_and(|node| (node.parent, node.aim) == (*parent, *aim))
-            }
-            Part::Path { node, path: None } => of(*node).is_some_and(|node| node.path.is_none()),
-            Part::Track {
-                node,
-                channel,
-                track: None,
-            } => of(*node).is_some_and(|node| node.keys.track(channel).is_none()),
-            Part::Keys { remove, put, .. } => remove.is_empty() && put.is_empty(),
-            Part::Marker { name, frame } => {
-                self.marker(name).map(f64::to_bits) == frame.map(f64::to_bits)
-            }
-            Part::Pin {
-                node,
-                point,
-                marker,
-            } => {
-                let mut pins = self.pins.iter();
-                let pin = pins.find(|pin| (pin.node, pin.point) == (*node, *point));
-                pin.map(|pin| &pin.marker) == marker.as_ref()
-            }
-            Part::MoveDeformation { from, to, .. } => from == to,
-            Part::Camera(camera) => self.camera() == *camera,
-            Part::Range(range) => {
-                let bits = |range: (f64, f64)| (range.0.to_bits(), range.1.to_bits());
-                self.range().map(bits) == range.map(bits)
-            }
-            _ => false,
         }
     }
 }

@@ -1,23 +1,10 @@
 //! Nodes that come into a scene and go out of it, with what leads to them ([`super::part`]).
 
 use super::hierarchy;
-use super::markers::Pin;
 use super::node::Node;
+use super::node_list::NodeList;
 use super::scene::{Scene, check_count, check_node, check_numbers, taken};
 use crate::error::{Error, OutOfRange, Place, Result, vec_with_room};
-
-/// Nodes that come into a scene. All numbers are those that nodes have when these are in it.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub struct NodeList {
-    /// The numbers that they get, rising.
-    places: Vec<usize>,
-    nodes: Vec<Node>,
-    /// Nodes that are there, and which of these they aim at then.
-    aims: Vec<(usize, usize)>,
-    pins: Vec<Pin>,
-    /// Which of these is the camera that was chosen to be shown.
-    camera: Option<usize>,
-}
 
 impl NodeList {
     /// Nodes that come behind the others of a scene; their parents and aims are numbers in it, the
@@ -34,23 +21,6 @@ impl NodeList {
             nodes,
             ..Self::default()
         })
-    }
-
-    pub(super) fn heap_size(&self) -> usize {
-        let nodes = self.nodes.iter().map(Node::heap_size).sum::<usize>();
-        nodes + 8 * self.places.len() + 16 * self.aims.len() + 300 * self.pins.len()
-    }
-
-    /// The nodes.
-    #[must_use]
-    pub fn nodes(&self) -> &[Node] {
-        &self.nodes
-    }
-
-    /// The numbers that they get, rising.
-    #[must_use]
-    pub fn places(&self) -> &[usize] {
-        &self.places
     }
 }
 

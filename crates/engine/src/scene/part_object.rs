@@ -7,7 +7,6 @@ use super::mesh::{Object, Shape};
 use super::node::{Kind, Node};
 use super::part::Part;
 use super::track::Track;
-use crate::deform::Deformation;
 use crate::error::{Invalid, OutOfRange, Result, try_arc};
 
 impl Part {
@@ -175,6 +174,3 @@ impl Node {
         });
     }
 }
-
-/// A deformation with its box; none: that of the mesh.
-pub(super) type Boxed = (Deformation, Option<crate::deform::Bounds>);

@@ -143,6 +143,17 @@ impl Removal {
 }
 
 impl Scene {
+    /// Removes a node with all that is in it. Later ones move up; aims at what is removed end.
+    ///
+    /// # Errors
+    /// [`crate::Error::Range`] if there is none, [`crate::Error::Memory`].
+    pub fn remove(&mut self, at: usize) -> Result<()> {
+        let mut removal = Removal::new(self)?;
+        removal.remove(at)?;
+        self.remove_all(removal);
+        Ok(())
+    }
+
     /// Removes what is gone. Later nodes move up; aims at what is removed end.
     pub fn remove_all(&mut self, removal: Removal) {
         let numbers = removal.into_numbers();

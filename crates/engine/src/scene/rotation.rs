@@ -2,12 +2,19 @@
 
 use glam::DQuat;
 
-use super::keys::quaternion;
 use crate::error::{Error, Invalid, OutOfRange, Result, vec_with_room};
 use crate::math::quaternion::{angle, continue_sign, continue_signs, exp, log};
 use crate::math::vector::{Vector, each, horner};
 use crate::path::Tcb;
 use crate::path::quaternion_spline::{bezier, normalized, tcb_section};
+
+pub(super) fn quaternion(wxyz: &[f64]) -> DQuat {
+    DQuat::from_xyzw(wxyz[1], wxyz[2], wxyz[3], wxyz[0])
+}
+
+pub(super) fn wxyz(q: DQuat) -> [f64; 4] {
+    [q.w, q.x, q.y, q.z]
+}
 
 /// Below this angle an arc is as good as straight.
 const STRAIGHT: f64 = 1e-12;

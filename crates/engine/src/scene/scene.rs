@@ -2,13 +2,13 @@
 
 use super::channel::Channel;
 use super::hierarchy;
-use super::markers::{Marker, Pin};
-use super::mesh::{Mesh, MeshSource, Shape};
+use super::marker::{Marker, Pin};
+use super::mesh::{Mesh, MeshSource, Object, Shape};
 use super::motion::FollowPath;
-use super::node::{Kind, Node};
+use super::node::{Camera, Kind, Node};
 use super::part::Part;
-use super::removal::Removal;
 use super::side_by_side::Nodes;
+use super::time::Extrapolation;
 use super::track::Track;
 use crate::deform::{Bounds, Deformation};
 use crate::error::{Error, Invalid, OutOfRange, Place, Result, TooMany, vec_with_room};
@@ -58,12 +58,8 @@ impl Scene {
     /// As [`FollowPath::new`].
     pub fn of_path(path: CameraPath) -> Result<Self> {
         let space = path.space;
-        let mut camera = Node::new("camera", Kind::Camera(super::Camera::default()));
-        camera.set_path(Some(FollowPath::new(
-            path,
-            1.0,
-            super::Extrapolation::Hold,
-        )?))?;
+        let mut camera = Node::new("camera", Kind::Camera(Camera::default()));
+        camera.set_path(Some(FollowPath::new(path, 1.0, Extrapolation::Hold)?))?;
         let mut scene = Self {
             space,
             ..Self::new()
@@ -199,17 +195,6 @@ impl Scene {
         if levels >= crate::limits::MAX_LEVELS {
             return Err(place(TooMany::Levels.into()));
         }
-        Ok(())
-    }
-
-    /// Removes a node with all that is in it. Later ones move up; aims at what is removed end.
-    ///
-    /// # Errors
-    /// [`Error::Range`] if there is none, [`Error::Memory`].
-    pub fn remove(&mut self, at: usize) -> Result<()> {
-        let mut removal = Removal::new(self)?;
-        removal.remove(at)?;
-        self.remove_all(removal);
         Ok(())
     }
 
@@ -361,7 +346,7 @@ impl Scene {
     ///
     /// # Errors
     /// [`Error::Range`] if there is no such node, [`Error::Argument`] if it is no object.
-    pub fn object(&self, at: usize) -> Result<&super::Object> {
+    pub fn object(&self, at: usize) -> Result<&Object> {
         let node = self.node(at)?;
         match &node.kind {
             Kind::Object(object) => Ok(object),
@@ -369,7 +354,7 @@ impl Scene {
         }
     }
 
-    fn object_mut(&mut self, at: usize) -> Result<&mut super::Object> {
+    fn object_mut(&mut self, at: usize) -> Result<&mut Object> {
         let node = self.node_mut(at)?;
         match &mut node.kind {
             Kind::Object(object) => Ok(object),
@@ -380,7 +365,7 @@ impl Scene {
     /// Sets an object's mesh.
     ///
     /// # Errors
-    /// As [`super::Object::set_mesh`]; [`Error::Argument`] if it is no object.
+    /// As [`Object::set_mesh`]; [`Error::Argument`] if it is no object.
     pub fn set_mesh(&mut self, at: usize, mesh: Mesh) -> Result<()> {
         self.object_mut(at)?.set_mesh(mesh)
     }
@@ -444,7 +429,7 @@ impl Scene {
     /// Sets an object's weights at rest.
     ///
     /// # Errors
-    /// As [`super::Object::set_weights`]; [`Error::Argument`] if it is no object.
+    /// As [`Object::set_weights`]; [`Error::Argument`] if it is no object.
     pub fn set_weights(&mut self, at: usize, weights: &[f64]) -> Result<()> {
         self.object_mut(at)?.set_weights(weights)
     }

@@ -1,16 +1,15 @@
 //! Tracks: the keys of one channel, and the ways between them (`docs/scene.md`, tracks).
 
-use std::fmt;
 use std::mem::swap;
 
 use glam::DQuat;
 
 use super::channel::Channel;
 use super::host::{self, Question};
-use super::keys::{quaternion, wxyz};
+pub use super::interpolation::Interpolation;
+use super::key_list::{KeyList, Manner};
 use super::motion::check_frame;
-use super::rotation::{Between, GreatArc, Turns, unit};
-use super::splice::{KeyList, Manner};
+use super::rotation::{Between, GreatArc, Turns, quaternion, unit, wxyz};
 use super::state::Warnings;
 use super::tangents::{self, NumberKeys};
 use super::time::{Extrapolation, local_frame};
@@ -19,99 +18,6 @@ use crate::limits::{MAX_COORDINATE, MAX_KEYS, MAX_TANGENT};
 use crate::math::euler::EulerAngles;
 use crate::path::Tcb;
 use crate::path::camera_path::check_zoom;
-
-/// How a track goes from one key to the next.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum Interpolation {
-    /// The last key's value.
-    Step,
-    /// Straight; rotations by the shorter great arc.
-    Linear,
-    /// 3u²−2u³ of the way.
-    Ramp,
-    /// (1 − cos πu)/2 of the way (lecture 9.2.1).
-    Sine,
-    /// 2u², then 1−2(1−u)² of the way (lecture 9.2.1).
-    Parabolic,
-    /// C¹ in time, with quadratic ends.
-    CatmullRom,
-    /// Given tangents; rotations componentwise, normalised.
-    Hermite,
-    /// Kochanek and Bartels, weighted for unequal times.
-    Tcb,
-    /// C²: natural, or periodic where the track repeats and ends as it begins.
-    Cubic,
-    /// Rotations by yaw, pitch and roll in degrees, straight.
-    EulerLinear,
-    /// The same, C¹.
-    EulerCatmullRom,
-    /// A function of the host's.
-    Host(String),
-}
-
-const PLAIN: [(&str, Interpolation); 11] = [
-    ("step", Interpolation::Step),
-    ("linear", Interpolation::Linear),
-    ("ramp", Interpolation::Ramp),
-    ("sine", Interpolation::Sine),
-    ("parabolic", Interpolation::Parabolic),
-    ("catmull-rom", Interpolation::CatmullRom),
-    ("hermite", Interpolation::Hermite),
-    ("tcb", Interpolation::Tcb),
-    ("cubic", Interpolation::Cubic),
-    ("euler-linear", Interpolation::EulerLinear),
-    ("euler-catmull-rom", Interpolation::EulerCatmullRom),
-];
-
-impl Interpolation {
-    /// An interpolation by its name.
-    ///
-    /// # Errors
-    /// [`Error::Argument`] or [`Error::Limit`].
-    pub fn parse(name: &str) -> Result<Self> {
-        if let Some((_, plain)) = PLAIN.iter().find(|(plain, _)| *plain == name) {
-            return Ok(plain.clone());
-        }
-        if let Some(name) = name.strip_prefix("host:") {
-            host::check_function_name(name)?;
-            return Ok(Self::Host(name.to_owned()));
-        }
-        crate::path::camera_path::check_name(name)?;
-        Err(Invalid::NoInterpolation(name.into()).into())
-    }
-
-    /// The names of all, or of those that a channel takes.
-    #[doc(hidden)]
-    pub fn names(channel: Option<&Channel>) -> impl Iterator<Item = &'static str> + Clone {
-        let fits = move |by: &Self| channel.is_none_or(|channel| by.fits(channel));
-        let plain = PLAIN.iter().filter(move |(_, plain)| fits(plain));
-        let host = fits(&Self::Host(String::new())).then_some("host:NAME");
-        plain.map(|(name, _)| *name).chain(host)
-    }
-
-    fn fits(&self, channel: &Channel) -> bool {
-        match self {
-            Self::Cubic => !matches!(channel, Channel::Rotation | Channel::Visible),
-            Self::EulerLinear | Self::EulerCatmullRom => *channel == Channel::Rotation,
-            Self::Step => true,
-            _ => *channel != Channel::Visible,
-        }
-    }
-
-    const fn euler(&self) -> bool {
-        matches!(self, Self::EulerLinear | Self::EulerCatmullRom)
-    }
-}
-
-impl fmt::Display for Interpolation {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Self::Host(name) = self {
-            return write!(f, "host:{name}");
-        }
-        let found = PLAIN.iter().find(|(_, plain)| plain == self);
-        f.write_str(found.map_or("", |(name, _)| name))
-    }
-}
 
 /// The keys of one channel.
 #[derive(Debug, Clone, PartialEq)]

@@ -8,7 +8,8 @@ use std::fmt;
 use glam::{DQuat, DVec3};
 
 use super::clearance::Clearance;
-pub use super::kinds::{COUNT, FindingKind, Limits, OFF};
+pub use super::kinds::{COUNT, FindingKind, OFF};
+pub use super::limits::Limits;
 use super::redundant::without;
 use crate::deform::Bounds;
 use crate::error::{Result, vec_with_room};

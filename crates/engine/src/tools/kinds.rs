@@ -1,9 +1,7 @@
 //! What a check looks for: one table of names, limits, sentences and remedies.
 
 use super::parameter::{Parameter, Unit};
-use crate::error::{Invalid, Result};
 use crate::limits::MAX_COORDINATE;
-use crate::property::{SameBits, Stored};
 
 /// A kind of fault that is looked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -55,7 +53,7 @@ pub const COUNT: usize = 19;
 pub const OFF: f64 = f64::INFINITY;
 
 /// A kind, its limit under the kind's name, its unit, what a finding says and what helps.
-type Row = (FindingKind, Parameter, [&'static str; 3]);
+pub(super) type Row = (FindingKind, Parameter, [&'static str; 3]);
 
 const fn row(
     kind: FindingKind,
@@ -79,7 +77,7 @@ const fn row(
 
 /// All that is looked for, in the order of the kinds.
 #[rustfmt::skip]
-static ROWS: [Row; COUNT] = [
+pub(super) static ROWS: [Row; COUNT] = [
     row(FindingKind::Space, ["space", "outside the space"], [MAX_COORDINATE, 0.0], "half sizes",
         "From point {2}, view {3} the camera is up to {0} half sizes outside the space (limit {1}).",
         "Move or scale the points."),
@@ -186,72 +184,5 @@ impl FindingKind {
     #[must_use]
     pub const fn remedy(self) -> &'static str {
         ROWS[self as usize].2[2]
-    }
-
-    /// The kind of this name.
-    ///
-    /// # Errors
-    /// [`crate::Error::Argument`] if there is none.
-    pub fn parse(name: &str) -> Result<Self> {
-        let found = Self::all().find(|kind| kind.name() == name);
-        found.ok_or_else(|| Invalid::NoCheck(name.into()).into())
-    }
-}
-
-/// The limits of all kinds.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Limits([f64; COUNT]);
-
-impl Default for Limits {
-    fn default() -> Self {
-        Self::NEW
-    }
-}
-
-impl SameBits for Limits {
-    fn same_bits(&self, other: &Self) -> bool {
-        self.0[..].same_bits(&other.0[..])
-    }
-}
-
-impl Stored for Limits {}
-
-impl Limits {
-    /// Those that hold where nobody says anything.
-    pub const NEW: Self = {
-        let (mut limits, mut at) = ([0.0; COUNT], 0);
-        while at < COUNT {
-            limits[at] = ROWS[at].1.default;
-            at += 1;
-        }
-        Self(limits)
-    };
-
-    /// The limit of a kind.
-    #[must_use]
-    pub const fn get(&self, kind: FindingKind) -> f64 {
-        self.0[kind as usize]
-    }
-
-    /// Sets a limit; [`OFF`]: the kind is not looked for.
-    ///
-    /// # Errors
-    /// [`crate::Error::Argument`] or [`crate::Error::Range`]; nothing is changed then.
-    pub fn set(&mut self, kind: FindingKind, limit: f64) -> Result<()> {
-        if limit.is_nan() {
-            return Err(Invalid::LimitNan(kind.name()).into());
-        }
-        if limit != OFF {
-            kind.limit().check(limit, 1.0)?;
-        }
-        self.0[kind as usize] = limit;
-        Ok(())
-    }
-
-    /// Those that differ from the defaults.
-    pub fn changed(&self) -> impl Iterator<Item = (FindingKind, f64)> {
-        FindingKind::all()
-            .zip(self.0)
-            .filter(|(kind, limit)| kind.limit().default.to_bits() != limit.to_bits())
     }
 }

@@ -3,7 +3,7 @@
 
 use glam::{DQuat, DVec3};
 
-use super::{Image, KINDS, Model, unknown_kind};
+use super::model::{Image, KINDS, Model, unknown_kind};
 use crate::error::{Cause, Place, Result};
 
 /// What is left of a file.

@@ -2,7 +2,7 @@
 
 use glam::{DQuat, DVec3};
 
-use super::{Image, KINDS, Model, unknown_kind};
+use super::model::{Image, KINDS, Model, unknown_kind};
 use crate::error::{Cause, Place, Result, Wanted};
 use crate::rows;
 use crate::source::utf8;

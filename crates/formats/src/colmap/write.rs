@@ -5,12 +5,12 @@ use std::collections::HashMap;
 use std::io::Write;
 
 use vides_document::error::can_allocate;
+use vides_engine::math::camera::CameraAxes;
 
 use crate::blocks;
 use crate::convention;
 use crate::error::Result;
 use crate::flight::Flight;
-use crate::math::camera::CameraAxes;
 use crate::rows;
 
 /// Bytes that the number of a focal length may take.

@@ -1,52 +1,16 @@
 //! What changes of nodes beside their place.
 
-use glam::DQuat;
 use serde_json::json;
 use vides_document::error::vec_with_room;
-use vides_engine::scene::{Channel, Kind, Motion, Node, Values, Warnings};
+use vides_engine::scene::{Channel, Node, Values, Warnings};
 
 use super::extensions;
 use super::keys::{self, Target};
-use super::place::path_poses;
+use super::of_node::{field, path_poses, values};
 use super::write::Writer;
 use crate::blocks::BLOCK;
-use crate::convention;
 use crate::error::Result;
 use crate::flight::succeeded;
-
-/// What holds at a frame of a node's own values.
-pub(super) fn values(node: &Node, frame: f64, warnings: &mut Warnings) -> Result<Values> {
-    let mut values = node.rest;
-    if let Some(path) = node.path() {
-        path.at(frame, &mut values, warnings)?;
-    }
-    node.keys().at(frame, &mut values, warnings)?;
-    Ok(values)
-}
-
-/// The vertical field of view in radians.
-pub(super) fn field(zoom: f64) -> [f32; 1] {
-    [convention::field_of_view(zoom) as f32]
-}
-
-pub(super) fn aims(node: &Node) -> bool {
-    node.aim.is_some()
-        && (node.rest.aim_weight > 0.0 || node.keys().track(&Channel::AimWeight).is_some())
-}
-
-/// A camera's roll goes into its rotation.
-pub(super) fn rolls(node: &Node) -> bool {
-    matches!(node.kind, Kind::Camera(_))
-        && (node.rest.roll != 0.0 || node.keys().track(&Channel::Roll).is_some())
-}
-
-pub(super) fn rolled(node: &Node, values: &Values) -> DQuat {
-    let rotation = values.rotation.normalize();
-    match rolls(node) {
-        true => convention::rolled(rotation, values.roll),
-        false => rotation,
-    }
-}
 
 impl Writer<'_, '_> {
     /// The field of view at the first frame; its keys where it changes.

@@ -6,11 +6,11 @@
 
 use glam::DQuat;
 use vides_document::error::vec_with_room;
+use vides_engine::math::quaternion::angle;
 
 use super::keys::{Keys, Way};
 use crate::error::Result;
 use crate::flight::Flight;
-use crate::math::quaternion::angle;
 
 /// The slope per frame at a frame, looking to one side (`way` 1 or −1).
 fn slope<const N: usize>(values: &[[f64; N]], at: usize, way: isize) -> [f64; N] {

@@ -76,8 +76,8 @@ pub(super) struct Keys {
 pub(super) struct Place {
     /// Turns a root upright.
     pub(super) turn: DQuat,
-    pub(super) from: crate::path::Up,
-    pub(super) to: crate::path::Up,
+    pub(super) from: vides_engine::path::Up,
+    pub(super) to: vides_engine::path::Up,
     pub(super) scale: f64,
     pub(super) pivot: DVec3,
     /// What turns the node's own axes into the file's.

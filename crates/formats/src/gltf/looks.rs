@@ -1,12 +1,12 @@
 //! Cameras, lights and colours that are read.
 
+use vides_engine::limits::MAX_COORDINATE;
 use vides_engine::scene::{Camera, Light, Values};
 
 use super::extensions;
 use crate::content::DEFAULT_ZOOM;
 use crate::convention;
 use crate::error::{Cause, Result};
-use crate::limits::MAX_COORDINATE;
 use crate::tree::At;
 
 /// How much farther than the near plane the far one is where the file has none.

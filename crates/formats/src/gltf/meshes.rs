@@ -9,8 +9,8 @@ use vides_document::error::vec_with_room;
 use vides_engine::scene::{Channel, Mesh, Node, Object, Warnings};
 
 use super::binary::{Binary, Use, linear};
-use super::channels::values;
 use super::keys::{Animation, Target};
+use super::of_node::values;
 use crate::error::Result;
 use crate::flight::Flight;
 

@@ -4,14 +4,17 @@
 //! Times are seconds of 32 bits, y stands upright, cameras and lights look along −z. What is ours
 //! and has no place in the format stands in `extras.vides`.
 
+mod became;
 mod binary;
 mod channels;
 mod compact;
+mod extensions;
 mod keys;
 mod lights;
 mod looks;
 mod meshes;
 mod motion;
+mod of_node;
 mod place;
 mod read;
 #[cfg(test)]
@@ -22,23 +25,18 @@ mod write;
 
 use std::io::{self, Write};
 
+use vides_engine::path::Up;
+
 use super::base64;
 use super::blocks::failed;
 use super::content::Content;
 use super::error::{Cause, Place, Result};
 use super::flight::Flight;
-use super::format::{Format, Row};
+use super::format::Format;
 use super::loss::Report;
 use super::options::Options;
+use super::row::Row;
 use super::source::Source;
-use crate::path::Up;
-
-/// Names of the extensions that we know.
-mod extensions {
-    pub(super) const LIGHTS: &str = "KHR_lights_punctual";
-    pub(super) const VISIBILITY: &str = "KHR_node_visibility";
-    pub(super) const POINTER: &str = "KHR_animation_pointer";
-}
 
 /// The text form.
 pub(super) struct Gltf;

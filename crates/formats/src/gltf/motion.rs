@@ -8,14 +8,14 @@ use std::collections::{HashMap, HashSet};
 use glam::DQuat;
 use vides_document::error::{TooMany, vec_with_room};
 use vides_document::mesh::gltf::{Accessor, Container};
+use vides_engine::limits::{MAX_COORDINATE, MAX_KEYS, MAX_SCENE_NUMBERS};
 use vides_engine::scene::{Channel, Interpolation, Node, Track, Warnings};
 
-use super::read::{Became, wrong};
+use super::became::{Became, wrong};
 use super::{extensions, looks};
 use crate::convention;
 use crate::convention::HALF_TURN;
 use crate::error::{Cause, Error, Result, Wanted};
-use crate::limits::{MAX_COORDINATE, MAX_KEYS, MAX_SCENE_NUMBERS};
 use crate::tree::At;
 
 /// Keys that may be put between those of a file, whatever their number.

@@ -2,18 +2,18 @@
 
 use glam::{DAffine3, DQuat, DVec3};
 use vides_document::error::vec_with_room;
+use vides_engine::math::camera::CameraAxes;
+use vides_engine::math::orientation::quaternion_from_view;
+use vides_engine::path::Pose;
 use vides_engine::scene::{Channel, Kind, Node, NodeState, Track, Values, Warnings};
 
-use super::channels::{self, aims, rolled, rolls, values};
 use super::keys::{self, Keys, Place, Target, stored};
+use super::of_node::{aims, field, path_poses, rolled, rolls, values};
 use super::write::Writer;
 use crate::blocks::BLOCK;
 use crate::convention::{self, Continued};
 use crate::error::Result;
 use crate::flight::{Flight, succeeded};
-use crate::math::camera::CameraAxes;
-use crate::math::orientation::quaternion_from_view;
-use crate::path::Pose;
 
 /// What has a key a frame.
 #[derive(Clone, Copy, Default, PartialEq)]
@@ -30,33 +30,6 @@ pub(super) struct Local {
     rotation: DQuat,
     scale: DVec3,
     zoom: f64,
-}
-
-/// The poses of a node whose place is a path's alone, at whole frames of it; else none.
-pub(super) fn path_poses(
-    flight: &Flight<'_>,
-    node: &Node,
-    from: usize,
-    count: usize,
-) -> Result<Vec<Pose>> {
-    let Some(path) = node.path() else {
-        return Ok(Vec::new());
-    };
-    let (first, step) = flight.first_and_step();
-    let start = flight.frame(from) - path.start_frame() + 1.0;
-    let inside = start >= 1.0 && start + (count - 1) as f64 <= path.count() as f64;
-    if !node.keys().tracks().is_empty()
-        || step != 1.0
-        || start.fract() != 0.0
-        || first.fract() != path.start_frame().fract()
-        || !inside
-    {
-        return Ok(Vec::new());
-    }
-    let mut poses = vec_with_room(count)?;
-    poses.resize(count, Pose::default());
-    path.sampler()?.sample(start as usize, &mut poses)?;
-    Ok(poses)
 }
 
 impl Writer<'_, '_> {
@@ -189,7 +162,7 @@ impl Writer<'_, '_> {
             let block = BLOCK.min(count - from);
             for local in self.locals(at, node, place, from, block, sample)? {
                 if zooms {
-                    self.fields.push(channels::field(local.zoom));
+                    self.fields.push(field(local.zoom));
                 }
                 if sample.positions {
                     positions.push(local.position.to_array());

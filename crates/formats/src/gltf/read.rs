@@ -12,15 +12,16 @@ use glam::{DQuat, DVec3};
 use vides_document::error::vec_with_room;
 use vides_document::mesh::gltf::{Container, Local, Placed, Room};
 use vides_document::{Info, SceneDocument, mesh_source};
+use vides_engine::limits::MAX_FILE_BYTES;
 use vides_engine::scene::{Kind, MeshSource, Node, Object, Scene, Shape};
 
+use super::became::{Became, wrong};
 use super::motion::{self, Users};
 use super::{extensions, looks};
 use crate::content::{DEFAULT_FPS, one_line, rate, shortened};
 use crate::convention;
 use crate::convention::HALF_TURN;
 use crate::error::{Cause, Error, Result};
-use crate::limits::MAX_FILE_BYTES;
 use crate::loss::{Loss, Report};
 use crate::names::Names;
 use crate::options::Options;
@@ -30,26 +31,6 @@ use crate::tree::At;
 
 /// How far a rotation may be from half a turn about y to be taken for it.
 const NEARLY: f64 = 1e-6;
-
-/// Errors of the container, which know no more than their reason.
-pub(super) fn wrong(error: vides_document::mesh::Error) -> Error {
-    vides_document::Error::from(error).into()
-}
-
-/// What a node of the file becomes.
-#[derive(Clone, Copy, Default)]
-pub(super) struct Became {
-    /// Our number.
-    pub(super) node: usize,
-    /// Whether it was turned to look along z.
-    pub(super) turned: bool,
-    /// What its position counts from.
-    pub(super) pivot: DVec3,
-    /// Whether it is a part of the node above.
-    pub(super) absorbed: bool,
-    /// The numbers in the file of its parts, which are no nodes of ours.
-    parts: [Option<usize>; 2],
-}
 
 struct Reader<'a> {
     container: &'a Container<'a>,
@@ -108,7 +89,7 @@ pub(super) fn read(
     let own = vides.and_then(|vides| {
         let centre = vides.get("centre")?.numbers::<3>().ok()?;
         let half_size = vides.get("half_size")?.number().ok()?;
-        let space = crate::path::Space {
+        let space = vides_engine::path::Space {
             centre: centre.into(),
             half_size,
             up,

@@ -4,12 +4,12 @@ use std::path::PathBuf;
 
 use glam::{DAffine3, DQuat, DVec3};
 use proptest::prelude::*;
+use vides_document::SceneDocument;
+use vides_engine::path::Pose;
 use vides_engine::scene::{Channel, Interpolation, Kind, NodeState, Track, Warnings};
 
 use super::*;
-use crate::document::SceneDocument;
 use crate::loss::Loss;
-use crate::path::Pose;
 use crate::{Imported, by_name, export_to, import};
 
 fn example(name: &str) -> SceneDocument {

@@ -3,11 +3,11 @@
 use std::path::Path;
 
 use glam::DVec3;
+use vides_document::SceneDocument;
 use vides_engine::scene::Kind;
 
 use super::tests::{everything, read, states, taken, written};
 use super::*;
-use crate::document::SceneDocument;
 use crate::loss::Loss;
 use crate::{Imported, by_name, import};
 

@@ -10,10 +10,10 @@ use vides_document::error::vec_with_room;
 use vides_engine::scene::{Channel, Interpolation, Kind, Node};
 
 use super::binary::Binary;
-use super::channels::aims;
 use super::extensions;
 use super::keys::{self, Animation};
 use super::meshes::Meshes;
+use super::of_node::aims;
 use crate::blocks::Progress;
 use crate::convention;
 use crate::convention::HALF_TURN;

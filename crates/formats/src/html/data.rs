@@ -7,6 +7,7 @@ use std::io::Write;
 use glam::{DAffine3, DVec3};
 use serde_json::{Value, json};
 use vides_document::error::vec_with_room;
+use vides_engine::path::{Change, Timeline};
 use vides_engine::scene::{Channel, Kind, Mesh, NodeState};
 use vides_mesh::srgb;
 
@@ -15,7 +16,6 @@ use crate::blocks::failed;
 use crate::error::Result;
 use crate::flight::Flight;
 use crate::loss::{Loss, Report};
-use crate::path::{Change, Timeline};
 
 /// Bytes of text that are written at once.
 const BLOCK: usize = 1 << 16;

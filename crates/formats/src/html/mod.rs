@@ -16,8 +16,9 @@ use super::base64::base64;
 use super::blocks::failed;
 use super::error::Result;
 use super::flight::Flight;
-use super::format::{Format, Row};
+use super::format::Format;
 use super::loss::Report;
+use super::row::Row;
 
 pub(super) struct Html;
 

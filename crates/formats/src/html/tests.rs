@@ -6,7 +6,7 @@ use serde_json::Value;
 use vides_document::SceneDocument;
 
 use super::*;
-use crate::format::by_target;
+use crate::all::by_target;
 use crate::loss::Loss;
 use crate::options::Options;
 use crate::{by_name, export_to};
@@ -103,8 +103,8 @@ fn poses_are_the_flights() {
     let poses = floats(&flight["poses"]);
     assert_eq!(poses.len(), 301 * 8);
     let path = document.path_alone().unwrap();
-    let timeline = crate::path::Timeline::new(path).unwrap();
-    let sampler = crate::path::Sampler::new(path, &timeline).unwrap();
+    let timeline = vides_engine::path::Timeline::new(path).unwrap();
+    let sampler = vides_engine::path::Sampler::new(path, &timeline).unwrap();
     for (numbers, frame) in poses.chunks_exact(8).zip(100..) {
         let pose = sampler.pose(f64::from(frame)).unwrap();
         let q = glam::DQuat::from_xyzw(

@@ -3,13 +3,16 @@
 use std::cell::Cell;
 use std::io::Write;
 
+use vides_engine::math::camera::CameraAxes;
+use vides_engine::path::Up;
+
+use super::data;
 use crate::convention::{self, Continued};
 use crate::error::Result;
 use crate::flight::Flight;
-use crate::format::{Format, Row};
+use crate::format::Format;
 use crate::loss::{Loss, Report};
-use crate::math::camera::CameraAxes;
-use crate::path::Up;
+use crate::row::Row;
 
 const SCRIPT: &str = include_str!("for_blender.py");
 
@@ -42,16 +45,16 @@ impl Format for Blender {
         flight.needs_camera()?;
         flight.tell_motion(report);
         let first = first_frame(flight, report);
-        let head = super::head(flight, SCRIPT, first, report);
+        let head = data::head(flight, SCRIPT, first, report);
         let continued = Cell::new(Continued::default());
         flight.write_poses(head, out, |_, text, index, pose| {
             let mut before = continued.get();
             let q = before.next(convention::rotation(pose, CameraAxes::OpenGl));
             continued.set(before);
             let [x, y, z] = pose.vrp;
-            super::push_frame(text, index, &[x, y, z, q.w, q.x, q.y, q.z, pose.zoom]);
+            data::push_frame(text, index, &[x, y, z, q.w, q.x, q.y, q.z, pose.zoom]);
         })?;
-        super::finish(SCRIPT, out)
+        data::finish(SCRIPT, out)
     }
 }
 

@@ -4,16 +4,18 @@ use std::io::Write;
 
 use glam::DVec3;
 use vides_document::error::vec_with_room;
+use vides_engine::path::Pose;
 use vides_engine::path::camera_path::Target;
 
+use super::data;
 use crate::content::{Content, Recording};
 use crate::error::{Error, Result};
 use crate::flight::Flight;
-use crate::format::{Format, Row};
+use crate::format::Format;
 use crate::json::text;
 use crate::loss::{Loss, Report};
 use crate::options::Options;
-use crate::path::Pose;
+use crate::row::Row;
 use crate::source::Source;
 use crate::tree::{self, At};
 
@@ -55,8 +57,8 @@ impl Format for ParaView {
                 return Err(Error::NotRead(name));
             }
         }
-        let (json, lines) = super::data(source.text()?)?;
-        let parsed = tree::parse(json.as_bytes()).map_err(|error| super::in_file(error, lines))?;
+        let (json, lines) = data::data(source.text()?)?;
+        let parsed = tree::parse(json.as_bytes()).map_err(|error| data::in_file(error, lines))?;
         let root = At::root(&parsed);
         let mut recording = Recording {
             title: text(root.get("title"))?,
@@ -92,7 +94,7 @@ impl Format for ParaView {
         flight.needs_camera()?;
         flight.tell_motion(report);
         let first = flight.number(0).round() as i64;
-        let head = super::head(flight, SCRIPT, first, report);
+        let head = data::head(flight, SCRIPT, first, report);
         let focus = Focus::new(flight)?;
         let sample =
             |flight: &Flight<'_>, from, framed: &mut [Framed]| focus.sample(flight, from, framed);
@@ -101,9 +103,9 @@ impl Format for ParaView {
             let mut row = [pose.zoom; 11];
             row[..9].copy_from_slice([pose.vrp, pose.vpn, pose.vup].as_flattened());
             row[10] = *distance;
-            super::push_frame(text, index, &row);
+            data::push_frame(text, index, &row);
         })?;
-        super::finish(SCRIPT, out)
+        data::finish(SCRIPT, out)
     }
 }
 

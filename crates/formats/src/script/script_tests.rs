@@ -3,8 +3,8 @@ use std::path::Path;
 use vides_document::SceneDocument;
 
 use super::*;
+use crate::all::by_target;
 use crate::content::Content;
-use crate::format::by_target;
 use crate::options::Options;
 use crate::{Source, by_name, export_to, import, read};
 
@@ -217,7 +217,7 @@ fn paraviews_script_comes_back() {
     );
     assert_eq!(
         (recording.up, &recording.title),
-        (Some(crate::path::Up::Y), &scene.info.title)
+        (Some(vides_engine::path::Up::Y), &scene.info.title)
     );
 }
 

@@ -2,10 +2,12 @@
 
 use std::io::Write;
 
+use super::data;
 use crate::error::Result;
 use crate::flight::Flight;
-use crate::format::{Format, Row};
+use crate::format::Format;
 use crate::loss::Report;
+use crate::row::Row;
 
 const SCRIPT: &str = include_str!("for_vtk.py");
 
@@ -34,12 +36,12 @@ impl Format for Vtk {
         flight.needs_camera()?;
         flight.tell_motion(report);
         let first = flight.number(0).round() as i64;
-        let head = super::head(flight, SCRIPT, first, report);
+        let head = data::head(flight, SCRIPT, first, report);
         flight.write_poses(head, out, |_, text, index, pose| {
             let mut row = [pose.zoom; 10];
             row[..9].copy_from_slice([pose.vrp, pose.vpn, pose.vup].as_flattened());
-            super::push_frame(text, index, &row);
+            data::push_frame(text, index, &row);
         })?;
-        super::finish(SCRIPT, out)
+        data::finish(SCRIPT, out)
     }
 }

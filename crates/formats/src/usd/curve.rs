@@ -3,13 +3,13 @@
 
 use glam::DQuat;
 use vides_document::error::{EngineError, vec_with_room};
+use vides_engine::math::quaternion::slerp_shortest;
 use vides_engine::scene::{Channel, Interpolation, Track};
 
 use super::lexer::{Lexer, Token, unescaped};
 use super::motion_out::JUST_BEFORE;
 use super::stage::{Attribute, Prim, Stage};
 use crate::error::{Cause, Result, Wanted};
-use crate::math::quaternion::slerp_shortest;
 
 /// Values of `width` numbers at times; without times one value for all.
 #[derive(Debug, Clone, Default)]
@@ -324,4 +324,10 @@ impl Lexer<'_> {
         }
         found
     }
+}
+
+pub(super) fn clamped(mut curve: Curve, most: f64) -> Curve {
+    let numbers = curve.values.iter_mut();
+    numbers.for_each(|number| *number = number.clamp(0.0, most));
+    curve
 }

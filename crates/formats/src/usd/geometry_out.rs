@@ -10,7 +10,7 @@ use vides_engine::scene::{Channel, Mesh, Object, Warnings};
 use vides_mesh::srgb;
 
 use super::role;
-use super::text::{Float3, single};
+use super::text::{self, Float3, single};
 use super::write::{Writer, put};
 use crate::blocks::failed;
 use crate::error::Result;
@@ -232,7 +232,7 @@ impl Writer<'_, '_, '_> {
     fn colours(&mut self, at: usize, mesh: &Mesh, corners: &[u32], depth: usize) -> Result<()> {
         if mesh.colours.is_empty() {
             return self.attribute(at, depth, COLOURS, &Channel::Colour, &|v| {
-                format!("[{}]", super::colour(v))
+                format!("[{}]", text::colour(v))
             });
         }
         self.point_colours(mesh, corners, depth)

@@ -1,14 +1,14 @@
 //! Lenses and lights of a file.
 
 use vides_document::error::vec_with_room;
+use vides_engine::limits::MAX_COORDINATE;
 use vides_engine::scene::{Camera, Channel, Kind, Light, Node};
 
-use super::curve::{Curve, all_times};
+use super::curve::{Curve, all_times, clamped};
 use super::read::Reader;
 use super::stage::Prim;
 use crate::convention::zoom_of_focal;
 use crate::error::Result;
-use crate::limits::MAX_COORDINATE;
 
 /// The lens of a file that does not say (UsdGeomCamera).
 const FOCAL: f64 = 50.0;
@@ -122,10 +122,4 @@ fn together<const N: usize, const M: usize>(
         values,
         width: M,
     })
-}
-
-pub(super) fn clamped(mut curve: Curve, most: f64) -> Curve {
-    let numbers = curve.values.iter_mut();
-    numbers.for_each(|number| *number = number.clamp(0.0, most));
-    curve
 }

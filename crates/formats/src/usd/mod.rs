@@ -10,6 +10,7 @@ mod looks_in;
 mod motion_out;
 mod ops;
 mod read;
+mod role;
 mod stage;
 mod text;
 mod unit;
@@ -27,9 +28,10 @@ use std::io::Write;
 use super::content::Content;
 use super::error::{Cause, Place, Result, Wanted};
 use super::flight::Flight;
-use super::format::{Format, Row};
+use super::format::Format;
 use super::loss::Report;
 use super::options::Options;
+use super::row::Row;
 use super::source::Source;
 
 pub(super) struct Usda;
@@ -88,21 +90,4 @@ fn binary(source: &Source) -> Option<&'static str> {
     let name = bytes.get(30..bytes.len().min(30 + 256))?;
     let stage = name.windows(4).any(|end| end == b".usd");
     (bytes.starts_with(b"PK\x03\x04") && stage).then_some("an archive of OpenUSD (.usdz)")
-}
-
-/// What `customData = { string vides = "…" }` says of a prim that we wrote.
-mod role {
-    /// Holds everything, and is no node.
-    pub(super) const WORLD: &str = "world";
-    /// The camera or light of the prim that it is in.
-    pub(super) const LOOKS: &str = "looks";
-    /// Geometry of the prim that it is in.
-    pub(super) const PART: &str = "part";
-    /// The document's wireframe.
-    pub(super) const WIREFRAME: &str = "wireframe";
-}
-
-/// Red, green and blue of a channel, as they are.
-fn colour(v: &[f64]) -> String {
-    text::Float3(glam::DVec3::new(v[0], v[1], v[2])).to_string()
 }

@@ -4,6 +4,7 @@
 use std::io::Write;
 
 use glam::{DAffine3, DMat4, DQuat, DVec3};
+use vides_engine::math::orientation::quaternion_from_view;
 use vides_engine::scene::{Channel, Interpolation, NodeState, Track, Warnings};
 
 use super::text::{Double3, Quat};
@@ -12,7 +13,6 @@ use crate::blocks::{BLOCK, failed};
 use crate::convention::{HALF_TURN, rolled};
 use crate::error::Result;
 use crate::flight::succeeded;
-use crate::math::orientation::quaternion_from_view;
 
 /// How long before a key of a step the value before it is told again, in frames: between the two
 /// the file goes from one to the other.

@@ -5,22 +5,21 @@ use std::collections::BTreeMap;
 use glam::DVec3;
 use vides_document::error::{Place as ScenePlace, vec_with_room};
 use vides_document::{Info, SceneDocument};
+use vides_engine::limits::MAX_COORDINATE;
+use vides_engine::path::Up;
 use vides_engine::scene::{Channel, Interpolation, Kind, Light, Node, Object, Scene, Track};
 
-use super::curve::{Curve, quaternion};
+use super::curve::{Curve, clamped, quaternion};
 use super::geometry_in::{self, Geometry};
-use super::looks_in::clamped;
 use super::ops::Room;
 use super::stage::{Prim, Stage};
 use super::{role, unit};
 use crate::content::{Content, one_line, rate, shortened};
 use crate::convention::HALF_TURN;
 use crate::error::{Cause, Error, Result};
-use crate::limits::MAX_COORDINATE;
 use crate::loss::{Loss, Report};
 use crate::names::Names;
 use crate::options::Options;
-use crate::path::Up;
 use crate::space;
 
 /// Keys that may be computed between those of a file, beside one for each byte of it.

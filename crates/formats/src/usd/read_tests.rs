@@ -232,7 +232,7 @@ fn everything_is_taken_or_told() {
         (info.unit.as_str(), info.comment.as_str()),
         ("cm", "Two\nlines")
     );
-    assert_eq!(document.scene.space().up, crate::path::Up::Z);
+    assert_eq!(document.scene.space().up, vides_engine::path::Up::Z);
     let names: Vec<_> = document
         .scene
         .nodes()
@@ -321,7 +321,7 @@ fn what_an_xform_is_for_becomes_one_node() {
 /// A number behind the longest name must not make it longer.
 #[test]
 fn the_longest_names_are_numbered_too() {
-    let name = "n".repeat(crate::limits::MAX_NAME_BYTES);
+    let name = "n".repeat(vides_engine::limits::MAX_NAME_BYTES);
     let prim = format!("def Camera \"{name}\" {{}}\n");
     let read = read(&format!(
         "#usda 1.0\ndef \"a\"\n{{\n{prim}}}\ndef \"b\"\n{{\n{prim}}}\n"
@@ -336,7 +336,7 @@ fn the_longest_names_are_numbered_too() {
 /// Nothing times the brightest exposure is nothing.
 #[test]
 fn exposures_without_end_leave_the_dark_dark() {
-    for (intensity, bright) in [(0.0, 0.0), (1.0, crate::limits::MAX_COORDINATE)] {
+    for (intensity, bright) in [(0.0, 0.0), (1.0, vides_engine::limits::MAX_COORDINATE)] {
         let light = format!("float inputs:intensity = {intensity}\nfloat inputs:exposure = 1e30");
         let read = read(&prim("SphereLight", &light));
         let it = read.document.scene.find("it").unwrap();

@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 
 use vides_document::error::TooMany;
+use vides_engine::limits::{MAX_LEVELS, MAX_NODES};
 
 use super::lexer::{Lexer, Token, unescaped};
 use crate::error::{Cause, Error, Result, Wanted};
-use crate::limits::{MAX_LEVELS, MAX_NODES};
 
 /// An attribute that has a value.
 #[derive(Debug)]

@@ -92,6 +92,11 @@ impl fmt::Display for Quat {
     }
 }
 
+/// Red, green and blue of a channel, as they are.
+pub(super) fn colour(v: &[f64]) -> String {
+    Float3(glam::DVec3::new(v[0], v[1], v[2])).to_string()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -3,16 +3,16 @@
 use std::io::{BufWriter, Write};
 
 use glam::DQuat;
+use vides_engine::path::Up;
 use vides_engine::scene::{Camera, Channel, Extrapolation, Interpolation, Kind, Light, Node};
 
-use super::text::{Names, Quoted, single};
+use super::text::{self, Names, Quoted, single};
 use super::{role, unit};
 use crate::blocks::failed;
 use crate::convention::{FILM_HEIGHT, HALF_TURN};
 use crate::error::Result;
 use crate::flight::Flight;
 use crate::loss::{Loss, Report};
-use crate::path::Up;
 
 /// Writes a line, indented by a depth; deep trees are not indented without end.
 macro_rules! put {
@@ -304,7 +304,7 @@ impl<'d> Writer<'_, '_, 'd> {
 
     fn light(&mut self, at: usize, light: Light, depth: usize) -> Result<()> {
         let colour = Channel::Colour;
-        self.attribute(at, depth, "color3f inputs:color", &colour, &super::colour)?;
+        self.attribute(at, depth, "color3f inputs:color", &colour, &text::colour)?;
         let intensity = Channel::Intensity;
         self.attribute(at, depth, "float inputs:intensity", &intensity, &|v| {
             format!("{:?}", single(v[0]))

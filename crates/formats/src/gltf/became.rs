@@ -1,0 +1,25 @@
+//! What a node of the file becomes.
+
+use glam::DVec3;
+
+use crate::error::Error;
+
+/// Errors of the container, which know no more than their reason.
+pub(super) fn wrong(error: vides_document::mesh::Error) -> Error {
+    vides_document::Error::from(error).into()
+}
+
+/// What a node of the file becomes.
+#[derive(Clone, Copy, Default)]
+pub(super) struct Became {
+    /// Our number.
+    pub(super) node: usize,
+    /// Whether it was turned to look along z.
+    pub(super) turned: bool,
+    /// What its position counts from.
+    pub(super) pivot: DVec3,
+    /// Whether it is a part of the node above.
+    pub(super) absorbed: bool,
+    /// The numbers in the file of its parts, which are no nodes of ours.
+    pub(super) parts: [Option<usize>; 2],
+}
