@@ -4,12 +4,14 @@ use std::path::PathBuf;
 
 use egui::Pos2;
 use glam::DVec3;
+use vides_document::tool::Tool;
+use vides_document::{Edit, Selection};
+use vides_engine::limits::SPEEDS;
+use vides_engine::path::UpVector;
+use vides_engine::tools::check::Finding;
+use vides_engine::tools::profile::Quantity;
 
-use crate::document::tool::Tool;
-use crate::document::{Edit, Selection};
 use crate::entry::Entry;
-use crate::limits::SPEEDS;
-use crate::path::UpVector;
 use crate::playing::axis::Seen;
 use crate::setup::{CameraPlace, Fold, Setup, Theme, View};
 use crate::space::cameras::Camera;
@@ -20,8 +22,6 @@ use crate::state::scene_view::{KeyAt, NodeAction, NodeCommand};
 use crate::state::selected::SelectionChange;
 use crate::state::space::{Gesture, Joint};
 use crate::texts::Language;
-use crate::tools::check::Finding;
-use crate::tools::profile::Quantity;
 
 /// What a menu entry, a key, a button or a field stands for.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,13 +1,13 @@
 //! Doing what is asked for in the window: [`Editor::act`] alone changes it.
 
 use glam::DVec3;
+use vides_document::error::{Invalid, Result};
+use vides_document::tool::ToolInput;
+use vides_document::{At, Document, Edit, Selection, no_longer_ahead};
+use vides_engine::path::{CameraPath, Tangents, Target, insertion};
 use vides_engine::planner::DEFAULT_MARGIN;
 
 use crate::action::Action;
-use crate::document::tool::ToolInput;
-use crate::document::{At, Document, Edit, Selection, no_longer_ahead};
-use crate::error::{Invalid, Result};
-use crate::path::{CameraPath, Tangents, Target, insertion};
 use crate::state::files::{AfterSave, Purpose};
 use crate::state::scene_view::NodeCommand;
 use crate::state::selected::{SelectionChange, step_around};

@@ -7,9 +7,8 @@ use std::sync::mpsc::{Receiver, RecvTimeoutError, channel};
 use std::time::Duration;
 
 use egui::{Context, ProgressBar, Response, Ui};
-
-use crate::error::{Invalid, Result};
-use crate::tools::fit::Progress;
+use vides_document::error::{Invalid, Result};
+use vides_engine::tools::fit::Progress;
 
 /// Starts a thread that takes no signals; whether that could be.
 pub type Start = fn(Box<dyn FnOnce() + Send>) -> bool;

@@ -3,10 +3,10 @@ use std::time::{Duration, Instant};
 use egui::Context;
 use egui_kittest::kittest::NodeT;
 use glam::DVec3;
+use vides_document::{At, Edit, Object, is_planned};
+use vides_engine::path::CameraPath;
 use vides_engine::scene::Mesh;
 
-use crate::document::{At, Edit, Object, is_planned};
-use crate::path::CameraPath;
 use crate::screenshots::screenshot;
 use crate::tests::*;
 

@@ -6,18 +6,18 @@
 use std::path::PathBuf;
 
 use egui::{Context, ViewportCommand};
+use vides_document::{Document, Edit, StepName, mesh};
+use vides_engine::limits::MIN_POINTS;
+use vides_engine::tools::block::Fit;
 
 use crate::action::Action;
-use crate::document::{Document, Edit, StepName, mesh};
 use crate::files::{readable, short};
-use crate::limits::MIN_POINTS;
 use crate::state::files::{AfterSave, Purpose};
 use crate::state::scene_view::NodeCommand;
 use crate::state::selected::SelectionChange;
 use crate::state::{Copied, Editor};
 use crate::texts::fill;
 use crate::texts::refusals::of_edit;
-use crate::tools::block::Fit;
 
 /// Whether a text is keys: nodes are a file, which begins with its version.
 pub(crate) fn is_keys(text: &str) -> bool {

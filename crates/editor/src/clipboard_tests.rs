@@ -3,9 +3,9 @@ use std::sync::Arc;
 
 use egui::Event;
 use glam::DVec3;
+use vides_document::{Document, Selection};
+use vides_engine::path::SupportPoint;
 
-use crate::document::{Document, Selection};
-use crate::path::SupportPoint;
 use crate::state::selected::SelectionChange;
 use crate::tests::*;
 

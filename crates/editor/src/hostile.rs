@@ -5,7 +5,8 @@
 use std::fs;
 use std::path::Path;
 
-use crate::error::ErrorKind;
+use vides_document::error::ErrorKind;
+
 use crate::files::recovery::{self, Autosave, Origin};
 use crate::setup::file as setup_file;
 

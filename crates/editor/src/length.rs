@@ -1,9 +1,10 @@
 //! The length of the path: a change that alters it says so, with a way back from there; or the
 //! length is kept, and the frames of all sections adapt within the same step.
 
-use crate::document::{Edit, StepName};
-use crate::error::Result;
-use crate::path::Timeline;
+use vides_document::error::Result;
+use vides_document::{Edit, StepName};
+use vides_engine::path::Timeline;
+
 use crate::state::length::Seen;
 use crate::state::{Editor, Message};
 use crate::texts::fill;
@@ -165,11 +166,11 @@ impl Editor {
 #[cfg(test)]
 mod tests {
     use crate::action::Action;
-    use crate::document::{At, Edit, Selection};
     use crate::entry::Entry;
-    use crate::path::Timeline;
     use crate::state::with;
     use crate::tests::*;
+    use vides_document::{At, Edit, Selection};
+    use vides_engine::path::Timeline;
 
     fn frames(window: &Window) -> usize {
         let document = &window.state().document;

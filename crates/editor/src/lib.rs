@@ -41,12 +41,6 @@ mod screenshots;
 #[cfg(test)]
 mod tests;
 
-use vides_document as document;
-use vides_document::{Error, Result, error};
-use vides_engine::{limits, math, path, tools};
-use vides_formats as formats;
-use vides_raster as raster;
-
 pub use background::Start;
 pub use files::Folders;
 pub use host::{Date, Program, Warning, Warnings};

@@ -13,10 +13,10 @@ use egui::{
     Align2, Color32, Context, CornerRadius, CursorIcon, Id, Key, Margin, Modifiers, Rect, Role,
     Sense, Stroke, StrokeKind, TextEdit, Ui, WidgetInfo, vec2,
 };
+use vides_engine::path::Space;
 
 use crate::action::Action;
 use crate::entry::Entry;
-use crate::path::Space;
 use crate::texts::{Language, fill};
 use crate::{keys, theme};
 

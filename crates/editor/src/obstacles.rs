@@ -3,11 +3,12 @@
 use std::ptr;
 use std::sync::Arc;
 
-use crate::document::{Document, Object};
-use crate::error::Result;
+use vides_document::error::Result;
+use vides_document::{Document, Object};
+use vides_engine::tools::clearance::Clearance;
+
 use crate::state::Editor;
 use crate::state::obstacles::Prepared;
-use crate::tools::clearance::Clearance;
 
 impl Editor {
     /// The path with all that stands around it, for another thread: without a scene, which may have

@@ -8,9 +8,9 @@ use egui::{
     Align2, Color32, Context, CornerRadius, EventFilter, Id, Key, Modifiers, Painter, Rect,
     Response, Role, ScrollArea, Sense, Stroke, TextEdit, Ui, UiBuilder, WidgetInfo, pos2, vec2,
 };
+use vides_document::{At, Document, Edit, Selection};
 
 use crate::action::Action;
-use crate::document::{At, Document, Edit, Selection};
 use crate::panels::parts::{PanelButton, button_row};
 use crate::state::Editor;
 use crate::state::points_list::{NameField, PointsList, Renaming, Row};

@@ -4,9 +4,9 @@ use egui::{Event, Key, Modifiers, PointerButton, Pos2, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT, Queryable, by};
 use glam::DVec3;
+use vides_engine::path::{CameraPath, SupportPoint};
 
 use super::*;
-use crate::path::{CameraPath, SupportPoint};
 use crate::screenshots::screenshot;
 use crate::setup::Theme;
 use crate::space::tests::{editor, motion, press, pyramid, release, tap, window};
@@ -255,7 +255,7 @@ fn many() -> Document {
         points: points.collect(),
         ..CameraPath::default()
     };
-    Document::from_parts(path, crate::document::Info::default()).unwrap()
+    Document::from_parts(path, vides_document::Info::default()).unwrap()
 }
 
 #[test]

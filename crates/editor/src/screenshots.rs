@@ -5,8 +5,7 @@ use std::path::PathBuf;
 use egui::{Color32, TexturesDelta};
 use egui_kittest::{Harness, TestRenderer};
 use image::RgbaImage;
-
-use crate::raster::{self, Raster, Target};
+use vides_raster::{Raster, Target};
 
 /// Names the folder into which [`screenshot`] writes.
 const FOLDER: &str = "VIDES_SCREENSHOTS";
@@ -32,7 +31,7 @@ impl TestRenderer for Renderer {
         let scale = output.pixels_per_point;
         let size = context.content_rect().size() * scale;
         let (width, height) = (size.x.round() as u32, size.y.round() as u32);
-        let primitives = raster::primitives(context, output.shapes.clone(), scale);
+        let primitives = vides_raster::primitives(context, output.shapes.clone(), scale);
         let mut pixels = vec![0; width as usize * height as usize];
         self.0.forget();
         self.0.paint(
@@ -67,8 +66,8 @@ pub(crate) fn screenshot<State>(harness: &mut Harness<'_, State>, name: &str) ->
 
 #[test]
 fn a_busy_window() {
-    use crate::raster::{Line, Lines};
     use egui::pos2;
+    use vides_raster::{Line, Lines};
     let mut text = "some text".to_owned();
     let mut number = 0.5;
     for scale in [1.0, 1.5] {

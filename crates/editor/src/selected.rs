@@ -6,11 +6,11 @@
 use std::borrow::Cow;
 
 use glam::DMat4;
+use vides_document::error::Result;
+use vides_document::{At, Document, Edit};
+use vides_engine::path::{Orientation, OrientationOverrides, SupportPoint};
 use vides_engine::property::{SameBits, Value, find};
 
-use crate::document::{At, Document, Edit};
-use crate::error::Result;
-use crate::path::{Orientation, OrientationOverrides, SupportPoint};
 use crate::state::Editor;
 use crate::state::selected::{Selected, SelectionChange, SelectionScope};
 use crate::texts::fill;

@@ -2,7 +2,8 @@
 
 use vides_engine::scene::Mesh;
 
-use super::{Error, Problem, Result, coordinates, fan, lines};
+use super::error::{Error, Problem, Result};
+use super::shared::{coordinates, fan, lines};
 
 pub(super) fn read(bytes: &[u8], go_on: &mut dyn FnMut(f64) -> bool) -> Result<Mesh> {
     let mut mesh = Mesh::default();

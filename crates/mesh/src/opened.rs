@@ -3,7 +3,11 @@
 use glam::DVec3;
 use vides_engine::scene::Mesh;
 
-use super::{Beside, Error, Format, Problem, Result};
+use super::error::{Beside, Error, Problem, Result};
+use super::format::Format;
+use super::read::read;
+#[cfg(feature = "gltf")]
+use super::shared::checked;
 
 /// A file whose meshes are asked for one after the other.
 pub struct Opened {
@@ -41,9 +45,9 @@ impl Opened {
     /// As [`super::read`].
     pub fn whole(&self, go_on: &mut dyn FnMut(f64) -> bool) -> Result<Mesh> {
         match &self.content {
-            Content::Bytes(bytes) => super::read(self.format, bytes, go_on),
+            Content::Bytes(bytes) => read(self.format, bytes, go_on),
             #[cfg(feature = "gltf")]
-            Content::Gltf(container, _) => super::checked(super::gltf::whole(container, go_on)?),
+            Content::Gltf(container, _) => checked(super::gltf::whole(container, go_on)?),
         }
     }
 
@@ -65,7 +69,7 @@ impl Opened {
             #[cfg(feature = "gltf")]
             Content::Gltf(container, room) => {
                 let part = container.part(number, room, go_on)?;
-                Ok((super::checked(part.mesh)?, part.targets))
+                Ok((checked(part.mesh)?, part.targets))
             }
         }
     }

@@ -6,7 +6,8 @@ use ply_rs_bw::ply::{ElementDef, Header, Property, PropertyAccess, PropertyAcces
 use vides_engine::error::can_allocate;
 use vides_engine::scene::Mesh;
 
-use super::{Error, Problem, Result, fan};
+use super::error::{Error, Problem, Result};
+use super::shared::fan;
 
 impl From<ParseError> for Error {
     fn from(error: ParseError) -> Self {

@@ -6,7 +6,8 @@ use std::collections::HashMap;
 use glam::DVec3;
 use vides_engine::scene::Mesh;
 
-use super::{EVERY, Error, Problem, Result, coordinates, lines};
+use super::error::{Error, Problem, Result};
+use super::shared::{EVERY, coordinates, lines};
 
 /// Bytes before the first triangle: a comment and the number of triangles.
 const HEAD: usize = 84;

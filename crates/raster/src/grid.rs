@@ -1,6 +1,6 @@
 //! The grid of tiles, and the areas that changed.
 
-use super::Area;
+use super::area::Area;
 use super::tile::{PixelRect, SIDE};
 
 /// A rectangle of tiles; x1 and y1 are exclusive.

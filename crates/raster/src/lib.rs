@@ -8,6 +8,7 @@
 
 #![forbid(unsafe_code)]
 
+mod area;
 mod backdrop;
 mod grid;
 mod hash;
@@ -28,6 +29,7 @@ mod texture;
 mod tile;
 mod triangle;
 
+pub use area::Area;
 pub use lines::{Line, Lines};
 pub use surfaces::{Corner3, Surfaces};
 
@@ -41,19 +43,6 @@ use tile::{PixelRect, SIDE, Tile};
 
 use egui::epaint::{ClippedShape, Tessellator};
 use egui::{ClippedPrimitive, Color32, Context, TexturesDelta};
-
-/// A rectangle of whole pixels.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Area {
-    /// Left edge.
-    pub x: u32,
-    /// Upper edge.
-    pub y: u32,
-    /// Width in pixels.
-    pub width: u32,
-    /// Height in pixels.
-    pub height: u32,
-}
 
 /// The pixels to paint into: rows from the top, each pixel `0x00RRGGBB`.
 pub struct Target<'a> {

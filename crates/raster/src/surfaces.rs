@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use egui::{Color32, PaintCallback, Rect, Shape};
 
-use super::Area;
+use super::area::Area;
 use super::tile::PixelRect;
 
 /// Triangles painted into pixels of their own, and how near each of them is.

@@ -3,9 +3,10 @@
 use std::path::Path;
 use std::time::Instant;
 
+use vides_document::error::Result;
+use vides_document::{At, Document, Edit};
+
 use super::recovery::{self, Autosave, Found, Origin, Saved};
-use crate::document::{At, Document, Edit};
-use crate::error::Result;
 use crate::state::Editor;
 use crate::state::files::RecoveryWindow;
 use crate::texts::fill;

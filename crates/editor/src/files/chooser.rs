@@ -9,13 +9,13 @@ use std::path::{Path, PathBuf};
 use egui::{
     Align, Button, Context, Key, Label, Layout, Modifiers, RichText, ScrollArea, Sense, Ui, vec2,
 };
+use vides_formats::formats;
 
 use super::listing::{MAX_ENTRIES, fits, is_hidden};
 use super::naming::{described, filter_of, is_export, tidy, with_ending};
 use crate::action::Action;
 use crate::files::exchange::DEFAULT;
 use crate::files::{folders, picture, readable, short};
-use crate::formats::{self, formats};
 use crate::state::Editor;
 use crate::state::files::{FileWindow, Folder, Picture, Purpose};
 use crate::texts::fill;
@@ -330,13 +330,14 @@ impl FileWindow {
         let rows = || formats().iter().map(|format| format.row());
         let typed = Path::new(self.name.trim());
         // A name that is typed may tell another one.
-        let fits = |name| formats::by_name(name).is_ok_and(|format| format.row().is_named(typed));
+        let fits =
+            |name| vides_formats::by_name(name).is_ok_and(|format| format.row().is_named(typed));
         if !self.format.is_some_and(fits)
-            && let Ok(told) = formats::by_target(typed)
+            && let Ok(told) = vides_formats::by_target(typed)
         {
             self.format = Some(told.row().name);
         }
-        let current = formats::by_name(self.format.unwrap_or(DEFAULT));
+        let current = vides_formats::by_name(self.format.unwrap_or(DEFAULT));
         let Ok(current) = current.map(|format| format.row()) else {
             return;
         };
@@ -366,7 +367,7 @@ impl FileWindow {
         open.on_hover_text(texts.format_hint);
     }
 
-    fn choose_format(&mut self, old: &formats::Row, new: &formats::Row) {
+    fn choose_format(&mut self, old: &vides_formats::Row, new: &vides_formats::Row) {
         self.format = Some(new.name);
         self.chosen = None;
         let name = self.name.trim();

@@ -2,10 +2,11 @@
 
 use std::path::Path;
 
-use crate::document::tool::{Needs, ToolInput, tools};
-use crate::document::{Edit, SceneDocument};
+use vides_document::tool::{Needs, ToolInput, tools};
+use vides_document::{Edit, SceneDocument};
+use vides_formats::{Content, Flight, Format, Loss, Options, Report, Source};
+
 use crate::files::short;
-use crate::formats::{self, Content, Flight, Format, Loss, Options, Report, Source};
 use crate::state::Editor;
 use crate::state::files::Question;
 use crate::texts::fill;
@@ -24,7 +25,7 @@ impl Editor {
             .document
             .scene_document()
             .map_err(|error| self.not_written(file, &error.into()))?;
-        let report = formats::losses(&document, format, &Options::default());
+        let report = vides_formats::losses(&document, format, &Options::default());
         let report = report.map_err(|error| self.not_written(file, &error))?;
         let lost = losses_of(self.language(), &report);
         if lost.is_empty() {
@@ -34,13 +35,17 @@ impl Editor {
         Ok(())
     }
 
-    fn format_of(&self, file: &Path, chosen: Option<&str>) -> formats::Result<&'static dyn Format> {
-        let chosen = formats::by_name(chosen.unwrap_or(DEFAULT))?;
+    fn format_of(
+        &self,
+        file: &Path,
+        chosen: Option<&str>,
+    ) -> vides_formats::Result<&'static dyn Format> {
+        let chosen = vides_formats::by_name(chosen.unwrap_or(DEFAULT))?;
         if chosen.row().is_named(file) {
             return Ok(chosen);
         }
-        match formats::by_target(file) {
-            Err(error @ formats::Error::SharedEnding { .. }) => Err(error),
+        match vides_formats::by_target(file) {
+            Err(error @ vides_formats::Error::SharedEnding { .. }) => Err(error),
             told => Ok(told.unwrap_or(chosen)),
         }
     }
@@ -48,12 +53,12 @@ impl Editor {
     /// The same, whatever is lost.
     pub(crate) fn write_as(&mut self, file: &Path, format: &str) -> Result<(), String> {
         let mut count = 0;
-        let mut written = || -> formats::Result<()> {
+        let mut written = || -> vides_formats::Result<()> {
             let document = self.document.scene_document()?;
-            let (format, options) = (formats::by_name(format)?, Options::default());
+            let (format, options) = (vides_formats::by_name(format)?, Options::default());
             let mut ignored = |_, _| {};
             count = Flight::new(&document, &options, format.row(), &mut ignored)?.count();
-            formats::export(&document, file, format, &options, &mut |_, _| {}).map(drop)
+            vides_formats::export(&document, file, format, &options, &mut |_, _| {}).map(drop)
         };
         written().map_err(|error| self.not_written(file, &error))?;
         let text = self.texts().output.written;
@@ -61,7 +66,7 @@ impl Editor {
         Ok(())
     }
 
-    fn not_written(&self, file: &Path, error: &formats::Error) -> String {
+    fn not_written(&self, file: &Path, error: &vides_formats::Error) -> String {
         let text = self.texts().errors.cannot_write;
         fill(text, &[&short(file), &reason_of(self, error)])
     }
@@ -72,7 +77,7 @@ impl Editor {
         let mut report = Report::default();
         let read = |report: &mut Report| {
             let source = Source::open(file)?;
-            formats::read(&source, None, &Options::default(), report)
+            vides_formats::read(&source, None, &Options::default(), report)
         };
         let (_, content) = read(&mut report).map_err(|error| {
             let text = self.texts().errors.cannot_load;

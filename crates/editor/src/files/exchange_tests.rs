@@ -2,8 +2,9 @@
 
 use std::path::Path;
 
+use vides_formats::{Loss, Report};
+
 use super::tests::{modified, name, window_in};
-use crate::formats::{Loss, Report};
 use crate::state::files::Purpose;
 use crate::tests::*;
 use crate::texts::formats::losses_of;

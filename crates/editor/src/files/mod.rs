@@ -9,7 +9,7 @@ mod naming;
 mod node_meshes;
 mod picture;
 mod question;
-mod recent;
+pub(crate) mod recent;
 pub(crate) mod recovery;
 mod recovery_window;
 
@@ -29,21 +29,20 @@ mod unsaved_tests;
 use std::ffi::OsStr;
 use std::path::{Path, PathBuf};
 
+use vides_document::error::{EngineError, Error, Result, TooMany};
+use vides_document::mesh::Format;
+use vides_document::tool::ToolInput;
+use vides_document::{At, Document, Edit, Fingerprint, load_mesh, load_object, save};
+use vides_engine::limits;
+use vides_engine::path::Space;
 use vides_engine::scene::{Geometry, MeshSource};
 
-use crate::document::mesh::Format;
-use crate::document::tool::ToolInput;
-use crate::document::{At, Document, Edit, Fingerprint, load_mesh, load_object, save};
-use crate::error::{EngineError, Error, Result, TooMany};
-use crate::host::Warnings;
-use crate::limits;
-use crate::path::Space;
+use crate::host::warning::Warnings;
 use crate::state::files::{AfterSave, FileWindow, Purpose, Question};
 use crate::state::{Editor, Request};
 use crate::texts::fill;
 use crate::texts::refusals::reason_of;
 pub use folders::Folders;
-pub(crate) use recent::PICTURE;
 
 impl Editor {
     pub(crate) fn choose_file(&mut self, purpose: Purpose) {

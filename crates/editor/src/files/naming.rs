@@ -2,14 +2,15 @@
 
 use std::path::{Path, PathBuf};
 
+use vides_formats::formats;
+
 use super::exchange::DEFAULT;
-use crate::formats::{self, formats};
 use crate::state::files::Purpose;
 use crate::texts::Language;
 use crate::texts::formats::title_of;
 
 /// A format by what people call it and how its files end.
-pub(super) fn described(language: Language, row: &formats::Row) -> String {
+pub(super) fn described(language: Language, row: &vides_formats::Row) -> String {
     let title = title_of(language, row);
     let names = row.file_names.iter().map(|name| (*name).to_owned());
     let endings = row.endings.iter().map(|ending| format!("*.{ending}"));
@@ -21,12 +22,12 @@ pub(super) fn described(language: Language, row: &formats::Row) -> String {
 }
 
 /// Whether poses or scenes are written in it; saving is another thing.
-pub(super) fn is_export(row: &formats::Row) -> bool {
+pub(super) fn is_export(row: &vides_formats::Row) -> bool {
     row.writes && row.name != "vid"
 }
 
 /// All endings of files of some formats.
-pub(super) fn filter_of(which: impl Fn(&formats::Row) -> bool) -> String {
+pub(super) fn filter_of(which: impl Fn(&vides_formats::Row) -> bool) -> String {
     let rows = formats().iter().map(|format| format.row());
     let endings = rows.filter(|row| which(row)).flat_map(|row| row.endings);
     let mut endings: Vec<_> = endings.map(|ending| format!("*.{ending}")).collect();
@@ -57,7 +58,7 @@ pub(super) fn tidy(path: &Path) -> PathBuf {
 pub(super) fn with_ending(path: PathBuf, purpose: Purpose, format: Option<&str>) -> PathBuf {
     let ending = match purpose {
         Purpose::Export => {
-            let format = formats::by_name(format.unwrap_or(DEFAULT));
+            let format = vides_formats::by_name(format.unwrap_or(DEFAULT));
             let endings = format.map_or(&["txt"][..], |format| format.row().endings);
             match endings.first() {
                 Some(ending) => *ending,

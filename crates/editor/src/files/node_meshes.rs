@@ -3,11 +3,11 @@
 use std::collections::HashMap;
 use std::path::{Path, absolute};
 
+use vides_document::error::Result;
+use vides_document::{Edit, load_mesh, reload_mesh};
 use vides_engine::scene::{Geometry, Kind, Mesh, MeshSource, Part, Shape};
 
 use super::short;
-use crate::document::{Edit, load_mesh, reload_mesh};
-use crate::error::Result;
 use crate::state::Editor;
 use crate::state::files::MeshFiles;
 use crate::texts::fill;
@@ -113,7 +113,7 @@ impl Editor {
     pub(super) fn load_shape(&mut self, node: usize, file: &Path) -> Result<(), String> {
         let done = load_mesh(file).and_then(|(_, mesh)| {
             let edited = self.document.edited_scene();
-            let edited = edited.ok_or(crate::error::Refused::NoScene)?;
+            let edited = edited.ok_or(vides_document::error::Refused::NoScene)?;
             let at = edited.scene().object(node)?.shapes().len();
             let shape = Shape {
                 name: short(Path::new(file.file_stem().unwrap_or_default())),

@@ -53,7 +53,7 @@ fn an_object_is_loaded_shown_and_taken_back() {
             press(&mut window, Modifiers::CTRL, Key::Z);
         }
         assert_eq!(drawn(&window), before);
-        let path = crate::path::CameraPath::default();
+        let path = vides_engine::path::CameraPath::default();
         assert_eq!(*window.state().document.path(), path);
     }
 }
@@ -102,9 +102,9 @@ fn a_chosen_space_stays_and_what_is_done_is_no_beginning() {
     let shape = "v 0 0 0\nv 9 0 0\nv 0 9 0\nf 1 2 3\n";
     std::fs::write(folder.path().join("shape.obj"), shape).expect("written");
     let mut window = window_in(Language::English, folder.path());
-    let space = crate::path::Space {
+    let space = vides_engine::path::Space {
         half_size: 3.0,
-        ..crate::path::Space::default()
+        ..vides_engine::path::Space::default()
     };
     let editor = window.state_mut();
     editor

@@ -4,14 +4,14 @@ use std::cell::RefCell;
 use std::path::Path;
 
 use egui::{Align2, Context, Pos2, Rect, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo};
+use vides_document::mesh::Format;
+use vides_document::{Document, load_object};
+use vides_engine::tools::fit::Progress;
 
 use crate::background::Background;
-use crate::document::mesh::Format;
-use crate::document::{Document, load_object};
 use crate::setup::Element;
 use crate::state::Editor;
 use crate::state::files::{Made, Picture, Pictures};
-use crate::tools::fit::Progress;
 use crate::{space, theme};
 
 /// A longer file is not read for its picture alone.

@@ -3,14 +3,14 @@
 use std::path::{Path, PathBuf};
 
 use egui::{Rect, Ui, Vec2, vec2};
+use vides_document::save;
+use vides_document::vid::read_text;
+use vides_engine::tools::fit::Progress;
 
 use super::recovery::{escaped, unescaped};
 use super::{folders, short};
-use crate::document::save;
-use crate::document::vid::read_text;
 use crate::state::Editor;
 use crate::state::files::Picture;
-use crate::tools::fit::Progress;
 
 /// How many are kept.
 const MOST: usize = 8;
@@ -28,14 +28,14 @@ fn load(folder: &Path) -> Vec<PathBuf> {
     files.filter(|file| file.is_file()).take(MOST).collect()
 }
 
-fn note(folder: &Path, file: &Path) -> crate::Result<()> {
+fn note(folder: &Path, file: &Path) -> vides_document::Result<()> {
     // Read again: other windows write it, too.
     let mut files = load(folder);
     files.retain(|known| known != file);
     files.insert(0, file.to_owned());
     files.truncate(MOST);
     let lines: Vec<String> = files.iter().map(|file| escaped(file) + "\n").collect();
-    folders::make(folder).map_err(|source| crate::Error::Io {
+    folders::make(folder).map_err(|source| vides_document::Error::Io {
         place: folder.display().to_string(),
         source,
     })?;

@@ -1,6 +1,7 @@
 //! Recent files in the File menu.
 
-use crate::document::At;
+use vides_document::At;
+
 use crate::tests::*;
 
 #[test]

@@ -18,10 +18,11 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
+use vides_document::error::{Error, Result};
+use vides_document::{Document, Fingerprint};
+use vides_engine::limits::MAX_FILE_BYTES;
+
 use super::folders;
-use crate::document::{Document, Fingerprint};
-use crate::error::{Error, Result};
-use crate::limits::MAX_FILE_BYTES;
 
 /// From a change to writing it. The rest of the second is for writing, 20 ms for 10,000 points.
 pub(crate) const DELAY: Duration = Duration::from_millis(700);

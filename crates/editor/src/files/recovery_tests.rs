@@ -2,11 +2,13 @@ use std::io::{BufRead, BufReader};
 use std::process::{Child, Command, Stdio};
 
 use glam::DVec3;
+use vides_document::{At, Edit};
 
 use super::*;
-use crate::document::{At, Edit};
+use crate::files::folders::Folders;
+use crate::host::program::Program;
 use crate::state::{Editor, Options};
-use crate::{Folders, Language, Program};
+use crate::texts::Language;
 
 fn document() -> Document {
     Document::new()

@@ -7,7 +7,7 @@ use egui::{Button, Ui, Vec2, vec2};
 use crate::action::Action;
 use crate::files::recovery::Found;
 use crate::files::{picture, short};
-use crate::host::Date;
+use crate::host::program::Date;
 use crate::state::Editor;
 use crate::state::files::{Offered, Picture, RecoveryWindow};
 use crate::state::windows::Windows;

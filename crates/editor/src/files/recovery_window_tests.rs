@@ -1,6 +1,7 @@
 //! Unsaved work that was left behind is offered at the start.
 
-use crate::document::At;
+use vides_document::At;
+
 use crate::screenshots::screenshot;
 use crate::tests::*;
 

@@ -1,12 +1,13 @@
 //! Loading, saving, writing, and the question before work is lost (thesis A.5).
 
-use crate::{Warning, Warnings};
 use std::ffi::OsStr;
 use std::os::unix::ffi::OsStrExt;
 use std::os::unix::fs::PermissionsExt;
 use std::path::Path;
 
-use crate::document::{At, Object, ObjectPoint};
+use vides_document::{At, Object, ObjectPoint};
+
+use crate::host::warning::{Warning, Warnings};
 use crate::tests::*;
 
 /// A window whose file windows begin in this folder.

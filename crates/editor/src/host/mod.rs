@@ -2,20 +2,21 @@
 //! camera sees there; the host's camera, shown as a ghost and taken over into the path.
 
 mod pane;
-mod program;
-mod warning;
+pub(crate) mod program;
+pub(crate) mod warning;
 
 use std::path::Path;
 
 use egui::{Area, Button, Context, Id, Order, Pos2, Rect, vec2};
 use glam::DVec3;
+use vides_document::error::{OutOfRange, Refused, Result};
+use vides_document::{At, Document, Edit, Object, Selection};
+use vides_engine::math::orientation;
+use vides_engine::math::view::View;
+use vides_engine::path::{Change, Orientation, Overrides, Pose, Space, Target};
 
 use crate::action::Action;
-use crate::document::{At, Document, Edit, Object, Selection};
-use crate::error::{OutOfRange, Refused, Result};
-use crate::math::{orientation, view::View};
-use crate::path::{Change, Orientation, Overrides, Pose, Space, Target};
-use crate::space::Camera;
+use crate::space::cameras::Camera;
 use crate::state::host::{HostPane, PlayheadState};
 use crate::state::{Editor, Reason, Request};
 use crate::texts::fill;

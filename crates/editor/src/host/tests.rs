@@ -3,17 +3,17 @@
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable as _;
 use glam::DQuat;
+use vides_document::Document;
+use vides_engine::path::UpVector;
 
 use super::*;
-use crate::Language;
-use crate::document::Document;
-use crate::path::UpVector;
 use crate::setup::Theme;
-use crate::space::Camera;
+use crate::space::cameras::Camera;
 use crate::state::{HostView, Options};
 use crate::tests::{
     BOTH, LARGE, Window, click, options, press, said, some_points, window_of, window_with_points,
 };
+use crate::texts::Language;
 
 fn bits(pose: &Pose) -> [u64; 10] {
     let [p, v, u] = [pose.vrp, pose.vpn, pose.vup];

@@ -3,7 +3,7 @@
 use std::fmt;
 use std::sync::Arc;
 
-use crate::error::{EngineError, Error, Text};
+use vides_document::error::{EngineError, Error, Text};
 
 /// One thing that was wrong.
 #[derive(Clone, Debug, thiserror::Error)]

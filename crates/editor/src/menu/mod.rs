@@ -10,14 +10,13 @@ use egui::{
     Align2, Button, Color32, Context, CornerRadius, FocusDirection, Id, Key, Modifiers, Popup,
     Response, Role, Sense, SetOpenCommand, Shape, Stroke, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
-
-pub(super) use letters::letters;
 use letters::{GERMAN, lettered, pick_by_letter, underlined};
+use vides_document::StepName;
+use vides_document::tool;
+use vides_document::tool::Needs;
+use vides_engine::limits::MIN_POINTS;
 
 use crate::action::Action;
-use crate::document::StepName;
-use crate::document::tool::{self, Needs};
-use crate::limits::MIN_POINTS;
 use crate::setup::Theme;
 use crate::state::Editor;
 use crate::state::scene_view::{NewNode, NodeCommand};
@@ -25,6 +24,7 @@ use crate::state::selected::SelectionChange;
 use crate::texts::{Language, fill};
 use crate::windows::sub_window::{below_bar, is_cramped};
 use crate::{keys, theme};
+pub(super) use letters::letters;
 
 /// Room for a mark before an entry's text.
 const MARK: f32 = 28.0;

@@ -1,9 +1,9 @@
 //! The menu bar and the output field (thesis A.2, A.5).
 
 use egui_kittest::kittest::by;
+use vides_document::At;
 
 use crate::action::Action;
-use crate::document::At;
 use crate::state::selected::SelectionChange;
 use crate::tests::*;
 
@@ -220,7 +220,7 @@ fn every_entry_has_a_tooltip() {
 
 #[test]
 fn a_hand_over_is_told() {
-    use crate::error::EngineError;
+    use vides_document::error::EngineError;
     for language in BOTH {
         let texts = language.texts();
         let mut window = window(language);
@@ -313,9 +313,9 @@ fn a_new_path_is_begun() {
 /// Menu and tooltip name what would be taken back, whatever the edit was.
 #[test]
 fn undo_and_redo_say_what() {
-    use crate::document::{Info, Selection};
-    use crate::path::Tcb;
     use crate::state::with;
+    use vides_document::{Info, Selection};
+    use vides_engine::path::Tcb;
     for (language, undo, redo) in [
         (Language::English, "Undo {}", "Redo {}"),
         (Language::German, "{} rückgängig", "{} wiederholen"),
@@ -370,7 +370,7 @@ fn undo_and_redo_say_what() {
 #[test]
 fn without_a_path_what_needs_one_is_grey() {
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/car.vid");
-    let (document, _) = crate::document::Document::load_scene(file.as_ref()).unwrap();
+    let (document, _) = vides_document::Document::load_scene(file.as_ref()).unwrap();
     assert!(!document.edits_path());
     let options = crate::Options {
         document,

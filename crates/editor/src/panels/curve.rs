@@ -2,13 +2,13 @@
 //! this point and the next.
 
 use egui::{Align, Button, Layout, Popup, RichText, Ui, vec2};
+use vides_document::{At, Edit};
+use vides_engine::limits::PRESETS;
+use vides_engine::path::{CurveKind, CurveParameters, Tcb};
 
 use crate::action::Action;
-use crate::document::{At, Edit};
-use crate::limits::PRESETS;
 use crate::number::Number;
 use crate::panels::parts::{Heading, share};
-use crate::path::{CurveKind, CurveParameters, Tcb};
 use crate::playing::playhead::Missing;
 use crate::setup::Fold;
 use crate::state::Editor;

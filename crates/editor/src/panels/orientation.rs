@@ -2,15 +2,15 @@
 
 use egui::{Button, Popup, Role, Ui, WidgetInfo};
 use glam::DVec3;
+use vides_document::error::Result;
+use vides_document::{Edit, Selection};
+use vides_engine::math::rotation_minimising::turned;
+use vides_engine::path::{CameraPath, OrientationOverrides, Target, Up, UpVector, ahead};
 
 use super::position::{add_here, three_numbers};
 use crate::action::{Action, OwnedMotion};
-use crate::document::{Edit, Selection};
-use crate::error::Result;
-use crate::math::rotation_minimising::turned;
 use crate::number::Number;
 use crate::panels::parts::{Heading, PanelButton, button_row, share};
-use crate::path::{CameraPath, OrientationOverrides, Target, Up, UpVector, ahead};
 use crate::playing::playhead::{Missing, Shown};
 use crate::setup::Fold;
 use crate::state::{Editor, with};

@@ -1,11 +1,11 @@
 //! Tests of [`super::orientation`] (thesis A.4.2), sentence by sentence.
 
 use egui_kittest::kittest::NodeT as _;
+use vides_document::Selection;
+use vides_engine::limits;
+use vides_engine::path::{Up, UpVector};
 
 use super::tests::{large, orientations, selection};
-use crate::document::Selection;
-use crate::limits;
-use crate::path::{Up, UpVector};
 use crate::tests::*;
 
 #[test]
@@ -204,16 +204,16 @@ fn one_orientation_shows_the_whole_object() {
             points: corners.map(DVec3::from_array).to_vec(),
             ..Default::default()
         };
-        info.object = crate::document::Object::of_mesh(mesh).unwrap();
+        info.object = vides_document::Object::of_mesh(mesh).unwrap();
         window
             .state_mut()
-            .edit(crate::document::Edit::SetInfo(Box::new(info)));
+            .edit(vides_document::Edit::SetInfo(Box::new(info)));
         window.run();
         click(&mut window, texts.whole);
         let target = window.state().orientation().unwrap().target;
         let middle = DVec3::new(0.05, 0.15, -0.9);
         assert!(
-            matches!(target, crate::path::Target::Absolute(at) if at.abs_diff_eq(middle, 1e-12))
+            matches!(target, vides_engine::path::Target::Absolute(at) if at.abs_diff_eq(middle, 1e-12))
         );
         let pose = poses(window.state())[0];
         let mut most = 0.0_f64;

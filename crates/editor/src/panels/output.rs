@@ -3,10 +3,10 @@
 use egui::{
     Align, Align2, Button, Color32, FontId, Rect, Response, Role, Sense, Ui, WidgetInfo, pos2, vec2,
 };
+use vides_engine::path::ahead;
 
 use crate::action::Action;
 use crate::number::decimals;
-use crate::path::ahead;
 use crate::playing::playhead::Missing;
 use crate::state::{Editor, Message};
 use crate::{keys, theme};

@@ -2,9 +2,9 @@
 
 use egui::{RichText, Ui};
 use glam::DVec3;
+use vides_document::{At, Edit};
 
 use crate::action::Action;
-use crate::document::{At, Edit};
 use crate::number::Number;
 use crate::panels::parts::{Heading, PanelButton, apart, button_row, share, words};
 use crate::playing::playhead::Shown;

@@ -1,9 +1,9 @@
 //! The panels (thesis A.4.1, A.4.4), sentence by sentence; those of views are beside theirs.
 
 use egui_kittest::kittest::NodeT as _;
+use vides_document::{At, Selection};
+use vides_engine::path::{CurveParameters, Tcb};
 
-use crate::document::{At, Selection};
-use crate::path::{CurveParameters, Tcb};
 use crate::tests::*;
 
 pub(super) fn selection(window: &Window) -> Selection {

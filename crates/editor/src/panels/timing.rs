@@ -2,12 +2,12 @@
 //! is edited in the timeline.
 
 use egui::Ui;
+use vides_engine::limits::{MAX_FRAMES, MAX_HOLD};
+use vides_engine::path::{Change, Section};
 
 use crate::action::Action;
-use crate::limits::{MAX_FRAMES, MAX_HOLD};
 use crate::number::Number;
 use crate::panels::parts::{Heading, share};
-use crate::path::{Change, Section};
 use crate::setup::Fold;
 use crate::state::{Editor, with};
 use crate::texts::fill;

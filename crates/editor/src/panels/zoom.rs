@@ -1,12 +1,12 @@
 //! Zoom and field of view of the current orientation (thesis A.4.4).
 
 use egui::{Grid, Popup, PopupCloseBehavior, Response, Slider, SliderClamping, Ui};
+use vides_engine::limits::{MAX_LIST_ZOOM, MAX_ZOOM, MIN_ZOOM};
+use vides_engine::math::view::HALF_FILM_HEIGHT;
 
 use super::orientation::own;
 use crate::action::{Action, OwnedMotion};
 use crate::entry::Entry;
-use crate::limits::{MAX_LIST_ZOOM, MAX_ZOOM, MIN_ZOOM};
-use crate::math::view::HALF_FILM_HEIGHT;
 use crate::number::Number;
 use crate::panels::parts::Heading;
 use crate::setup::{Fold, MAX_SENSOR, MIN_SENSOR};

@@ -1,6 +1,6 @@
 //! Tests of [`super::zoom`]: long lenses, and those of other sensors.
 
-use crate::files::Folders;
+use crate::files::folders::Folders;
 use crate::setup::Setup;
 use crate::setup::file::load;
 use crate::state::{Editor, Options};

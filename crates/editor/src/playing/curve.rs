@@ -3,10 +3,10 @@
 use std::sync::Arc;
 
 use egui::{Color32, Mesh, Painter, Pos2, Shape, Stroke, pos2};
+use vides_document::Selection;
+use vides_engine::limits::BASE_SPEED;
+use vides_raster::{Line, Lines};
 
-use crate::document::Selection;
-use crate::limits::BASE_SPEED;
-use crate::raster::{Line, Lines};
 use crate::state::playing::graph::{Curve, PIECES, Scale, Stretch};
 use crate::theme::Palette;
 

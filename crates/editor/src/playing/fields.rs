@@ -2,12 +2,12 @@
 //! kept while keys move, what else is shown.
 
 use egui::{Align, Button, Layout, Pos2, Rect, Role, Shape, Stroke, Ui, WidgetInfo, vec2};
+use vides_document::{Edit, Info};
+use vides_engine::limits::{MAX_FPS, MAX_FRAMES};
 use vides_engine::scene::Part;
 
 use super::buttons::{BUTTON, camera_button, play_button, speed_button};
 use crate::action::Action;
-use crate::document::{Edit, Info};
-use crate::limits::{MAX_FPS, MAX_FRAMES};
 use crate::number::Number;
 use crate::playing::axis::as_frame;
 use crate::state::Editor;

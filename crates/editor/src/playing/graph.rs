@@ -6,17 +6,17 @@ use egui::{
     Align2, CornerRadius, CursorIcon, Id, Pos2, Rangef, Rect, Sense, Stroke, StrokeKind, Ui,
     WidgetInfo, pos2, vec2,
 };
+use vides_document::error::Result;
+use vides_document::{Document, Edit, Selection};
+use vides_engine::limits::{MAX_SPEED, MIN_SPEED, SPEEDS};
+use vides_engine::path::Change;
 
 use super::axis::Axis;
 use super::key_row::take;
 use super::plot;
 use super::ruler::{colour_of_playhead, scrub_by_mouse};
 use crate::action::Action;
-use crate::document::{Document, Edit, Selection};
 use crate::entry::Entry;
-use crate::error::Result;
-use crate::limits::{MAX_SPEED, MIN_SPEED, SPEEDS};
-use crate::path::Change;
 use crate::playing::axis::as_frame;
 use crate::playing::key_row::ended;
 use crate::state::playing::graph::{Graph, PIECES, Scale, Stretch};

@@ -334,8 +334,8 @@ fn a_dragged_key_costs_little_more_than_scrubbing() {
         let track = Track::new(Channel::Position, by, frames, values, Vec::new());
         scene.set_track(at, track.unwrap()).unwrap();
     }
-    let mut document = crate::document::Document::new();
-    let edit = crate::document::Edit::ReplaceScene(Box::new(scene));
+    let mut document = vides_document::Document::new();
+    let edit = vides_document::Edit::ReplaceScene(Box::new(scene));
     document.apply(edit).unwrap();
     let options = crate::Options {
         document: document.as_opened(),

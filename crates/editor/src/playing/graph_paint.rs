@@ -9,12 +9,12 @@ use vides_engine::scene::Channel;
 
 use super::axis::step;
 use super::track_curve::Of;
-use super::{track_rows, tracks};
+use super::track_rows;
 use crate::playing::track_dots::{Shown, keys_between};
 use crate::playing::track_rows::{ROW, caption, channel_name};
 use crate::state::Editor;
 use crate::state::playing::track_graph::Memory;
-use crate::state::playing::tracks::Row;
+use crate::state::playing::tracks::{self, Row};
 use crate::theme;
 
 /// Half of a key's sign.

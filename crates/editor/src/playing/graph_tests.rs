@@ -3,15 +3,15 @@
 use egui::{Key, Modifiers, PointerButton};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
+use vides_engine::limits::BASE_SPEED;
+use vides_engine::path;
 
 use super::*;
-use crate::limits::BASE_SPEED;
-use crate::path;
 use crate::screenshots::screenshot;
 use crate::space::tests::{motion, press, pyramid, pyramid_window, release, tap};
 
 fn document_frames(editor: &Editor) -> Vec<usize> {
-    let sections = |timeline: &crate::path::Timeline| {
+    let sections = |timeline: &vides_engine::path::Timeline| {
         let count = timeline.section_count();
         (0..count).map(|at| timeline.section(at).frames).collect()
     };
@@ -251,7 +251,7 @@ fn speeds_near_a_part_of_a_pace_are_dragged_too() {
 #[test]
 fn without_a_path_no_plot_is_chosen() {
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/car.vid");
-    let (document, _) = crate::document::Document::load_scene(file.as_ref()).unwrap();
+    let (document, _) = vides_document::Document::load_scene(file.as_ref()).unwrap();
     let options = crate::Options {
         document,
         ..crate::tests::options(crate::Language::English)

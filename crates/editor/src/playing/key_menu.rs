@@ -2,11 +2,11 @@
 //! tension, continuity and bias.
 
 use egui::{Button, Ui};
+use vides_document::Edit;
 use vides_engine::scene::{Interpolation, Part, Track};
 
 use super::graph_drag::joint_of;
 use crate::action::Action;
-use crate::document::Edit;
 use crate::entry::Entry;
 use crate::number::Number;
 use crate::playing::track_dots::{has_handles, parts_of};

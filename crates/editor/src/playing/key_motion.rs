@@ -1,12 +1,12 @@
 //! What becomes of keys of the scene: in time, and of their numbers. The whole motion is done from
 //! where it began, anew each time.
 
+use vides_document::error::Result;
+use vides_document::{Document, Edit};
 use vides_engine::limits::MAX_COORDINATE;
 use vides_engine::scene::{Channel, Interpolation, KeyList, Part, Track};
 
 use super::track_curve::is_read_only;
-use crate::document::{Document, Edit};
-use crate::error::Result;
 use crate::state::Editor;
 use crate::state::playing::tracks::{Change, KeyMotion, Numbers};
 use crate::state::scene_view::KeyAt;

@@ -4,15 +4,15 @@ use egui::{
     CornerRadius, CursorIcon, FontId, Id, Key, Order, Painter, Pos2, Rangef, Rect, Response, Sense,
     Shape, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
 };
+use vides_document::Selection;
 
 use super::axis::Axis;
 use super::ruler::chosen_too;
 use super::{pins, section_menu};
 use crate::action::Action;
-use crate::document::Selection;
 use crate::entry::Entry;
 use crate::playing::axis::as_frame;
-use crate::space::Typed;
+use crate::space::typed::Typed;
 use crate::state::Editor;
 use crate::state::playing::graph::{Held, KeyDrag, Memory};
 use crate::state::playing::{Mark, Retiming};

@@ -5,12 +5,12 @@ use egui::{
     Button, Context, CursorIcon, FontId, Id, Key, Modifiers, Popup, PopupCloseBehavior, Rect,
     Response, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2,
 };
+use vides_document::Edit;
 use vides_engine::scene::Part;
 
 use super::axis::Axis;
 use super::track_time::Time;
 use crate::action::Action;
-use crate::document::Edit;
 use crate::entry::Entry;
 use crate::state::Editor;
 use crate::state::playing::markers::{Drag, Memory, Renaming};

@@ -3,11 +3,11 @@
 use egui::{Event, PointerButton, Pos2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
+use vides_document::Document;
+use vides_engine::path::CameraPath;
 use vides_engine::scene::{Extrapolation, FollowPath, Kind, Node, Scene};
 
 use super::*;
-use crate::document::Document;
-use crate::path::CameraPath;
 use crate::screenshots::screenshot;
 use crate::setup::Theme;
 use crate::space::tests::{motion, press, release, tap};

@@ -1,8 +1,9 @@
 //! The keys of the path on the scale of its frames.
 
-use crate::document::{Document, Selection};
-use crate::error::Result;
-use crate::path::{Change, Timeline};
+use vides_document::error::Result;
+use vides_document::{Document, Selection};
+use vides_engine::path::{Change, Timeline};
+
 use crate::playing::axis::as_frame;
 use crate::state::playing::{Mark, Marks};
 

@@ -27,7 +27,7 @@ mod track_dots;
 mod track_drag;
 mod track_graph;
 mod track_keys;
-mod track_menu;
+pub(crate) mod track_menu;
 mod track_rows;
 mod track_time;
 mod tracks;
@@ -36,19 +36,18 @@ mod zoom;
 use std::time::Duration;
 
 use egui::{Context, CursorIcon, Id, Rangef, Rect, Sense, Ui, UiBuilder, pos2};
+use vides_document::Selection;
+use vides_engine::tools::profile::Quantity;
 
 use self::axis::Axis;
 pub(super) use self::axis::Seen;
 pub(super) use self::pins::menu as pin_menu;
 pub(super) use self::track_keys::take_keys;
-pub(super) use self::track_menu::rotation_by;
 use crate::action::Action;
-use crate::document::Selection;
 use crate::entry::Entry;
-use crate::space::Camera;
+use crate::space::cameras::Camera;
 use crate::state::Editor;
 use crate::state::playing::{Mark, Pace, Playing};
-use crate::tools::profile::Quantity;
 use crate::{theme, windows};
 
 /// A lower window has little room for the graph.

@@ -2,19 +2,19 @@
 
 use egui::{Key, Modifiers, accesskit::Role};
 use egui_kittest::kittest::{NodeT, Queryable};
+use vides_document::{At, Document, Edit};
+use vides_engine::path::CameraPath;
 use vides_engine::scene::{
     Channel, Extrapolation, FollowPath, Interpolation, Kind, Light, Node, Scene, Track,
 };
 
-use crate::Language;
-use crate::document::{At, Document, Edit};
-use crate::path::CameraPath;
 use crate::playing::playhead::Missing;
 use crate::screenshots::screenshot;
 use crate::setup::Theme;
 use crate::space::tests as space;
 use crate::state::Options;
 use crate::tests::*;
+use crate::texts::Language;
 
 /// Cameras on paths, one that repeats from frame 21 and one that holds from frame −3.5, and a lamp
 /// with keys from 5 to 400; people count from 101 on.

@@ -2,12 +2,12 @@
 //! the timeline.
 
 use egui::{Button, Painter, Pos2, Rangef, Shape, Stroke, Ui, pos2};
+use vides_document::{Edit, EditedScene};
 use vides_engine::scene::Part;
 
 use super::axis::Axis;
 use super::track_time::Time;
 use crate::action::Action;
-use crate::document::{Edit, EditedScene};
 use crate::state::Editor;
 use crate::theme;
 

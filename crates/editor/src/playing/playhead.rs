@@ -3,13 +3,13 @@
 //! changes.
 
 use glam::DVec3;
+use vides_document::{Document, Edit, Info, Selection};
+use vides_engine::math::orientation;
+use vides_engine::math::rotation_minimising::signed_angle;
+use vides_engine::path::{Orientation, Overrides, Space, Target, UpVector};
 
-use crate::document::{Document, Edit, Info, Selection};
 use crate::entry::Entry;
-use crate::math::orientation;
-use crate::math::rotation_minimising::signed_angle;
-use crate::path::{Orientation, Overrides, Space, Target, UpVector};
-use crate::space::Camera;
+use crate::space::cameras::Camera;
 use crate::state::Editor;
 use crate::state::playing::{Between, Mark};
 use crate::texts::fill;

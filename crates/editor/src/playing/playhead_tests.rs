@@ -3,10 +3,10 @@
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
+use vides_engine::path::{Space, SupportPoint, Up};
 
 use super::*;
 use crate::action::Action;
-use crate::path::{Space, SupportPoint, Up};
 use crate::space::tests::{
     editor, hold, motion, press, pyramid, pyramid_window, release, tap, window,
 };

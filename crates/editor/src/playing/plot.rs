@@ -7,20 +7,20 @@ use egui::{
     Align2, Button, Color32, Painter, Popup, PopupCloseBehavior, Pos2, Rect, RichText, Shape,
     Stroke, Ui, pos2, vec2,
 };
+use vides_document::Document;
+use vides_document::error::Result;
+use vides_engine::tools::check::{FindingKind, OFF};
+use vides_engine::tools::clearance::Clearance;
+use vides_engine::tools::profile::{Film, Quantity, samples, with_peaks};
 
 use super::axis::{Axis, step};
 use crate::action::Action;
-use crate::document::Document;
-use crate::error::Result;
 use crate::state::Editor;
 use crate::state::playing::graph::Scale;
 pub(super) use crate::state::playing::plot::Shown;
 use crate::state::playing::plot::{Curve, Plot};
 use crate::texts::{Texts, fill};
 use crate::theme::{self, Palette};
-use crate::tools::check::{FindingKind, OFF};
-use crate::tools::clearance::Clearance;
-use crate::tools::profile::{Film, Quantity, samples, with_peaks};
 
 /// Most poses sampled; while something is held, [`VALUES`]. At most so many values are drawn: a
 /// little more than there are columns.

@@ -3,9 +3,9 @@
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use glam::DVec3;
+use vides_document::Edit;
 
 use super::*;
-use crate::document::Edit;
 use crate::screenshots::screenshot;
 use crate::space::tests::{pyramid_window, tap};
 

@@ -1,9 +1,10 @@
 //! Keys are moved and copied in time. The sections beside a key get frames of their own, so that
 //! all else stays where it is.
 
-use crate::document::{Edit, Selection, StepName};
-use crate::error::Result;
-use crate::path::{CameraPath, Orientation, SupportPoint};
+use vides_document::error::Result;
+use vides_document::{Edit, Selection, StepName};
+use vides_engine::path::{CameraPath, Orientation, SupportPoint};
+
 use crate::state::Editor;
 use crate::state::playing::graph::Stretch;
 use crate::state::playing::{Beside, Marks, Retiming};
@@ -32,7 +33,7 @@ impl Marks {
             Some((_, after)) => (least, count(after) - 1),
             None if kept => (0, 0),
             None => {
-                let most = crate::limits::MAX_FRAMES.saturating_sub(self.frames);
+                let most = vides_engine::limits::MAX_FRAMES.saturating_sub(self.frames);
                 (least, count(most))
             }
         }

@@ -3,9 +3,9 @@
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
+use vides_engine::path::Change;
 
 use super::*;
-use crate::path::Change;
 use crate::screenshots::screenshot;
 use crate::space::tests::{motion, press, pyramid_window, release, tap};
 

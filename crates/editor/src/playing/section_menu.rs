@@ -2,16 +2,17 @@
 //! right one opens the menu with ready paces for it.
 
 use egui::{Button, Popup, Response};
+use vides_document::Selection;
+use vides_engine::limits::{MAX_HOLD, SPEEDS};
+use vides_engine::path::{Orientation, Pace};
 
 use super::axis::Axis;
 use super::pins;
 use crate::action::Action;
-use crate::document::Selection;
-use crate::limits::{MAX_HOLD, SPEEDS};
-use crate::path::{Orientation, Pace};
 use crate::playing::axis::as_frame;
 use crate::state::{Editor, with};
-use crate::windows::{shapes, slow_past};
+use crate::windows::shapes;
+use crate::windows::speed::join::slow_past;
 
 pub(super) fn show(editor: &Editor, response: &Response, axis: &Axis, actions: &mut Vec<Action>) {
     let clicked = response.clicked() || response.secondary_clicked();
@@ -98,11 +99,11 @@ pub(super) fn of_key(
 mod tests {
     use egui::PointerButton;
 
-    use crate::document::Selection;
-    use crate::path::CameraPath;
     use crate::screenshots::screenshot;
     use crate::tests::*;
     use crate::texts::fill;
+    use vides_document::Selection;
+    use vides_engine::path::CameraPath;
 
     /// One click selects the section that is seen there, its menu gives it a ready pace in one step.
     #[test]

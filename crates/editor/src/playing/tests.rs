@@ -5,10 +5,10 @@ use std::time::Duration;
 use egui::{Key, Modifiers, PointerButton, Pos2, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
+use vides_document::At;
+use vides_engine::path::Pose;
 
 use super::*;
-use crate::document::At;
-use crate::path::Pose;
 use crate::playing::axis::as_frame;
 use crate::space::tests::{
     editor, image, motion, press, pyramid, pyramid_window, release, tap, window,
@@ -27,7 +27,7 @@ fn marks_lie_where_the_sampler_puts_the_keys() {
     for closed in [false, true] {
         let mut document = pyramid();
         document
-            .apply(crate::document::Edit::set(At::Path, "closed", closed))
+            .apply(vides_document::Edit::set(At::Path, "closed", closed))
             .unwrap();
         let mut marks = Marks::default();
         marks.update(&document).unwrap();
@@ -180,7 +180,7 @@ fn a_shorter_path_keeps_the_frame_in_range() {
     harness.state_mut().scrub(700.0);
     harness.step();
     while harness.state().document.path().points.len() > 2 {
-        let edit = crate::document::Edit::RemovePoint { at: 2 };
+        let edit = vides_document::Edit::RemovePoint { at: 2 };
         harness.state_mut().document.apply(edit).unwrap();
     }
     harness.step();
@@ -245,12 +245,12 @@ fn type_into(harness: &mut Harness<'_, Editor>, name: &str, text: &str) {
 fn frame_and_second_are_typed_and_move_the_playhead() {
     for language in [Language::English, Language::German] {
         let mut document = pyramid();
-        let info = crate::document::Info {
+        let info = vides_document::Info {
             first_frame: 1001,
             fps: 24.0,
             ..document.info().clone()
         };
-        let edit = crate::document::Edit::SetInfo(Box::new(info));
+        let edit = vides_document::Edit::SetInfo(Box::new(info));
         document.apply(edit).unwrap();
         let before = document.to_toml().unwrap();
         let mut harness = window(editor(document, language), vec2(1200.0, 800.0), 1.0);

@@ -2,13 +2,13 @@
 //! their frames counted from the first one.
 
 use egui::{Context, Event, Key, Modifiers};
+use vides_document::error::{Refused, Result};
+use vides_document::{Document, Edit};
 use vides_engine::scene::{Channel, Interpolation, KeyList, Node, Part, Track};
 
 use super::key_motion::{by_track, keys_at, removed};
 use super::track_menu::{angles, by_angles, quaternions, smooth};
 use crate::action::Action;
-use crate::document::{Document, Edit};
-use crate::error::{Refused, Result};
 use crate::state::Editor;
 use crate::texts::fill;
 use crate::texts::refusals::of_edit;

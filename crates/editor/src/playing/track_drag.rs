@@ -5,12 +5,12 @@
 //! back by themselves, and it is one step.
 
 use egui::{CursorIcon, Key, Modifiers, Pos2, Rect, Response, Stroke, StrokeKind, Ui, pos2};
+use vides_document::Edit;
 use vides_engine::scene::Part;
 
 use super::key_row::{FINE, bubble};
 use super::track_time::Time;
 use crate::action::Action;
-use crate::document::Edit;
 use crate::entry::Entry;
 use crate::playing::track_rows::{Hit, Shown, bar_of, channel_name, frame_of};
 use crate::state::Editor;

@@ -2,6 +2,7 @@
 //! the handles of own tangents. What is dragged is [`super::graph_drag`]'s.
 
 use egui::{Pos2, Rect, Response, Role, Sense, Shape, Stroke, Ui, WidgetInfo, pos2, vec2};
+use vides_document::EditedScene;
 use vides_engine::scene::{Channel, Track};
 
 use super::axis::Axis;
@@ -10,7 +11,6 @@ use super::track_curve::{Curve, Of};
 use super::track_time::Time;
 use super::{graph_drag, key_motion, track_menu, track_rows, tracks};
 use crate::action::Action;
-use crate::document::EditedScene;
 use crate::playing::track_dots::{Fit, Hit, MOST, Shown, range_of, select};
 use crate::state::Editor;
 pub(super) use crate::state::playing::track_graph::Memory;

@@ -2,13 +2,13 @@
 
 use egui::{PointerButton, Rangef, Shape};
 use egui_kittest::kittest::Queryable;
+use vides_document::Edit;
 use vides_engine::math::euler::EulerAngles;
 use vides_engine::scene::{Extrapolation, Interpolation, Node, Part, Scene, Warnings};
 
 use super::super::graph_drag::tests::apart;
 use super::super::tracks::tests::*;
 use super::*;
-use crate::document::Edit;
 use crate::playing::track_rows::channel_name;
 use crate::screenshots::screenshot;
 use crate::setup::Theme;

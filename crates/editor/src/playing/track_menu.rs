@@ -2,17 +2,18 @@
 //! after its keys, or a node's path.
 
 use egui::{Button, Popup, PopupCloseBehavior, Response, RichText, Ui};
+use vides_document::Edit;
+use vides_document::error::Result;
 use vides_engine::math::euler::EulerAngles;
 use vides_engine::scene::{
     Channel, Extrapolation, Interpolation, Manner, Part, Track, Warnings, host,
 };
 
-use super::{key_menu, track_graph};
+use super::key_menu;
 use crate::action::Action;
-use crate::document::Edit;
-use crate::error::Result;
 use crate::playing::track_rows::{bar_of, channel_name};
 use crate::state::Editor;
+use crate::state::playing::track_graph;
 use crate::state::playing::tracks::Row;
 use crate::texts::refusals::of_edit;
 use crate::texts::{Texts, fill};

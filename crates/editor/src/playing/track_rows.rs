@@ -1,9 +1,9 @@
 //! Rows of the keys of nodes: which there are, where they stand, what lies under the pointer.
 
 use egui::{Align2, Id, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, vec2};
+use vides_document::EditedScene;
 use vides_engine::scene::{Channel, Node, Track};
 
-use crate::document::EditedScene;
 use crate::playing::axis::as_frame;
 use crate::playing::track_time::{REACH, Time};
 use crate::state::Editor;

@@ -7,14 +7,14 @@ use egui::{
     CursorIcon, Painter, Rangef, Rect, Response, Role, ScrollArea, Sense, Stroke, StrokeKind, Ui,
     UiBuilder, WidgetInfo, pos2, vec2,
 };
+use vides_document::EditedScene;
+use vides_engine::path::Sampler;
 use vides_engine::scene::{FollowPath, Node, Track};
 
 use super::axis::Axis;
 use super::track_time::{APART, Time};
 use super::{graph_paint, pins, track_drag, track_graph, track_menu, track_rows};
 use crate::action::Action;
-use crate::document::EditedScene;
-use crate::path::Sampler;
 use crate::playing::axis::as_frame;
 use crate::playing::track_rows::{Hit, ROW, Shown, bar_of, caption, diamond, id};
 use crate::state::Editor;

@@ -3,11 +3,11 @@
 use egui::{Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos2, Shape};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
+use vides_document::{Document, Edit};
+use vides_engine::path::CameraPath;
 use vides_engine::scene::{Channel, Extrapolation, Interpolation, Kind, Part, Scene};
 
 use super::*;
-use crate::document::{Document, Edit};
-use crate::path::CameraPath;
 use crate::playing::track_rows::OUTSIDE;
 use crate::screenshots::screenshot;
 use crate::setup::Theme;

@@ -2,13 +2,13 @@
 
 use egui::{Ui, vec2};
 use glam::{DAffine3, DVec3};
+use vides_document::Edit;
+use vides_document::tool::Cage;
 use vides_engine::deform::{Bounds, Deformation};
 use vides_engine::scene::{Channel, Kind, Object, Part};
 
 use super::keys_panel::{AXES, Shown, indent};
 use crate::action::Action;
-use crate::document::Edit;
-use crate::document::tool::Cage;
 use crate::entry::Entry;
 use crate::number::Number;
 use crate::panels::parts::share;

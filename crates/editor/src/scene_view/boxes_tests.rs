@@ -1,8 +1,9 @@
+use vides_document::Document;
+use vides_engine::scene::{Interpolation, Mesh, Node, Scene, Track};
+
 use super::*;
-use crate::document::Document;
 use crate::screenshots::screenshot;
 use crate::tests::*;
-use vides_engine::scene::{Interpolation, Mesh, Node, Scene, Track};
 
 /// A bar of 1 × 2 × 1 that is twisted about y, by 90° at frame 11, in a group that is turned.
 fn window_of_bar(language: Language, size: [f32; 2], theme: Theme) -> Window {

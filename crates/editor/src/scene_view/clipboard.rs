@@ -1,10 +1,10 @@
 //! Nodes by the clipboard, between windows and programs, as the text of a `.vid` file.
 
 use egui::Context;
+use vides_document::{CopiedNodes, Edit};
 use vides_engine::scene::Kind;
 
 use crate::action::Action;
-use crate::document::{CopiedNodes, Edit};
 use crate::state::Editor;
 use crate::state::scene_view::NodeCommand;
 use crate::texts::fill;

@@ -1,8 +1,8 @@
 use egui::{Event, Modifiers};
+use vides_document::{Edit, SceneDocument};
 use vides_engine::scene::{Kind, Light, Node, Part};
 
 use super::super::list::tests::{click_on, names, scene_of, selected, window_of_parts};
-use crate::document::{Edit, SceneDocument};
 use crate::tests::*;
 
 const NONE: Modifiers = Modifiers::NONE;

@@ -2,13 +2,13 @@
 //! selects what it has made. What is refused is told in the output field and changes nothing.
 
 use glam::{DAffine3, DVec3};
+use vides_document::Edit;
+use vides_document::error::Result;
+use vides_engine::math::orientation::quaternion_from_view;
+use vides_engine::path::Space;
 use vides_engine::scene::{Geometry, Keep, Kind, Light, Node, Object, Part, Scene};
 
-use crate::document::Edit;
-use crate::error::Result;
-use crate::math::orientation::quaternion_from_view;
-use crate::path::Space;
-use crate::space::Camera;
+use crate::space::cameras::Camera;
 use crate::state::Editor;
 use crate::state::files::Purpose;
 use crate::state::scene_view::{NewNode, NodeCommand};

@@ -2,9 +2,8 @@
 
 use std::collections::HashMap;
 
+use vides_document::{Object, coarse, features, sharp_lines};
 use vides_engine::scene::Mesh;
-
-use crate::document::{Object, coarse, features, sharp_lines};
 
 /// Meshes of more triangles have a coarser one beside them for while things move.
 const MANY: usize = 30_000;
@@ -47,7 +46,7 @@ impl Drawn {
 
 #[derive(Debug, Default)]
 pub(crate) struct Edges {
-    /// Their meshes: [`crate::document::EditedScene::meshes`].
+    /// Their meshes: [`vides_document::EditedScene::meshes`].
     number: u64,
     of_nodes: HashMap<usize, Drawn>,
     /// Held so that no other object gets its address.

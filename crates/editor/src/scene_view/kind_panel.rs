@@ -4,6 +4,7 @@
 use std::path::Path;
 
 use egui::{Button, CornerRadius, Rect, Rgba, Stroke, StrokeKind, Ui, vec2};
+use vides_engine::limits::{MAX_COORDINATE, MAX_ZOOM, MIN_ZOOM};
 use vides_engine::scene::{Camera, Channel, Kind, Light, Object, Rest};
 
 use super::keys_panel::{Shown, Words, channel, indent};
@@ -11,7 +12,6 @@ use super::list_row;
 use super::node_panel::{degrees, enter_rest, rest_edit};
 use crate::action::Action;
 use crate::files::short;
-use crate::limits::{MAX_COORDINATE, MAX_ZOOM, MIN_ZOOM};
 use crate::number::Number;
 use crate::panels::parts::{Heading, PanelButton, apart, button_row, share};
 use crate::setup::Fold;

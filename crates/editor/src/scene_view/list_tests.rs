@@ -5,16 +5,16 @@ use std::path::Path;
 use egui::{Event, PointerButton, Pos2, Vec2};
 use egui_kittest::kittest::{NodeT, by};
 use glam::{DAffine3, DQuat};
+use vides_document::StepName;
+use vides_engine::path::CameraPath;
 use vides_engine::scene::{
     Channel, Extrapolation, FollowPath, Interpolation, Keep, KeyList, Kind, Light, Node, NodeState,
     Object, Part, Scene, Track, Values, Warnings,
 };
 
 use super::*;
-use crate::document::StepName;
-use crate::path::CameraPath;
 use crate::screenshots::screenshot;
-use crate::space::Camera;
+use crate::space::cameras::Camera;
 use crate::space::tests::{self as space, motion, press as press_at, release};
 use crate::state::files::Purpose;
 use crate::state::scene_view::{NewNode, NodeCommand};
@@ -194,10 +194,10 @@ fn a_light_stands_high_in_the_space_and_a_camera_sees_what_is_seen() {
     for language in BOTH {
         let menu = &language.texts().menu;
         let mut window = window_with_points(language, LARGE, 1.0, Theme::Dark);
-        let space = crate::path::Space {
+        let space = vides_engine::path::Space {
             centre: DVec3::new(10.0, -3.0, 2.0),
             half_size: 4.0,
-            up: crate::path::Up::Z,
+            up: vides_engine::path::Up::Z,
         };
         window.state_mut().edit(Edit::SetSpace { space, fit: true });
         window.state_mut().set_frame(17.5).unwrap();

@@ -24,19 +24,19 @@ mod pivot;
 pub(crate) mod rows;
 mod selection;
 mod values;
-mod wires;
+pub(crate) mod wires;
 
 use glam::{DAffine3, DVec3};
+use vides_document::Document;
+use vides_document::error::{Error, Refused, Result};
+use vides_engine::path::{Pose, Space};
 use vides_engine::scene::{NodeState, Warnings};
 
 pub(super) use self::list::{has_keyboard, list, take_keys};
 pub(super) use self::node_panel::beside;
 pub(super) use self::panel::show;
-pub(super) use self::wires::{Seen, each_object, other_paths, outline, wires};
-use crate::document::Document;
-use crate::error::{Error, Refused, Result};
-use crate::path::{Pose, Space};
-use crate::space::Camera;
+pub(super) use self::wires::{outline, wires};
+use crate::space::cameras::Camera;
 use crate::state::Editor;
 use crate::state::scene_view::{Now, SceneView};
 

@@ -1,14 +1,14 @@
 //! The panel of what moves a node: nothing, keys or a path.
 
 use egui::{Button, Popup, Role, Ui, WidgetInfo, vec2};
+use vides_document::Edit;
+use vides_engine::limits::MAX_COORDINATE;
 use vides_engine::scene::{Extrapolation, Part};
 use vides_engine::tools::fit::Tolerance;
 
 use super::keys_panel::Shown;
 use crate::action::Action;
-use crate::document::Edit;
 use crate::entry::Entry;
-use crate::limits::MAX_COORDINATE;
 use crate::number::{Number, decimals};
 use crate::panels::parts::{Heading, PanelButton, apart, button_row, share};
 use crate::setup::Fold;

@@ -1,11 +1,11 @@
 //! What is done to a node from its panels.
 
+use vides_document::error::{Refused, Result};
+use vides_document::{Document, Edit, Info};
+use vides_engine::path::CameraPath;
 use vides_engine::scene::{Channel, Extrapolation, FollowPath, KeyList, Part};
 use vides_engine::tools::fit::Tolerance;
 
-use crate::document::{Document, Edit, Info};
-use crate::error::{Refused, Result};
-use crate::path::CameraPath;
 use crate::state::Editor;
 use crate::state::scene_view::{Moves, NodeAction};
 

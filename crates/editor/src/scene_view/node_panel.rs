@@ -2,12 +2,12 @@
 
 use egui::{Button, Popup, Role, ScrollArea, Ui, WidgetInfo, vec2};
 use glam::DVec3;
+use vides_document::Edit;
 use vides_engine::scene::{Channel, Node, Part, Rest};
 
 use super::keys_panel::{AXES, Shown, Words, channel, diamond, indent};
 use super::{kind_panel, list_row, motion_panel, object_panel, panel};
 use crate::action::Action;
-use crate::document::Edit;
 use crate::entry::Entry;
 use crate::number::Number;
 use crate::panels::parts::{Heading, PanelButton, apart, button_row, share};

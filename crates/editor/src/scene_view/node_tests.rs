@@ -1,10 +1,10 @@
 //! The panels of a node, driven as a user drives them.
 
+use vides_document::StepName;
+use vides_engine::path::CameraPath;
 use vides_engine::scene::{Extrapolation, FollowPath, Kind, Light, Mesh, Node, Object, Scene};
 
 use super::*;
-use crate::document::StepName;
-use crate::path::CameraPath;
 use crate::screenshots::screenshot;
 use crate::state::files::Purpose;
 use crate::state::scene_view::NodeCommand;

@@ -2,13 +2,13 @@
 
 use egui::{Button, Popup, Role, Ui, WidgetInfo, vec2};
 use glam::DVec3;
+use vides_document::Edit;
 use vides_engine::deform::{Deformation, identity_lattice};
 use vides_engine::scene::{Channel, Kind, Object, Part};
 
 use super::keys_panel::{Shown, Sign, Words, channel, heading, sign};
 use super::kind_panel::plain;
 use crate::action::Action;
-use crate::document::Edit;
 use crate::entry::Entry;
 use crate::number::Number;
 use crate::panels::parts::{Heading, PanelButton, apart, button_row};

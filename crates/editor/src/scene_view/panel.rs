@@ -1,12 +1,11 @@
 //! What stands around the list of the nodes: its own window, and what is said where no path is edited.
 
 use egui::{Button, Context, Rect, RichText, Ui, vec2};
-
-use super::list::{is_shown, list};
+use vides_document::StepName;
 use vides_engine::tools::fit::Tolerance;
 
+use super::list::{is_shown, list};
 use crate::action::Action;
-use crate::document::StepName;
 use crate::number::decimals;
 use crate::state::Editor;
 use crate::texts::fill;

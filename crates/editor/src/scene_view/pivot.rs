@@ -6,11 +6,11 @@
 //! each frame: the position gets a key a frame then, and one where another key lies.
 
 use glam::{DMat3, DQuat, DVec3};
+use vides_document::Edit;
+use vides_document::error::{Refused, Result};
 use vides_engine::scene::{Channel, Interpolation, Node, Part, Rest, Scene, Track, Warnings};
 
 use super::values::not_by_path;
-use crate::document::Edit;
-use crate::error::{Refused, Result};
 use crate::state::Editor;
 use crate::texts::fill;
 use crate::texts::refusals::of_edit;

@@ -19,7 +19,7 @@ pub(super) struct Row {
 #[derive(Debug, Default)]
 pub(crate) struct Rows {
     rows: Vec<Row>,
-    /// [`crate::document::EditedScene::number`] of what they show.
+    /// [`vides_document::EditedScene::number`] of what they show.
     made_of: Option<u64>,
     /// By name, which a node keeps whatever number it gets.
     folded: HashSet<String>,

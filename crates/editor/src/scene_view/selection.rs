@@ -1,10 +1,10 @@
 //! Which nodes and keys of a scene are selected. Selecting is no step, and stands in no file.
 
-use crate::state::scene_view::{KeyAt, SceneSelection};
+use vides_document::{Document, EditedScene};
 
 use crate::action::Action;
-use crate::document::{Document, EditedScene};
 use crate::state::Editor;
+use crate::state::scene_view::{KeyAt, SceneSelection};
 
 impl SceneSelection {
     #[cfg(test)]

@@ -4,16 +4,16 @@
 use std::path::{Path, PathBuf};
 
 use egui_kittest::kittest::Queryable;
+use vides_document::{At, Document, Edit};
+use vides_engine::path::CameraPath;
 use vides_engine::scene::{Extrapolation, FollowPath, Kind, Mesh, Node, Object, Scene, Track};
+use vides_raster::Lines;
 
-use crate::Language;
-use crate::document::{At, Document, Edit};
-use crate::path::CameraPath;
-use crate::raster::Lines;
 use crate::screenshots::screenshot;
 use crate::setup::Theme;
 use crate::state::{Editor, Options};
 use crate::tests::*;
+use crate::texts::Language;
 
 /// A window with the scene of a file.
 fn window_of_file(file: &Path, language: Language, theme: Theme) -> Window {
@@ -447,7 +447,7 @@ fn a_camera_by_keys_is_offered_a_path() {
         click(&mut window, texts.keys_to_path);
         assert!(window.state().document.edits_path());
         let name = window.state().document.step_names()[0];
-        assert_eq!(name, Some(crate::document::StepName::KeysToPath));
+        assert_eq!(name, Some(vides_document::StepName::KeysToPath));
         let told_off = said(&window).unwrap();
         let points = window.state().document.path().points.len();
         assert!(told_off.contains(&points.to_string()), "{told_off}");

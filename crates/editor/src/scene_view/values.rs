@@ -2,15 +2,15 @@
 //! what the node has at rest; and the keys that come and go there.
 
 use glam::{DQuat, DVec4};
+use vides_document::Edit;
+use vides_document::error::{Invalid, OutOfRange, Refused, Result};
 use vides_engine::deform::check_number;
+use vides_engine::math::euler::EulerAngles;
 use vides_engine::scene::time::local_frame;
 use vides_engine::scene::{
     Channel, Extrapolation, Interpolation, KeyList, Kind, Node, Part, Rest, Scene, Track, Warnings,
 };
 
-use crate::document::Edit;
-use crate::error::{Invalid, OutOfRange, Refused, Result};
-use crate::math::euler::EulerAngles;
 use crate::state::Editor;
 
 /// Those for which K sets keys.
@@ -392,7 +392,7 @@ fn at_rest(of: &Node, node: usize, channel: &Channel, value: &[f64]) -> Result<P
 }
 
 /// Why a channel without a track cannot have a value.
-fn not_there(of: &Node, channel: &Channel, value: &[f64]) -> crate::error::Error {
+fn not_there(of: &Node, channel: &Channel, value: &[f64]) -> vides_document::error::Error {
     match channel.width(of) {
         Err(error) => error.into(),
         Ok(_) if matches!(channel, Channel::Value { .. }) => Invalid::NoChannelOfNode {

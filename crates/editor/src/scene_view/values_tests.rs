@@ -1,5 +1,6 @@
+use vides_document::Document;
+
 use super::*;
-use crate::document::Document;
 use crate::state::Editor;
 use crate::tests::{Language, options};
 

@@ -1,12 +1,12 @@
 //! What is drawn of a scene, as lines in the world.
 
 use glam::{DAffine3, DVec3};
+use vides_document::Document;
+use vides_document::error::Result;
+use vides_engine::path::curve;
 use vides_engine::scene::{Kind, Mesh, Node, Warnings};
 
 use super::edges::{Drawn, Edges};
-use crate::document::Document;
-use crate::error::Result;
-use crate::path::curve;
 use crate::state::Editor;
 use crate::state::scene_view::Now;
 

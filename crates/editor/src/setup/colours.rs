@@ -12,7 +12,7 @@ use crate::state::Editor;
 use crate::state::windows::{ColourWindow, Windows};
 use crate::texts::fill;
 use crate::theme;
-use crate::windows::docked;
+use crate::windows::dock::docked;
 use crate::windows::sub_window::SubWindow;
 
 /// Width of a name, of a number, and between the columns.

@@ -5,7 +5,7 @@ use crate::setup::{Element, Shown};
 use crate::state::Editor;
 use crate::state::windows::{DisplayWindow, Windows};
 use crate::theme;
-use crate::windows::docked;
+use crate::windows::dock::docked;
 use crate::windows::sub_window::SubWindow;
 
 impl SubWindow for DisplayWindow {

@@ -8,12 +8,12 @@ use std::path::Path;
 
 use egui::Color32;
 use toml::de::DeTable;
+use vides_document::error::{Error, Malformed, Result};
+use vides_document::save;
+use vides_document::vid::field::{Field, Source, fields};
+use vides_document::vid::read_text;
 
 use super::{Colours, Element, Fold, MAX_SENSOR, MIN_SENSOR, Setup, Shown, Theme, View};
-use crate::document::save;
-use crate::document::vid::field::{Field, Source, fields};
-use crate::document::vid::read_text;
-use crate::error::{Error, Malformed, Result};
 use crate::files::folders;
 use crate::state::Editor;
 use crate::texts::{Language, fill};

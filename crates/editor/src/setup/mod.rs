@@ -10,9 +10,9 @@ pub(crate) mod file;
 mod window_tests;
 
 use egui::Color32;
+use vides_engine::math::view::HALF_FILM_HEIGHT;
 use vides_engine::property::choices;
 
-use crate::math::view::HALF_FILM_HEIGHT;
 use crate::texts::Language;
 use crate::theme::rgb;
 
@@ -172,7 +172,10 @@ impl View {
         let new = Self::default();
         let or = |value: f64, instead: f64| if value.is_finite() { value } else { instead };
         Self {
-            rotation: crate::math::orientation::wrap_degrees(or(self.rotation, new.rotation)),
+            rotation: vides_engine::math::orientation::wrap_degrees(or(
+                self.rotation,
+                new.rotation,
+            )),
             tilt: or(self.tilt, new.tilt).clamp(-90.0, 90.0),
             size: or(self.size, new.size).clamp(Self::MIN_SIZE, Self::MAX_SIZE),
             shift: self.shift.map(|shift| or(shift, 0.0).clamp(-4.0, 4.0)),

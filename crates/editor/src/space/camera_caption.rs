@@ -1,15 +1,17 @@
 //! The caption of the camera's picture: what it shows, its buttons, its menu.
 
-use super::{Camera, shown_camera};
-use crate::action::Action;
-use crate::setup::{Aspect, CameraPlace};
-use crate::state::Editor;
-use crate::texts::fill;
-use crate::theme;
 use egui::{
     Align, Button, Color32, FontId, Label, Layout, Painter, Popup, PopupCloseBehavior, Rect,
     Response, RichText, Sense, Ui, UiBuilder, Vec2, vec2,
 };
+
+use super::shown_camera;
+use crate::action::Action;
+use crate::setup::{Aspect, CameraPlace};
+use crate::space::cameras::Camera;
+use crate::state::Editor;
+use crate::texts::fill;
+use crate::theme;
 
 /// Height of the caption above it, in points.
 pub(super) const CAPTION: f32 = 19.0;

@@ -1,17 +1,20 @@
 //! What stands in the camera's picture: objects, the path, the frame within which all is safe.
 
-use super::Camera;
-use super::projection::{from_pos, light};
-use super::scene::{EDGE, floor, object_line};
-use crate::math::view::View;
-use crate::raster::{Line, Lines, Surfaces};
-use crate::scene_view::wires;
-use crate::setup::Element;
-use crate::state::Editor;
-use crate::state::space::solid::{Eye, Solid};
+use std::sync::Arc;
+
 use egui::{Color32, Painter, Pos2, Rect, vec2};
 use glam::{DMat4, DVec2, DVec3, DVec4};
-use std::sync::Arc;
+use vides_engine::math::view::View;
+use vides_raster::{Line, Lines, Surfaces};
+
+use super::nodes::colour as wire_colour;
+use super::projection::{cube, from_pos, light};
+use super::scene::{EDGE, floor, object_line};
+use crate::scene_view::wires;
+use crate::setup::Element;
+use crate::space::cameras::Camera;
+use crate::state::Editor;
+use crate::state::space::solid::{Eye, Solid};
 
 /// Distance of the front plane, in half sizes of the movement space.
 pub(super) const FRONT: f64 = 1e-3;
@@ -115,7 +118,7 @@ pub(super) fn paint(
     };
     if shown.has(Element::Cube) {
         let color = colours.of(Element::Cube).gamma_multiply(0.7);
-        for (from, to) in super::cube(space) {
+        for (from, to) in cube(space) {
             room([from, to], color);
         }
         let color = color.gamma_multiply(0.45);
@@ -141,7 +144,7 @@ pub(super) fn paint(
             // Out of memory these lines are merely missing.
             let _ = editor.with_scene(|now| {
                 wires(editor, now, |wire| {
-                    let color = super::wire_colour(wire.colour, color);
+                    let color = wire_colour(wire.colour, color);
                     lines.extend(line(wire.ends, 1.2, color));
                 });
             });

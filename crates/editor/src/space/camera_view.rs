@@ -8,9 +8,10 @@ use egui::{
 
 use super::camera_caption::{CAPTION, caption};
 use super::camera_picture::{paint, safe_frame};
-use super::{Camera, drawing, flying};
+use super::{drawing, flying};
 use crate::action::Action;
 use crate::setup::{CameraPlace, Element};
+use crate::space::cameras::Camera;
 use crate::state::Editor;
 use crate::state::host::HostPane;
 use crate::state::space::solid::Solid;

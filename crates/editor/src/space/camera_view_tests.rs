@@ -4,12 +4,12 @@ use egui::Modifiers;
 use egui_kittest::kittest::Queryable as _;
 use glam::{DMat4, DVec2, DVec3};
 use proptest::prelude::*;
+use vides_engine::math::camera::{CameraAxes, Clip};
+use vides_engine::math::orientation::{unit, up_from_roll};
+use vides_engine::math::view::View;
 
 use super::super::camera_picture::{FRONT, on_picture, seen};
 use super::*;
-use crate::math::camera::{CameraAxes, Clip};
-use crate::math::orientation::{unit, up_from_roll};
-use crate::math::view::View;
 
 const ASPECT: f64 = 1.5;
 
@@ -137,8 +137,8 @@ fn the_picture_is_upright_and_not_mirrored() {
 /// where somebody has put it, it stays as large as it is.
 #[test]
 fn the_pane_goes_along_with_the_window() {
-    use crate::Language;
     use crate::tests::{LARGE, SMALL, window};
+    use crate::texts::Language;
     let pane = |window: &crate::tests::Window| {
         let id = egui::Id::unique("camera view");
         let rect = window.ctx.memory(|memory| memory.area_rect(id));
@@ -183,10 +183,10 @@ fn the_pane_goes_along_with_the_window() {
     assert!((after.min - moved.min).length() < 2.0 && (after.width() - moved.width()).abs() < 2.0);
 }
 
-use crate::document::Selection;
 use crate::screenshots::screenshot;
 use crate::setup::{Aspect, CameraPlace};
 use crate::space::tests::{motion, press, pyramid_window, release, tap};
+use vides_document::Selection;
 
 type Harness = egui_kittest::Harness<'static, Editor>;
 

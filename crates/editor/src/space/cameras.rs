@@ -5,15 +5,15 @@ use std::sync::Arc;
 
 use egui::Color32;
 use glam::{DVec2, DVec3};
+use vides_document::Document;
+use vides_engine::math::orientation;
+use vides_engine::math::view::HALF_FILM_HEIGHT;
+use vides_engine::path::{Pose, ahead};
+use vides_raster::Lines;
 
 use super::projection::to_pos;
 use super::scene::{Look, LookKey, THIN};
 use super::strokes::Strokes;
-use crate::document::Document;
-use crate::math::orientation;
-use crate::math::view::HALF_FILM_HEIGHT;
-use crate::path::{Pose, ahead};
-use crate::raster::Lines;
 use crate::setup::Element;
 
 /// Length of a camera's edges: in points, and at most in half sizes of the movement space.

@@ -1,13 +1,13 @@
 //! What a drag makes of a point, a target or a roll: from the pointer's place to the edit.
 
 use glam::{DVec2, DVec3};
+use vides_document::{At, Document, Edit, Selection, no_longer_ahead};
+use vides_engine::math::orientation;
+use vides_engine::path::{Orientation, Target, UpVector, ahead};
 
 use super::projection::{Axis, EDGE_ON, Projection};
 use super::scene::FLOOR_CELLS;
 use super::tangents;
-use crate::document::{At, Document, Edit, Selection, no_longer_ahead};
-use crate::math::orientation;
-use crate::path::{Orientation, Target, UpVector, ahead};
 use crate::state::space::{DragConstraint, Handle, Joint};
 
 /// Length of the VUP arrow, in half sizes of the movement space.

@@ -1,10 +1,10 @@
 //! Tests of [`super`]: what a drag makes of a motion of the pointer.
 
 use proptest::prelude::*;
+use vides_engine::path::{Orientation, UpPath};
 
 use super::super::projection::tests::{in_cube, view, viewport};
 use super::*;
-use crate::path::{Orientation, UpPath};
 
 fn document(positions: &[DVec3], target: Target) -> Document {
     let mut document = Document::new();
@@ -271,7 +271,7 @@ fn every_up_is_turned_to_the_pointer() {
     ];
     for up in ups {
         let mut document = document(&positions, Target::Relative(DVec3::NEG_Z));
-        let cubic = Edit::set(At::Path, "curve", crate::path::CurveKind::Cubic);
+        let cubic = Edit::set(At::Path, "curve", vides_engine::path::CurveKind::Cubic);
         document.apply(cubic).unwrap();
         for (point, ahead) in [(0, None), (1, Some(0.0)), (2, None)] {
             let orientation = Orientation {

@@ -2,15 +2,15 @@
 
 use egui::{CursorIcon, Event, Key, PointerButton, Pos2, Rect, Response, Shape, Stroke, Ui};
 use glam::DVec3;
+use vides_engine::tools::clearance::Clearance;
 
-use super::Camera;
 use super::projection::from_pos;
 use crate::action::Action;
+use crate::space::cameras::Camera;
 use crate::space::surface::{PointerContext, projection_of};
 use crate::state::Editor;
 use crate::state::space::Drawing;
 use crate::state::windows::ToolWindow;
-use crate::tools::clearance::Clearance;
 use crate::{keys, theme};
 
 /// A line drawn this near, in points, to lines and points of an object leads through them.

@@ -1,9 +1,9 @@
 //! Flying in the camera's picture: looking around, walking, circling. Arithmetic without a window.
 
 use glam::{DQuat, DVec3};
+use vides_engine::path::Space;
 
-use super::Camera;
-use crate::path::Space;
+use crate::space::cameras::Camera;
 
 /// Degrees of turning for each point of mouse motion.
 const TURN: f64 = 0.3;
@@ -83,7 +83,7 @@ fn turn(camera: &Camera, space: Space, [aside, rise]: [f64; 2]) -> DQuat {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::path::Up;
+    use vides_engine::path::Up;
 
     fn spaces() -> [Space; 2] {
         let far = Space {

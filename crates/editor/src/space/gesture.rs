@@ -1,11 +1,11 @@
 //! The parts of a drag in the movement window, and what they change.
 
 use glam::DVec3;
+use vides_document::{At, Edit};
+use vides_engine::path::Target;
 use vides_engine::property::Value;
 
-use crate::document::{At, Edit};
 use crate::number::decimals;
-use crate::path::Target;
 use crate::state::Editor;
 use crate::state::space::{Gesture, Handle, NodeChange, Side};
 use crate::texts::fill;

@@ -219,10 +219,10 @@ fn numbers(
 mod tests {
     use egui::{Modifiers, Role};
 
-    use crate::path::{CameraPath, Space, Up};
     use crate::screenshots::screenshot;
     use crate::setup::View;
     use crate::tests::*;
+    use vides_engine::path::{CameraPath, Space, Up};
 
     /// From where an end is clicked, its axis points at the viewer, whichever stands upright.
     #[test]
@@ -237,7 +237,7 @@ mod tests {
                 ..CameraPath::default()
             };
             let options = Options {
-                document: Document::from_parts(path, crate::document::Info::default()).unwrap(),
+                document: Document::from_parts(path, vides_document::Info::default()).unwrap(),
                 ..options(Language::English)
             };
             let mut window = window_of(options, LARGE, 1.0, Theme::Dark);

@@ -6,10 +6,10 @@
 //! would need a shear, so what a node scales by itself lies along its own axes.
 
 use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3};
+use vides_engine::math::euler::EulerAngles;
 use vides_engine::scene::Channel;
 
 use super::projection::{Axis, Projection};
-use crate::math::euler::EulerAngles;
 use crate::state::Editor;
 use crate::state::scene_view::Now;
 use crate::state::space::{Grip, Held, NodeChange, Start};

@@ -3,12 +3,12 @@
 
 use egui::{Key, Modifiers, Rect};
 use glam::{DMat3, DVec2, DVec3};
+use vides_document::{At, Edit, Selection};
 
 use super::drag;
 use super::held_nodes::Motion;
 use super::projection::{Axis, Projection};
 use crate::action::Action;
-use crate::document::{At, Edit, Selection};
 use crate::number::decimals;
 use crate::setup::{CameraPlace, View};
 use crate::space::surface::{WHEEL, projection_of, resized};

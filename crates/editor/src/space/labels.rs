@@ -1,14 +1,15 @@
 //! Numbers of points, names and hints above the space, where they cover the least.
 
+use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, vec2};
+use glam::{DVec2, DVec3};
+use vides_document::Document;
+
 use super::cameras::Camera;
 use super::projection::to_pos;
 use super::scene::Look;
 use super::tangents;
-use crate::document::Document;
 use crate::setup::Element;
 use crate::theme::{self};
-use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, vec2};
-use glam::{DVec2, DVec3};
 
 /// Size of the cells by which numbers keep apart, in points.
 const CELL: [f32; 2] = [18.0, 14.0];
@@ -281,9 +282,9 @@ fn halo(painter: &Painter, look: &Look<'_>, text: Rect) {
 mod tests {
     use super::super::scene::tests::Eye;
     use super::*;
-    use crate::document::Info;
-    use crate::path::{CameraPath, SupportPoint, Target};
     use crate::setup::View;
+    use vides_document::Info;
+    use vides_engine::path::{CameraPath, SupportPoint, Target};
 
     /// A number stands neither on the arrow that shows what is up nor on the curve.
     #[test]

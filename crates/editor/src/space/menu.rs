@@ -3,11 +3,12 @@
 use egui::containers::menu::menu_style;
 use egui::{Align, Button, Key, Layout, Popup, PopupKind, Pos2, Rect, SetOpenCommand, Ui};
 use glam::DVec3;
+use vides_engine::path::Up;
 
 use super::picking::REACH;
-use super::projection::from_pos;
+use super::projection::{Projection, from_pos};
+use super::surface::projection_of;
 use crate::action::Action;
-use crate::path::Up;
 use crate::setup::{Element, View};
 use crate::state::Editor;
 use crate::state::space::{Handle, PointMenu};
@@ -24,7 +25,7 @@ pub(super) fn show(
 ) {
     let id = ui.scope_id().with("point menu");
     let context = ui.ctx();
-    let projection = super::projection_of(editor, viewport);
+    let projection = projection_of(editor, viewport);
     // Shift-F10 is the menu key everywhere.
     if asked.is_none()
         && !Popup::is_any_open(context)
@@ -73,11 +74,7 @@ pub(super) fn show(
 }
 
 /// The corner of the object at a place on the screen, the front one of several.
-pub(super) fn corner_at(
-    editor: &Editor,
-    projection: &super::Projection,
-    at: Pos2,
-) -> Option<DVec3> {
+pub(super) fn corner_at(editor: &Editor, projection: &Projection, at: Pos2) -> Option<DVec3> {
     if !editor.setup.shown.has(Element::Object) {
         return None;
     }
@@ -174,7 +171,7 @@ fn entries(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         actions.push(Action::AimAll);
     }
     ui.separator();
-    let two = (count <= crate::limits::MIN_POINTS).then_some(position.two_remain);
+    let two = (count <= vides_engine::limits::MIN_POINTS).then_some(position.two_remain);
     if entry(ui, &editor.removal(), position.remove_hint, two) {
         actions.push(Action::RemovePoint);
     }

@@ -4,11 +4,11 @@ use egui::{Event, Key, Modifiers, PointerButton, pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use glam::DVec3;
+use vides_document::Edit;
+use vides_engine::path::{Orientation, Target};
 
 use super::projection::Axis;
 use super::tests::*;
-use crate::document::Edit;
-use crate::path::{Orientation, Target};
 use crate::setup::{Element, View};
 use crate::state::Editor;
 

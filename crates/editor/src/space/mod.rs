@@ -43,18 +43,16 @@ use std::sync::Arc;
 
 use egui::{Context, EventFilter, Painter, Pos2, Rect, Sense, Ui, Vec2};
 use glam::DVec3;
+use vides_document::Document;
+use vides_document::error::Result;
+use vides_raster::{Lines, Surfaces};
 
 pub(super) use self::cameras::Camera;
-pub(super) use self::nodes::colour as wire_colour;
 use self::projection::Projection;
 use self::scene::Look;
 use self::strokes::Strokes;
 pub(super) use self::turned::turned_node;
-pub(super) use self::typed::Typed;
 use crate::action::Action;
-use crate::document::Document;
-use crate::error::Result;
-use crate::raster::{Lines, Surfaces};
 use crate::setup::{Element, View};
 use crate::space::projection::cube;
 use crate::space::surface::{PointerContext, projection_of};

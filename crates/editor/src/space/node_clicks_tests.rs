@@ -2,6 +2,8 @@
 
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, vec2};
 use glam::DVec3;
+use vides_document::Edit;
+use vides_engine::path::CameraPath;
 use vides_engine::scene::{Channel, Interpolation, Kind, Light, Node, Scene, Track};
 
 use super::nodes_tests::{
@@ -12,8 +14,6 @@ use super::tests::{
     editor, hold, image, message, motion, press, release, tap, text, viewport, window,
 };
 use super::*;
-use crate::document::Edit;
-use crate::path::CameraPath;
 use crate::screenshots::screenshot;
 use crate::setup::Theme;
 use crate::texts::{Language, fill};

@@ -6,7 +6,9 @@ use std::sync::Arc;
 
 use egui::{Color32, Painter, Pos2, Rect, Rgba};
 use glam::{DVec2, DVec3};
+use vides_document::error::Result;
 use vides_engine::scene::{Kind, Light, Node, NodeState};
+use vides_raster::Lines;
 
 use super::cameras::{self, Camera};
 use super::labels;
@@ -14,9 +16,8 @@ use super::picking::REACH;
 use super::projection::{Projection, from_pos};
 use super::scene::{Look, THIN};
 use super::strokes::Strokes;
-use crate::error::Result;
-use crate::raster::Lines;
-use crate::scene_view::{other_paths, wires};
+use crate::scene_view::wires;
+use crate::scene_view::wires::other_paths;
 use crate::setup::Element;
 use crate::state::Editor;
 use crate::state::scene_view::Now;

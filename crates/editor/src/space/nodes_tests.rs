@@ -4,6 +4,8 @@
 use egui::{Event, Key, Modifiers, PointerButton, vec2};
 use egui_kittest::Harness;
 use glam::{DQuat, DVec3};
+use vides_document::Edit;
+use vides_engine::path::CameraPath;
 use vides_engine::scene::{
     Channel, Extrapolation, FollowPath, Interpolation, Kind, Light, Mesh, Node, NodeState, Object,
     Scene, Track, Warnings,
@@ -11,8 +13,6 @@ use vides_engine::scene::{
 
 use super::tests::{editor, image, motion, press, release, tap, text, window};
 use super::*;
-use crate::document::Edit;
-use crate::path::CameraPath;
 use crate::texts::Language;
 
 pub(super) type Window<'a> = Harness<'a, Editor>;

@@ -6,6 +6,9 @@ use std::sync::Arc;
 
 use egui::{Color32, Painter, Rect, Shape, Stroke};
 use glam::{DVec2, DVec3};
+use vides_document::Document;
+use vides_document::tool::Cage;
+use vides_raster::Lines;
 
 use super::drag::VUP_LENGTH;
 use super::picking::Tips;
@@ -13,9 +16,6 @@ use super::projection::{Axis, to_pos};
 use super::scene::{Look, THIN};
 use super::strokes::Strokes;
 use super::tangents;
-use crate::document::Document;
-use crate::document::tool::Cage;
-use crate::raster::Lines;
 use crate::setup::Element;
 use crate::state::space::{DragConstraint, Handle};
 use crate::theme::{self, Palette};

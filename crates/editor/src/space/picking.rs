@@ -1,12 +1,12 @@
 //! What lies under the pointer.
 
 use glam::{DVec2, DVec3};
+use vides_document::Document;
+use vides_engine::path::ahead;
 
 use super::drag::{VUP_LENGTH, current_tip};
 use super::projection::Projection;
 use super::tangents;
-use crate::document::Document;
-use crate::path::ahead;
 use crate::setup::{Element, Shown};
 use crate::state::space::Handle;
 
@@ -97,8 +97,8 @@ pub(super) fn nearest(
 mod tests {
     use super::super::projection::tests::viewport;
     use super::*;
-    use crate::document::Edit;
     use crate::setup::View;
+    use vides_document::Edit;
 
     fn scene() -> (Document, Projection) {
         let mut document = Document::new();
@@ -142,7 +142,7 @@ mod tests {
         // A target that lies on another point is taken before that.
         let mut orientation = document.path().points[1].orientations[0].clone();
         let target = document.path().points[3].position;
-        orientation.target = crate::path::Target::Absolute(target);
+        orientation.target = vides_engine::path::Target::Absolute(target);
         let edit = Edit::SetOrientation {
             point: 1,
             at: 0,

@@ -1,18 +1,19 @@
 //! The plane of a drag in the window: seen edge-on, with held keys, by steps, at the faces.
 
+use egui::{Key, Modifiers, PointerButton, Vec2, vec2};
+use egui_kittest::Harness;
+use glam::DVec3;
+use vides_document::Edit;
+use vides_engine::path::Target;
+
 use super::projection::Axis;
 use super::tests::{
     BUTTONS, hold, image, key, message, motion, position, press, pyramid_window, release, shown,
     text, tips, viewport,
 };
 use super::*;
-use crate::document::Edit;
-use crate::path::Target;
 use crate::setup::View;
 use crate::texts::fill;
-use egui::{Key, Modifiers, PointerButton, Vec2, vec2};
-use egui_kittest::Harness;
-use glam::DVec3;
 
 /// The window's own views, and which plane faces the viewer there.
 const VIEWS: [(f64, f64, Axis); 3] = [
@@ -170,9 +171,9 @@ fn edge_on_a_circle_turns_nothing_and_it_is_said() {
     harness.step();
     let texts = &harness.state().texts().space;
     // A camera that looks to the side: its circle is a line.
-    let orientation = crate::path::Orientation {
+    let orientation = vides_engine::path::Orientation {
         target: Target::Relative(DVec3::X),
-        ..crate::path::Orientation::default()
+        ..vides_engine::path::Orientation::default()
     };
     let edit = Edit::SetOrientation {
         point: 0,

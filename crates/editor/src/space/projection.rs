@@ -4,9 +4,9 @@
 
 use egui::{Pos2, Rect, pos2};
 use glam::{DMat4, DVec2, DVec3, DVec4};
+use vides_engine::path;
+use vides_engine::path::Space;
 
-use crate::path;
-use crate::path::Space;
 use crate::setup::View;
 
 /// A world axis. In an unturned view with y up, x leads to the right and z towards the viewer; with
@@ -271,7 +271,7 @@ pub(super) mod tests {
     use proptest::prelude::*;
 
     use super::*;
-    use crate::math::transform::{rotation_x, rotation_y};
+    use vides_engine::math::transform::{rotation_x, rotation_y};
 
     pub(in super::super) fn view() -> impl Strategy<Value = View> {
         (

@@ -9,14 +9,14 @@ use std::sync::Arc;
 
 use egui::{Color32, Mesh, Painter, Shape};
 use glam::DVec3;
+use vides_document::Document;
+use vides_document::error::Result;
+use vides_engine::path::{Change, Pose, Sampler, Timeline};
+use vides_raster::Lines;
 
 use super::cameras::Camera;
 use super::scene::{Look, LookKey, THIN};
 use super::strokes::Strokes;
-use crate::document::Document;
-use crate::error::Result;
-use crate::path::{Change, Pose, Sampler, Timeline};
-use crate::raster::Lines;
 use crate::setup::Element;
 
 /// Width of the ribbon and length of its fringe, in half sizes of the movement space.

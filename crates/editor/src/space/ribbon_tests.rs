@@ -1,6 +1,7 @@
 //! Tests of [`super`].
 
 use proptest::prelude::*;
+use vides_document::{At, Edit};
 
 use super::super::cameras::KeyCameras;
 use super::super::projection::Projection;
@@ -8,7 +9,6 @@ use super::super::projection::tests::{view, viewport};
 use super::super::scene::tests::{Eye, document, edit};
 use super::super::tests::pyramid;
 use super::*;
-use crate::document::{At, Edit};
 
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(32))]

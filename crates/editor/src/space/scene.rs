@@ -10,15 +10,15 @@ use std::sync::Arc;
 
 use egui::{Color32, Painter, Rect};
 use glam::{DVec2, DVec3};
+use vides_document::error::Result;
+use vides_document::{Document, Object};
+use vides_engine::path::hermite::Cubic;
+use vides_engine::path::tessellation::tessellate;
+use vides_engine::path::{CameraPath, CurveKind, Space, Tangents, Tcb, curve};
+use vides_raster::Lines;
 
 use super::projection::{Projection, cube_edges, edge_ends};
 use super::strokes::{Strokes, dimmed, in_pixel, part_between};
-use crate::document::{Document, Object};
-use crate::error::Result;
-use crate::path::hermite::Cubic;
-use crate::path::tessellation::tessellate;
-use crate::path::{CameraPath, CurveKind, Space, Tangents, Tcb, curve};
-use crate::raster::Lines;
 use crate::setup::{Colours, Element, Shown};
 use crate::state::space::solid::Sight;
 
@@ -169,7 +169,7 @@ impl PathLines {
     }
 
     #[cfg(test)]
-    fn all(&self) -> Vec<Vec<crate::raster::Line>> {
+    fn all(&self) -> Vec<Vec<vides_raster::Line>> {
         let chunks = self.chunks.iter();
         [self.behind.lines.clone(), self.still.lines.clone()]
             .into_iter()

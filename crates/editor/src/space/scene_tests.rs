@@ -2,12 +2,12 @@
 
 use egui::{pos2, vec2};
 use proptest::prelude::*;
+use vides_document::{At, Edit};
+use vides_engine::path::SupportPoint;
+use vides_engine::path::camera_path::DEFAULT_PRESETS;
 
 use super::super::projection::tests::{view, viewport};
 use super::*;
-use crate::document::{At, Edit};
-use crate::path::SupportPoint;
-use crate::path::camera_path::DEFAULT_PRESETS;
 use crate::setup::View;
 
 pub(in crate::space) struct Eye {
@@ -49,7 +49,7 @@ pub(in crate::space) fn document(count: usize) -> Document {
         points,
         ..CameraPath::default()
     };
-    Document::from_parts(path, crate::document::Info::default()).unwrap()
+    Document::from_parts(path, vides_document::Info::default()).unwrap()
 }
 
 pub(in crate::space) fn edit(count: usize) -> impl Strategy<Value = Edit> {
@@ -115,7 +115,7 @@ proptest! {
             points: points.iter().copied().map(SupportPoint::new).collect(),
             ..CameraPath::default()
         };
-        let document = Document::from_parts(path, crate::document::Info::default()).unwrap();
+        let document = Document::from_parts(path, vides_document::Info::default()).unwrap();
         let mut eye = Eye::new(&view);
         // Cutting at the border is tested elsewhere.
         let wide = Rect::from_center_size(viewport().center(), vec2(1e5, 1e5));
@@ -189,18 +189,18 @@ fn each_element_is_shown_in_its_own_colour_and_can_be_hidden() {
     let outside = Edit::set(At::Point(1), "position", DVec3::new(1.3, 0.0, 0.0));
     document.apply(outside).unwrap();
     let object = vec![
-        crate::document::ObjectPoint {
+        vides_document::ObjectPoint {
             position: DVec3::ZERO,
             draw: false,
         },
-        crate::document::ObjectPoint {
+        vides_document::ObjectPoint {
             position: DVec3::Y,
             draw: true,
         },
     ];
-    let info = crate::document::Info {
+    let info = vides_document::Info {
         object: object.into(),
-        ..crate::document::Info::default()
+        ..vides_document::Info::default()
     };
     document.apply(Edit::SetInfo(Box::new(info))).unwrap();
     let mut eye = Eye::new(&View::default());

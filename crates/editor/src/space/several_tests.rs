@@ -3,14 +3,14 @@
 use egui::{Key, Modifiers, PointerButton, Pos2, vec2};
 use egui_kittest::Harness;
 use glam::{DMat3, DVec3};
+use vides_document::At;
+use vides_engine::path::CurveParameters;
 
 use super::tests::{
     editor, empty, hold, image, message, motion, position, press, pyramid, pyramid_window, release,
     tap, text, tips, viewport, window,
 };
 use super::*;
-use crate::document::At;
-use crate::path::CurveParameters;
 use crate::screenshots::screenshot;
 use crate::setup::Theme;
 use crate::state::selected::SelectionChange;
@@ -289,8 +289,8 @@ fn fields_and_buttons_change_all() {
     harness.state_mut().document.undo();
     choose(&mut harness, &[0, 1, 3]);
     click_label(&mut harness, texts.orientation.relative);
-    let relative = |orientation: &crate::path::Orientation| {
-        matches!(orientation.target, crate::path::Target::Relative(_))
+    let relative = |orientation: &vides_engine::path::Orientation| {
+        matches!(orientation.target, vides_engine::path::Target::Relative(_))
     };
     let turned: Vec<bool> = views(&harness).iter().map(|of| relative(&of[0])).collect();
     assert_eq!(turned, [true, true, false, true, false, false]);
@@ -298,7 +298,7 @@ fn fields_and_buttons_change_all() {
     harness.state_mut().document.undo();
     choose(&mut harness, &[0, 1, 3]);
     let context = harness.ctx.clone();
-    let edit = crate::document::Edit::set(At::Point(0), "preset", 4);
+    let edit = vides_document::Edit::set(At::Point(0), "preset", 4);
     harness.state_mut().act(Action::Edit(edit), &context);
     for at in [0, 1, 3] {
         let curve = harness.state().document.path().points[at].curve;

@@ -4,6 +4,8 @@ use egui::{Key, Modifiers, PointerButton, Pos2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use glam::{DVec2, DVec3};
+use vides_document::tool::tools;
+use vides_document::{At, Edit};
 
 use super::projection::{from_pos, to_pos};
 use super::tests::{
@@ -11,8 +13,6 @@ use super::tests::{
     window,
 };
 use super::*;
-use crate::document::tool::tools;
-use crate::document::{At, Edit};
 use crate::screenshots::screenshot;
 use crate::texts::Language;
 
@@ -105,7 +105,7 @@ fn a_square_that_is_dragged_deforms_the_path_around_it() {
     let document = &mut harness.state_mut().document;
     assert_eq!(
         document.step_names()[0],
-        Some(crate::document::StepName::Tool("free-form"))
+        Some(vides_document::StepName::Tool("free-form"))
     );
     assert!(document.undo());
     assert!(!document.can_undo());

@@ -4,10 +4,10 @@
 use egui::{
     Button, CursorIcon, Label, Popup, Response, ScrollArea, Sense, Shape, Stroke, Ui, vec2,
 };
+use vides_document::Edit;
 use vides_engine::scene::{Kind, Node, Part};
 
 use crate::action::Action;
-use crate::document::Edit;
 use crate::state::Editor;
 use crate::theme;
 

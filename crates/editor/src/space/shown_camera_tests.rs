@@ -2,18 +2,18 @@
 
 use egui::{Key, Modifiers, accesskit::Role};
 use egui_kittest::kittest::{NodeT, Queryable};
+use vides_document::{Document, Edit, StepName};
+use vides_engine::path::{CameraPath, Pose};
 use vides_engine::scene::{
     Channel, Extrapolation, FollowPath, Interpolation, Kind, Node, Part, Scene, Track,
 };
+use vides_formats::Options as Written;
 
-use crate::Language;
-use crate::document::{Document, Edit, StepName};
-use crate::formats::{self, Options as Written};
-use crate::path::{CameraPath, Pose};
 use crate::screenshots::screenshot;
 use crate::setup::{CameraPlace, Theme};
 use crate::state::{Options, Reason};
 use crate::tests::*;
+use crate::texts::Language;
 
 /// One camera on a path, one by keys between two frames, one on a path that begins later; the scene
 /// begins at a fraction of a frame and is longer than a block.
@@ -167,9 +167,10 @@ fn the_poses_are_the_shown_cameras_wherever_they_go() {
             assert_eq!(rows[0][0], 0.7);
             let document = window.state().document().scene_document().unwrap();
             let mut out = Vec::new();
-            let format = formats::by_name("csv").unwrap();
+            let format = vides_formats::by_name("csv").unwrap();
             let none = &mut |_, _| {};
-            formats::export_to(&document, &mut out, format, &Written::default(), none).unwrap();
+            vides_formats::export_to(&document, &mut out, format, &Written::default(), none)
+                .unwrap();
             assert_eq!(String::from_utf8(out).unwrap(), text);
         }
     }

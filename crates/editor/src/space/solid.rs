@@ -6,12 +6,12 @@ use std::sync::Arc;
 use egui::{Color32, Context, Rect, lerp};
 use glam::{DAffine3, DVec3, DVec4, Vec4Swizzles};
 use vides_engine::scene::{Kind, Mesh};
+use vides_raster::{Area, Corner3, Surfaces};
 
 use super::strokes::part_between;
-use super::wire_colour;
-use crate::raster::{Area, Corner3, Surfaces};
-use crate::scene_view::{Seen, each_object};
+use crate::scene_view::wires::{Seen, each_object};
 use crate::setup::Element;
+use crate::space::nodes::colour as wire_colour;
 use crate::state::Editor;
 use crate::state::scene_view::Now;
 use crate::state::space::solid::{Eye, Key, Sight, Solid};

@@ -1,13 +1,13 @@
 //! What is hidden, held against rays through a box.
 
 use egui::{Context, RawInput};
+use vides_document::{Document, Info, Object};
+use vides_engine::path::{CameraPath, Space};
 
 use super::super::camera_picture;
 use super::super::cameras::Camera;
 use super::super::projection::Projection;
 use super::*;
-use crate::document::{Document, Info, Object};
-use crate::path::{CameraPath, Space};
 use crate::screenshots::screenshot;
 use crate::setup::{Colours, View};
 use crate::state::space::solid::Eye;
@@ -202,7 +202,7 @@ fn faces_are_shaded_until_a_wireframe_is_chosen() {
 #[test]
 fn a_large_mesh_is_coarse_while_it_moves() {
     let mesh = box_of(150);
-    let few = crate::document::coarse(&mesh).unwrap().len();
+    let few = vides_document::coarse(&mesh).unwrap().len();
     assert!(
         mesh.triangles.len() > 200_000 && (10_000..90_000).contains(&few),
         "{few}"

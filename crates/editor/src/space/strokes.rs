@@ -2,11 +2,11 @@
 
 use egui::{Color32, Rect};
 use glam::{DVec2, DVec3};
+use vides_engine::path::Space;
+use vides_raster::{Line, Lines};
 
 use super::projection::{Projection, from_pos, to_pos};
 use super::scene::Look;
-use crate::path::Space;
-use crate::raster::{Line, Lines};
 use crate::state::space::solid::Sight;
 
 /// Lengths of a dash and of the gap after it, in points.

@@ -2,12 +2,12 @@
 //! points of a Bézier curve are, and how the tangent on one side follows the other.
 
 use glam::DVec3;
+use vides_document::{At, Document, Edit};
+use vides_engine::path::{Tangents, curve};
+use vides_raster::Lines;
 
 use super::scene::Look;
 use super::strokes::Strokes;
-use crate::document::{At, Document, Edit};
-use crate::path::{Tangents, curve};
-use crate::raster::Lines;
 use crate::setup::Element;
 use crate::state::Editor;
 use crate::state::space::{Joint, Side};

@@ -2,6 +2,9 @@
 
 use egui::{Event, Key, Modifiers, PointerButton, vec2};
 use egui_kittest::kittest::Queryable;
+use vides_document::{At, Edit};
+use vides_engine::path;
+use vides_engine::path::{CurveKind, CurveParameters, Tangents, UpVector, curve};
 
 use super::pointer::PLANES;
 use super::tangents::tip;
@@ -9,8 +12,6 @@ use super::tests::{
     editor, hold, image, key, message, motion, press, pyramid, release, shown, tap, text, window,
 };
 use super::*;
-use crate::document::{At, Edit};
-use crate::path::{self, CurveKind, CurveParameters, Tangents, UpVector, curve};
 use crate::screenshots::screenshot;
 use crate::setup::Theme;
 use crate::state::space::{Joint, Side};

@@ -4,11 +4,11 @@ use egui::{CursorIcon, Event, Key, Modifiers, MouseWheelUnit, PointerButton, Pos
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use glam::DVec3;
+use vides_document::Document;
+use vides_engine::path::Target;
 
 use super::projection::{Axis, from_pos};
 use super::*;
-use crate::document::Document;
-use crate::path::Target;
 use crate::screenshots::{renderer, screenshot};
 use crate::setup::{Theme, View};
 use crate::state::Options;

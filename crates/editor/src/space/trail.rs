@@ -5,13 +5,13 @@ use std::sync::Arc;
 use egui::{Color32, Painter};
 use glam::{DVec2, DVec3};
 use vides_engine::scene::{Channel, Track, Warnings};
+use vides_raster::Lines;
 
 use super::held_nodes::parent_in_space;
 use super::projection::Projection;
 use super::scene::{Look, THIN};
 use super::strokes::Strokes;
 use super::{nodes, overlay, picking, transform};
-use crate::raster::Lines;
 use crate::setup::Element;
 use crate::state::Editor;
 use crate::state::scene_view::Now;

@@ -4,6 +4,8 @@
 
 use egui::{Event, Key, Modifiers, PointerButton};
 use glam::{DMat3, DMat4, DVec2, DVec3};
+use vides_document::{At, Edit};
+use vides_raster::Lines;
 
 use super::drag::SNAP;
 use super::held_nodes::Motion;
@@ -13,9 +15,7 @@ use super::scene::Look;
 use super::strokes::Strokes;
 use super::typed::Typed;
 use crate::action::Action;
-use crate::document::{At, Edit};
 use crate::number::decimals;
-use crate::raster::Lines;
 use crate::setup::Element;
 use crate::space::surface::{FINE, PointerContext, axis_of, projection_of};
 use crate::state::Editor;

@@ -5,13 +5,13 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use glam::DVec3;
 use image::RgbaImage;
+use vides_document::{At, Edit, ObjectPoint};
+use vides_engine::path::space::Move;
+use vides_engine::path::{Space, Up};
 
 use super::projection::tests::{in_cube, view};
 use super::tests::{editor, hold, image, motion, press, pyramid, release, viewport, window};
 use super::*;
-use crate::document::{At, Edit, ObjectPoint};
-use crate::path::space::Move;
-use crate::path::{Space, Up};
 use crate::screenshots::screenshot;
 use crate::texts::Language;
 

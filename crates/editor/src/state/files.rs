@@ -8,9 +8,9 @@ use std::path::PathBuf;
 use std::time::SystemTime;
 
 use egui::{Pos2, Vec2};
+use vides_document::tool::Tool;
 
 use crate::background::Background;
-use crate::document::tool::Tool;
 use crate::files::recovery::Found;
 
 /// What a file is chosen for.

@@ -1,8 +1,7 @@
 //! What is known of the host: where the playhead was when it was last told, and where it draws.
 
 use egui::Rect;
-
-use crate::document::Selection;
+use vides_document::Selection;
 
 /// Where the playhead stands in which path: while this is equal, the host has nothing new to learn.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -13,17 +13,20 @@ pub(crate) mod windows;
 
 use std::path::PathBuf;
 
+use vides_document::error::{EngineError, Error, Result};
+use vides_document::{Document, Edit, Fingerprint, Selection};
+use vides_engine::limits;
+use vides_engine::path::{Orientation, OrientationOverrides, Pose, SupportPoint};
+
 use crate::action::Action;
 use crate::background::Start;
-use crate::document::{Document, Edit, Fingerprint, Selection};
 use crate::entry::Entry;
-use crate::error::{EngineError, Error, Result};
-use crate::files::Folders;
+use crate::files::folders::Folders;
 use crate::files::recovery::Autosave;
-use crate::host::{Program, Warnings};
-use crate::path::{Orientation, OrientationOverrides, Pose, SupportPoint};
+use crate::host::program::Program;
+use crate::host::warning::Warnings;
 use crate::setup::{Element, Setup};
-use crate::space::Camera;
+use crate::space::cameras::Camera;
 use crate::state::files::{AfterSave, Pictures};
 use crate::state::host::{HostPane, PlayheadState};
 use crate::state::length::Length;
@@ -32,7 +35,7 @@ use crate::state::selected::Selected;
 use crate::state::space::Around;
 use crate::texts::refusals::reason_of;
 use crate::texts::{Language, Texts, fill};
-use crate::{limits, theme};
+use crate::theme;
 
 /// How a window begins.
 #[derive(Debug)]

@@ -3,8 +3,8 @@
 use std::cell::RefCell;
 use std::sync::Arc;
 
-use crate::document::Object;
-use crate::tools::clearance::Clearance;
+use vides_document::Object;
+use vides_engine::tools::clearance::Clearance;
 
 #[derive(Debug, Default)]
 pub(crate) struct Obstacles(pub(crate) RefCell<Option<Prepared>>);

@@ -1,6 +1,6 @@
 //! What the list of points remembers.
 
-use crate::document::Selection;
+use vides_document::Selection;
 
 #[derive(Debug, Default)]
 pub(crate) struct PointsList {

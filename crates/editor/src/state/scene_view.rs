@@ -3,12 +3,12 @@
 use std::cell::RefCell;
 
 use glam::DAffine3;
+use vides_document::Edit;
+use vides_document::error::Error;
 use vides_engine::scene::{Channel, Keep, NodeState, Scene};
 use vides_engine::tools::fit::Tolerance;
 
-use crate::document::Edit;
 use crate::entry::Entry;
-use crate::error::Error;
 use crate::scene_view::edges::Edges;
 use crate::scene_view::rows::Rows;
 use crate::state::files::{MeshFiles, Purpose};
@@ -149,8 +149,8 @@ pub(crate) struct Now {
     pub(crate) into_path: DAffine3,
     /// A node that cannot move as it should, and why.
     pub(crate) trouble: Option<(usize, Error)>,
-    /// [`crate::document::EditedScene::meshes`].
+    /// [`vides_document::EditedScene::meshes`].
     pub(crate) meshes: u64,
-    /// [`crate::document::EditedScene::number`] and [`crate::document::Document::revision`].
+    /// [`vides_document::EditedScene::number`] and [`vides_document::Document::revision`].
     pub(crate) made_of: (u64, u64),
 }

@@ -1,6 +1,6 @@
 //! The points that are selected together, and how others are chosen.
 
-use crate::document::{Document, Selection};
+use vides_document::{Document, Selection};
 
 /// The points selected together.
 #[derive(Clone, Debug, Default, PartialEq)]

@@ -4,21 +4,22 @@ use std::cell::Cell;
 
 use egui::{Color32, Id, Pos2, Rect, Vec2};
 use glam::DVec3;
+use vides_document::tool::{Cage, Tool, ToolInput};
+use vides_document::{Edit, Note, Selection};
+use vides_engine::path::Space;
 use vides_engine::scene::Track;
+use vides_engine::tools::check::Finding;
 
 use crate::background::Background;
-use crate::document::tool::{Cage, Tool, ToolInput};
-use crate::document::{Edit, Note, Selection};
-use crate::path::Space;
 use crate::setup::{Colours, Element, Shown};
 use crate::state::files::{FileWindow, Question, RecoveryWindow};
-use crate::tools::check::Finding;
 use crate::windows::curve::pending::{Belonging, Pending};
+
 #[derive(Debug)]
 pub(crate) struct ParentWindow {
     pub(crate) nodes: Vec<usize>,
     pub(crate) parent: Option<usize>,
-    /// [`crate::document::EditedScene::number`] of the scene that it asks about.
+    /// [`vides_document::EditedScene::number`] of the scene that it asks about.
     pub(crate) number: u64,
     /// Whom it asks about.
     pub(crate) text: String,
@@ -192,7 +193,7 @@ pub(crate) struct Windows {
     pub(crate) curve: Option<CurveWindow>,
     pub(crate) speed: Option<SpeedWindow>,
     /// Ten speeds to be pasted.
-    pub(crate) copied_speeds: Option<[f64; crate::limits::SPEEDS]>,
+    pub(crate) copied_speeds: Option<[f64; vides_engine::limits::SPEEDS]>,
     pub(crate) colours: Option<ColourWindow>,
     pub(crate) display: Option<DisplayWindow>,
     pub(crate) points: Option<PointsWindow>,

@@ -2,10 +2,10 @@
 //! every size, scale, theme and language.
 
 use egui_kittest::kittest::{NodeT, by};
+use vides_document::tool;
 
 use super::*;
 use crate::action::Action;
-use crate::document::tool;
 
 /// In pixels.
 const SIZES: [[f32; 2]; 6] = [

@@ -1,7 +1,8 @@
 //! Shortcuts and numbers by the keyboard: who gets which key.
 
+use vides_document::At;
+
 use super::*;
-use crate::document::At;
 
 #[test]
 fn a_number_takes_comma_and_point_and_refuses_the_rest() {

@@ -227,8 +227,8 @@ const SCREENS: [([f32; 2], f32); 6] = [
 
 /// All that is docked, for the example's path.
 fn docked(window: &Window) -> Vec<Action> {
-    let several = crate::document::tool::tools().filter(|tool| {
-        use crate::document::tool::Needs;
+    let several = vides_document::tool::tools().filter(|tool| {
+        use vides_document::tool::Needs;
         matches!(tool.needs(), Needs::Nothing | Needs::Output | Needs::Stroke)
     });
     let tools = several.filter(|tool| tool.defaults(&window.state().document).is_ok());

@@ -290,15 +290,15 @@ fn no_text_of_the_panels_lies_over_another() {
         ..Orientation::default()
     };
     let far = [1e9, -1e9, 123_456.789, -999_999.5];
-    let path = |x: f64, y: f64| crate::path::CameraPath {
+    let path = |x: f64, y: f64| vides_engine::path::CameraPath {
         points: [[0.0; 3], [x, y, -x]]
             .map(|place| {
-                let mut point = crate::path::SupportPoint::new(DVec3::from_array(place));
+                let mut point = vides_engine::path::SupportPoint::new(DVec3::from_array(place));
                 point.orientations = vec![orientation(0.5), orientation(0.5)];
                 if place[0] != 0.0 {
                     // One that owns what there is to own.
                     let own = DVec3::X;
-                    let tangents = crate::path::Tangents {
+                    let tangents = vides_engine::path::Tangents {
                         before: own,
                         after: own,
                     };
@@ -313,12 +313,12 @@ fn no_text_of_the_panels_lies_over_another() {
                 point
             })
             .to_vec(),
-        ..crate::path::CameraPath::default()
+        ..vides_engine::path::CameraPath::default()
     };
     for language in BOTH {
         for (x, y) in far.map(|x| (x, -x)).into_iter().chain([(1000.0, 0.1)]) {
             let path = path(x, y);
-            let document = Document::from_parts(path, crate::document::Info::default());
+            let document = Document::from_parts(path, vides_document::Info::default());
             let options = Options {
                 document: document.expect("a path"),
                 ..options(language)
@@ -472,7 +472,7 @@ fn nothing_is_cut_off_at_twice_the_size() {
             press(&mut window, Modifiers::NONE, Key::Escape);
         }
         let context = window.ctx.clone();
-        let tools = crate::document::tool::tools().map(|tool| (tool.name, Action::Tool(tool)));
+        let tools = vides_document::tool::tools().map(|tool| (tool.name, Action::Tool(tool)));
         let needs_file = ["insert", "blend", "fit"];
         let tools = tools.filter(|(name, _)| !needs_file.contains(name));
         let windows = [

@@ -19,17 +19,16 @@ mod words;
 use std::sync::{OnceLock, PoisonError, RwLock, RwLockReadGuard, RwLockWriteGuard};
 use std::time::{Duration, Instant};
 
+pub(crate) use self::manual::tip;
+pub(crate) use crate::setup::Theme;
+pub(crate) use crate::texts::fill;
+pub(crate) use crate::{Editor, Folders, Language, Options, Program};
 pub(crate) use egui::{Key, Modifiers, Role, vec2};
 pub(crate) use egui_kittest::Harness;
 pub(crate) use egui_kittest::kittest::Queryable;
 pub(crate) use glam::DVec3;
-
-pub(crate) use self::manual::tip;
-pub(crate) use crate::document::{At, Document, Edit};
-pub(crate) use crate::path::{Orientation, Pose, Target};
-pub(crate) use crate::setup::Theme;
-pub(crate) use crate::texts::fill;
-pub(crate) use crate::{Editor, Folders, Language, Options, Program};
+pub(crate) use vides_document::{At, Document, Edit};
+pub(crate) use vides_engine::path::{Orientation, Pose, Target};
 
 pub(crate) type Window = Harness<'static, Editor>;
 

@@ -1,7 +1,8 @@
 //! Says what the path leaves open about the ways to and from the current orientation.
 
+use vides_engine::path::{Ambiguity, ambiguity};
+
 use super::fill;
-use crate::path::{Ambiguity, ambiguity};
 use crate::state::Editor;
 
 impl Editor {

@@ -1,8 +1,9 @@
 //! Texts of the check window.
 
+use vides_document::Note;
+use vides_engine::tools::check::{COUNT, Finding, FindingKind};
+
 use super::{Language, texts};
-use crate::document::Note;
-use crate::tools::check::{COUNT, Finding, FindingKind};
 
 texts! {
     Check {

@@ -1,7 +1,8 @@
 //! Texts of the curve window.
 
+use vides_engine::path::Tcb;
+
 use super::{Language, texts};
-use crate::path::Tcb;
 
 texts! {
     Curve {

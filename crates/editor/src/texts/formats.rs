@@ -1,11 +1,12 @@
 //! What the files of other programs say: why they are refused, and what is lost in them.
 
+use vides_document::error::one_of;
+use vides_document::error::{EngineError, TooMany};
+use vides_engine::limits::{MAX_FPS, MAX_FRAMES};
+use vides_formats::{Cause, Error, Loss, Place, Report, Row, Wanted};
+
 use super::german::{German, german, number};
 use super::{Language, fill, refusals};
-use crate::document::error::one_of;
-use crate::error::{EngineError, TooMany};
-use crate::formats::{Cause, Error, Loss, Place, Report, Row, Wanted};
-use crate::limits::{MAX_FPS, MAX_FRAMES};
 use crate::state::Editor;
 
 /// Why a file could not be read or written, without its name.
@@ -13,7 +14,7 @@ pub(crate) fn reason_of(editor: &Editor, error: &Error) -> String {
     let language = editor.language();
     match error {
         Error::In(_, error) => reason_of(editor, error),
-        Error::Document(crate::Error::Engine(EngineError::Limit(
+        Error::Document(vides_document::Error::Engine(EngineError::Limit(
             TooMany::Frames | TooMany::SceneFrames,
         ))) => fill(editor.texts().errors.frames, &[&MAX_FRAMES]),
         Error::Document(error) => editor.without_name(error),

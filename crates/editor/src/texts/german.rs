@@ -1,13 +1,14 @@
 //! What the engine says, in German: one line for each variant of its errors.
 
-use super::Language;
-use crate::error::{
+use vides_document::error::{
     Bound, EngineError, Index, Invalid, List, OutOfRange, Place, Quantity, TooMany,
 };
-use crate::limits;
-use crate::tools::check::FindingKind;
 use vides_engine::deform::counts;
+use vides_engine::limits;
 use vides_engine::scene::{Channel, Interpolation};
+use vides_engine::tools::check::FindingKind;
+
+use super::Language;
 
 /// A text of the library in German.
 pub(crate) struct German<'a, T>(pub(crate) &'a T);

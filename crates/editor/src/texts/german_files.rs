@@ -1,12 +1,13 @@
 //! What documents and their files say, in German; see [`super::german`].
 
+use vides_document::error::{End, Error, Index, Malformed, Refused, Value, one_of};
+use vides_document::mesh::{Error as MeshError, Problem};
+use vides_engine::limits;
+
 use super::Language;
 use super::errors::Errors;
 use super::german::{German, german, number};
-use crate::document::mesh::{Error as MeshError, Problem};
-use crate::error::{End, Error, Index, Malformed, Refused, Value, one_of};
-use crate::host::{Warning, Warnings};
-use crate::limits;
+use crate::host::warning::{Warning, Warnings};
 use crate::texts::refusals::of_system;
 
 german! {
@@ -275,8 +276,8 @@ fn parser(said: &str) -> &'static str {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::Document;
     use std::path::Path;
+    use vides_document::Document;
 
     #[test]
     fn an_error_is_translated_with_all_that_is_in_it() {

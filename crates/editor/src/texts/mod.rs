@@ -16,8 +16,6 @@
 
 use std::fmt::{Display, Write};
 
-pub(super) use german::German;
-
 mod ambiguities;
 mod check;
 mod colours;

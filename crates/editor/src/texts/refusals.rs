@@ -4,12 +4,14 @@
 
 use std::io;
 
-use super::{German, Language, fill};
-use crate::document::NotAFile;
-use crate::error::{
+use vides_document::NotAFile;
+use vides_document::error::{
     EngineError, Error, ErrorKind, Invalid, OutOfRange, Quantity, Refused, TooMany, reason,
 };
-use crate::limits;
+use vides_engine::limits;
+
+use super::{Language, fill};
+use crate::texts::german::German;
 
 /// Why the document refused an edit.
 pub(crate) fn of_edit(language: Language, error: &Error) -> String {
@@ -91,7 +93,8 @@ mod tests {
     use std::path::Path;
 
     use super::*;
-    use crate::document::{save::save, vid::read_text};
+    use vides_document::save::save;
+    use vides_document::vid::read_text;
 
     #[test]
     fn what_is_no_file_is_called_what_it_is() {

@@ -2,8 +2,9 @@
 
 use std::borrow::Cow;
 
+use vides_document::StepName;
+
 use super::{Language, fill, texts};
-use crate::document::StepName;
 
 texts! {
     Steps {

@@ -1,8 +1,9 @@
 //! Texts of the tools and of their tables, in both languages, by the names in the tables.
 
+use vides_document::tool::Tool;
+use vides_engine::tools::Parameter;
+
 use super::{Language, texts};
-use crate::document::tool::Tool;
-use crate::tools::Parameter;
 
 texts! {
     Tools {
@@ -243,8 +244,8 @@ impl Language {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::tool::tools;
-    use crate::tools::Unit;
+    use vides_document::tool::tools;
+    use vides_engine::tools::Unit;
 
     #[test]
     fn each_word_of_the_tables_stands_in_both_languages() {

@@ -5,20 +5,20 @@
 //! waits until it is asked for. The tree over the object is kept as long as the object is the same.
 
 use egui::{Button, Context, Label, RichText, Ui, vec2};
+use vides_document::error::Result;
+use vides_document::{Edit, StepName, is_planned};
+use vides_engine::tools::check::{Finding, FindingKind, OFF};
 
-use super::docked;
 use crate::action::Action;
 use crate::background::Background;
-use crate::document::{Edit, StepName, is_planned};
 use crate::entry::Entry;
-use crate::error::Result;
 use crate::number::Number;
 use crate::state::Editor;
 use crate::state::windows::{CheckWindow, Windows};
 use crate::texts::fill;
 use crate::texts::refusals::{of_edit, reason_of};
 use crate::theme;
-use crate::tools::check::{Finding, FindingKind, OFF};
+use crate::windows::dock::docked;
 use crate::windows::sub_window::SubWindow;
 
 /// Width of the button with the frames, of that which mends, of a limit's number.
@@ -285,7 +285,7 @@ impl Editor {
     pub(crate) fn go_to(&mut self, finding: &Finding) {
         let frame = self.document.frame_of_scene(finding.first_frame);
         self.scrub(frame);
-        let selection = crate::document::Selection::at(finding.point, finding.orientation);
+        let selection = vides_document::Selection::at(finding.point, finding.orientation);
         if self.document.selection() != selection
             && self
                 .document

@@ -1,6 +1,6 @@
 use egui_kittest::kittest::NodeT;
+use vides_document::{At, Selection};
 
-use crate::document::{At, Selection};
 use crate::screenshots::screenshot;
 use crate::tests::*;
 
@@ -125,7 +125,7 @@ fn what_helps_is_one_step() {
         window.run();
         assert_ne!(*window.state().document.path(), before);
         let step = window.state().document.step_names()[0];
-        assert_eq!(step, Some(crate::document::StepName::Mend));
+        assert_eq!(step, Some(vides_document::StepName::Mend));
         press(&mut window, Modifiers::CTRL, Key::Z);
         assert_eq!(*window.state().document.path(), before);
     }
@@ -134,7 +134,7 @@ fn what_helps_is_one_step() {
 /// Switched off, set and switched on again, each a step that is found again in the path.
 #[test]
 fn limits_are_steps_that_can_be_undone() {
-    use crate::tools::check::{FindingKind, OFF};
+    use vides_engine::tools::check::{FindingKind, OFF};
     for language in BOTH {
         let mut window = checked(language, LARGE, Theme::Dark);
         let limit = |window: &Window, kind| window.state().document.info().limits.get(kind);
@@ -183,7 +183,7 @@ fn a_camera_in_a_room_is_noted() {
     for language in BOTH {
         let mut window = checked(language, LARGE, Theme::Dark);
         let mut info = window.state().document.info().clone();
-        info.object = crate::document::Object::of_mesh(room.clone()).unwrap();
+        info.object = vides_document::Object::of_mesh(room.clone()).unwrap();
         window.state_mut().edit(Edit::SetInfo(Box::new(info)));
         window.run();
         assert!(

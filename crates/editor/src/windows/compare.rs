@@ -3,18 +3,18 @@
 
 use egui::{Button, Context, Rect, Role, Sense, Stroke, Ui, WidgetInfo, pos2, vec2};
 use glam::DQuat;
+use vides_document::Edit;
+use vides_document::error::Result;
 use vides_engine::scene::{Channel, Interpolation, Part, Track, Warnings};
 
-use super::docked;
 use crate::action::Action;
-use crate::document::Edit;
-use crate::error::Result;
 use crate::panels::parts::share;
-use crate::playing::rotation_by;
+use crate::playing::track_menu::rotation_by;
 use crate::state::Editor;
 use crate::state::windows::{CompareWindow, Compared, Windows};
 use crate::texts::fill;
 use crate::texts::refusals::reason_of;
+use crate::windows::dock::docked;
 use crate::windows::sub_window::SubWindow;
 use crate::{space, theme};
 

@@ -1,8 +1,9 @@
+use vides_document::Document;
+use vides_engine::scene::{Kind, Mesh, Node, Object, Scene};
+
 use super::*;
-use crate::document::Document;
 use crate::screenshots::screenshot;
 use crate::tests::*;
-use vides_engine::scene::{Kind, Mesh, Node, Object, Scene};
 
 const FRAMES: [f64; 4] = [1.0, 11.0, 31.0, 41.0];
 

@@ -1,5 +1,5 @@
 //! The sub-windows, one file each. Each may stay open while work goes on; what changes path or
-//! looks is docked ([`docked`]), so that it lies over nothing.
+//! looks is docked ([`dock::docked`]), so that it lies over nothing.
 //!
 //! A sub-window is a struct with what is pending in it, a [`SubWindow`] with a slot in [`Windows`]:
 //! open if the slot is filled. It is taken out of the slot while it is shown and put back if it
@@ -9,7 +9,7 @@
 mod check;
 mod compare;
 pub(crate) mod curve;
-mod dock;
+pub(crate) mod dock;
 mod help;
 mod points;
 mod space;
@@ -25,8 +25,8 @@ use crate::state::windows::{
     PointsWindow, SpaceWindow, SpeedWindow, ToolWindow, Windows,
 };
 use crate::windows::sub_window::{ALL, SubWindow, layer, name_cross};
-pub(crate) use dock::{docked, place};
-pub(super) use speed::{shapes, slow_past};
+pub(crate) use dock::place;
+pub(super) use speed::shapes;
 
 pub(super) fn open<W: SubWindow>(editor: &mut Editor, context: &egui::Context) {
     if W::slot(&mut editor.windows).is_none() {

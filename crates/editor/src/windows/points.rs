@@ -1,9 +1,9 @@
 //! The small window behind `Pos.++`: how many points (thesis A.4.1)?
 
 use egui::{Button, Key, Modifiers, vec2};
+use vides_engine::limits::MAX_DIVISION;
 
 use crate::action::Action;
-use crate::limits::MAX_DIVISION;
 use crate::state::Editor;
 use crate::state::windows::{PointsWindow, Windows};
 use crate::texts::fill;

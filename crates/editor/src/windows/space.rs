@@ -2,11 +2,11 @@
 //! upright axis. What is entered is pending until it is applied, as one step.
 
 use egui::{Button, Grid, Ui, vec2};
+use vides_document::Edit;
+use vides_engine::path::{Space, Up};
 
 use crate::action::Action;
-use crate::document::Edit;
 use crate::number::Number;
-use crate::path::{Space, Up};
 use crate::state::Editor;
 use crate::state::windows::{SpaceWindow, Windows};
 use crate::texts::refusals;

@@ -11,24 +11,24 @@ use std::path::Path;
 
 use egui::{Align, Context, Layout, Pos2, Ui, vec2};
 use glam::DVec3;
+use vides_document::error::{EngineError, Error, OutOfRange, Result};
+use vides_document::tool::{Cage, Needs, Tool, ToolInput};
+use vides_document::{Document, Edit, StepName};
+use vides_engine::path::Pose;
+use vides_engine::tools::{Parameter, Unit};
 
-use super::docked;
 use crate::action::Action;
 use crate::background::Background;
-use crate::document::tool::{Cage, Needs, Tool, ToolInput};
-use crate::document::{Document, Edit, StepName};
 use crate::entry::Entry;
-use crate::error::{EngineError, Error, OutOfRange, Result};
 use crate::number::Number;
 use crate::panels::parts::share;
-use crate::path::Pose;
 use crate::state::Editor;
 use crate::state::files::Purpose;
 use crate::state::windows::ToolWindow;
 use crate::texts::refusals::of_edit;
 use crate::texts::{Language, fill};
-use crate::tools::{Parameter, Unit};
-use crate::{formats, theme};
+use crate::theme;
+use crate::windows::dock::docked;
 
 /// Width of a number beside its name.
 const NUMBER: f32 = 84.0;
@@ -342,7 +342,7 @@ fn missed(document: &Document, poses: &[Pose], seconds: Option<&[f64]>) -> Optio
         let from_first = seconds.iter().map(|time| (time - seconds[0]) * fps);
         from_first.collect()
     });
-    formats::missed(document.path(), poses, times.as_deref()).ok()
+    vides_formats::missed(document.path(), poses, times.as_deref()).ok()
 }
 
 impl Editor {

@@ -1,9 +1,9 @@
 use egui_kittest::kittest::NodeT;
 use glam::DVec3;
+use vides_document::tool::{Needs, tools};
+use vides_document::{At, Edit, Object, ObjectPoint};
+use vides_engine::path::CameraPath;
 
-use crate::document::tool::{Needs, tools};
-use crate::document::{At, Edit, Object, ObjectPoint};
-use crate::path::CameraPath;
 use crate::screenshots::screenshot;
 use crate::state::files::Purpose;
 use crate::tests::*;
@@ -38,7 +38,7 @@ fn path(window: &Window) -> CameraPath {
 
 fn undo_name(window: &Window) -> Option<&'static str> {
     match window.state().document.step_names()[0] {
-        Some(crate::document::StepName::Tool(tool)) => Some(tool),
+        Some(vides_document::StepName::Tool(tool)) => Some(tool),
         _ => None,
     }
 }

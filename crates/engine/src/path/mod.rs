@@ -44,6 +44,7 @@ pub mod pose;
 pub mod quaternion_spline;
 pub mod resample;
 pub mod sampling;
+mod section;
 pub(crate) mod section_sampler;
 pub mod space;
 pub mod speed_curve;

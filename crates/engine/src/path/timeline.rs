@@ -11,6 +11,8 @@ use super::curve;
 use super::dispatch;
 use super::hermite::Cubic;
 use super::orientation_curve::Guides;
+use super::section::unrounded;
+pub use super::section::{Change, Section};
 use super::speed_curve::SpeedCurve;
 use super::timing::{Timing, facing};
 use super::ups::{self, Alignment, rolled};
@@ -24,54 +26,6 @@ const NO_CHANGE: f64 = 1e-9;
 
 /// Share by which a number of frames may fall short of a half and still be rounded up.
 const TIE: f64 = 1e-12;
-
-/// What decides the number of frames of a section: the first that changes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Change {
-    /// The position: the camera moves along a segment.
-    Position,
-    /// The view direction at one place.
-    View,
-    /// The roll alone.
-    Roll,
-    /// The zoom alone.
-    Zoom,
-    /// Nothing: the two orientations are one key, with the later one's properties.
-    Nothing,
-}
-
-/// One section: the way from one orientation to the next.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Section {
-    /// The support point at which it begins.
-    pub point: usize,
-    /// The orientation of that point with which it begins.
-    pub orientation: usize,
-    /// What changes.
-    pub change: Change,
-    /// By how much, in the unit that its base speed counts.
-    pub amount: f64,
-    /// Mean of its speed curve.
-    pub mean_speed: f64,
-    /// Its frames; 0 if nothing changes.
-    pub frames: usize,
-    /// Whether its speed is the same all the way.
-    pub constant_speed: bool,
-    /// Its own curve time, if it has one.
-    pub curve_time: Option<f64>,
-}
-
-impl Section {
-    /// Its curve time: its own, else its frames, at the base speed.
-    #[must_use]
-    #[allow(clippy::cast_precision_loss)]
-    pub const fn duration(&self) -> f64 {
-        match self.curve_time {
-            Some(own) => own,
-            None => self.frames as f64 * self.mean_speed / BASE_SPEED,
-        }
-    }
-}
 
 #[derive(Debug, Clone)]
 struct Segment {
@@ -589,17 +543,6 @@ fn last_hold(path: &CameraPath) -> usize {
         .last()
         .and_then(|point| point.orientations.last());
     last.map_or(0, |orientation| orientation.hold as usize)
-}
-
-/// Frames of a section that moves, not yet rounded.
-fn unrounded(path: &CameraPath, change: Change, amount: f64, mean_speed: f64) -> f64 {
-    let base = match change {
-        Change::Position => path.base_frames.movement,
-        Change::View => path.base_frames.turning,
-        Change::Roll => path.base_frames.rolling,
-        Change::Zoom | Change::Nothing => path.base_frames.zoom,
-    };
-    amount * base * BASE_SPEED / mean_speed
 }
 
 /// The state of a section that begins with `this` and moves, between two facing speeds.

@@ -5,7 +5,7 @@ use crate::math::orientation::quaternion_from_view;
 use crate::path::insertion::tests::random_path;
 use crate::path::test_support::Random;
 use crate::path::{Pose, SupportPoint};
-use crate::tools::check::OFF;
+use crate::tools::check::{Limits, OFF};
 
 fn limits(all: &[(FindingKind, f64)]) -> Limits {
     let mut limits = Limits::default();

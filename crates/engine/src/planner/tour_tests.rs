@@ -1,10 +1,10 @@
 use std::f64::consts::TAU;
 
+use super::round::round;
 use super::seen::LEAST;
 use super::*;
-use crate::path::Up;
 use crate::path::test_support::Random;
-use crate::path::{Pose, Sampler, Target};
+use crate::path::{CameraPath, Pose, Sampler, Target, Up};
 use crate::tools::check::{CheckContext, check};
 
 /// A grid of u × v places made a surface; either way round.

@@ -511,5 +511,8 @@ pub(super) fn copy(text: &str) -> Result<String> {
 }
 
 #[cfg(test)]
+#[path = "aim_tests.rs"]
+mod aim_tests;
+#[cfg(test)]
 #[path = "scene_tests.rs"]
 mod tests;

@@ -1,8 +1,10 @@
 use super::*;
-use crate::path::own::check_distance;
+use crate::path::own::{check_distance, distance_backwards};
 use crate::path::test_support::Random;
-use crate::path::{OrientationOverrides, Overrides, UpPath};
-use crate::path::{Pose, Sampler, Target, Timeline, curve};
+use crate::path::{
+    CurveParameters, Ease, Orientation, OrientationOverrides, Overrides, Pace, Pose, Sampler,
+    Target, Tcb, Timeline, UpPath, UpVector, curve,
+};
 
 fn vector(random: &mut Random) -> DVec3 {
     DVec3::from_array(std::array::from_fn(|_| 2.0 * random.unit() - 1.0))

@@ -4,6 +4,7 @@
 //! the window are thin callers. What a tool asks for stands in one table of [`Parameter`]s, from
 //! which those make their fields, options and comments. It knows nothing of undo, files or windows.
 
+mod backwards;
 pub mod blend;
 pub mod block;
 pub mod check;

@@ -5,14 +5,19 @@
 //! sections have one speed; their angles differ by what a frame makes. A dolly zoom keeps zoom/distance exactly: both are linear in the share of
 //! the way. Headings are as in `docs/tools.md`.
 
+mod parameters;
+
 use std::f64::consts::TAU;
 
 use glam::DVec3;
 
+use self::parameters::{
+    AROUND, FROM, HEIGHT, RADIUS, RISE, SECONDS, TURNS, ZOOM, degrees, distance, length,
+};
 use super::parameter::{Parameter, Unit};
 use crate::deform::Bounds;
 use crate::error::{Invalid, OutOfRange, Result, vec_with_room};
-use crate::limits::{MAX_COORDINATE, MAX_FRAMES, MAX_ZOOM, MIN_ZOOM};
+use crate::limits::{MAX_FRAMES, MAX_ZOOM, MIN_ZOOM};
 use crate::path::fit_frames::fit_frames;
 use crate::path::{
     BaseFrames, CameraPath, CurveParameters, Orientation, Space, SupportPoint, Tangents, Target,
@@ -51,73 +56,6 @@ pub struct Move {
     pub parameters: &'static [Parameter],
     make: fn(&MoveArguments<'_>) -> Result<Vec<SupportPoint>>,
 }
-
-const fn length(name: &'static str, does: &'static str, default: f64) -> Parameter {
-    Parameter {
-        name,
-        does,
-        unit: Unit::Length,
-        width: 1,
-        least: -MAX_COORDINATE,
-        most: MAX_COORDINATE,
-        default,
-    }
-}
-
-/// A length greater than 0.
-const fn distance(name: &'static str, does: &'static str, default: f64) -> Parameter {
-    Parameter {
-        least: 1e-6,
-        ..length(name, does, default)
-    }
-}
-
-const fn degrees(name: &'static str, does: &'static str, default: f64) -> Parameter {
-    Parameter {
-        name,
-        does,
-        unit: Unit::Degrees,
-        width: 1,
-        least: -360_000.0,
-        most: 360_000.0,
-        default,
-    }
-}
-
-const AROUND: Parameter = Parameter {
-    width: 3,
-    ..length("around", "the place in the middle of the view", 0.0)
-};
-const RADIUS: Parameter = distance("radius", "how far the way is from the axis", 1.0);
-const HEIGHT: Parameter = length("height", "how far above the target the camera is", 0.4);
-const FROM: Parameter = degrees("from", "heading at which the camera begins", 0.0);
-const TURNS: Parameter = Parameter {
-    name: "turns",
-    does: "how often round; negative: clockwise from above",
-    unit: Unit::One,
-    width: 1,
-    least: -1000.0,
-    most: 1000.0,
-    default: 1.0,
-};
-const ZOOM: Parameter = Parameter {
-    name: "zoom",
-    does: "focal length",
-    unit: Unit::Zoom,
-    width: 1,
-    least: MIN_ZOOM,
-    most: MAX_ZOOM,
-    default: 24.0,
-};
-const SECONDS: Parameter = Parameter {
-    name: "seconds",
-    does: "how long it takes; 0: by its length",
-    unit: Unit::Seconds,
-    width: 1,
-    least: 0.0,
-    most: 1e6,
-    default: 10.0,
-};
 
 /// The names of all moves, for a sentence.
 const KNOWN: &str = "orbit, spiral, arc, flyby, approach, dolly-zoom, crane, pan, figure-eight";
@@ -287,12 +225,6 @@ pub const MOVES: &[Move] = &[
         make: eight,
     },
 ];
-
-const RISE: Parameter = Parameter {
-    least: -89.0,
-    most: 89.0,
-    ..degrees("rise", "how steeply the camera is above the target", 15.0)
-};
 
 struct MoveArguments<'a> {
     parameters: &'static [Parameter],

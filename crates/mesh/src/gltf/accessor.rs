@@ -2,9 +2,8 @@
 
 use serde_json::Value;
 
-use super::container::{Container, count_or, element, index, list};
-use super::{END, FORMAT, INDICES};
-use crate::{Error, Problem, Result};
+use super::container::{Container, END, FORMAT, INDICES, count_or, element, index, list};
+use crate::error::{Error, Problem, Result};
 
 /// The type of a number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -6,8 +6,11 @@ use std::ops::Range;
 use serde_json::Value;
 use vides_engine::limits::MAX_FILE_BYTES;
 
-use super::{END, FORMAT, INDICES};
-use crate::{Beside, Error, Problem, Result};
+use crate::error::{Beside, Error, Problem, Result};
+
+pub(super) const FORMAT: Error = Error::File(Problem::Format);
+pub(super) const END: Error = Error::File(Problem::End);
+pub(super) const INDICES: Error = Error::File(Problem::Indices);
 
 /// Bytes that serde_json takes for an object and its tree node, and per value in it or in a list.
 const OBJECT: usize = 700;

@@ -7,9 +7,10 @@ use vides_engine::limits::{MAX_MESH_CORNERS, MAX_MESH_POINTS, MAX_SHAPES};
 use vides_engine::scene::Mesh;
 
 use super::accessor::{Accessor, Component};
-use super::container::{Container, element, index, list};
-use super::{FORMAT, INDICES, joined};
-use crate::{Error, Problem, Result, srgb};
+use super::container::{Container, FORMAT, INDICES, element, index, list};
+use super::join::joined;
+use crate::error::{Error, Problem, Result};
+use crate::srgb;
 
 /// Limits on placed points, and on corners: so many, and so many per byte of the file.
 const ROOM: usize = 50_000;

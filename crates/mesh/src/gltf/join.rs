@@ -6,7 +6,7 @@ use std::hash::{BuildHasher, Hash, Hasher, RandomState};
 use glam::DVec3;
 
 use super::geometry::Part;
-use crate::Result;
+use crate::error::Result;
 
 /// No point has this number.
 const FREE: u32 = u32::MAX;

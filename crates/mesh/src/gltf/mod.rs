@@ -20,14 +20,9 @@ use vides_engine::scene::Mesh;
 pub use accessor::{Accessor, Component};
 pub use container::Container;
 pub use geometry::{Part, Room};
-use join::joined;
 pub use tree::{Local, Placed};
 
-use super::{Beside, Error, Problem, Result};
-
-const FORMAT: Error = Error::File(Problem::Format);
-const END: Error = Error::File(Problem::End);
-const INDICES: Error = Error::File(Problem::Indices);
+use super::error::{Beside, Result};
 
 /// The primitives of all nodes of the scene, in place.
 pub(super) fn read(

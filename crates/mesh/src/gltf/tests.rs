@@ -3,6 +3,7 @@
 use std::fmt::Write;
 
 use super::*;
+use crate::error::Error;
 use crate::tests::{SIDES, corner, is_cube, volume};
 use crate::{Format, Opened, read, read_with};
 

@@ -3,9 +3,8 @@
 use glam::{DAffine3, DMat4, DQuat, DVec3};
 use serde_json::Value;
 
-use super::container::{Container, element, index, list, numbers};
-use super::{FORMAT, INDICES};
-use crate::{Error, Problem, Result};
+use super::container::{Container, FORMAT, INDICES, element, index, list, numbers};
+use crate::error::{Error, Problem, Result};
 
 /// Maximum depth of the node tree.
 const MAX_DEPTH: usize = 256;

@@ -7,12 +7,13 @@ use std::path::Path;
 use std::time::Duration;
 
 use egui::{Align2, Button, FontId, Rect, Role, Ui, Vec2, WidgetInfo, vec2};
+use vides_document::Edit;
+use vides_document::tool;
+use vides_document::tool::Tool;
+use vides_engine::path::Space;
 
 use crate::action::Action;
-use crate::document::Edit;
-use crate::document::tool::{self, Tool};
-use crate::files::PICTURE;
-use crate::path::Space;
+use crate::files::recent::PICTURE;
 use crate::setup::Element;
 use crate::state::Editor;
 use crate::state::files::Picture;

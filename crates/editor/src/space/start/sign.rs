@@ -1,16 +1,17 @@
 //! What a beginning looks like: drawn on the object that is loaded, else as a sign.
 
 use egui::{Color32, Painter, Pos2, Shape, Stroke, vec2};
+use vides_document::error::Result;
+use vides_document::tool;
+use vides_document::tool::ToolInput;
+use vides_document::{Document, Info};
+use vides_engine::tools::fit::Progress;
 
 use super::{Begin, TOOLS};
-use crate::document::tool::{self, ToolInput};
-use crate::document::{Document, Info};
-use crate::error::Result;
-use crate::files::PICTURE;
+use crate::files::recent::PICTURE;
 use crate::state::Editor;
 use crate::state::files::Picture;
 use crate::state::space::Around;
-use crate::tools::fit::Progress;
 
 /// An object of more triangles has no picture of what takes long.
 const MOST: usize = 100_000;

@@ -150,8 +150,8 @@ fn beginnings_are_drawn_on_the_object() {
         ([3840.0, 2160.0], true),
     ] {
         let mut window = window_of(options(Language::English), size, 1.0, Theme::Dark);
-        let object = crate::document::load_object(&file).unwrap();
-        let around = crate::document::Document::around(object).unwrap();
+        let object = vides_document::load_object(&file).unwrap();
+        let around = vides_document::Document::around(object).unwrap();
         window.state_mut().document = around;
         window.run();
         let around = Around::of(window.state()).unwrap();
@@ -187,9 +187,9 @@ fn what_is_begun_lies_in_its_space() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("plate.obj");
     std::fs::write(&file, "v 0 0 0\nv 9 0 0\nv 0 0 9\nf 1 2 3\n").unwrap();
-    let object = crate::document::load_object(&file).unwrap();
+    let object = vides_document::load_object(&file).unwrap();
     let mut window = window(Language::English);
-    window.state_mut().document = crate::document::Document::around(object).unwrap();
+    window.state_mut().document = vides_document::Document::around(object).unwrap();
     window.state_mut().recent = vec![file.clone(), folder.path().join("other.vid")];
     window.run();
     let texts = Language::English.texts();

@@ -3,12 +3,12 @@
 use std::sync::Arc;
 
 use egui::{Color32, Id, Mesh, Rangef};
+use vides_document::Selection;
+use vides_raster::Lines;
 
 use super::{markers, tracks};
-use crate::document::Selection;
 use crate::playing::axis::Axis;
-use crate::raster::Lines;
-use crate::space::Typed;
+use crate::space::typed::Typed;
 use crate::state::playing::{Beside, Retiming};
 
 /// The speeds of the whole path.

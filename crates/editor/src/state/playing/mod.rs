@@ -6,10 +6,12 @@ pub(crate) mod plot;
 pub(crate) mod track_graph;
 pub(crate) mod tracks;
 
-use crate::document::Selection;
-use crate::path::Overrides;
+use vides_document::Selection;
+use vides_engine::path::Overrides;
+
 use crate::playing::axis::Seen;
 use crate::state::playing::graph::Graph;
+
 /// Speed of playing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Pace {

@@ -1,6 +1,6 @@
 //! What the graph shows beside the pace.
 
-use crate::tools::profile::Quantity;
+use vides_engine::tools::profile::Quantity;
 
 /// What the graph shows, one over the other.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use vides_engine::scene::Extrapolation;
 
 use super::track_graph;
-use crate::space::Typed;
+use crate::space::typed::Typed;
 use crate::state::playing::track_graph::Parts;
 use crate::state::scene_view::KeyAt;
 

@@ -6,11 +6,11 @@ use std::sync::Arc;
 
 use egui::{PointerButton, Pos2};
 use glam::{DAffine3, DQuat, DVec2, DVec3};
+use vides_document::{Edit, Object};
+use vides_engine::path::CameraPath;
 use vides_engine::scene::Channel;
+use vides_raster::Lines;
 
-use crate::document::{Edit, Object};
-use crate::path::CameraPath;
-use crate::raster::Lines;
 use crate::setup::View;
 use crate::space::cameras::KeyCameras;
 use crate::space::projection::Axis;
@@ -18,6 +18,7 @@ use crate::space::ribbon::Ribbon;
 use crate::space::scene::{LookKey, PathLines};
 use crate::space::typed::Typed;
 use crate::state::space::solid::Solid;
+
 /// What the tangent on one side does while the other is dragged.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) enum Joint {

@@ -4,10 +4,9 @@ use std::sync::Arc;
 
 use egui::{Color32, Rect};
 use glam::{DMat4, DVec3};
+use vides_document::Object;
 use vides_engine::scene::Mesh;
-
-use crate::document::Object;
-use crate::raster::Surfaces;
+use vides_raster::Surfaces;
 
 /// The picture that was made last.
 #[derive(Debug, Default)]

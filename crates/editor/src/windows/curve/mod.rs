@@ -10,17 +10,17 @@ mod picture;
 
 use self::pending::{Belonging, CurveSource, GivenUp, Pending, orientation, users};
 use crate::action::Action;
-use crate::document::Document;
 use crate::entry::Entry;
-use crate::limits::PRESETS;
 use crate::number::Number;
 use crate::panels::curve::{in_place_of_tangents, without_shape};
-use crate::path::{Target, Tcb};
 use crate::state::Editor;
 use crate::state::windows::Windows;
 use crate::texts::fill;
 use crate::theme;
 use crate::windows::sub_window::{SubWindow, is_cramped, row_at_right, sub_window};
+use vides_document::Document;
+use vides_engine::limits::PRESETS;
+use vides_engine::path::{Target, Tcb};
 
 /// Widths in points: the presets; beside them a label and three numbers, narrower if cramped.
 const LIST: f32 = 136.0;

@@ -4,10 +4,9 @@
 //! while the window is open shows its new place, and applying changes only what was entered.
 
 use glam::DVec3;
-
-use crate::document::{At, Document, Edit, Selection, no_longer_ahead};
-use crate::limits::PRESETS;
-use crate::path::{CurveParameters, Orientation, SupportPoint, Target, Tcb};
+use vides_document::{At, Document, Edit, Selection, no_longer_ahead};
+use vides_engine::limits::PRESETS;
+use vides_engine::path::{CurveParameters, Orientation, SupportPoint, Target, Tcb};
 
 /// Where the parameters come from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

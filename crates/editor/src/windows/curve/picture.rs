@@ -4,10 +4,10 @@
 
 use egui::{Pos2, Rect, Stroke, Vec2, pos2, vec2};
 use glam::DVec3;
+use vides_document::Document;
+use vides_engine::path::{CameraPath, CurveKind, CurveParameters, SupportPoint, Tcb, curve};
 
 use super::pending::{CurveSource, Pending};
-use crate::document::Document;
-use crate::path::{CameraPath, CurveKind, CurveParameters, SupportPoint, Tcb, curve};
 use crate::theme::{self, Palette};
 
 /// Segments on either side that a point's position shapes.
@@ -300,8 +300,8 @@ fn beside(at: Pos2, size: Vec2, lines: &[Pos2]) -> Rect {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::document::{At, Edit, Info};
-    use crate::path::Tangents;
+    use vides_document::{At, Edit, Info};
+    use vides_engine::path::Tangents;
 
     fn document(count: usize, closed: bool) -> Document {
         let at = |k: usize| {

@@ -1,7 +1,8 @@
 //! The curve window (thesis A.4.1).
 
-use crate::document::At;
-use crate::path::{CameraPath, CurveParameters, Tcb};
+use vides_document::At;
+use vides_engine::path::{CameraPath, CurveParameters, Tcb};
+
 use crate::screenshots::screenshot;
 use crate::tests::*;
 

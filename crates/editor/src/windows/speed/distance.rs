@@ -1,11 +1,11 @@
 //! A section whose way over time is given: its keys as squares to be dragged, and as numbers.
 
 use egui::{Button, CursorIcon, Id, Key, Modifiers, Rect, Sense, Ui, Vec2, WidgetInfo, pos2};
+use vides_engine::path::{Orientation, Overrides, Pace, Timing};
 
 use super::graph::{Axes, Handle};
 use crate::action::Action;
 use crate::number::Number;
-use crate::path::{Orientation, Overrides, Pace, Timing};
 use crate::state::Editor;
 use crate::state::windows::SpeedWindow;
 use crate::texts::fill;

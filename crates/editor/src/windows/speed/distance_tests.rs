@@ -1,11 +1,12 @@
 //! A distance over the time in the speed window: its keys are dragged, added and removed.
 
+use egui::{Pos2, vec2};
+use vides_engine::path::Pace;
+
 use super::pace_tests::{choose, curve, drag_handle, frames, handle, is_there, keys, timing};
 use super::tests::{drag, opened};
-use crate::path::Pace;
 use crate::screenshots::screenshot;
 use crate::tests::*;
-use egui::{Pos2, vec2};
 
 #[test]
 fn a_distance_begins_as_the_way_is_and_the_ten_speeds_are_kept() {
@@ -56,7 +57,8 @@ pub(super) fn with_distance(language: Language) -> Window {
     let texts = &language.texts().speed_window;
     choose(&mut window, texts.pace, texts.distance);
     let way = [[0.0, 0.0], [0.5, 0.25], [1.0, 1.0]].as_slice();
-    let set = |own: &mut crate::path::OrientationOverrides| own.pace = Pace::Distance(way.into());
+    let set =
+        |own: &mut vides_engine::path::OrientationOverrides| own.pace = Pace::Distance(way.into());
     let editor = window.state_mut();
     editor.set_orientation(|new| new.own = new.own.with(set).unwrap());
     editor.document.mark_saved();

@@ -1,12 +1,12 @@
 //! A section that speeds up, cruises and slows down: its numbers, and its corners to be dragged.
 
 use egui::{CursorIcon, Id, Rangef, Rect, Ui, pos2};
+use vides_engine::limits::{MAX_SPEED, MIN_SPEED};
+use vides_engine::path::{Ease, Pace};
 
 use super::graph::{Axes, Handle};
 use crate::action::Action;
-use crate::limits::{MAX_SPEED, MIN_SPEED};
 use crate::number::Number;
-use crate::path::{Ease, Pace};
 use crate::state::Editor;
 use crate::state::windows::{Held, Quantity};
 use crate::texts::fill;

@@ -4,11 +4,11 @@ use egui::{
     Align2, CornerRadius, CursorIcon, EventFilter, Id, Key, Modifiers, Painter, Pos2, Rect,
     Response, Sense, Shape, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, pos2, vec2,
 };
+use vides_engine::limits::{BASE_SPEED, MAX_SPEED, MIN_SPEED, SPEEDS};
+use vides_engine::path::{Pace, Timing};
 
 use crate::action::Action;
 use crate::entry::Entry;
-use crate::limits::{BASE_SPEED, MAX_SPEED, MIN_SPEED, SPEEDS};
-use crate::path::{Pace, Timing};
 use crate::state::Editor;
 use crate::state::windows::{Held, Quantity};
 use crate::theme::{self, Palette};

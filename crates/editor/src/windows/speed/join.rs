@@ -1,10 +1,11 @@
 //! Ready paces that join the sections beside them: a section ends as fast as the next goes on. No
 //! egui here.
 
+use vides_document::{Document, Selection};
+use vides_engine::limits::{MAX_SPEED, MIN_SPEED, SPEEDS};
+use vides_engine::path::{CameraPath, Change, Orientation, Pace, Timeline, Timing};
+
 use super::shapes::{End, Shape};
-use crate::document::{Document, Selection};
-use crate::limits::{MAX_SPEED, MIN_SPEED, SPEEDS};
-use crate::path::{CameraPath, Change, Orientation, Pace, Timeline, Timing};
 
 /// Speeds and frames depend on each other: rounds until they agree to the last digit shown.
 const ROUNDS: usize = 12;
@@ -204,9 +205,9 @@ mod tests {
     use glam::DVec3;
 
     use super::*;
-    use crate::document::{Edit, Info};
-    use crate::path::{SupportPoint, Target};
-    use crate::tools::check::FindingKind;
+    use vides_document::{Edit, Info};
+    use vides_engine::path::{SupportPoint, Target};
+    use vides_engine::tools::check::FindingKind;
 
     /// Random numbers in [0, 1): xorshift64*.
     struct Random(u64);

@@ -10,7 +10,7 @@ use crate::windows::speed::section::{ABOUT, Section, Size, entered, entered_own}
 mod distance;
 mod ease;
 mod graph;
-mod join;
+pub(crate) mod join;
 mod pace;
 pub(crate) mod section;
 mod shapes;
@@ -20,18 +20,18 @@ pub(crate) use self::join::slow_past;
 pub(crate) use self::ten::shapes;
 
 use self::graph::Axes;
-use super::docked;
 use crate::action::Action;
-use crate::document::{At, Edit, Info};
-use crate::limits::{MAX_FPS, MAX_FRAMES, MAX_HOLD};
 use crate::number::Number;
 use crate::panels::parts::share;
-use crate::path::{BaseFrames, Pace};
 use crate::state::Editor;
 use crate::state::windows::{Quantity, Windows};
 use crate::texts::fill;
 use crate::theme;
+use crate::windows::dock::docked;
 use crate::windows::sub_window::SubWindow;
+use vides_document::{At, Edit, Info};
+use vides_engine::limits::{MAX_FPS, MAX_FRAMES, MAX_HOLD};
+use vides_engine::path::{BaseFrames, Pace};
 
 /// Least width of what stands beside the picture, and the gap.
 const BESIDE: f32 = 236.0;

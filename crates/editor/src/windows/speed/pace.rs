@@ -3,12 +3,12 @@
 use std::sync::Arc;
 
 use egui::{Button, Ui};
+use vides_document::Selection;
+use vides_engine::limits::{BASE_SPEED, MAX_SPEED, MIN_SPEED};
+use vides_engine::path::{Ease, EaseKind, Pace};
 
 use super::distance::sampled;
 use crate::action::Action;
-use crate::document::Selection;
-use crate::limits::{BASE_SPEED, MAX_SPEED, MIN_SPEED};
-use crate::path::{Ease, EaseKind, Pace};
 use crate::state::Editor;
 use crate::state::windows::{Quantity, SpeedWindow};
 use crate::theme;

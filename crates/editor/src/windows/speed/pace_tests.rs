@@ -1,10 +1,10 @@
 //! Other paces than ten speeds in the speed window.
 
 use egui::{Pos2, vec2};
+use vides_engine::path::{Ease, EaseKind, Pace, Timing};
 
 use super::distance_tests::with_distance;
 use super::tests::{drag, opened};
-use crate::path::{Ease, EaseKind, Pace, Timing};
 use crate::screenshots::screenshot;
 use crate::tests::*;
 

@@ -1,9 +1,10 @@
 //! The section whose speeds are shown, the room for them, and entries into it.
 
+use vides_engine::limits::SPEEDS;
+use vides_engine::path::{Orientation, OrientationOverrides, Pace, Timing};
+
 use crate::action::Action;
 use crate::entry::Entry;
-use crate::limits::SPEEDS;
-use crate::path::{Orientation, OrientationOverrides, Pace, Timing};
 use crate::state::{Editor, with};
 use crate::windows::sub_window::{is_cramped, is_low};
 

@@ -1,7 +1,7 @@
 //! Speed curves to pick from: the usual shapes of a camera's motion. No egui here.
 
-use crate::limits::{MAX_SPEED, MIN_SPEED, SPEEDS};
-use crate::path::speed_curve::SpeedCurve;
+use vides_engine::limits::{MAX_SPEED, MIN_SPEED, SPEEDS};
+use vides_engine::path::speed_curve::SpeedCurve;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Shape {

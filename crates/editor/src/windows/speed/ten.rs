@@ -1,14 +1,14 @@
 //! The ten speeds of a section: squares to be dragged, numbers, shapes to pick from, copies.
 
 use egui::{CursorIcon, Id, Rect, Ui, pos2, vec2};
+use vides_engine::limits::{BASE_SPEED, MAX_SPEED, MIN_SPEED, SPEEDS};
+use vides_engine::path::{Orientation, Timing};
 
 use super::graph::{Axes, Handle};
 use super::join::ready;
 use super::shapes::Shape;
 use crate::action::Action;
-use crate::limits::{BASE_SPEED, MAX_SPEED, MIN_SPEED, SPEEDS};
 use crate::number::Number;
-use crate::path::{Orientation, Timing};
 use crate::state::Editor;
 use crate::state::windows::{Held, Quantity};
 use crate::texts::fill;

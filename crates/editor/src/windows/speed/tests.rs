@@ -1,11 +1,10 @@
 //! The speed-curve window (thesis A.4.3).
 
 use egui::{Pos2, vec2};
-
 use egui_kittest::kittest::NodeT;
+use vides_document::At;
 
 use super::pace_tests::{choose, drag_handle, frames, handle};
-use crate::document::At;
 use crate::screenshots::screenshot;
 use crate::tests::*;
 
