@@ -86,15 +86,6 @@ pub(super) fn edit_and<R>(
     })
 }
 
-/// Changes the information stored beside the poses.
-pub(super) fn edit_info(path: *mut V_PATH, change: impl FnOnce(&mut Info)) -> Answer<c_int> {
-    edit_by(path, |document| {
-        let mut info = document.info().clone();
-        change(&mut info);
-        Ok(Edit::SetInfo(Box::new(info)))
-    })
-}
-
 /// ==== Paths ====
 ///
 /// A new path: two support points at (-0.6, 0.2, 0.8) and (0.6, 0.2, 0.8), each

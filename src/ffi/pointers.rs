@@ -363,6 +363,19 @@ pub(super) fn how_many(given: c_int, name: &'static str) -> Answer<usize> {
     usize::try_from(given).map_err(|_| Failure::NegativeCount { name, given })
 }
 
+/// The one of a list that has a number.
+pub(super) fn numbered<T: Copy>(
+    all: &[T],
+    number: c_int,
+    name: &'static str,
+    known: &'static str,
+) -> Answer<T> {
+    let found = usize::try_from(number).ok().and_then(|at| all.get(at));
+    found
+        .copied()
+        .ok_or_else(|| Failure::unknown(name, number, known))
+}
+
 /// Refuses a count that is too large.
 pub(super) fn most(given: usize, limit: usize, name: impl Into<Name>) -> Answer<()> {
     if given > limit {

@@ -8,12 +8,11 @@ use glam::{DQuat, DVec3};
 use super::border::border;
 use super::path;
 use super::pointers::{
-    self, Growing, GrowingOut, Out, TextOut, copied, file_name, index, init, optional,
+    self, Growing, GrowingOut, Out, TextOut, copied, file_name, index, init, numbered, optional,
     read_growing, slice, text,
 };
 use super::scene_handles::{self, change, edit, insert, look, read};
 use super::scene_types::*;
-use super::settings::numbered;
 use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK, add_last_warning, clear_last_warning};
 use super::types::V_PATH;
 use crate::document::{Info, SceneDocument};

@@ -3,14 +3,13 @@
 use std::ffi::{c_char, c_int};
 
 use super::border::border;
-use super::pointers::{Out, TextOut, copied, index, text};
+use super::pointers::{Out, TextOut, index, text};
 use super::scene::{link, unlink};
-use super::scene_handles::{change, edit, read};
+use super::scene_handles::{change, edit, read, set_info};
 use super::scene_types::*;
+use super::settings::{comment_of, title_of};
 use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
-use crate::error::{Place, TooMany};
-use crate::limits::MAX_COMMENT_BYTES;
-use crate::path::camera_path::check_name;
+use crate::property::Value;
 use crate::scene::Keep;
 use crate::tools::check::FindingKind;
 
@@ -23,13 +22,7 @@ use crate::tools::check::FindingKind;
 pub unsafe extern "C" fn v_scene_set_title(scene: *mut V_SCENE, title: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: a text ended by zero, as the header says.
-        let title = unsafe { text(title, "title") }?;
-        check_name(title).map_err(|error| error.at(Place::Title))?;
-        let title = copied(title)?;
-        edit(scene, |document| {
-            document.info.title = title;
-            Ok(V_OK)
-        })
+        set_info(scene, "title", unsafe { title_of(title) }?)
     })
 }
 
@@ -58,15 +51,7 @@ pub unsafe extern "C" fn v_scene_get_title(
 pub unsafe extern "C" fn v_scene_set_comment(scene: *mut V_SCENE, comment: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: a text ended by zero, as the header says.
-        let comment = unsafe { text(comment, "comment") }?;
-        if comment.len() > MAX_COMMENT_BYTES {
-            return Err(TooMany::CommentBytes.into());
-        }
-        let comment = copied(comment)?;
-        edit(scene, |document| {
-            document.info.comment = comment;
-            Ok(V_OK)
-        })
+        set_info(scene, "comment", unsafe { comment_of(comment) }?)
     })
 }
 
@@ -93,16 +78,7 @@ pub unsafe extern "C" fn v_scene_get_comment(
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_fps(scene: *mut V_SCENE, fps: f64) -> c_int {
-    border(V_ERR_INTERNAL, || {
-        edit(scene, |document| {
-            let old = std::mem::replace(&mut document.info.fps, fps);
-            if let Err(error) = document.info.check(document.scene.space()) {
-                document.info.fps = old;
-                return Err(error.into());
-            }
-            Ok(V_OK)
-        })
-    })
+    border(V_ERR_INTERNAL, || set_info(scene, "fps", fps))
 }
 
 /// How many frames are shown in a second.
@@ -123,10 +99,7 @@ pub unsafe extern "C" fn v_scene_get_fps(scene: *const V_SCENE, fps: *mut f64) -
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_first_frame(scene: *mut V_SCENE, number: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
-        edit(scene, |document| {
-            document.info.first_frame = number;
-            Ok(V_OK)
-        })
+        set_info(scene, "first_frame", Value::Whole(number.into()))
     })
 }
 

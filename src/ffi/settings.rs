@@ -4,8 +4,8 @@ use std::ffi::{c_char, c_int};
 
 use super::border::border;
 use super::object::{thread_mesh, wireframe};
-use super::path::{edit, edit_info, edits, read};
-use super::pointers::{GrowingOut, Out, TextOut, copied, text};
+use super::path::{edit, edit_by, edits, read};
+use super::pointers::{GrowingOut, Out, TextOut, copied, numbered, text};
 use super::scene_types::V_MESH;
 use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
 use super::types::V_PATH;
@@ -14,6 +14,7 @@ use crate::error::{Place, TooMany};
 use crate::limits::MAX_COMMENT_BYTES;
 use crate::path::camera_path::{check_base_speed, check_name};
 use crate::path::{BaseFrames, OrientationMode, ZoomMode};
+use crate::property::Value;
 
 /// ==== Modes, see v_path_set_modes() ====
 ///
@@ -36,22 +37,33 @@ const _: () = assert!(
         && ZoomMode::Linear as c_int == V_ZOOM_LINEAR
 );
 
-/// The one of a list that has a number.
-pub(super) fn numbered<T: Copy>(
-    all: &[T],
-    number: c_int,
-    name: &'static str,
-    known: &'static str,
-) -> Answer<T> {
-    let found = usize::try_from(number).ok().and_then(|at| all.get(at));
-    found
-        .copied()
-        .ok_or_else(|| Failure::unknown(name, number, known))
-}
-
 /// A base speed, which has a name here.
 pub(super) fn positive(given: f64, name: &'static str) -> Answer<()> {
     check_base_speed(given).map_err(|_| Failure::NotPositive { name, given })
+}
+
+/// A title from C, checked before it is copied: nobody knows how long it is.
+///
+/// # Safety
+/// `title` is NULL or points to a zero-terminated text.
+pub(super) unsafe fn title_of(title: *const c_char) -> Answer<String> {
+    // SAFETY: as required of the caller.
+    let title = unsafe { text(title, "title") }?;
+    check_name(title).map_err(|error| error.at(Place::Title))?;
+    copied(title)
+}
+
+/// A comment from C, in the same way.
+///
+/// # Safety
+/// `comment` is NULL or points to a zero-terminated text.
+pub(super) unsafe fn comment_of(comment: *const c_char) -> Answer<String> {
+    // SAFETY: as required of the caller.
+    let comment = unsafe { text(comment, "comment") }?;
+    if comment.len() > MAX_COMMENT_BYTES {
+        return Err(TooMany::CommentBytes.into());
+    }
+    copied(comment)
 }
 
 /// ==== What holds for the whole path ====
@@ -201,11 +213,8 @@ pub unsafe extern "C" fn v_path_get_modes(
 pub unsafe extern "C" fn v_path_set_title(path: *mut V_PATH, title: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: a text ended by zero, as the header says.
-        let title = unsafe { text(title, "title") }?;
-        // Before it is copied: nobody knows how long it is.
-        check_name(title).map_err(|error| error.at(Place::Title))?;
-        let title = copied(title)?;
-        edit_info(path, |info| info.title = title)
+        let title = unsafe { title_of(title) }?;
+        edit(path, Edit::set(At::Path, "title", title))
     })
 }
 
@@ -236,12 +245,8 @@ pub unsafe extern "C" fn v_path_get_title(
 pub unsafe extern "C" fn v_path_set_comment(path: *mut V_PATH, comment: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
         // SAFETY: a text ended by zero, as the header says.
-        let comment = unsafe { text(comment, "comment") }?;
-        if comment.len() > MAX_COMMENT_BYTES {
-            return Err(TooMany::CommentBytes.into());
-        }
-        let comment = copied(comment)?;
-        edit_info(path, |info| info.comment = comment)
+        let comment = unsafe { comment_of(comment) }?;
+        edit(path, Edit::set(At::Path, "comment", comment))
     })
 }
 
@@ -268,7 +273,9 @@ pub unsafe extern "C" fn v_path_get_comment(
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_fps(path: *mut V_PATH, fps: f64) -> c_int {
-    border(V_ERR_INTERNAL, || edit_info(path, |info| info.fps = fps))
+    border(V_ERR_INTERNAL, || {
+        edit(path, Edit::set(At::Path, "fps", fps))
+    })
 }
 
 /// How many poses are shown in a second.
@@ -290,7 +297,8 @@ pub unsafe extern "C" fn v_path_get_fps(path: *const V_PATH, fps: *mut f64) -> c
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_first_frame(path: *mut V_PATH, number: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
-        edit_info(path, |info| info.first_frame = number)
+        let number = Value::Whole(number.into());
+        edit(path, Edit::set(At::Path, "first_frame", number))
     })
 }
 
@@ -316,7 +324,11 @@ pub unsafe extern "C" fn v_path_set_object(path: *mut V_PATH, object: *const V_M
     border(V_ERR_INTERNAL, || {
         // SAFETY: a mesh, as the header says.
         let object = unsafe { wireframe(object, "object") }?;
-        edit_info(path, |info| info.object = object)
+        edit_by(path, |document| {
+            let mut info = document.info().clone();
+            info.object = object;
+            Ok(Edit::SetInfo(Box::new(info)))
+        })
     })
 }
 
