@@ -21,7 +21,8 @@ use std::sync::{Mutex, MutexGuard, PoisonError, TryLockError};
 use std::time::Duration;
 
 use super::descriptors::events_of;
-use super::{Id, own_thread};
+use super::host::Id;
+use super::xt::own_thread;
 
 /// The windows that keep work, of all threads.
 static WINDOWS: Mutex<Vec<Entry>> = Mutex::new(Vec::new());

@@ -3,7 +3,8 @@
 use std::marker::PhantomData;
 use std::rc::Rc;
 
-use crate::{Id, close};
+use crate::host::Id;
+use crate::registry::close;
 
 /// An open window, closed without asking when this is dropped; [`Handle::keep`] leaves it to the
 /// user. It stays on its thread.
@@ -26,7 +27,7 @@ impl Handle {
         self.id
     }
 
-    /// Leaves the window open until the user or [`close`] closes it.
+    /// Leaves the window open until the user or [`close`](crate::close) closes it.
     #[allow(clippy::must_use_candidate)]
     pub fn keep(self) -> Id {
         let id = self.id;

@@ -7,10 +7,11 @@
 
 use std::time::{Duration, Instant};
 
-use super::Reason;
-use super::window::FRAME;
-use crate::editor::{Editor, PlayheadState};
+use crate::editor::{Editor, PlayheadState, Reason};
 use crate::path::Pose;
+
+/// The least time between pictures of an animation, or of a mere motion of the pointer.
+pub(super) const FRAME: Duration = Duration::from_nanos(1_000_000_000 / 60);
 
 /// A call that takes longer delays the next one by as long as it took.
 const SLOW: Duration = Duration::from_millis(30);

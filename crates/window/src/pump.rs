@@ -7,10 +7,11 @@
 
 use std::time::Instant;
 
+use super::host::Id;
 use super::live::HostEvent;
 use super::registry::Lost;
 use super::window::HostRequest;
-use super::{Id, registry};
+use super::{hint, lookout, registry};
 use crate::error::Result;
 use crate::inject;
 
@@ -29,8 +30,8 @@ pub struct Served {
 /// Serves the thread's windows until there is nothing to do, or for a fair while; never waits.
 /// Calls the host.
 pub fn dispatch() -> Served {
-    super::hint::served();
-    let _serving = super::lookout::serving();
+    hint::served();
+    let _serving = lookout::serving();
     inject::point(inject::Place::Dispatch);
     registry::leave_those_that_call();
     let mut more = true;
@@ -113,7 +114,7 @@ fn serve(id: Id) -> bool {
 /// # Errors
 /// `ErrorKind::Limit` without descriptors.
 pub fn main_loop() -> Result<Served> {
-    super::host_serves();
+    host_serves();
     let mut lost = None;
     loop {
         let mut served = dispatch();
@@ -145,9 +146,15 @@ pub fn close_all(ask: bool) -> Result<bool> {
             if registry::look(id, |window| window.editor().asks_to_close()) != Some(true) {
                 return Ok(false);
             }
-            super::host_serves();
+            host_serves();
             registry::sleep()?;
         }
     }
     Ok(true)
+}
+
+/// The host serves its windows itself, or is about to: it needs no hint.
+pub fn host_serves() {
+    hint::served();
+    lookout::end(true);
 }

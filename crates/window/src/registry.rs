@@ -19,8 +19,9 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, Instant};
 
 use super::descriptors::Descriptors;
+use super::host::{Gone, Host, Id};
 use super::window::Window;
-use super::{Gone, Host, Id, ending, lookout, thread_end, xt};
+use super::{ending, lookout, thread_end, xt};
 use crate::error::{EngineError, Error, Result, panic_said};
 use crate::inject;
 

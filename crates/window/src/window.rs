@@ -8,9 +8,9 @@ use std::time::{Duration, Instant};
 
 use egui::{ClippedPrimitive, Context, FullOutput, ViewportCommand, ViewportId, ViewportOutput};
 
-use super::live::{HostEvent, Live};
+use super::host::{Host, Id};
+use super::live::{FRAME, HostEvent, Live};
 use super::screen::Screen;
-use super::{Host, Id};
 use crate::editor::{Editor, Request};
 use crate::error::Result;
 use crate::inject::{self, Place};
@@ -23,9 +23,6 @@ const SETTLING_PASSES: u32 = 3;
 /// egui wants to run again after every event. While a button is held the next motion sees to that;
 /// egui runs by itself when none has come for this long.
 pub(super) const DRAG_PAUSE: Duration = Duration::from_millis(40);
-
-/// The least time between pictures of an animation, or of a mere motion of the pointer.
-pub(super) const FRAME: Duration = Duration::from_nanos(1_000_000_000 / 60);
 
 pub(super) struct Window {
     screen: Box<dyn Screen>,

@@ -21,7 +21,7 @@ use std::mem::transmute;
 use std::os::fd::RawFd;
 use std::ptr;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
 
 use super::lookout;
 use super::xt_wake::{self, Sleep};
@@ -84,6 +84,9 @@ struct Watched {
 /// Stands for the address of the default context.
 const DEFAULT: usize = 0;
 
+/// What is done when a descriptor is readable.
+static SERVE: OnceLock<fn()> = OnceLock::new();
+
 static WATCHED: Mutex<Vec<Watched>> = Mutex::new(Vec::new());
 static THREADS: AtomicUsize = AtomicUsize::new(1);
 static NUMBERS: AtomicUsize = AtomicUsize::new(1);
@@ -124,8 +127,10 @@ pub enum Refusal {
     NoContext,
 }
 
-/// Has the descriptor watched by all application contexts that do not watch it yet.
-pub(super) fn watch_in_all_contexts(descriptor: RawFd) {
+/// Has the descriptor watched by all application contexts that do not watch it yet; `serve` is called
+/// where it is readable.
+pub(super) fn watch_in_all_contexts(descriptor: RawFd, serve: fn()) {
+    let _ = SERVE.set(serve);
     let Some(xt) = Xt::find() else { return };
     match xt.contexts() {
         Some(contexts) => {
@@ -137,7 +142,12 @@ pub(super) fn watch_in_all_contexts(descriptor: RawFd) {
     }
 }
 
-pub(super) fn watch_in(context: *mut c_void, descriptor: RawFd) -> Result<(), Refusal> {
+pub(super) fn watch_in(
+    context: *mut c_void,
+    descriptor: RawFd,
+    serve: fn(),
+) -> Result<(), Refusal> {
+    let _ = SERVE.set(serve);
     let xt = Xt::find().ok_or(Refusal::NoXt)?;
     let context = context.cast::<ContextHead>();
     if let Some(contexts) = xt.contexts()
@@ -274,9 +284,15 @@ unsafe extern "C" fn on_input(closure: *mut c_void, _: *mut c_int, id: *mut c_ul
     }
 }
 
+fn call_host() {
+    if let Some(serve) = SERVE.get() {
+        serve();
+    }
+}
+
 fn serve(watched: Watched) {
     if watched.context == DEFAULT {
-        super::host_called();
+        call_host();
         return;
     }
     // Before host code runs, which may itself sleep in Xt.
@@ -284,7 +300,7 @@ fn serve(watched: Watched) {
     if sleeps && watched.sleep.was_sound() {
         lookout::end(true);
     }
-    super::host_called();
+    call_host();
     // A callback may have ended the context.
     if !sleeps && entry(watched.number).is_some() {
         xt_wake::wake(watched.context);

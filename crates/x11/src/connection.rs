@@ -29,6 +29,9 @@ const EVENT: usize = 32;
 
 const OPENING: Duration = Duration::from_secs(2);
 
+/// The bit in an event's type that marks it as sent by another client.
+pub(super) const SENT: u8 = 0x80;
+
 pub(super) struct Connection {
     raw: Raw,
     /// An index into the setup's screens, checked when connecting.

@@ -9,9 +9,8 @@ use x11rb::protocol::xproto::{
     InputFocus, WindowClass,
 };
 
-use super::Window;
-use super::connection::Connection;
-use super::events::SENT;
+use super::connection::{Connection, SENT};
+use super::state::Window;
 use crate::error::{Error, Result};
 
 /// How long after taking the focus to check it: a toolkit may take it back (GTK 3 does).

@@ -9,14 +9,13 @@ use x11rb::protocol::xproto::{
 };
 use x11rb::x11_utils::X11Error;
 
+use super::connection::SENT;
 use super::present::Surface;
-use super::{Window, scale, window};
+use super::state::Window;
+use super::{scale, window};
 use crate::error::{Error, Result};
 use crate::inject;
 use crate::raster::Area;
-
-/// The bit in an event's type that marks it as sent by another client.
-pub(super) const SENT: u8 = 0x80;
 
 impl Window {
     /// Handles one event, ignoring other windows'. Any client can send events: trust nothing.

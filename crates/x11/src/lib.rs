@@ -24,6 +24,7 @@ mod incoming;
 mod keyboard;
 mod keymap;
 mod keys;
+mod options;
 mod outgoing;
 mod pane;
 mod pane_pool;
@@ -33,6 +34,7 @@ mod present;
 mod scale;
 mod settings;
 mod shared;
+mod state;
 mod stream;
 mod visual;
 mod window;
@@ -62,7 +64,6 @@ use std::time::{Duration, Instant};
 use egui::{Pos2, Rect, Vec2, ViewportInfo};
 use x11rb::connection::{Connection as _, RequestConnection as _};
 use x11rb::protocol::xproto::ImageOrder;
-use x11rb::resource_manager::Database;
 
 use vides_engine::{inject, limits};
 use vides_raster as raster;
@@ -76,13 +77,14 @@ use drops::Drops;
 use embedded::EmbedParent;
 pub use error::{Cause, Error, Result};
 use keyboard::Keyboard;
-use pane::Pane;
+pub use options::Options;
 pub use pane::{PanePlace, PaneWindow};
 use pixels::Layout;
 use pointer::Pointer;
 use present::Surface;
 use settings::Settings;
-use window::Frame;
+use state::Focus;
+pub use state::{PollResult, Window};
 
 /// The largest texture the painter accepts, in pixels per side.
 const TEXTURE_SIDE: usize = 2048;
@@ -92,90 +94,6 @@ const MOST_EVENTS: usize = 256;
 
 /// How long to wait for a clipboard manager when the window closes.
 const HAND_OVER: Duration = Duration::from_millis(300);
-
-/// How to open a window. By default it is one pixel large: set [`Options::size`].
-#[derive(Clone, Debug, Default)]
-pub struct Options {
-    /// The display's name; `None` uses the environment variable `DISPLAY`.
-    pub display: Option<String>,
-    /// The title.
-    pub title: String,
-    /// The program's name, for WM_CLASS; "vides" if empty.
-    pub application: String,
-    /// Initial inner size in points (pixels at 96 dots per inch).
-    pub size: [f32; 2],
-    /// Minimum inner size in points.
-    pub smallest: [f32; 2],
-    /// The host's window to embed this one in, which it then fills; `None` for a top-level window.
-    pub parent: Option<u32>,
-    /// The host's window that this one is transient for.
-    pub transient_for: Option<u32>,
-}
-
-/// What happened since the last poll, besides input events for egui.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct PollResult {
-    /// There is input, or the size or scale changed: run egui.
-    pub input: bool,
-    /// Only the pointer moved: egui may run later and take several motions at once.
-    pub motion: bool,
-    /// The user or the window manager asked to close the window.
-    pub close: bool,
-    /// The frame in flight has arrived: another may be shown.
-    pub shown: bool,
-    /// The pixel buffer was replaced: paint it whole.
-    pub new_buffer: bool,
-    /// Events are left over: poll again soon, even if the descriptor is not readable.
-    pub more: bool,
-}
-
-/// An open window. Dropping it closes the window and the connection.
-pub struct Window {
-    connection: Connection,
-    frame: Frame,
-    surface: Surface,
-    pointer: Pointer,
-    keyboard: Keyboard,
-    clipboard: Clipboard,
-    drops: Drops,
-    cursors: Cursors,
-    /// The X resources.
-    resources: Database,
-    /// The XSETTINGS manager's settings.
-    settings: Settings,
-    home: Option<EmbedParent>,
-    pane: Option<Pane>,
-    /// Time and place of a middle click, until egui says whether it was over editable text.
-    middle: Option<(u32, Pos2)>,
-    /// The last pointer position, in points.
-    pos: Pos2,
-    /// Pixels per point.
-    scale: f32,
-    /// The minimum size in points.
-    smallest: [f32; 2],
-    /// The window's size in pixels; the buffer follows when no frame is in flight.
-    size: (u32, u32),
-    focus: Focus,
-    mapped: bool,
-    /// Fully obscured by other windows.
-    covered: bool,
-    /// The server time of the last user action, in milliseconds.
-    time: u32,
-    events: Vec<egui::Event>,
-    news: PollResult,
-    opened: Instant,
-    /// Why the window is gone.
-    lost: Option<Error>,
-}
-
-#[derive(Clone, Copy, Debug, Default)]
-struct Focus {
-    /// The window itself has the keyboard focus.
-    own: bool,
-    /// The focus follows the pointer, which is in this window.
-    by_pointer: bool,
-    told: bool,
-}
 
 impl Window {
     /// Connects and opens a window, which takes a few seconds at most.

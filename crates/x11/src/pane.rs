@@ -12,9 +12,9 @@ use x11rb::protocol::xproto::{
     Rectangle,
 };
 
-use super::connection::Connection;
-use super::events::SENT;
-use super::{Window, pane_pool, window};
+use super::connection::{Connection, SENT};
+use super::state::Window;
+use super::{pane_pool, window};
 use crate::error::Result;
 use crate::raster::Area;
 

@@ -10,8 +10,9 @@ use x11rb::protocol::xproto::{
 use x11rb::wrapper::ConnectionExt as _;
 
 use super::connection::Connection;
+use super::options::Options;
 use super::visual::Visual;
-use super::{Options, connect, drops, icon, scale};
+use super::{connect, drops, icon, scale};
 use crate::error::{Error, Result};
 
 /// The events selected on our window.

@@ -5,7 +5,8 @@ use std::time::{Duration, Instant};
 use egui::{Event, Modifiers, PointerButton, Pos2, pos2};
 
 use super::{Remote, open, settle};
-use crate::window::{DRAG_PAUSE, FRAME};
+use crate::live::FRAME;
+use crate::window::DRAG_PAUSE;
 use crate::x11::PollResult;
 use crate::{close, dispatch, wait};
 
