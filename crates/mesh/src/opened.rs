@@ -42,7 +42,7 @@ impl Opened {
     /// The mesh of the whole file.
     ///
     /// # Errors
-    /// As [`super::read`].
+    /// As [`super::read()`].
     pub fn whole(&self, go_on: &mut dyn FnMut(f64) -> bool) -> Result<Mesh> {
         match &self.content {
             Content::Bytes(bytes) => read(self.format, bytes, go_on),
@@ -55,7 +55,7 @@ impl Opened {
     /// morph target. All parts together are bounded by the file's size.
     ///
     /// # Errors
-    /// As [`super::read`]; [`Problem::NoPart`] if there is none, as in all other formats.
+    /// As [`super::read()`]; [`Problem::NoPart`] if there is none, as in all other formats.
     pub fn part(
         &mut self,
         number: usize,

@@ -5,7 +5,7 @@
 use egui::text::{LayoutJob, TextFormat};
 use egui::{Color32, Context, Key, Modifiers, Stroke};
 
-use super::{Entry, Menu};
+use super::entry::{Entry, Menu};
 use crate::action::Action;
 use crate::texts::Language;
 use crate::theme;

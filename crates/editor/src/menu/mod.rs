@@ -2,6 +2,7 @@
 //! walk through it; in an open menu an entry's letter picks it. Letters are of the words that are
 //! shown, underlined: each language has its own.
 
+mod entry;
 mod letters;
 
 use std::borrow::Cow;
@@ -16,6 +17,7 @@ use vides_document::tool;
 use vides_document::tool::Needs;
 use vides_engine::limits::MIN_POINTS;
 
+use self::entry::{Entry, Menu};
 use crate::action::Action;
 use crate::setup::Theme;
 use crate::state::Editor;
@@ -36,76 +38,6 @@ const TITLE_MARGIN: f32 = 6.0;
 const NARROW_MARGIN: f32 = 3.0;
 /// Between the texts and their keys.
 const APART: f32 = 32.0;
-
-struct Entry {
-    text: Cow<'static, str>,
-    /// What it does, or why it cannot be picked.
-    hint: Cow<'static, str>,
-    action: Action,
-    /// Picks it while the menu is open.
-    letter: Option<Key>,
-    /// Does so too if no entry of the menu has it.
-    other_letter: Option<Key>,
-    enabled: bool,
-    /// A switch, and whether it is on.
-    on: Option<bool>,
-    /// A line stands above it.
-    apart: bool,
-    /// It begins another column.
-    beside: bool,
-}
-
-impl Entry {
-    const fn new(text: &'static str, hint: &'static str, action: Action) -> Self {
-        Self {
-            text: Cow::Borrowed(text),
-            hint: Cow::Borrowed(hint),
-            action,
-            letter: None,
-            other_letter: None,
-            enabled: true,
-            on: None,
-            apart: false,
-            beside: false,
-        }
-    }
-
-    const fn letter(mut self, letter: Key) -> Self {
-        self.letter = Some(letter);
-        self
-    }
-
-    /// Otherwise it is disabled, and its hint says why.
-    fn only_if(mut self, possible: bool, why_not: &'static str) -> Self {
-        if !possible {
-            self.enabled = false;
-            self.hint = Cow::Borrowed(why_not);
-        }
-        self
-    }
-
-    const fn on(mut self, on: bool) -> Self {
-        self.on = Some(on);
-        self
-    }
-
-    const fn beside(mut self) -> Self {
-        self.beside = true;
-        self
-    }
-
-    const fn apart(mut self) -> Self {
-        self.apart = true;
-        self
-    }
-}
-
-struct Menu {
-    title: &'static str,
-    /// Opens the menu with Alt.
-    letter: Key,
-    entries: Vec<Entry>,
-}
 
 fn menus(editor: &Editor) -> [Menu; 6] {
     let entries = [file, edit, output, tools, settings, help];

@@ -477,5 +477,8 @@ fn below(of: &Shown<'_>, ui: &mut Ui, actions: &mut Vec<Action>) {
 }
 
 #[cfg(test)]
+#[path = "list_shown_tests.rs"]
+mod shown_tests;
+#[cfg(test)]
 #[path = "list_tests.rs"]
 pub(super) mod tests;

@@ -16,7 +16,6 @@ pub(crate) mod section;
 mod shapes;
 mod ten;
 
-pub(crate) use self::join::slow_past;
 pub(crate) use self::ten::shapes;
 
 use self::graph::Axes;

@@ -1,0 +1,154 @@
+//! What is wrong in lists of poses is told in one sentence with its place.
+
+use vides_formats::{Options, Source, by_name, import};
+
+const TURNS: &str = "a matrix that turns and does not mirror";
+
+/// Reading fails with this sentence and nothing else.
+fn refused(name: &str, text: &str, said: &str) {
+    let source = Source::of_bytes("file", text.into());
+    let format = by_name(name).unwrap();
+    let error = import(&source, Some(format), &Options::default()).unwrap_err();
+    assert_eq!(error.to_string(), format!("file: {said}"), "{name}");
+}
+
+#[test]
+fn what_is_wrong_in_lines_is_one_sentence_with_its_place() {
+    for (name, text, said) in [
+        (
+            "tum",
+            "0 0 0 0 0 0 0 1\n1 0 0 0 0 0 0",
+            "line 2: expected 8 numbers, found 7",
+        ),
+        (
+            "tum",
+            "# a\n0 0 0 0 0 0 0 0",
+            "line 2: the rotation is zero",
+        ),
+        (
+            "tum",
+            "0 0 0 nan 0 0 0 1",
+            "line 1: the number must be finite",
+        ),
+        (
+            "tum",
+            "0 0 0 1e999 0 0 0 1",
+            "line 1: the number must be finite",
+        ),
+        (
+            "tum",
+            "1 0 0 0 0 0 0 1\n1 0 0 0 0 0 0 1",
+            "line 2: the times must increase",
+        ),
+        ("tum", "#", "there are no poses in this file"),
+        ("osg", "a 0 0 0 0 0 0 1", "line 1: expected a number"),
+        (
+            "kitti",
+            "1 0 0 0 0 1 0 0 0 0 1",
+            "line 1: expected 12 numbers, found 11",
+        ),
+        (
+            "kitti",
+            "1 0 0 0 0 1 0 0 0 0 -1 0",
+            &format!("line 1: expected {TURNS}"),
+        ),
+        (
+            "chan",
+            "1 0 0 0 0 0 0 60\n0 0 0 0 0 0 0 60",
+            "line 2: the times must increase",
+        ),
+        ("chan", "1 0 0 0 0 0", "line 1: expected 8 numbers, found 6"),
+        (
+            "ascii",
+            "0 0 0 0 0 -1 0 1 0 24\n0 0 0 0 0 -1 0 1 0 nan",
+            "line 2: the number must be finite",
+        ),
+        (
+            "csv",
+            "frame\n1,inf,0,0,0,0,-1,0,1,0,24",
+            "line 2: the number must be finite",
+        ),
+        ("colmap", "", "cameras.txt is not there"),
+    ] {
+        refused(name, text, said);
+    }
+}
+
+#[test]
+fn what_is_wrong_in_trees_is_one_sentence_with_its_place() {
+    let deep = format!("{{\"frames\": {}", "[".repeat(200_000));
+    let frame = |matrix: &str| format!("{{\"frames\": [{{\"transform_matrix\": {matrix}}}]}}");
+    let zeros = frame("[[0,0,0,0],[0,0,0,0],[0,0,0,0]]");
+    let mirror = frame("[[1,0,0,0],[0,1,0,0],[0,0,-1,0],[0,0,0,1]]");
+    for (name, text, said) in [
+        ("nerfstudio", "{}", "keyframes is not there"),
+        (
+            "nerfstudio",
+            "{\"camera_path\": 3}",
+            "camera_path: expected an array",
+        ),
+        (
+            "nerfstudio",
+            "{\"camera_path\": [{\"fov\": 3}]}",
+            "camera_path[0]: camera_to_world is not there",
+        ),
+        (
+            "nerfstudio",
+            "{\"camera_path\": [{\"camera_to_world\": [1]}]}",
+            "camera_path[0].camera_to_world: expected 16 numbers, found 1",
+        ),
+        (
+            "nerfstudio",
+            "{\"keyframes\": [{\"matrix\": \"[1, 2\"}]}",
+            "keyframes[0].matrix: expected 16 numbers",
+        ),
+        (
+            "nerfstudio",
+            "{\"fps\": 0}",
+            "fps: expected a number greater than 0",
+        ),
+        (
+            "nerfstudio",
+            "[1",
+            "line 1: EOF while parsing a list at line 1 column 2",
+        ),
+        (
+            "transforms",
+            "{\"frames\": []}",
+            "there are no poses in this file",
+        ),
+        (
+            "transforms",
+            &zeros,
+            &format!("frames[0].transform_matrix: expected {TURNS}"),
+        ),
+        (
+            "transforms",
+            &mirror,
+            &format!("frames[0].transform_matrix: expected {TURNS}"),
+        ),
+        (
+            "transforms",
+            &frame("[1, 2]"),
+            "frames[0].transform_matrix: expected a matrix of 4 × 4 numbers",
+        ),
+        (
+            "transforms",
+            &deep,
+            "line 1: recursion limit exceeded at line 1 column 138",
+        ),
+        ("cameras", "{}", "expected an array"),
+        (
+            "cameras",
+            "[{\"rotation\": [[1,0,0],[0,1,0],[0,0,1]], \"position\": [1, 2, \"3\"]}]",
+            "[0].position[2]: expected a number",
+        ),
+        (
+            "cameras",
+            "[{\"rotation\": [[1,0,0],[0,1,0],[0,0,1]], \"position\": [1, 2, 3], \"fy\": -1, \"height\": 2}]",
+            "[0].fy: expected a number greater than 0",
+        ),
+    ] {
+        refused(name, text, said);
+    }
+}
