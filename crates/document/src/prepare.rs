@@ -24,15 +24,16 @@ use vides_engine::property::{SameBits, find};
 
 pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
     let path = &state.path;
-    if let Edit::Set {
-        place: At::Path,
-        property,
-        value,
-    } = &edit
-        && find(Info::PROPERTIES, property).is_some()
-    {
-        return Ok((set::set_info(state, property, value.clone())?, None));
-    }
+    let edit = match edit {
+        Edit::Set {
+            place: At::Path,
+            property,
+            value,
+        } if find(Info::PROPERTIES, property).is_some() => {
+            return Ok((set::set_info(state, property, value)?, None));
+        }
+        other => other,
+    };
     let none_edited = matches!(&state.edited_scene, Some(edited) if edited.node().is_none());
     let needs_path = !matches!(
         edit,
