@@ -9,7 +9,7 @@ use super::info::Info;
 use super::normalise::count_orientations;
 use super::vid::Comments;
 use crate::error::{Result, can_allocate};
-use crate::path::{CameraPath, Orientation, OrientationOverrides, Plan, SupportPoint, UpVector};
+use vides_engine::path::{CameraPath, Orientation, OrientationOverrides, Plan, SupportPoint, UpVector};
 use vides_engine::property::{Affects, Property, SameBits};
 use vides_engine::scene::{Part, Scene};
 

@@ -2,7 +2,7 @@ use vides_engine::scene::{Camera, Extrapolation, FollowPath, Node, Object as Sho
 use vides_engine::tools::check::FindingKind;
 
 use super::*;
-use crate::path::CameraPath;
+use vides_engine::path::CameraPath;
 use crate::{Edit, Info, Note};
 
 /// The first finding of a kind.

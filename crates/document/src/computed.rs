@@ -5,7 +5,7 @@ use glam::DVec3;
 use super::editing::Document;
 use super::set::orientation;
 use crate::error::Result;
-use crate::path::{Sampler, Space, Timeline, UpVector, ahead, alignment};
+use vides_engine::path::{Sampler, Space, Timeline, UpVector, ahead, alignment};
 
 impl Document {
     /// Calls `f` with the current lengths and frame counts.

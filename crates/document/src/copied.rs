@@ -3,8 +3,8 @@
 use super::editing::Document;
 use super::{Edit, Info, vid};
 use crate::error::Result;
-use crate::path::{CameraPath, Orientation};
-use crate::tools::block;
+use vides_engine::path::{CameraPath, Orientation};
+use vides_engine::tools::block;
 use vides_engine::scene::Track;
 
 impl Document {

@@ -5,7 +5,7 @@ use vides_engine::tools::fit::{Options, Tolerance, fit};
 
 use super::editing::Document;
 use crate::error::Result;
-use crate::path::{CameraPath, Orientation, Pose};
+use vides_engine::path::{CameraPath, Orientation, Pose};
 
 const DRAWN: usize = 400;
 

@@ -6,7 +6,7 @@ use vides_engine::scene::{Keep, Node, Part, Scene};
 use vides_engine::tools::block::Fit;
 
 use super::info::Info;
-use crate::path::{CameraPath, Orientation, Space, Up};
+use vides_engine::path::{CameraPath, Orientation, Space, Up};
 use vides_engine::property::Value;
 
 /// A change of a document. Points, orientations, segments and presets count from 0.

@@ -13,9 +13,9 @@ use vides_engine::scene::{FollowPath, Part, Scene};
 use super::normalise::{move_into, normalise};
 use super::vid;
 use crate::error::{Invalid, OutOfRange, Refused, Result, can_allocate, vec_with_room};
-use crate::limits::MAX_FRAMES;
-use crate::path::fit_frames::fit_frames;
-use crate::path::{CameraPath, Timeline};
+use vides_engine::limits::MAX_FRAMES;
+use vides_engine::path::fit_frames::fit_frames;
+use vides_engine::path::{CameraPath, Timeline};
 
 /// A scene, and the node whose path is edited.
 #[derive(Debug, Clone)]

@@ -13,9 +13,9 @@ use super::set::orientation;
 use super::step_name::StepName;
 use super::touched::Touched;
 use crate::error::Result;
-use crate::limits;
-use crate::path::up_vector::check_ups;
-use crate::path::{CameraPath, Plan};
+use vides_engine::limits;
+use vides_engine::path::up_vector::check_ups;
+use vides_engine::path::{CameraPath, Plan};
 
 /// A path being edited, with its info, selection and history. It can be saved, loaded and sampled
 /// after any edit (unless it has more than [`limits::MAX_FRAMES`] frames).

@@ -10,7 +10,7 @@ pub use vides_engine::error::{
 #[doc(hidden)]
 pub use vides_engine::error::{can_allocate, complain, panic_said, try_box, vec_with_room};
 
-use crate::limits;
+use vides_engine::limits;
 use vides_engine::property::Kind;
 
 /// What can go wrong with a document and its files.

@@ -6,7 +6,7 @@ use super::change::{Change, State};
 use super::scene_edit;
 use super::set::with_frames;
 use crate::error::Result;
-use crate::path::Plan;
+use vides_engine::path::Plan;
 
 /// What must follow a change, of the scene and of its pins: the frame counts that pins require of
 /// their paths, and the end of a scene in which nothing but this path is left.

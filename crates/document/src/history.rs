@@ -7,7 +7,7 @@ use super::change::{Change, exchange_all};
 use super::edit::Selection;
 use super::step_name::StepName;
 use crate::error::{Result, vec_with_room};
-use crate::limits;
+use vides_engine::limits;
 
 /// What a single undo takes back.
 #[derive(Debug)]

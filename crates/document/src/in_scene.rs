@@ -6,7 +6,7 @@ use super::edited_scene::EditedScene;
 use super::editing::Document;
 use super::scene::SceneDocument;
 use crate::error::Result;
-use crate::path::fit_frames::frames_between;
+use vides_engine::path::fit_frames::frames_between;
 
 impl Document {
     /// The scene in which the path is edited; none if it is nothing but one camera on this path.

@@ -10,10 +10,10 @@ use super::edit::Edit;
 use super::editing::Document;
 use super::tool::fitted;
 use crate::error::{EngineError, Invalid, Refused, Result, TooMany, vec_with_room};
-use crate::limits::MAX_FRAMES;
-use crate::math::orientation::quaternion_from_view;
-use crate::math::quaternion::{angle, continue_sign};
-use crate::path::{CameraPath, Plan, Pose};
+use vides_engine::limits::MAX_FRAMES;
+use vides_engine::math::orientation::quaternion_from_view;
+use vides_engine::math::quaternion::{angle, continue_sign};
+use vides_engine::path::{CameraPath, Plan, Pose};
 
 /// How near the path comes to the poses: shares of the half size, degrees.
 const NEAR: f64 = 1e-3;

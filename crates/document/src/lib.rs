@@ -75,4 +75,3 @@ pub use vid::read_bytes;
 
 pub use vides_mesh as mesh;
 
-use vides_engine::{limits, math, path, tools};

@@ -11,8 +11,8 @@ use super::fingerprint::Fingerprint;
 use super::info::{Info, Object};
 use super::vid::read_bytes;
 use crate::error::{Cause, EngineError, Error, Place, Result};
-use crate::limits::MAX_FILE_BYTES;
-use crate::path::Space;
+use vides_engine::limits::MAX_FILE_BYTES;
+use vides_engine::path::Space;
 
 /// Called while a mesh is read with the share done, at last 1; returning false stops the reading.
 pub type Watcher = Box<dyn FnMut(f64) -> bool>;

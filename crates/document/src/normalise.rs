@@ -1,10 +1,10 @@
 //! The form in which paths are edited: what a path must be as a whole.
 
 use crate::error::{Result, TooMany};
-use crate::limits;
-use crate::math::orientation::wrap_degrees;
-use crate::path::space::Move;
-use crate::path::{CameraPath, Space, SupportPoint};
+use vides_engine::limits;
+use vides_engine::math::orientation::wrap_degrees;
+use vides_engine::path::space::Move;
+use vides_engine::path::{CameraPath, Space, SupportPoint};
 
 pub(super) fn count_orientations(points: &[SupportPoint]) -> usize {
     points.iter().map(|point| point.orientations.len()).sum()

@@ -9,7 +9,7 @@ use vides_engine::tools::enclosure::Enclosure;
 
 use super::editing::Document;
 use crate::error::Result;
-use crate::path::Pose;
+use vides_engine::path::Pose;
 
 /// Something to be told that is no fault.
 #[derive(Debug, Clone, PartialEq, Eq)]

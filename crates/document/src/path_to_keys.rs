@@ -7,9 +7,9 @@ use vides_engine::tools::fit::Tolerance;
 use super::edit::Edit;
 use super::editing::Document;
 use crate::error::{Refused, Result, vec_with_room};
-use crate::math::orientation::quaternion_from_view;
-use crate::math::quaternion::{angle, continue_sign};
-use crate::path::Pose;
+use vides_engine::math::orientation::quaternion_from_view;
+use vides_engine::math::quaternion::{angle, continue_sign};
+use vides_engine::path::Pose;
 
 /// How near a zoom is kept, as a share of it.
 const ZOOM: f64 = 1e-3;

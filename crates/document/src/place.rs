@@ -3,12 +3,12 @@
 use glam::DVec3;
 
 use crate::error::{End, Refused, Result};
-use crate::limits::MAX_DIVISION;
-use crate::math::orientation::unit;
-use crate::path::CameraPath;
-use crate::path::arc_length::ArcLength;
-use crate::path::curve;
-use crate::path::hermite::Cubic;
+use vides_engine::limits::MAX_DIVISION;
+use vides_engine::math::orientation::unit;
+use vides_engine::path::CameraPath;
+use vides_engine::path::arc_length::ArcLength;
+use vides_engine::path::curve;
+use vides_engine::path::hermite::Cubic;
 
 /// The points that divide a segment into `count + 1` pieces of equal length, written into `room`.
 pub(super) fn divide<'a>(

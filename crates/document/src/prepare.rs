@@ -13,35 +13,35 @@ use super::set::{self, checked, orientation, point, view, with_frames};
 use super::target;
 use super::whole::{exchanged_scene, replaced, scene_in};
 use crate::error::{End, Place, Refused, Result, TooMany, vec_with_room};
-use crate::limits;
-use crate::path::fit_frames::fit_frames;
-use crate::path::insertion::{self, Insertion};
-use crate::path::space::Move;
-use crate::path::{CameraPath, Orientation, Space, SupportPoint, Target, Timeline};
-use crate::path::{ahead, change_up};
-use crate::tools::{block, transform};
+use vides_engine::limits;
+use vides_engine::path::fit_frames::fit_frames;
+use vides_engine::path::insertion::{self, Insertion};
+use vides_engine::path::space::Move;
+use vides_engine::path::{CameraPath, Orientation, Space, SupportPoint, Target, Timeline};
+use vides_engine::path::{ahead, change_up};
+use vides_engine::tools::{block, transform};
 use vides_engine::property::{SameBits, find};
 
 pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
     let path = &state.path;
-    if let Edit::Set {
-        place: At::Path,
-        property,
-        value,
-    } = &edit
-        && find(Info::PROPERTIES, property).is_some()
-    {
-        return Ok((set::set_info(state, property, value.clone())?, None));
-    }
-    if let Edit::Set {
-        place: At::Node(node),
-        property,
-        value,
-    } = edit
-    {
-        let part = set::rest(state, node, property, value)?;
-        return scene_edit::prepare(state, |edits| edits.part(part));
-    }
+    let edit = match edit {
+        Edit::Set {
+            place: At::Path,
+            property,
+            value,
+        } if find(Info::PROPERTIES, property).is_some() => {
+            return Ok((set::set_info(state, property, value)?, None));
+        }
+        Edit::Set {
+            place: At::Node(node),
+            property,
+            value,
+        } => {
+            let part = set::rest(state, node, property, value)?;
+            return scene_edit::prepare(state, |edits| edits.part(part));
+        }
+        other => other,
+    };
     let none_edited = matches!(&state.edited_scene, Some(edited) if edited.node().is_none());
     let needs_path = !matches!(
         edit,

@@ -11,7 +11,7 @@ use crate::edit::{At, Edit};
 use crate::editing::Document;
 use crate::error::{EngineError, Error, Invalid, Malformed, Refused, Result};
 use crate::info::{Info, Object};
-use crate::path::{CameraPath, Orientation, OrientationOverrides, SupportPoint};
+use vides_engine::path::{CameraPath, Orientation, OrientationOverrides, SupportPoint};
 use crate::set::{self, keys, no_property};
 use crate::vid::{self, PATH_KEYS, point_keys, quoted, view_keys};
 

@@ -15,8 +15,8 @@ use planned::is_planned;
 use super::edit::{At, Edit};
 use super::editing::Document;
 use crate::error::{ErrorKind, Result};
-use crate::limits::{MAX_FRAMES, MAX_SPEED, MIN_POINTS, MIN_SPEED, SPEEDS};
-use crate::path::{CameraPath, Change, Orientation, OrientationOverrides, Pace, Tangents, curve};
+use vides_engine::limits::{MAX_FRAMES, MAX_SPEED, MIN_POINTS, MIN_SPEED, SPEEDS};
+use vides_engine::path::{CameraPath, Change, Orientation, OrientationOverrides, Pace, Tangents, curve};
 
 /// A section's frames grow by at most this factor.
 const MOST: f64 = 8.0;

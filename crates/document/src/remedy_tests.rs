@@ -1,7 +1,7 @@
 use vides_engine::scene::Mesh;
 
 use super::*;
-use crate::path::{CurveKind, SupportPoint, Target};
+use vides_engine::path::{CurveKind, SupportPoint, Target};
 use crate::{At, Info};
 
 /// The first finding of a kind.

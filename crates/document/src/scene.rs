@@ -7,7 +7,7 @@ use super::info::Info;
 use super::mesh_file;
 use super::vid::{self, Comments};
 use crate::error::{Error, Result, can_allocate};
-use crate::path::CameraPath;
+use vides_engine::path::CameraPath;
 use vides_engine::scene::{FollowPath, Scene};
 
 /// A scene and its info. A file with just a path is a scene of one camera on it.

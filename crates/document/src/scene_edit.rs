@@ -12,7 +12,7 @@ use super::edit::Selection;
 use super::edited_scene::{EditedScene, Pins, other_path};
 use super::whole::replaced;
 use crate::error::{Error, Invalid, Result, can_allocate, vec_with_room};
-use crate::path::CameraPath;
+use vides_engine::path::CameraPath;
 
 /// The records of an edit, and the scene as they find it.
 struct Steps<'a> {

@@ -6,9 +6,9 @@ use super::change::{Change, IDLE, State};
 use super::edit::At;
 use super::info::Info;
 use crate::error::{Error, OutOfRange, Refused, Result, can_allocate, vec_with_room};
-use crate::math::orientation::wrap_degrees;
-use crate::path::fit_frames::Fixed;
-use crate::path::{
+use vides_engine::math::orientation::wrap_degrees;
+use vides_engine::path::fit_frames::Fixed;
+use vides_engine::path::{
     CameraPath, Orientation, OrientationOverrides, Pace, Space, SupportPoint, Target,
 };
 use vides_engine::property::{Property, Table, Value, find};

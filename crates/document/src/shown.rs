@@ -5,7 +5,7 @@ use vides_engine::scene::{Kind, Motion, Node, NodeState, Scene, Warnings, local_
 
 use super::editing::Document;
 use crate::error::{EngineError, OutOfRange, Refused, Result, vec_with_room};
-use crate::path::{Pose, Sampler, Timeline};
+use vides_engine::path::{Pose, Sampler, Timeline};
 
 impl Document {
     /// The first and the last frame of what is edited: of the scene as it is now, or of the path.

@@ -2,7 +2,7 @@ use vides_engine::scene::{
     Channel, Extrapolation, FollowPath, Interpolation, Kind, Node, Part, Scene, Track,
 };
 
-use crate::path::CameraPath;
+use vides_engine::path::CameraPath;
 use crate::{At, Document, Edit};
 
 fn on_path(name: &str, start: f64, beyond: Extrapolation) -> Node {

@@ -2,7 +2,7 @@
 
 use super::edit::Edit;
 use super::info::Info;
-use crate::path::{CameraPath, Orientation};
+use vides_engine::path::{CameraPath, Orientation};
 use vides_engine::scene::Part;
 
 /// What a step changed: its tool, or else what its first edit did.

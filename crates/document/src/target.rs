@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use crate::error::{Refused, Result};
-use crate::path::{Space, Target};
+use vides_engine::path::{Space, Target};
 
 /// 2⁻¹³: a target closer than this times the camera's largest coordinate would lose more than four
 /// of its direction's sixteen digits when position and offset are added.

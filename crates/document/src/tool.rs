@@ -25,7 +25,7 @@ use super::prepare::no_longer_ahead;
 use crate::cage;
 pub use crate::cage::Cage;
 use crate::error::{OutOfRange, Result};
-use crate::path::{CameraPath, Pose, Target};
+use vides_engine::path::{CameraPath, Pose, Target};
 use table::{ABOUT, AXIS, FIRST, LAST, PUT, SEEN, TOOLS};
 
 /// A tool: its name, description and parameters.

@@ -6,7 +6,7 @@ use super::edited_scene::{self, EditedScene};
 use super::normalise::{move_into, normalise};
 use super::vid::Comments;
 use crate::error::{Result, can_allocate};
-use crate::path::{CameraPath, Space};
+use vides_engine::path::{CameraPath, Space};
 
 /// Another path, in which a point has this number.
 pub(super) fn replaced(

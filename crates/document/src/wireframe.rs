@@ -6,7 +6,7 @@ use vides_engine::scene::Mesh;
 
 use crate::error::{EngineError, TooMany, vec_with_room};
 use crate::info::{Object, ObjectPoint};
-use crate::limits;
+use vides_engine::limits;
 
 /// The cosine of 30°: triangles that meet at a larger angle make an edge.
 const SHARP: f64 = 0.866;

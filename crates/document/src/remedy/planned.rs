@@ -8,7 +8,7 @@ use vides_engine::tools::fit::Progress;
 use crate::edit::Edit;
 use crate::editing::Document;
 use crate::error::{EngineError, Error, Result};
-use crate::path::{Orientation, Target};
+use vides_engine::path::{Orientation, Target};
 use crate::tool::least_clearance;
 
 impl Document {

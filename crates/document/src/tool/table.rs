@@ -5,7 +5,7 @@ use vides_engine::planner::{DEFAULT_MARGIN, What};
 use vides_engine::tools::{Parameter, Unit};
 
 use super::{Kind, Tool};
-use crate::limits::{MAX_COORDINATE, MAX_FRAMES, MAX_POINTS};
+use vides_engine::limits::{MAX_COORDINATE, MAX_FRAMES, MAX_POINTS};
 
 const AXES: &[&str] = &["x", "y", "z"];
 

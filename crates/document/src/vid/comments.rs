@@ -12,8 +12,8 @@ use std::sync::Arc;
 
 use super::statements::{Place, Table, statements};
 use crate::error::{Result, can_allocate};
-use crate::limits::MAX_FILE_BYTES;
-use crate::path::CameraPath;
+use vides_engine::limits::MAX_FILE_BYTES;
+use vides_engine::path::CameraPath;
 use vides_engine::property::find;
 
 /// The comments we write ourselves; `#` otherwise only occurs within strings.

@@ -5,8 +5,8 @@ use toml::de::Error as ParseError;
 
 use super::tree::{Placed, Table, Value as Node};
 use crate::error::{EngineError, Error, Key, Malformed, Quantity, Result, Value};
-use crate::path::camera_path::check_shape;
-use crate::path::{Space, Tcb};
+use vides_engine::path::camera_path::check_shape;
+use vides_engine::path::{Space, Tcb};
 use vides_engine::property::{self, Kind, Stored};
 
 /// A piece of a file, with the whole text for line numbers.
@@ -308,7 +308,7 @@ impl<'a> Field<'a> {
     /// Three coordinates.
     pub fn vector(&self) -> Result<DVec3> {
         let vector = DVec3::from_array(self.numbers()?);
-        self.checked(crate::path::camera_path::check_coordinates(vector))?;
+        self.checked(vides_engine::path::camera_path::check_coordinates(vector))?;
         Ok(vector)
     }
 }

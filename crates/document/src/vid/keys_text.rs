@@ -9,7 +9,7 @@ use super::scene_write;
 use super::text::{Quoted, Text};
 use super::{pieces, too_large};
 use crate::error::{EngineError, Result};
-use crate::limits::MAX_FILE_BYTES;
+use vides_engine::limits::MAX_FILE_BYTES;
 use vides_engine::scene::Track;
 
 /// Tracks with the name of the node that they are of; one without a name is the only one.

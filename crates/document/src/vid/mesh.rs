@@ -9,7 +9,7 @@ use super::field::Field;
 use super::mesh_source;
 use super::text::{Text, rows};
 use crate::error::{Malformed, Result, TooMany, vec_with_room};
-use crate::limits;
+use vides_engine::limits;
 
 pub(super) const KEYS: [&str; 4] = ["points", "colours", "lines", "triangles"];
 

@@ -52,7 +52,7 @@ use std::path::Path;
 
 use super::not_a_file::open;
 use crate::error::{EngineError, Error, Malformed, Result, can_allocate, vec_with_room};
-use crate::limits::MAX_FILE_BYTES;
+use vides_engine::limits::MAX_FILE_BYTES;
 
 pub(super) use alone::alone;
 pub(super) use comments::{Comments, insert_points, remove_points};

@@ -8,10 +8,10 @@ use glam::{DQuat, DVec3};
 use super::field::Field;
 use super::text::plain;
 use crate::error::{Malformed, Result, TooMany, can_allocate, vec_with_room};
-use crate::limits;
-use crate::path::camera_path::check_curve_speed;
-use crate::path::own::{check_distance, check_track};
-use crate::path::{
+use vides_engine::limits;
+use vides_engine::path::camera_path::check_curve_speed;
+use vides_engine::path::own::{check_distance, check_track};
+use vides_engine::path::{
     BaseFrames, Ease, EaseKind, Orientation, OrientationOverrides, PacePart, PaceSource, Space,
     Tcb, TurningPart, UpPath, UpPathPoint, UpVector,
 };

@@ -13,7 +13,7 @@ use super::field::Source;
 use super::tree::{self, Table};
 use super::weight;
 use crate::error::{Error, Result, can_allocate};
-use crate::limits::{MAX_COMMENT_BYTES, MAX_PARSE_BYTES};
+use vides_engine::limits::{MAX_COMMENT_BYTES, MAX_PARSE_BYTES};
 
 /// Minimum bytes of a piece; small for the fuzzer, so that its files are cut too.
 const PIECE: usize = if cfg!(fuzzing) { 256 } else { 128 << 10 };

@@ -13,9 +13,9 @@ use super::write::{base_speeds, head, place, point, shape_and_modes, space, to_t
 use super::{mesh, mesh_source, shown, too_large};
 use crate::error::{EngineError, Result};
 use crate::info::Info;
-use crate::limits::MAX_FILE_BYTES;
-use crate::path::Space;
-use crate::path::camera_path::DEFAULT_PRESETS;
+use vides_engine::limits::MAX_FILE_BYTES;
+use vides_engine::path::Space;
+use vides_engine::path::camera_path::DEFAULT_PRESETS;
 use vides_engine::deform::{Bounds, Deformation};
 use vides_engine::property::{SameBits, Value};
 use vides_engine::scene::{

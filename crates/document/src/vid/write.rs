@@ -12,7 +12,7 @@ use crate::info::{Info, Object};
 use vides_engine::property::{Kind, Value};
 use vides_engine::tools::check::OFF;
 
-use crate::path::{BaseFrames, CameraPath, Orientation, Space, SupportPoint};
+use vides_engine::path::{BaseFrames, CameraPath, Orientation, Space, SupportPoint};
 
 /// The text of a document. Points and orientations omit defaults; mesh files are named relative to
 /// `folder`.
@@ -167,11 +167,11 @@ mod tests {
     use super::*;
     use crate::info::Object;
     use crate::info::ObjectPoint;
-    use crate::limits;
-    use crate::path::Tcb;
-    use crate::path::Up;
-    use crate::path::{CurveParameters, Target};
-    use crate::path::{
+    use vides_engine::limits;
+    use vides_engine::path::Tcb;
+    use vides_engine::path::Up;
+    use vides_engine::path::{CurveParameters, Target};
+    use vides_engine::path::{
         OrientationOverrides, Overrides, Pace, PacePart, PaceSource, Tangents, TurningPart,
         UpVector, Velocities,
     };
