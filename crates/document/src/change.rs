@@ -7,9 +7,11 @@ use super::edit::Selection;
 use super::edited_scene::{EditedScene, Pins};
 use super::info::Info;
 use super::normalise::count_orientations;
-use super::vid::Comments;
+use super::vid::comments::Comments;
 use crate::error::{Result, can_allocate};
-use vides_engine::path::{CameraPath, Orientation, OrientationOverrides, Plan, SupportPoint, UpVector};
+use vides_engine::path::{
+    CameraPath, Orientation, OrientationOverrides, Plan, SupportPoint, UpVector,
+};
 use vides_engine::property::{Affects, Property, SameBits};
 use vides_engine::scene::{Part, Scene};
 

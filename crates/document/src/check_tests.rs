@@ -2,8 +2,8 @@ use vides_engine::scene::{Camera, Extrapolation, FollowPath, Node, Object as Sho
 use vides_engine::tools::check::FindingKind;
 
 use super::*;
-use vides_engine::path::CameraPath;
 use crate::{Edit, Info, Note};
+use vides_engine::path::CameraPath;
 
 /// The first finding of a kind.
 fn found(document: &Document, kind: &str) -> Option<Finding> {

@@ -4,8 +4,8 @@ use super::editing::Document;
 use super::{Edit, Info, vid};
 use crate::error::Result;
 use vides_engine::path::{CameraPath, Orientation};
-use vides_engine::tools::block;
 use vides_engine::scene::Track;
+use vides_engine::tools::block;
 
 impl Document {
     /// The text of a `.vid` file with these points alone, ascending, at least two. A range keeps

@@ -11,7 +11,8 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use vides_engine::scene::{FollowPath, Part, Scene};
 
 use super::normalise::{move_into, normalise};
-use super::vid;
+use super::vid::alone::alone;
+use super::vid::comments;
 use crate::error::{Invalid, OutOfRange, Refused, Result, can_allocate, vec_with_room};
 use vides_engine::limits::MAX_FRAMES;
 use vides_engine::path::fit_frames::fit_frames;
@@ -240,7 +241,7 @@ impl EditedScene {
     }
 
     pub(super) fn is_path_alone(&self) -> bool {
-        vid::alone(&self.scene).is_some()
+        alone(&self.scene).is_some()
     }
 
     /// Approximate bytes that a copy of the scene takes.
@@ -431,14 +432,14 @@ impl Pins {
 
     pub(super) fn insert_points(&mut self, at: usize, count: usize, removal: u64) {
         for pin in &mut self.all {
-            vid::insert_points(&mut pin.point, &mut pin.parked, at, count, removal);
+            comments::insert_points(&mut pin.point, &mut pin.parked, at, count, removal);
         }
         self.all.sort_by_key(|pin| pin.point);
     }
 
     pub(super) fn remove_points(&mut self, at: usize, count: usize, removal: u64) {
         for pin in &mut self.all {
-            vid::remove_points(&mut pin.point, &mut pin.parked, at, count, removal);
+            comments::remove_points(&mut pin.point, &mut pin.parked, at, count, removal);
         }
     }
 }

@@ -2,9 +2,9 @@ use vides_engine::scene::{Camera, Extrapolation, Kind, Marker, Node};
 
 use super::*;
 use crate::error::ErrorKind;
-use vides_engine::path::{Pose, Space};
 use crate::{At, Document, Edit};
 use glam::DVec3;
+use vides_engine::path::{Pose, Space};
 
 /// A car on a path, a camera on another one from frame 11 on, and a lamp on the car.
 fn scene() -> Scene {
@@ -361,7 +361,8 @@ fn meshes_that_are_gone_broken_or_huge_leave_their_objects_empty_and_the_rest_as
     let mut text = scene_text();
     let huge = std::fs::File::create(folder.path().join("huge.ply")).unwrap();
     // No more than a name for a length: a file with holes.
-    huge.set_len(vides_engine::limits::MAX_FILE_BYTES + 1).unwrap();
+    huge.set_len(vides_engine::limits::MAX_FILE_BYTES + 1)
+        .unwrap();
     std::fs::write(folder.path().join("broken.stl"), b"solid a\nfacet\n").unwrap();
     for (at, file) in ["gone.obj", "huge.ply", "broken.stl", "."]
         .iter()

@@ -8,10 +8,10 @@ use vides_engine::scene::{Mesh, MeshSource};
 use vides_engine::tools::check::Limits;
 
 use crate::error::{OutOfRange, Place, TooMany};
+use vides_engine::Result;
 use vides_engine::limits;
 use vides_engine::path::Space;
 use vides_engine::path::camera_path::check_name;
-use vides_engine::Result;
 use vides_engine::property::{Affects, Check, Row, SameBits, Stored, properties};
 
 properties! {

@@ -25,6 +25,7 @@ mod info;
 mod keys_to_path;
 mod loading;
 mod mesh_file;
+mod named;
 mod normalise;
 mod not_a_file;
 mod notes;
@@ -74,4 +75,3 @@ pub use touched::Touched;
 pub use vid::read_bytes;
 
 pub use vides_mesh as mesh;
-

@@ -9,7 +9,7 @@ use vides_mesh::{Format, Opened};
 
 use super::fingerprint::Fingerprint;
 use super::info::{Info, Object};
-use super::vid::read_bytes;
+use super::vid::bytes::read_bytes;
 use crate::error::{Cause, EngineError, Error, Place, Result};
 use vides_engine::limits::MAX_FILE_BYTES;
 use vides_engine::path::Space;

@@ -19,8 +19,8 @@ use vides_engine::path::insertion::{self, Insertion};
 use vides_engine::path::space::Move;
 use vides_engine::path::{CameraPath, Orientation, Space, SupportPoint, Target, Timeline};
 use vides_engine::path::{ahead, change_up};
-use vides_engine::tools::{block, transform};
 use vides_engine::property::{SameBits, find};
+use vides_engine::tools::{block, transform};
 
 pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
     let path = &state.path;

@@ -11,9 +11,10 @@ use crate::edit::{At, Edit};
 use crate::editing::Document;
 use crate::error::{EngineError, Error, Invalid, Malformed, Refused, Result};
 use crate::info::{Info, Object};
-use vides_engine::path::{CameraPath, Orientation, OrientationOverrides, SupportPoint};
-use crate::set::{self, keys, no_property};
+use crate::named::{keys, no_property};
+use crate::set;
 use crate::vid::{self, PATH_KEYS, point_keys, quoted, view_keys};
+use vides_engine::path::{CameraPath, Orientation, OrientationOverrides, SupportPoint};
 
 /// What is known of all properties, key by key in the order of files.
 #[must_use]

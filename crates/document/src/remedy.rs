@@ -16,7 +16,9 @@ use super::edit::{At, Edit};
 use super::editing::Document;
 use crate::error::{ErrorKind, Result};
 use vides_engine::limits::{MAX_FRAMES, MAX_SPEED, MIN_POINTS, MIN_SPEED, SPEEDS};
-use vides_engine::path::{CameraPath, Change, Orientation, OrientationOverrides, Pace, Tangents, curve};
+use vides_engine::path::{
+    CameraPath, Change, Orientation, OrientationOverrides, Pace, Tangents, curve,
+};
 
 /// A section's frames grow by at most this factor.
 const MOST: f64 = 8.0;

@@ -1,8 +1,8 @@
 use vides_engine::scene::Mesh;
 
 use super::*;
-use vides_engine::path::{CurveKind, SupportPoint, Target};
 use crate::{At, Info};
+use vides_engine::path::{CurveKind, SupportPoint, Target};
 
 /// The first finding of a kind.
 fn found(document: &Document, kind: &str) -> Option<Finding> {

@@ -5,6 +5,7 @@ use glam::DVec3;
 use super::change::{Change, IDLE, State};
 use super::edit::At;
 use super::info::Info;
+use super::named::{keys, no_property};
 use crate::error::{Error, OutOfRange, Refused, Result, can_allocate, vec_with_room};
 use vides_engine::math::orientation::wrap_degrees;
 use vides_engine::path::fit_frames::Fixed;
@@ -126,18 +127,6 @@ fn changed<T: Table>(
     let row = exchange(&mut own, property, value, &T::NEW)?;
     (row.check)(&own, space)?;
     Ok((!(row.same)(&own, there)).then_some(own))
-}
-
-/// The keys of a table.
-pub(super) fn keys<T: Table>() -> impl Iterator<Item = &'static str> {
-    T::PROPERTIES.iter().flat_map(|row| row.keys).copied()
-}
-
-/// The error for a name that is none of these.
-pub(super) fn no_property(name: &str, known: impl Iterator<Item = &'static str>) -> Error {
-    let (name, known) = (name.escape_debug(), known.collect::<Vec<_>>().join(", "));
-    let (name, known) = ((&name).into(), (&known).into());
-    Refused::NoProperty { name, known }.into()
 }
 
 /// The record of setting all values of an orientation.

@@ -2,8 +2,8 @@ use vides_engine::scene::{
     Channel, Extrapolation, FollowPath, Interpolation, Kind, Node, Part, Scene, Track,
 };
 
-use vides_engine::path::CameraPath;
 use crate::{At, Document, Edit};
+use vides_engine::path::CameraPath;
 
 fn on_path(name: &str, start: f64, beyond: Extrapolation) -> Node {
     let mut node = Node::new(name, Kind::Group);

@@ -25,8 +25,8 @@ use super::prepare::no_longer_ahead;
 use crate::cage;
 pub use crate::cage::Cage;
 use crate::error::{OutOfRange, Result};
-use vides_engine::path::{CameraPath, Pose, Target};
 use table::{ABOUT, AXIS, FIRST, LAST, PUT, SEEN, TOOLS};
+use vides_engine::path::{CameraPath, Pose, Target};
 
 /// A tool: its name, description and parameters.
 #[derive(Debug, Clone, Copy)]

@@ -4,7 +4,7 @@ use super::change::{Change, Prepared, State, Whole};
 use super::edit::Selection;
 use super::edited_scene::{self, EditedScene};
 use super::normalise::{move_into, normalise};
-use super::vid::Comments;
+use super::vid::comments::Comments;
 use crate::error::{Result, can_allocate};
 use vides_engine::path::{CameraPath, Space};
 

@@ -8,8 +8,8 @@ use vides_engine::tools::fit::Progress;
 use crate::edit::Edit;
 use crate::editing::Document;
 use crate::error::{EngineError, Error, Result};
-use vides_engine::path::{Orientation, Target};
 use crate::tool::least_clearance;
+use vides_engine::path::{Orientation, Target};
 
 impl Document {
     /// The edits that cure what [`is_planned`]; none where it needs an object and there is none.

@@ -3,11 +3,12 @@
 
 use std::fmt::{self, Write};
 
+use super::bytes::too_large;
 use super::field::{Source, fields};
+use super::pieces;
 use super::scene_read;
 use super::scene_write;
 use super::text::{Quoted, Text};
-use super::{pieces, too_large};
 use crate::error::{EngineError, Result};
 use vides_engine::limits::MAX_FILE_BYTES;
 use vides_engine::scene::Track;

@@ -8,6 +8,7 @@ use glam::{DQuat, DVec3};
 use super::field::Field;
 use super::text::plain;
 use crate::error::{Malformed, Result, TooMany, can_allocate, vec_with_room};
+use crate::named::keys;
 use vides_engine::limits;
 use vides_engine::path::camera_path::check_curve_speed;
 use vides_engine::path::own::{check_distance, check_track};
@@ -15,7 +16,6 @@ use vides_engine::path::{
     BaseFrames, Ease, EaseKind, Orientation, OrientationOverrides, PacePart, PaceSource, Space,
     Tcb, TurningPart, UpPath, UpPathPoint, UpVector,
 };
-use crate::set::keys;
 use vides_engine::property::{Kind, Property, Table, Value, find};
 
 #[derive(Default)]

@@ -7,11 +7,13 @@ use glam::DVec3;
 use super::field::Field;
 use super::own::{ReadContext, Rows};
 use crate::error::{Malformed, Result, TooMany, vec_with_room};
+use crate::named::keys;
 use vides_engine::limits;
 use vides_engine::math::orientation::wrap_degrees;
 use vides_engine::path::camera_path::check_name;
-use vides_engine::path::{Orientation, OrientationOverrides, Overrides, Space, SupportPoint, space};
-use crate::set::keys;
+use vides_engine::path::{
+    Orientation, OrientationOverrides, Overrides, Space, SupportPoint, space,
+};
 use vides_engine::property::find;
 
 pub(super) fn points(

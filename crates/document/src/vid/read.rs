@@ -2,17 +2,18 @@
 
 use std::iter::once;
 
+use super::bytes::{OFF_NAME, VERSION};
 use super::field::{Field, Source, fields};
 use super::own::{self, ReadContext, read_setting};
 use super::path_read::{points, space};
 use super::pieces;
 use super::scene_read::Drafts;
-use super::{OFF_NAME, VERSION, mesh, mesh_source, tree};
+use super::{mesh, mesh_source, tree};
 use crate::error::{Invalid, Malformed, Refused, Result, TooMany};
 use crate::info::{Info, Object, ObjectPoint};
+use crate::named::keys;
 use vides_engine::limits;
 use vides_engine::path::{CameraPath, Space};
-use crate::set::keys;
 use vides_engine::property::{Table, Value, find};
 use vides_engine::scene::{Mesh, Scene};
 use vides_engine::tools::check::{FindingKind, Limits, OFF};

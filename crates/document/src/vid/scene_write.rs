@@ -6,17 +6,18 @@ use std::path::Path;
 use glam::DVec3;
 
 use super::alone::alone;
+use super::bytes::too_large;
 use super::comments::Comments;
 use super::own::UpPaths;
 use super::text::{Quoted, Text, plain, rows};
 use super::write::{base_speeds, head, place, point, shape_and_modes, space, to_toml};
-use super::{mesh, mesh_source, shown, too_large};
+use super::{mesh, mesh_source, shown};
 use crate::error::{EngineError, Result};
 use crate::info::Info;
+use vides_engine::deform::{Bounds, Deformation};
 use vides_engine::limits::MAX_FILE_BYTES;
 use vides_engine::path::Space;
 use vides_engine::path::camera_path::DEFAULT_PRESETS;
-use vides_engine::deform::{Bounds, Deformation};
 use vides_engine::property::{SameBits, Value};
 use vides_engine::scene::{
     Camera, Extrapolation, FollowPath, Kind, Light, Node, Object, Pin, Scene, Shape, Track, Values,

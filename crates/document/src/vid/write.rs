@@ -3,10 +3,11 @@
 use std::fmt::{self, Write};
 use std::path::Path;
 
+use super::bytes::{OFF_NAME, VERSION};
 use super::comments::{Comments, OURS};
 use super::own::UpPaths;
 use super::text::{Quoted, Text, plain};
-use super::{OFF_NAME, VERSION, mesh, mesh_source, own};
+use super::{mesh, mesh_source, own};
 use crate::error::{EngineError, Result};
 use crate::info::{Info, Object};
 use vides_engine::property::{Kind, Value};
@@ -167,6 +168,7 @@ mod tests {
     use super::*;
     use crate::info::Object;
     use crate::info::ObjectPoint;
+    use glam::{DQuat, DVec3};
     use vides_engine::limits;
     use vides_engine::path::Tcb;
     use vides_engine::path::Up;
@@ -175,7 +177,6 @@ mod tests {
         OrientationOverrides, Overrides, Pace, PacePart, PaceSource, Tangents, TurningPart,
         UpVector, Velocities,
     };
-    use glam::{DQuat, DVec3};
 
     /// The most characters that a number takes.
     const LONGEST: f64 = -1.234_567_890_123_456_7e-300;
