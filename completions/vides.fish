@@ -66,7 +66,7 @@ complete -c vides -n "__fish_vides_using_subcommand sample" -s h -l help -d 'Pri
 complete -c vides -n "__fish_vides_using_subcommand info" -l json -d 'Writes one object, with all digits'
 complete -c vides -n "__fish_vides_using_subcommand info" -s h -l help -d 'Print help'
 complete -c vides -n "__fish_vides_using_subcommand get" -s h -l help -d 'Print help'
-complete -c vides -n "__fish_vides_using_subcommand set" -s o -l output -d 'Where the path goes; - is standard output [default: FILE.vid]' -r -F
+complete -c vides -n "__fish_vides_using_subcommand set" -s o -l output -d 'Where it goes; - is standard output [default: FILE.vid]' -r -F
 complete -c vides -n "__fish_vides_using_subcommand set" -s h -l help -d 'Print help'
 complete -c vides -n "__fish_vides_using_subcommand fit" -l tolerance -d 'How far a position may be from its pose' -r
 complete -c vides -n "__fish_vides_using_subcommand fit" -l angle -d 'How far view, up and field of view may be from theirs' -r
