@@ -218,7 +218,6 @@ impl Change {
     /// # Errors
     /// What is wrong with a part of the scene; nothing has changed then.
     pub(super) fn apply(&mut self, state: &mut State, plan: &mut Plan) -> Result<()> {
-        let node = state.node();
         let path = &mut state.path;
         match self {
             Self::Several(changes) => {
@@ -243,26 +242,7 @@ impl Change {
                 }
                 swap(there, point);
             }
-            Self::View([point, at], goes, comes, removal) => {
-                let views = &mut path.points[*point].orientations;
-                if let (true, Some(view)) = (*goes, &mut *comes) {
-                    plan.point_changed(*point);
-                    swap(&mut views[*at], view);
-                    return Ok(());
-                }
-                plan.all_changed();
-                let comments = &mut state.comments;
-                if let Some(view) = comes.take() {
-                    views.insert(*at, view);
-                    state.orientations += 1;
-                    comments.insert_orientation(node, *point, *at, *removal);
-                } else {
-                    *comes = Some(views.remove(*at));
-                    state.orientations -= 1;
-                    *removal = comments.remove_orientation(node, *point, *at);
-                }
-                *goes = comes.is_none();
-            }
+            Self::View(..) => self.exchange_view(state, plan),
             Self::Splice(at, gone, points, removal) => {
                 plan.all_changed();
                 if points.is_empty() {
@@ -323,6 +303,31 @@ impl Change {
             }
         }
         Ok(())
+    }
+
+    fn exchange_view(&mut self, state: &mut State, plan: &mut Plan) {
+        let Self::View([point, at], goes, comes, removal) = self else {
+            return;
+        };
+        let node = state.node();
+        let views = &mut state.path.points[*point].orientations;
+        if let (true, Some(view)) = (*goes, &mut *comes) {
+            plan.point_changed(*point);
+            swap(&mut views[*at], view);
+            return;
+        }
+        plan.all_changed();
+        let comments = &mut state.comments;
+        if let Some(view) = comes.take() {
+            views.insert(*at, view);
+            state.orientations += 1;
+            comments.insert_orientation(node, *point, *at, *removal);
+        } else {
+            *comes = Some(views.remove(*at));
+            state.orientations -= 1;
+            *removal = comments.remove_orientation(node, *point, *at);
+        }
+        *goes = comes.is_none();
     }
 
     /// Whether both exchange the same value, so that within a step the older one suffices.

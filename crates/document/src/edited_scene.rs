@@ -395,7 +395,7 @@ pub(super) struct Pins {
 struct Pinned {
     point: usize,
     marker: String,
-    /// The removal that took its point away; 0: it is there. See [`vid::Comments`].
+    /// The removal that took its point away; 0: it is there. See [`comments::Comments`].
     parked: u64,
 }
 

@@ -47,26 +47,7 @@ fn show(editor: &mut Editor, ui: &mut Ui) {
         editor.look_after_file();
         editor.look_after_meshes();
     }
-    let mut actions = Vec::from_iter(editor.waiting.take());
-    if !editor.windows.has_modal() {
-        points_list::take_keys(editor, &context);
-        scene_view::take_keys(editor, &context);
-        playing::take_keys(editor, &context);
-        windows::take_keys(editor, &context);
-        let scene = editor.document.edited_scene().is_some();
-        actions.extend(keys::pressed(&context, scene));
-        let dropped: Vec<_> = context.input(|input| {
-            let files = input.raw.dropped_files.iter();
-            files.map(|file| file.path().to_owned()).collect()
-        });
-        actions.extend((!dropped.is_empty()).then_some(Action::Dropped(dropped)));
-    }
-    // Those of a scene are no keys while a text is typed; undone, a node is deleted again by the
-    // same key.
-    let of_scene = |action: &Action| matches!(action, Action::Node(_));
-    if !actions.iter().all(of_scene) && !scene_view::has_keyboard(&context) {
-        keys::release(&context);
-    }
+    let actions = asked(editor, &context);
     let palette = editor.setup.theme().palette();
     let whole = ui.max_rect();
     let (bar, below) = whole.split_top_bottom_at_y(whole.top() + BAR);
@@ -130,6 +111,31 @@ fn show(editor: &mut Editor, ui: &mut Ui) {
         // What stands further up was shown before the change.
         context.request_repaint();
     }
+}
+
+/// What keys and dropped files ask for, and what waited.
+fn asked(editor: &mut Editor, context: &Context) -> Vec<Action> {
+    let mut actions = Vec::from_iter(editor.waiting.take());
+    if !editor.windows.has_modal() {
+        points_list::take_keys(editor, context);
+        scene_view::take_keys(editor, context);
+        playing::take_keys(editor, context);
+        windows::take_keys(editor, context);
+        let scene = editor.document.edited_scene().is_some();
+        actions.extend(keys::pressed(context, scene));
+        let dropped: Vec<_> = context.input(|input| {
+            let files = input.raw.dropped_files.iter();
+            files.map(|file| file.path().to_owned()).collect()
+        });
+        actions.extend((!dropped.is_empty()).then_some(Action::Dropped(dropped)));
+    }
+    // Those of a scene are no keys while a text is typed; undone, a node is deleted again by the
+    // same key.
+    let of_scene = |action: &Action| matches!(action, Action::Node(_));
+    if !actions.iter().all(of_scene) && !scene_view::has_keyboard(context) {
+        keys::release(context);
+    }
+    actions
 }
 
 fn part<R>(

@@ -7,7 +7,7 @@ use egui::{
 
 use super::shown_camera;
 use crate::action::Action;
-use crate::setup::{Aspect, CameraPlace};
+use crate::setup::{Aspect, CameraPlace, Setup};
 use crate::space::cameras::Camera;
 use crate::state::Editor;
 use crate::texts::fill;
@@ -78,25 +78,7 @@ pub(super) fn caption(
             }
         }
         if strip.width() > MIN_WIDTH_FOR_OPTIONS {
-            let on = setup.safe_frame;
-            let (safe, painter) = icon(ui, texts.safe_frame, texts.safe_frame_tip, on);
-            let stroke = stroke_of(ui, &safe, on);
-            for inset in [5.0, 8.0] {
-                let frame = safe.rect.shrink2(vec2(inset - 1.0, inset));
-                painter.rect_stroke(frame, 0.0, stroke, egui::StrokeKind::Middle);
-            }
-            if safe.clicked() {
-                changed.safe_frame = !on;
-            }
-            let words = RichText::new(setup.camera_aspect.name()).font(theme::small());
-            let aspect = ui.add(Button::new(words).frame(false));
-            aspect.widget_info(|| egui::WidgetInfo {
-                current_text_value: Some(setup.camera_aspect.name().to_owned()),
-                ..egui::WidgetInfo::labeled(egui::Role::Button, true, texts.camera_aspect)
-            });
-            if aspect.on_hover_text(texts.camera_aspect_tip).clicked() {
-                changed.camera_aspect = setup.camera_aspect.next();
-            }
+            options(editor, ui, &mut changed);
         }
         if flown {
             let small = |words| Button::new(RichText::new(words).font(theme::small())).small();
@@ -117,47 +99,75 @@ pub(super) fn caption(
             .max_rect(ui.available_rect_before_wrap())
             .layout(Layout::left_to_right(Align::Center));
         ui.scope_builder(left, |ui| {
-            let (button, painter) = icon(ui, texts.camera_menu, texts.camera_menu, false);
-            let centre = button.rect.center();
-            let chevron = [vec2(-3.5, -2.0), vec2(0.0, 2.0), vec2(3.5, -2.0)];
-            let line = chevron.map(|corner| centre + corner).to_vec();
-            painter.line(line, stroke_of(ui, &button, false));
-            Popup::menu(&button)
-                .close_behavior(PopupCloseBehavior::CloseOnClickOutside)
-                .show(|ui| menu(editor, ui, actions));
-            // As much of it as there is room for: at last the number of the frame or the key.
-            let cameras = shown_camera::all(editor);
-            let arrow = if cameras.len() > 1 {
-                shown_camera::ARROW
-            } else {
-                0.0
-            };
-            let room = ui.available_width() - arrow;
-            let part = what.rsplit(" \u{b7} ").next().unwrap_or_default();
-            let word = part.rsplit(' ').next().unwrap_or_default();
-            let shown = [text.as_str(), &what, part, word]
-                .into_iter()
-                .find(|words| {
-                    let font = FontId::proportional(CAPTION_TEXT);
-                    let words = (*words).to_owned();
-                    let galley = ui
-                        .painter()
-                        .layout_no_wrap(words, font, Color32::PLACEHOLDER);
-                    galley.size().x <= room
-                });
-            let words = RichText::new(shown.unwrap_or(word))
-                .size(CAPTION_TEXT)
-                .color(theme::palette(ui).weak);
-            let label = Label::new(words).truncate().selectable(false);
-            let label = match cameras.len() > 1 {
-                true => shown_camera::choice(editor, ui, (label, &text), &cameras, actions),
-                false => ui.add(label),
-            };
-            if shown != Some(&text) {
-                label.on_hover_text(&text);
-            }
+            label(editor, ui, (&what, &text), actions);
         });
     });
+}
+
+/// The safe frame and the picture's shape.
+fn options(editor: &Editor, ui: &mut Ui, changed: &mut Setup) {
+    let (texts, setup) = (&editor.texts().space, &editor.setup);
+    let on = setup.safe_frame;
+    let (safe, painter) = icon(ui, texts.safe_frame, texts.safe_frame_tip, on);
+    let stroke = stroke_of(ui, &safe, on);
+    for inset in [5.0, 8.0] {
+        let frame = safe.rect.shrink2(vec2(inset - 1.0, inset));
+        painter.rect_stroke(frame, 0.0, stroke, egui::StrokeKind::Middle);
+    }
+    if safe.clicked() {
+        changed.safe_frame = !on;
+    }
+    let words = RichText::new(setup.camera_aspect.name()).font(theme::small());
+    let aspect = ui.add(Button::new(words).frame(false));
+    aspect.widget_info(|| egui::WidgetInfo {
+        current_text_value: Some(setup.camera_aspect.name().to_owned()),
+        ..egui::WidgetInfo::labeled(egui::Role::Button, true, texts.camera_aspect)
+    });
+    if aspect.on_hover_text(texts.camera_aspect_tip).clicked() {
+        changed.camera_aspect = setup.camera_aspect.next();
+    }
+}
+
+/// The menu, and what is shown: as much of it as there is room for.
+fn label(editor: &Editor, ui: &mut Ui, (what, text): (&str, &str), actions: &mut Vec<Action>) {
+    let texts = &editor.texts().space;
+    let (button, painter) = icon(ui, texts.camera_menu, texts.camera_menu, false);
+    let centre = button.rect.center();
+    let chevron = [vec2(-3.5, -2.0), vec2(0.0, 2.0), vec2(3.5, -2.0)];
+    let line = chevron.map(|corner| centre + corner).to_vec();
+    painter.line(line, stroke_of(ui, &button, false));
+    Popup::menu(&button)
+        .close_behavior(PopupCloseBehavior::CloseOnClickOutside)
+        .show(|ui| menu(editor, ui, actions));
+    // As much of it as there is room for: at last the number of the frame or the key.
+    let cameras = shown_camera::all(editor);
+    let arrow = if cameras.len() > 1 {
+        shown_camera::ARROW
+    } else {
+        0.0
+    };
+    let room = ui.available_width() - arrow;
+    let part = what.rsplit(" \u{b7} ").next().unwrap_or_default();
+    let word = part.rsplit(' ').next().unwrap_or_default();
+    let shown = [text, what, part, word].into_iter().find(|words| {
+        let font = FontId::proportional(CAPTION_TEXT);
+        let words = (*words).to_owned();
+        let galley = ui
+            .painter()
+            .layout_no_wrap(words, font, Color32::PLACEHOLDER);
+        galley.size().x <= room
+    });
+    let words = RichText::new(shown.unwrap_or(word))
+        .size(CAPTION_TEXT)
+        .color(theme::palette(ui).weak);
+    let label = Label::new(words).truncate().selectable(false);
+    let label = match cameras.len() > 1 {
+        true => shown_camera::choice(editor, ui, (label, text), &cameras, actions),
+        false => ui.add(label),
+    };
+    if shown != Some(text) {
+        label.on_hover_text(text);
+    }
 }
 
 /// What a narrow caption has no room for, too.

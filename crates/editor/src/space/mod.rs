@@ -360,11 +360,7 @@ impl MovementWindow {
             sight,
         };
         painter.rect_filled(viewport, 0.0, look.colours.of(Element::Background));
-        let add_shared = |lines: &Arc<Lines>| {
-            if !lines.lines.is_empty() {
-                painter.add(Lines::shape(lines, viewport));
-            }
-        };
+        let add_shared = |lines: &Arc<Lines>| add_lines(painter, &look, lines);
         let add = |lines: Lines| add_shared(&Arc::new(lines));
         let document = &editor.document;
         let pointer = &self.pointer;
@@ -413,70 +409,8 @@ impl MovementWindow {
                 add(transform::show_handles(&look, middle, pointer.meant));
             }
         }
-        let palette = editor.setup.theme().palette();
-        if let Some(corner) = corner {
-            add(overlay::ring(&look, corner, palette.accent, false));
-        }
-        if let Some(window) = &editor.windows.tool
-            && let Some(cage) = window.cage()
-        {
-            add(overlay::cage(&look, cage, window.control(), palette));
-        }
-        if let Some(places) = pointer.stroke() {
-            add(overlay::stroke(&look, places, palette));
-        }
-        if let Some(window) = &editor.windows.tool
-            && !window.drawn().is_empty()
-        {
-            let places: Vec<_> = window.drawn().iter().map(|(_, place)| *place).collect();
-            add(overlay::stroke(&look, &places, palette));
-        }
-        let preview = editor.windows.curve.as_ref();
-        if let Some(segments) = preview.and_then(|window| window.preview(editor)) {
-            let mut strokes = Strokes::new(look.projection, viewport);
-            let color = editor.setup.theme().palette().accent;
-            for pair in segments.iter().flat_map(|segment| segment.windows(2)) {
-                strokes.line(pair[0], pair[1], 1.5, color);
-            }
-            add(strokes.finish());
-        }
-        if let Some(tips) = picking::tips(document) {
-            add(overlay::circle(&look, &tips));
-            overlay::arrows(painter, &look, &tips);
-            let held = dragged.map(|(what, _)| what);
-            let place = |handle| match handle {
-                Handle::Control(_) => {
-                    let place = hold::place_held(editor, handle)?;
-                    Some((place, palette.accent))
-                }
-                handle => overlay::place_of(document, &look, &tips, handle),
-            };
-            if let Some(handle) = held.or(pointer.hover)
-                && let Some((at, color)) = place(handle)
-            {
-                add(overlay::ring(&look, at, color, held.is_some()));
-            }
-        }
-        let add_camera = |camera: &Camera, points, width, color| {
-            let mut strokes = Strokes::new(look.projection, viewport);
-            cameras::camera(&mut strokes, &look, camera, points, width, color);
-            add(strokes.finish());
-        };
-        if let Some(color) = look.of(Element::Player)
-            && let Some((camera, true)) = editor.camera()
-        {
-            add_camera(&camera, 44.0, 1.8, color);
-        }
-        if let Some(color) = look.of(Element::Player)
-            && let Some(flown) = editor.flown()
-        {
-            add_camera(&flown, 44.0, 1.8, color);
-        }
-        if let Some(ghost) = editor.ghost.map(Camera::from) {
-            let color = editor.setup.theme().palette().text.gamma_multiply(0.65);
-            add_camera(&ghost, 40.0, 1.4, color);
-            labels::name(painter, &look, &ghost, editor.host_name(), color);
-        }
+        self.draw_handles(editor, painter, &look, corner);
+        draw_cameras(editor, painter, &look);
         let pointed = match pointer.hover {
             Some(Handle::Point(at)) => Some(at),
             _ => None,
@@ -488,6 +422,63 @@ impl MovementWindow {
         }
         self.draw_hint(editor, painter, &look);
         current.and(trouble)
+    }
+
+    /// What is lit, drawn or previewed, and the handles of the current view.
+    fn draw_handles(
+        &self,
+        editor: &Editor,
+        painter: &Painter,
+        look: &Look<'_>,
+        corner: Option<DVec3>,
+    ) {
+        let (document, pointer) = (&editor.document, &self.pointer);
+        let dragged = pointer.dragged();
+        let add = |lines: Lines| add_lines(painter, look, &Arc::new(lines));
+        let palette = editor.setup.theme().palette();
+        if let Some(corner) = corner {
+            add(overlay::ring(look, corner, palette.accent, false));
+        }
+        if let Some(window) = &editor.windows.tool
+            && let Some(cage) = window.cage()
+        {
+            add(overlay::cage(look, cage, window.control(), palette));
+        }
+        if let Some(places) = pointer.stroke() {
+            add(overlay::stroke(look, places, palette));
+        }
+        if let Some(window) = &editor.windows.tool
+            && !window.drawn().is_empty()
+        {
+            let places: Vec<_> = window.drawn().iter().map(|(_, place)| *place).collect();
+            add(overlay::stroke(look, &places, palette));
+        }
+        let preview = editor.windows.curve.as_ref();
+        if let Some(segments) = preview.and_then(|window| window.preview(editor)) {
+            let mut strokes = Strokes::new(look.projection, look.viewport);
+            let color = editor.setup.theme().palette().accent;
+            for pair in segments.iter().flat_map(|segment| segment.windows(2)) {
+                strokes.line(pair[0], pair[1], 1.5, color);
+            }
+            add(strokes.finish());
+        }
+        if let Some(tips) = picking::tips(document) {
+            add(overlay::circle(look, &tips));
+            overlay::arrows(painter, look, &tips);
+            let held = dragged.map(|(what, _)| what);
+            let place = |handle| match handle {
+                Handle::Control(_) => {
+                    let place = hold::place_held(editor, handle)?;
+                    Some((place, palette.accent))
+                }
+                handle => overlay::place_of(document, look, &tips, handle),
+            };
+            if let Some(handle) = held.or(pointer.hover)
+                && let Some((at, color)) = place(handle)
+            {
+                add(overlay::ring(look, at, color, held.is_some()));
+            }
+        }
     }
 
     /// The box that selects, and what the pointer would do.
@@ -509,6 +500,36 @@ impl MovementWindow {
             let color = editor.setup.theme().palette().weak;
             labels::hint(painter, look, &hint, color);
         }
+    }
+}
+
+fn add_lines(painter: &Painter, look: &Look<'_>, lines: &Arc<Lines>) {
+    if !lines.lines.is_empty() {
+        painter.add(Lines::shape(lines, look.viewport));
+    }
+}
+
+/// The camera at the playhead, the one that is flown, and the host's.
+fn draw_cameras(editor: &Editor, painter: &Painter, look: &Look<'_>) {
+    let add_camera = |camera: &Camera, points, width, color| {
+        let mut strokes = Strokes::new(look.projection, look.viewport);
+        cameras::camera(&mut strokes, look, camera, points, width, color);
+        add_lines(painter, look, &Arc::new(strokes.finish()));
+    };
+    if let Some(color) = look.of(Element::Player)
+        && let Some((camera, true)) = editor.camera()
+    {
+        add_camera(&camera, 44.0, 1.8, color);
+    }
+    if let Some(color) = look.of(Element::Player)
+        && let Some(flown) = editor.flown()
+    {
+        add_camera(&flown, 44.0, 1.8, color);
+    }
+    if let Some(ghost) = editor.ghost.map(Camera::from) {
+        let color = editor.setup.theme().palette().text.gamma_multiply(0.65);
+        add_camera(&ghost, 40.0, 1.4, color);
+        labels::name(painter, look, &ghost, editor.host_name(), color);
     }
 }
 

@@ -210,8 +210,8 @@ impl PointerController {
         event: Event,
         actions: &mut Vec<Action>,
     ) {
-        let wheel = matches!(event, Event::MouseWheel { .. });
-        if !wheel && let Some(mut transform) = self.transform.take() {
+        let of_wheel = matches!(event, Event::MouseWheel { .. });
+        if !of_wheel && let Some(mut transform) = self.transform.take() {
             if !editor.document.in_step() {
                 // Something else ended the step.
                 return;
@@ -253,21 +253,7 @@ impl PointerController {
             }
             Event::PointerMoved(pos) => self.motion(editor, surface, pos, actions),
             Event::MouseWheel { unit, delta, .. } => {
-                let at = surface.context.input(|input| input.pointer.latest_pos());
-                if let Some(at) = at.filter(|&at| (surface.mine)(at)) {
-                    let steps = match unit {
-                        MouseWheelUnit::Line => f64::from(delta.y),
-                        MouseWheelUnit::Point => f64::from(delta.y) / 50.0,
-                        MouseWheelUnit::Page => f64::from(delta.y) * 5.0,
-                    };
-                    let (view, factor) = (&editor.setup.view, WHEEL.powf(steps));
-                    actions.push(Action::View(resized(
-                        view,
-                        surface.viewport,
-                        Some(at),
-                        factor,
-                    )));
-                }
+                actions.extend(wheel(editor, surface, unit, delta.y));
             }
             Event::Key {
                 key: Key::Escape,
@@ -290,31 +276,35 @@ impl PointerController {
                 pressed: true,
                 modifiers,
                 ..
-            } => {
-                if let Some(kept) = axis_of(key)
-                    && let Some(hold) = &mut self.hold
-                    && matches!(
-                        hold.what,
-                        Some(
-                            Handle::Point(_)
-                                | Handle::Vpn
-                                | Handle::Control(_)
-                                | Handle::Tangent(_)
-                        )
-                    )
-                {
-                    let projection = projection_of(editor, surface.viewport);
-                    hold.freedom = DragConstraint::of_key(&projection, kept);
-                    let now = hold.now;
-                    self.motion(editor, surface, now, actions);
-                } else if surface.keyboard
-                    && self.hold.is_none()
-                    && !(modifiers.is_none() && self.begin_transform(editor, surface, key, actions))
-                {
-                    keyboard::press(self, editor, surface.viewport, (key, modifiers), actions);
-                }
-            }
+            } => self.key(editor, surface, (key, modifiers), actions),
             _ => {}
+        }
+    }
+
+    /// A key that goes on with a drag, or begins something.
+    fn key(
+        &mut self,
+        editor: &Editor,
+        surface: &PointerContext<'_>,
+        (key, modifiers): (Key, Modifiers),
+        actions: &mut Vec<Action>,
+    ) {
+        if let Some(kept) = axis_of(key)
+            && let Some(hold) = &mut self.hold
+            && matches!(
+                hold.what,
+                Some(Handle::Point(_) | Handle::Vpn | Handle::Control(_) | Handle::Tangent(_))
+            )
+        {
+            let projection = projection_of(editor, surface.viewport);
+            hold.freedom = DragConstraint::of_key(&projection, kept);
+            let now = hold.now;
+            self.motion(editor, surface, now, actions);
+        } else if surface.keyboard
+            && self.hold.is_none()
+            && !(modifiers.is_none() && self.begin_transform(editor, surface, key, actions))
+        {
+            keyboard::press(self, editor, surface.viewport, (key, modifiers), actions);
         }
     }
 
@@ -544,4 +534,23 @@ fn handle_at(
             picking::pick(&editor.document, projection, shown, pointer, with_vup)
         })
         .or_else(|| of_nodes::grip_at(editor, projection, pointer))
+}
+
+/// The view that the wheel turns to, about what is under the pointer.
+fn wheel(
+    editor: &Editor,
+    surface: &PointerContext<'_>,
+    unit: MouseWheelUnit,
+    turned: f32,
+) -> Option<Action> {
+    let at = surface.context.input(|input| input.pointer.latest_pos());
+    let at = at.filter(|&at| (surface.mine)(at))?;
+    let steps = match unit {
+        MouseWheelUnit::Line => f64::from(turned),
+        MouseWheelUnit::Point => f64::from(turned) / 50.0,
+        MouseWheelUnit::Page => f64::from(turned) * 5.0,
+    };
+    let (view, factor) = (&editor.setup.view, WHEEL.powf(steps));
+    let view = resized(view, surface.viewport, Some(at), factor);
+    Some(Action::View(view))
 }
