@@ -8,7 +8,7 @@ use super::edited_scene::{EditedScene, Pins};
 use super::info::Info;
 use super::normalise::count_orientations;
 use super::vid::comments::Comments;
-use crate::error::{Result, can_allocate};
+use crate::error::{Result, can_allocate, try_box};
 use vides_engine::path::{
     CameraPath, Orientation, OrientationOverrides, Plan, SupportPoint, UpVector,
 };
@@ -98,8 +98,8 @@ pub(super) enum Change {
 #[derive(Debug, Default)]
 pub(super) struct Whole {
     pub(super) info: Option<Box<Info>>,
-    /// Without points it is the settings of a path.
-    pub(super) path: Option<Box<CameraPath>>,
+    /// One; without points it is the settings of a path.
+    pub(super) path: Option<Box<[CameraPath]>>,
     pub(super) pins: Option<Pins>,
     /// With another path or scene.
     pub(super) comments: Option<Comments>,
@@ -155,10 +155,8 @@ impl Change {
 
     /// The settings of the path: all but its points.
     pub(super) fn settings(path: CameraPath) -> Result<Self> {
-        can_allocate(size_of::<CameraPath>())?;
-        let path = Some(Box::new(path));
         Ok(Self::Whole(Whole {
-            path,
+            path: Some(try_box(path)?),
             ..Whole::default()
         }))
     }
@@ -278,7 +276,7 @@ impl Change {
                 if let (Some(edited), Some(pins)) = (&mut state.edited_scene, &mut whole.pins) {
                     edited.exchange_pins(pins);
                 }
-                if let Some(path) = &mut whole.path {
+                if let Some([path]) = whole.path.as_deref_mut() {
                     plan.all_changed();
                     state.swap_path(path);
                 }
@@ -384,7 +382,7 @@ impl Whole {
         let info = |info: &Info| info.title.len() + info.comment.len() + info.object.bytes();
         let scene = self.scene.iter().flatten().map(|scene| scene.weight());
         self.info.as_deref().map_or(0, info)
-            + self.path.as_deref().map_or(0, weigh_path)
+            + self.path.iter().flatten().map(weigh_path).sum::<usize>()
             + scene.sum::<usize>()
     }
 }

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::change::{Change, IDLE, State};
 use super::edit::At;
-use super::info::Info;
+use super::info::{Info, copy_text};
 use super::named::{keys, no_property};
 use crate::error::{Error, OutOfRange, Refused, Result, can_allocate, vec_with_room};
 use vides_engine::math::orientation::wrap_degrees;
@@ -40,8 +40,8 @@ pub(super) fn set(
             if let ("position", Value::Place(position)) = (property, &value) {
                 check_position(there, at, *position, path.space)?;
             }
-            can_allocate(there.name.as_ref().map_or(0, String::len))?;
-            let (name, orientations) = (there.name.clone(), Vec::new());
+            let name = there.name.as_deref().map(copy_text).transpose()?;
+            let orientations = Vec::new();
             let own = SupportPoint {
                 name,
                 orientations,

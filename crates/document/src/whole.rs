@@ -5,7 +5,7 @@ use super::edit::Selection;
 use super::edited_scene::{self, EditedScene};
 use super::normalise::{move_into, normalise};
 use super::vid::comments::Comments;
-use crate::error::{Result, can_allocate};
+use crate::error::{Result, can_allocate, try_box};
 use vides_engine::path::{CameraPath, Space};
 
 /// Another path, in which a point has this number.
@@ -20,9 +20,8 @@ pub(super) fn replaced(
         Some(edited) => Some(edited.pins_in(path.points.len(), number)?),
         None => None,
     };
-    can_allocate(size_of::<CameraPath>())?;
     let change = Change::Whole(Whole {
-        path: Some(Box::new(path)),
+        path: Some(try_box(path)?),
         pins,
         comments: Some(state.comments.without_points(state.node())?),
         ..Whole::default()
@@ -36,9 +35,9 @@ pub(super) fn exchanged_scene(
     comments: Comments,
 ) -> Result<Prepared> {
     normalise(&mut path)?;
-    can_allocate(size_of::<CameraPath>() + size_of::<EditedScene>())?;
+    can_allocate(size_of::<EditedScene>())?;
     let change = Change::Whole(Whole {
-        path: Some(Box::new(path)),
+        path: Some(try_box(path)?),
         comments: Some(comments),
         scene: Some(edited.map(Box::new)),
         ..Whole::default()
