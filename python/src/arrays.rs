@@ -14,9 +14,6 @@ use crate::error::{Failure, Result};
 /// Doubles of a pose.
 pub(crate) const WIDTH: usize = 10;
 
-/// Poses that are filled at once: they fit the nearest cache.
-pub(crate) const BLOCK: usize = 256;
-
 pub(crate) fn row(pose: &Pose) -> [f64; WIDTH] {
     let ([a, b, c], [d, e, f], [g, h, i]) = (pose.vrp, pose.vpn, pose.vup);
     [a, b, c, d, e, f, g, h, i, pose.zoom]
@@ -32,22 +29,6 @@ fn pose(row: &[f64]) -> Option<Pose> {
         vup: [g, h, i],
         zoom,
     })
-}
-
-/// Fills rows with poses, as they are sampled from the first on.
-pub(crate) fn fill<E>(
-    rows: &mut [f64],
-    mut sample: impl FnMut(usize, &mut [Pose]) -> Result<(), E>,
-) -> Result<(), E> {
-    let mut block = [Pose::default(); BLOCK];
-    for (number, rows) in rows.chunks_mut(BLOCK * WIDTH).enumerate() {
-        let poses = &mut block[..rows.len() / WIDTH];
-        sample(number * BLOCK, poses)?;
-        for (into, pose) in rows.as_chunks_mut::<WIDTH>().0.iter_mut().zip(poses) {
-            *into = row(pose);
-        }
-    }
-    Ok(())
 }
 
 /// The rows of an array that is written to.

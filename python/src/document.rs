@@ -8,11 +8,11 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use vides::document::{self, Edit, Info};
 use vides::glam::DVec3;
-use vides::path::{CameraPath, Change, CurveKind, Space, Up};
+use vides::path::{CameraPath, Change, CurveKind, Pose, Space, Up};
 use vides::tools::check::Finding;
 use vides::tools::fit::Progress;
 
-use crate::arrays::{self, WIDTH, fill, rows_mut, table};
+use crate::arrays::{self, WIDTH, rows_mut, table};
 use crate::error::{Failure, Result};
 use crate::interrupt::interruptible;
 use crate::scene::Scene;
@@ -333,9 +333,7 @@ impl Document {
             if first == 0 || count > (sampler.frame_count() + 1).saturating_sub(first) {
                 return Err(Failure::frames(first, count, sampler.frame_count()));
             }
-            Ok(fill(rows, |after, poses| {
-                sampler.sample(first + after, poses)
-            })?)
+            Ok(sampler.sample(first, Pose::of_numbers(rows))?)
         })
     }
 

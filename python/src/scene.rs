@@ -16,10 +16,13 @@ use vides::scene::{
     Object, Track, Warnings,
 };
 
-use crate::arrays::{self, BLOCK, WIDTH, rows_mut, table};
+use crate::arrays::{self, WIDTH, rows_mut, table};
 use crate::document::{Document, upright};
 use crate::error::{Failure, Result};
 use crate::files::{Choices, format, format_for, losses, options};
+
+/// States that are filled at once.
+const BLOCK: usize = 256;
 
 /// A scene with its info.
 #[pyclass(frozen, module = "vides._vides")]

@@ -74,6 +74,18 @@ impl Pose {
         axes.to_world(self.position(), self.view(), self.up())
     }
 
+    /// The same memory as poses, ten numbers each as their fields follow; what is left over
+    /// behind the last stays out.
+    #[must_use]
+    pub fn of_numbers(numbers: &mut [f64]) -> &mut [Self] {
+        let count = numbers.len() / 10;
+        // SAFETY: as below, the other way round: a pose is aligned as its doubles are.
+        #[allow(unsafe_code)]
+        unsafe {
+            std::slice::from_raw_parts_mut(numbers.as_mut_ptr().cast(), count)
+        }
+    }
+
     /// The same memory as plain numbers, ten for each pose.
     pub(super) fn as_numbers(poses: &mut [Self]) -> &mut [f64] {
         const { assert!(size_of::<Pose>() == 10 * size_of::<f64>()) }
@@ -101,5 +113,9 @@ mod tests {
         assert_eq!(world.transform_point3(DVec3::ZERO), pose.position());
         assert!((pose.field_of_view() - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
         assert!(Pose::default().to_world(CameraAxes::OpenGl).is_err());
+        let mut numbers: Vec<f64> = (0..25).map(f64::from).collect();
+        let poses = Pose::of_numbers(&mut numbers);
+        assert_eq!(poses.len(), 2);
+        assert_eq!((poses[1].vrp, poses[1].zoom), ([10.0, 11.0, 12.0], 19.0));
     }
 }
