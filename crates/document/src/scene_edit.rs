@@ -420,18 +420,9 @@ fn at_rest(of: &Node, node: usize, track: &Track) -> Result<Option<Part>> {
     let mut rest = Rest::of(of);
     let values = &mut rest.values;
     match (track.channel(), key, &of.kind) {
-        (Channel::Position, &[x, y, z], _) => values.position = [x, y, z].into(),
-        (Channel::Scale, &[x, y, z], _) => values.scale = [x, y, z].into(),
         (Channel::Rotation, ..) => {
             values.rotation = track.rotation(last, &mut Warnings::default());
         }
-        (Channel::Visible, &[visible], _) => values.visible = visible != 0.0,
-        (Channel::Zoom, &[zoom], _) => values.zoom = zoom,
-        (Channel::Roll, &[roll], _) => values.roll = roll,
-        (Channel::Colour, &[r, g, b], _) => values.colour = [r, g, b],
-        (Channel::Intensity, &[intensity], _) => values.intensity = intensity,
-        (Channel::Cone, &[inner, outer], _) => values.cone = [inner, outer],
-        (Channel::AimWeight, &[weight], _) => values.aim_weight = weight,
         (Channel::Weights, ..) => {
             let weights = key.to_vec();
             return Ok(Some(Part::Weights { node, weights }));
@@ -448,6 +439,7 @@ fn at_rest(of: &Node, node: usize, track: &Track) -> Result<Option<Part>> {
                 bounds,
             }));
         }
+        _ if values.set(track.channel(), key) => {}
         _ => return Ok(None),
     }
     can_allocate(size_of::<Rest>()).map_err(Error::from)?;

@@ -27,6 +27,7 @@ mod obstacles;
 mod panels;
 mod playing;
 mod points_list;
+mod row;
 mod scene_view;
 mod selected;
 mod setup;

@@ -75,14 +75,12 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     up(editor, ui, &shown, actions);
     let language = editor.language();
     let roll = Number::new(texts.roll, current.roll)
+        .of_view("roll_degrees")
         .label(texts.roll)
         .hint(texts.roll_hint)
         .faint(missing)
-        .unit("°")
-        .decimals(1)
-        .steps(1.0, 0.5)
         .show(ui, language, "roll", ui.available_width());
-    let roll = roll.map(|roll| with(selection, current, |new| new.roll = roll));
+    let roll = roll.try_map(|roll| editor.with_number(selection, current, "roll_degrees", roll));
     actions.push(Action::enter(missing, roll));
 }
 
@@ -98,9 +96,7 @@ fn target(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Action>
             .in_space(editor.document.path().space)
             .range(0.0..=f64::MAX)
             .show(ui, editor.language(), "ahead", ui.available_width());
-        let entry = entry.try_map(|distance| {
-            editor.with_own(selection, current, |own| own.ahead = Some(distance))
-        });
+        let entry = entry.try_map(|far| editor.with_number(selection, current, "ahead", far));
         actions.push(Action::enter(missing, entry));
         return;
     }

@@ -2,14 +2,13 @@
 //! is edited in the timeline.
 
 use egui::Ui;
-use vides_engine::limits::{MAX_FRAMES, MAX_HOLD};
 use vides_engine::path::{Change, Section};
 
 use crate::action::Action;
 use crate::number::Number;
 use crate::panels::parts::{Heading, share};
 use crate::setup::Fold;
-use crate::state::{Editor, with};
+use crate::state::Editor;
 use crate::texts::fill;
 
 pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
@@ -32,34 +31,25 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let width = share(ui, 2);
     ui.horizontal(|ui| {
         let hold = Number::new(texts.hold, f64::from(current.hold))
+            .of_view("hold_frames")
             .label(texts.hold)
             .hint(texts.hold_hint)
             .faint(missing)
             .unit(texts.hold_unit)
-            .whole()
-            .range(0.0..=f64::from(MAX_HOLD))
-            .steps(1.0, 0.2)
             .show(ui, language, "hold", width);
-        // Whole, and in the range of a u32.
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-        let hold = hold.map(|hold| with(selection, current, |new| new.hold = hold as u32));
+        let hold = hold.try_map(|hold| editor.with_number(selection, current, "hold_frames", hold));
         actions.push(Action::enter(missing, hold));
         let Some(section) = section.filter(|section| section.frames > 0 && !missing) else {
             return;
         };
         let entry = Number::new(texts.length, section.frames as f64)
+            .of_view("frames")
             .label(texts.length_label)
             .hint(editor.texts().speed_window.frames_hint)
             .faint(current.own.frames == 0)
-            .whole()
-            .range(0.0..=MAX_FRAMES as f64)
-            .steps(1.0, 0.5)
             .show(ui, language, "section.frames", width);
-        let entry = entry.try_map(|frames| {
-            // Whole, and in the range of a u32.
-            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-            editor.with_own(selection, current, |own| own.frames = frames as u32)
-        });
+        let entry =
+            entry.try_map(|frames| editor.with_number(selection, current, "frames", frames));
         actions.push(Action::Enter(entry));
     });
 }

@@ -77,11 +77,9 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
             actions.push(Action::Enter(Entry::End));
         }
         let entry = Number::new(texts.value, current.zoom)
+            .of_view("zoom_mm")
             .hint(texts.hint)
-            .decimals(1)
             .faint(missing)
-            .range(MIN_ZOOM..=MAX_ZOOM)
-            .steps(1.0, 0.2)
             .show(ui, language, "zoom", FIELD);
         actions.push(Action::enter(missing, entry.map(edit)));
         if owns {

@@ -3,7 +3,6 @@
 
 use vides_document::error::Result;
 use vides_document::{Document, Edit};
-use vides_engine::limits::MAX_COORDINATE;
 use vides_engine::scene::{Channel, Interpolation, KeyList, Part, Track};
 
 use super::track_curve::is_read_only;
@@ -87,13 +86,10 @@ impl KeyMotion {
 
     /// A number that a channel can have, as near to this one as can be.
     pub(super) fn number(&self, channel: &Channel, number: f64) -> f64 {
+        let (low, high) = channel.range();
         match channel {
-            Channel::Visible => number.round().clamp(0.0, 1.0),
-            Channel::Zoom => number.clamp(1.0, 2000.0),
-            Channel::Colour | Channel::Intensity => number.clamp(0.0, MAX_COORDINATE),
-            Channel::Cone => number.clamp(0.0, 90.0),
-            Channel::AimWeight => number.clamp(0.0, 1.0),
-            _ => number.clamp(-MAX_COORDINATE, MAX_COORDINATE),
+            Channel::Visible => number.round().clamp(low, high),
+            _ => number.clamp(low, high),
         }
     }
 

@@ -62,7 +62,6 @@ pub(super) fn channel(
     of: Shown<'_>,
     channel: &Channel,
     words: Words<'_>,
-    style: &dyn for<'b> Fn(Number<'b>) -> Number<'b>,
     actions: &mut Vec<Action>,
 ) {
     let Some((value, is_turn)) = numbers(editor, of, channel) else {
@@ -75,8 +74,11 @@ pub(super) fn channel(
     };
     let mut field = |ui: &mut Ui, at: usize, name: &str, label: &str, width: f32| {
         let id = format!("{}.{channel}.{at}", of.at);
-        let number = Number::new(name, value[at]).label(label).hint(hint);
-        let mut number = style(number).fixed_if(moved);
+        let mut number = Number::new(name, value[at])
+            .label(label)
+            .hint(hint)
+            .of_channel(channel, editor.shown_space())
+            .fixed_if(moved);
         if is_turn && at == PITCH {
             // Beyond, the same turn has other angles: those that are dragged would jump.
             number = number.range(-90.0..=90.0);

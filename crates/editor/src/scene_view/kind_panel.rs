@@ -4,12 +4,12 @@
 use std::path::Path;
 
 use egui::{Button, CornerRadius, Rect, Rgba, Stroke, StrokeKind, Ui, vec2};
-use vides_engine::limits::{MAX_COORDINATE, MAX_ZOOM, MIN_ZOOM};
+use vides_engine::limits::MAX_COORDINATE;
 use vides_engine::scene::{Camera, Channel, Kind, Light, Object, Rest};
 
 use super::keys_panel::{Shown, Words, channel, indent};
 use super::list_row;
-use super::node_panel::{degrees, enter_rest, rest_edit};
+use super::node_panel::{enter_rest, rest_edit};
 use crate::action::Action;
 use crate::files::short;
 use crate::number::Number;
@@ -54,25 +54,8 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, of: Shown<'_>, actions: &mut Ve
             continue;
         };
         let words = Words::new(name, editor.texts().node.value_hint);
-        channel(editor, ui, of, value, words, &plain, actions);
+        channel(editor, ui, of, value, words, actions);
     }
-}
-
-pub(super) fn plain(number: Number<'_>) -> Number<'_> {
-    number
-}
-
-fn lens(number: Number<'_>) -> Number<'_> {
-    let number = number.decimals(1).range(MIN_ZOOM..=MAX_ZOOM);
-    number.steps(1.0, 0.2)
-}
-
-fn bright(number: Number<'_>) -> Number<'_> {
-    number.decimals(2).range(0.0..=MAX_COORDINATE)
-}
-
-fn half_angle(number: Number<'_>) -> Number<'_> {
-    degrees(number).range(0.0..=90.0)
 }
 
 /// Words that begin a heading.
@@ -91,9 +74,9 @@ fn values<'a>(of: Shown<'a>) -> impl Iterator<Item = &'a Channel> {
 fn camera(editor: &Editor, ui: &mut Ui, of: Shown<'_>, planes: Camera, actions: &mut Vec<Action>) {
     let texts = &editor.texts().node;
     let zoom = Words::new(texts.zoom, texts.zoom_hint);
-    channel(editor, ui, of, &Channel::Zoom, zoom, &lens, actions);
+    channel(editor, ui, of, &Channel::Zoom, zoom, actions);
     let roll = Words::new(texts.camera_roll, texts.camera_roll_hint);
-    channel(editor, ui, of, &Channel::Roll, roll, &degrees, actions);
+    channel(editor, ui, of, &Channel::Roll, roll, actions);
     for (name, hint, value, is_far) in [
         (texts.near, texts.near_hint, planes.near, false),
         (texts.far, texts.far_hint, planes.far, true),
@@ -145,11 +128,11 @@ fn light(editor: &Editor, ui: &mut Ui, of: Shown<'_>, kind: Light, actions: &mut
     button_row(editor, ui, &all, actions);
     colour(editor, ui, of, actions);
     let words = Words::new(texts.intensity, texts.intensity_hint);
-    channel(editor, ui, of, &Channel::Intensity, words, &bright, actions);
+    channel(editor, ui, of, &Channel::Intensity, words, actions);
     if kind == Light::Spot {
         let parts = [(texts.inner, ""), (texts.outer, "")];
         let words = Words::new(texts.cone, texts.cone_hint).of(&parts);
-        channel(editor, ui, of, &Channel::Cone, words, &half_angle, actions);
+        channel(editor, ui, of, &Channel::Cone, words, actions);
     }
 }
 
@@ -162,7 +145,7 @@ fn colour(editor: &Editor, ui: &mut Ui, of: Shown<'_>, actions: &mut Vec<Action>
     ];
     let words = Words::new(texts.colour, texts.colour_hint).of(&parts);
     let row = ui.cursor().min;
-    channel(editor, ui, of, &Channel::Colour, words, &bright, actions);
+    channel(editor, ui, of, &Channel::Colour, words, actions);
     if let Some(&[r, g, b]) = editor.channel_value(of.at, &Channel::Colour).as_deref() {
         let size = vec2(24.0, 14.0);
         let right = row.x + ui.available_width();

@@ -126,15 +126,10 @@ fn links(editor: &Editor, ui: &mut Ui, of: Shown<'_>, actions: &mut Vec<Action>)
         }
         if of.node.aim.is_some() {
             let words = Words::new(texts.aim_weight, texts.aim_weight_hint);
-            channel(editor, ui, of, &Channel::AimWeight, words, &unit, actions);
+            channel(editor, ui, of, &Channel::AimWeight, words, actions);
         }
     }
     visible(editor, ui, of, actions);
-}
-
-/// A number from 0 to 1.
-pub(super) fn unit(number: Number<'_>) -> Number<'_> {
-    number.decimals(2).range(0.0..=1.0).steps(0.1, 0.005)
 }
 
 fn visible(editor: &Editor, ui: &mut Ui, of: Shown<'_>, actions: &mut Vec<Action>) {
@@ -167,45 +162,16 @@ fn place(editor: &Editor, ui: &mut Ui, of: Shown<'_>, actions: &mut Vec<Action>)
     if !heading.show(ui, actions).0 {
         return;
     }
-    let space = editor.shown_space();
     let position = Words::new(texts.position, texts.position_hint).of(&AXES);
-    channel(
-        editor,
-        ui,
-        of,
-        &Channel::Position,
-        position,
-        &|number| number.in_space(space),
-        actions,
-    );
+    channel(editor, ui, of, &Channel::Position, position, actions);
     let parts = [(texts.yaw, ""), (texts.pitch, ""), (texts.roll, "")];
     let rotation = Words::new(texts.rotation, texts.rotation_hint).of(&parts);
-    channel(
-        editor,
-        ui,
-        of,
-        &Channel::Rotation,
-        rotation,
-        &degrees,
-        actions,
-    );
+    channel(editor, ui, of, &Channel::Rotation, rotation, actions);
     let scale = Words::new(texts.scale, texts.scale_hint).of(&AXES);
-    channel(
-        editor,
-        ui,
-        of,
-        &Channel::Scale,
-        scale,
-        &super::kind_panel::plain,
-        actions,
-    );
+    channel(editor, ui, of, &Channel::Scale, scale, actions);
     if !of.node.kind.looks() {
         pivot(editor, ui, of, actions);
     }
-}
-
-pub(super) fn degrees(number: Number<'_>) -> Number<'_> {
-    number.unit("°").decimals(1).steps(1.0, 0.5)
 }
 
 fn pivot(editor: &Editor, ui: &mut Ui, of: Shown<'_>, actions: &mut Vec<Action>) {

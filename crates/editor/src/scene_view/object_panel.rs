@@ -7,7 +7,6 @@ use vides_engine::deform::{Deformation, identity_lattice};
 use vides_engine::scene::{Channel, Kind, Object, Part};
 
 use super::keys_panel::{Shown, Sign, Words, channel, heading, sign};
-use super::kind_panel::plain;
 use crate::action::Action;
 use crate::entry::Entry;
 use crate::number::Number;
@@ -119,14 +118,9 @@ fn deformation(
             at,
             parameter: parameter.to_owned(),
         };
-        let (word, is_angle) = parameter_words(editor, parameter);
-        let words = Words::new(word, texts.parameter_hint);
-        match (width, is_angle) {
-            (1, true) => {
-                let style = &super::node_panel::degrees;
-                channel(editor, ui, of, &of_parameter, words, style, actions);
-            }
-            (1, false) => channel(editor, ui, of, &of_parameter, words, &plain, actions),
+        let words = Words::new(parameter_name(editor, parameter), texts.parameter_hint);
+        match width {
+            1 => channel(editor, ui, of, &of_parameter, words, actions),
             _ => actions.extend(heading(editor, ui, of, &of_parameter, words)),
         }
     }
@@ -146,18 +140,17 @@ fn swap(editor: &Editor, (node, from, to): (usize, usize, usize), actions: &mut 
     actions.push(Action::Node(NodeAction::ShowBox(Some((node, shown)))));
 }
 
-/// What a parameter is called, and whether it is an angle.
-fn parameter_words<'a>(editor: &Editor, parameter: &'a str) -> (&'a str, bool) {
+fn parameter_name<'a>(editor: &Editor, parameter: &'a str) -> &'a str {
     let texts = &editor.texts().node;
     match parameter {
-        "angle" => (texts.angle, true),
-        "a" => (texts.middle_width, false),
-        "r0" => (texts.first_width, false),
-        "r1" => (texts.last_width, false),
-        "phi_min" => (texts.first_angle, true),
-        "phi_max" => (texts.last_angle, true),
-        "points" => (texts.lattice, false),
-        other => (other, false),
+        "angle" => texts.angle,
+        "a" => texts.middle_width,
+        "r0" => texts.first_width,
+        "r1" => texts.last_width,
+        "phi_min" => texts.first_angle,
+        "phi_max" => texts.last_angle,
+        "points" => texts.lattice,
+        other => other,
     }
 }
 

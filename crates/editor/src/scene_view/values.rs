@@ -345,22 +345,8 @@ fn at_rest(of: &Node, node: usize, channel: &Channel, value: &[f64]) -> Result<P
     let mut rest = Rest::of(of);
     let values = &mut rest.values;
     match (channel, value, &of.kind) {
-        (Channel::Position, &[x, y, z], _) => values.position = [x, y, z].into(),
-        (Channel::Scale, &[x, y, z], _) => values.scale = [x, y, z].into(),
         (Channel::Rotation, &[yaw, pitch, roll], _) => {
             values.rotation = of_angles([yaw, pitch, roll]);
-        }
-        (Channel::Rotation, &[w, x, y, z], _) => values.rotation = DQuat::from_xyzw(x, y, z, w),
-        (Channel::Visible, &[visible], _) => values.visible = visible != 0.0,
-        (Channel::Zoom, &[zoom], Kind::Camera(_)) => values.zoom = zoom,
-        (Channel::Roll, &[roll], Kind::Camera(_)) => values.roll = roll,
-        (Channel::Colour, &[r, g, b], Kind::Light(_) | Kind::Object(_)) => {
-            values.colour = [r, g, b];
-        }
-        (Channel::Intensity, &[intensity], Kind::Light(_)) => values.intensity = intensity,
-        (Channel::Cone, &[inner, outer], Kind::Light(_)) => values.cone = [inner, outer],
-        (Channel::AimWeight, &[weight], Kind::Light(_) | Kind::Camera(_)) => {
-            values.aim_weight = weight;
         }
         (Channel::Weights, weights, Kind::Object(_)) => {
             let weights = weights.to_vec();
@@ -385,6 +371,7 @@ fn at_rest(of: &Node, node: usize, channel: &Channel, value: &[f64]) -> Result<P
                 bounds,
             });
         }
+        _ if channel.width(of).is_ok() && values.set(channel, value) => {}
         _ => return Err(not_there(of, channel, value)),
     }
     let rest = Box::new(rest);

@@ -153,6 +153,15 @@ impl<T> Property<T> {
         found.unwrap_or(Kind::Nested)
     }
 
+    /// Sets it, rounded if it is a whole number; false if it is none.
+    pub fn set_number(&self, of: &mut T, number: f64) -> bool {
+        let mut value = match self.kinds {
+            [Kind::Whole] => Value::Whole(number.round() as i64),
+            _ => Value::Number(number),
+        };
+        (self.exchange)(of, &mut value)
+    }
+
     /// The key under which files have a value.
     #[must_use]
     pub fn key_of(&self, value: &Value) -> Option<&'static str> {
@@ -331,11 +340,7 @@ impl<F: Stored> Check<F> {
     /// # Errors
     /// [`crate::Error::Range`] or [`crate::Error::Argument`].
     pub fn run(&self, field: &F, space: Space) -> Result<()> {
-        let number = || match field.clone().value() {
-            Value::Number(number) => number,
-            Value::Whole(number) => number as f64,
-            _ => 0.0,
-        };
+        let number = || field.clone().value().number().unwrap_or_default();
         match self {
             Self::Any => Ok(()),
             Self::By(check) => check(field, space),

@@ -88,6 +88,18 @@ kinds! {
     UpPath(Arc<UpPath>) "list of places with tangents",
 }
 
+impl Value {
+    /// It, if it is a number.
+    #[must_use]
+    pub const fn number(&self) -> Option<f64> {
+        match self {
+            Self::Number(number) => Some(*number),
+            Self::Whole(number) => Some(*number as f64),
+            _ => None,
+        }
+    }
+}
+
 /// As files have it: TOML with the fewest digits that give the same bits back.
 impl fmt::Display for Value {
     fn fmt(&self, out: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use crate::limits::{MAX_COORDINATE, MAX_ZOOM, MIN_ZOOM};
+
 /// One thing of a node that a track moves. The order is that of a file.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Channel {
@@ -61,27 +63,39 @@ impl Channel {
     /// The names of all, or of those that a kind of node can have.
     #[doc(hidden)]
     pub fn names(kind: Option<&str>) -> impl Iterator<Item = &'static str> + Clone {
-        let has = move |channel: &Self| {
-            matches!(
-                (channel, kind),
-                (_, None)
-                    | (
-                        Self::Position | Self::Rotation | Self::Scale | Self::Visible,
-                        _
-                    )
-                    | (Self::Zoom | Self::Roll, Some("camera"))
-                    | (Self::Colour, Some("light" | "object"))
-                    | (Self::Intensity | Self::Cone, Some("light"))
-                    | (Self::AimWeight, Some("light" | "camera"))
-                    | (Self::Weights, Some("object"))
-            )
-        };
+        let has = move |channel: &Self| kind.is_none_or(|kind| channel.is_of(kind));
         let plain = PLAIN.iter().filter(move |(_, channel)| has(channel));
         let deforms = matches!(kind, None | Some("object")).then_some("deformation.N.NAME");
         plain
             .map(|(name, _)| *name)
             .chain(deforms)
             .chain(["value:NAME"])
+    }
+
+    /// Whether a node of this kind can have it.
+    pub(super) fn is_of(&self, kind: &str) -> bool {
+        match self {
+            Self::Position | Self::Rotation | Self::Scale | Self::Visible | Self::Value { .. } => {
+                true
+            }
+            Self::Zoom | Self::Roll => kind == "camera",
+            Self::Colour => matches!(kind, "light" | "object"),
+            Self::Intensity | Self::Cone => kind == "light",
+            Self::AimWeight => matches!(kind, "light" | "camera"),
+            Self::Weights | Self::Deformation { .. } => kind == "object",
+        }
+    }
+
+    /// The least and the greatest number that it may have.
+    #[must_use]
+    pub const fn range(&self) -> (f64, f64) {
+        match self {
+            Self::Visible | Self::AimWeight => (0.0, 1.0),
+            Self::Zoom => (MIN_ZOOM, MAX_ZOOM),
+            Self::Colour | Self::Intensity => (0.0, MAX_COORDINATE),
+            Self::Cone => (0.0, 90.0),
+            _ => (-MAX_COORDINATE, MAX_COORDINATE),
+        }
     }
 
     /// Whether both are the same channel of a node: the host's own by name, whatever their width.

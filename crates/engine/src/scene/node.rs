@@ -254,18 +254,7 @@ impl Channel {
                 channel: (&self).into(),
             })
         };
-        let kind = &node.kind;
-        let has = match self {
-            Self::Position | Self::Rotation | Self::Scale | Self::Visible | Self::Value { .. } => {
-                true
-            }
-            Self::Zoom | Self::Roll => matches!(kind, Kind::Camera(_)),
-            Self::Colour => matches!(kind, Kind::Light(_) | Kind::Object(_)),
-            Self::Intensity | Self::Cone => matches!(kind, Kind::Light(_)),
-            Self::AimWeight => matches!(kind, Kind::Light(_) | Kind::Camera(_)),
-            Self::Weights | Self::Deformation { .. } => matches!(kind, Kind::Object(_)),
-        };
-        let width = match (self, kind) {
+        let width = match (self, &node.kind) {
             (Self::Weights, Kind::Object(object)) => match object.shapes().len() {
                 0 => return Err(Invalid::NoShapes.into()),
                 shapes => Some(shapes),
@@ -281,6 +270,8 @@ impl Channel {
             }
             _ => self.own_width(),
         };
-        width.filter(|_| has).ok_or_else(none)
+        width
+            .filter(|_| self.is_of(node.kind.name()))
+            .ok_or_else(none)
     }
 }

@@ -261,7 +261,8 @@ impl Track {
                 return Err(OutOfRange::Exceeds(Quantity::Value, MAX_COORDINATE).into());
             }
         }
-        let inside = |low: f64, high: f64| value.iter().all(|v| (low..=high).contains(v));
+        let (low, high) = self.channel.range();
+        let inside = value.iter().all(|v| (low..=high).contains(v));
         let fits = match self.channel {
             Channel::Rotation if !self.interpolation.euler() => {
                 unit(quaternion(value))?;
@@ -272,16 +273,14 @@ impl Track {
                 true
             }
             Channel::Visible => value[0] == 0.0 || value[0] == 1.0,
-            Channel::Colour | Channel::Intensity => inside(0.0, MAX_COORDINATE),
-            Channel::Cone => inside(0.0, 90.0) && value[0] <= value[1],
-            Channel::AimWeight => inside(0.0, 1.0),
+            Channel::Cone => inside && value[0] <= value[1],
             Channel::Deformation { .. } => {
                 value
                     .iter()
                     .try_for_each(|&v| crate::deform::check_number(v))?;
                 true
             }
-            _ => true,
+            _ => inside,
         };
         if !fits {
             return Err(OutOfRange::ChannelValue.into());

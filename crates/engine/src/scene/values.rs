@@ -2,6 +2,7 @@
 
 use glam::{DQuat, DVec3};
 
+use super::channel::Channel;
 use super::state::Looks;
 use crate::error::{Error, Invalid, OutOfRange, Place, Quantity, Result};
 use crate::limits::{MAX_COORDINATE, MAX_ZOOM, MIN_ZOOM};
@@ -93,6 +94,24 @@ impl Default for Values {
 impl Values {
     pub(super) const fn looks(&self) -> Looks {
         (self.colour, self.intensity, self.cone, self.visible)
+    }
+
+    /// Sets the numbers of a channel; false if it is none of these, or has not so many.
+    pub fn set(&mut self, channel: &Channel, numbers: &[f64]) -> bool {
+        match (channel, numbers) {
+            (Channel::Position, &[x, y, z]) => self.position = DVec3::new(x, y, z),
+            (Channel::Rotation, &[w, x, y, z]) => self.rotation = DQuat::from_xyzw(x, y, z, w),
+            (Channel::Scale, &[x, y, z]) => self.scale = DVec3::new(x, y, z),
+            (Channel::Visible, &[visible]) => self.visible = visible != 0.0,
+            (Channel::Zoom, &[zoom]) => self.zoom = zoom,
+            (Channel::Roll, &[roll]) => self.roll = roll,
+            (Channel::Colour, &[r, g, b]) => self.colour = [r, g, b],
+            (Channel::Intensity, &[intensity]) => self.intensity = intensity,
+            (Channel::Cone, &[inner, outer]) => self.cone = [inner, outer],
+            (Channel::AimWeight, &[weight]) => self.aim_weight = weight,
+            _ => return false,
+        }
+        true
     }
 
     /// Everything finite and in range.

@@ -5,7 +5,7 @@
 use egui::{Rect, Sense, Ui, vec2};
 
 use crate::state::windows::SpeedWindow;
-use crate::windows::speed::section::{ABOUT, Section, Size, entered, entered_own};
+use crate::windows::speed::section::{ABOUT, Section, Size};
 
 mod distance;
 mod ease;
@@ -29,7 +29,7 @@ use crate::theme;
 use crate::windows::dock::docked;
 use crate::windows::sub_window::SubWindow;
 use vides_document::{At, Edit, Info};
-use vides_engine::limits::{MAX_FPS, MAX_FRAMES, MAX_HOLD};
+use vides_engine::limits::{MAX_FPS, MAX_FRAMES};
 use vides_engine::path::{BaseFrames, Pace};
 
 /// Least width of what stands beside the picture, and the gap.
@@ -136,15 +136,9 @@ fn length(
         let entry = Number::new(texts.frames, frames as f64)
             .hint(texts.frames_hint)
             .faint(section.fixed == 0)
-            .whole()
-            .range(0.0..=MAX_FRAMES as f64)
-            .steps(1.0, 0.5)
+            .of_view("frames")
             .show(ui, editor.language(), "speed.frames", 72.0);
-        // Whole, and within an u32.
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-        actions.extend(entered_own(editor, entry, |own, frames| {
-            own.frames = frames as u32
-        }));
+        actions.extend(editor.entered(entry, "frames"));
         let fps = editor.document.info().fps;
         let seconds = editor.language().number(frames as f64 / fps, 2);
         ui.colored_label(theme::palette(ui).weak, fill(texts.seconds, &[&seconds]));
@@ -254,15 +248,9 @@ fn numbers(editor: &Editor, ui: &mut Ui, section: &Section, actions: &mut Vec<Ac
         ui.label(texts.hold).on_hover_text(texts.hold_hint);
         let number = Number::new(texts.hold, f64::from(section.hold))
             .hint(texts.hold_hint)
-            .decimals(0)
-            .whole()
-            .range(0.0..=f64::from(MAX_HOLD))
-            .steps(1.0, 0.5);
+            .of_view("hold_frames");
         let entry = number.show(ui, editor.language(), "speed.hold", 72.0);
-        actions.extend(entered(editor, entry, |orientation, value| {
-            // `Number` keeps it in range and whole.
-            orientation.hold = value.round() as u32;
-        }));
+        actions.extend(editor.entered(entry, "hold_frames"));
     });
     ui.horizontal(|ui| {
         ui.label(texts.fps).on_hover_text(texts.fps_hint);
@@ -281,34 +269,24 @@ fn numbers(editor: &Editor, ui: &mut Ui, section: &Section, actions: &mut Vec<Ac
 
 /// The frames that each kind of change takes at speed 50, for the whole path.
 fn base_speeds(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
-    type Part = fn(&mut BaseFrames) -> &mut f64;
     let texts = &editor.texts().speed_window;
     let speeds = editor.document.path().base_frames;
-    let parts: [(&str, &str, Part); 4] = [
-        (texts.base_move, texts.base_move_hint, |speeds| {
-            &mut speeds.movement
-        }),
-        (texts.base_turn, texts.base_turn_hint, |speeds| {
-            &mut speeds.turning
-        }),
-        (texts.base_zoom, texts.base_zoom_hint, |speeds| {
-            &mut speeds.zoom
-        }),
-        (texts.base_roll, texts.base_roll_hint, |speeds| {
-            &mut speeds.rolling
-        }),
+    let words = [
+        (texts.base_move, texts.base_move_hint),
+        (texts.base_turn, texts.base_turn_hint),
+        (texts.base_zoom, texts.base_zoom_hint),
+        (texts.base_roll, texts.base_roll_hint),
     ];
     ui.label(texts.base).on_hover_text(texts.base_hint);
     let beside = if ui.available_width() < 2.0 * BESIDE {
         2
     } else {
-        parts.len()
+        words.len()
     };
     let width = share(ui, beside);
     ui.horizontal_wrapped(|ui| {
-        for (name, hint, part) in parts {
-            let mut now = speeds;
-            let frames = *part(&mut now);
+        for (row, (name, hint)) in BaseFrames::PROPERTIES.iter().zip(words) {
+            let frames = (row.value)(&speeds).number().unwrap_or_default();
             let full = format!("{}: {name}", texts.base);
             let entry = Number::new(&full, frames)
                 .label(name)
@@ -321,7 +299,7 @@ fn base_speeds(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
                 .show(ui, editor.language(), &format!("speed.base.{name}"), width);
             let entry = entry.map(|frames| {
                 let mut speeds = speeds;
-                *part(&mut speeds) = frames;
+                row.set_number(&mut speeds, frames);
                 Edit::set(At::Path, "base_speeds", speeds)
             });
             actions.push(Action::Enter(entry));

@@ -142,6 +142,15 @@ pub(crate) fn entered(
     Some(Action::Enter(entry.map(edit)))
 }
 
+impl Editor {
+    /// The same for a number by its key in files.
+    pub(crate) fn entered(&self, entry: Entry, key: &str) -> Option<Action> {
+        let (at, current) = (self.document.selection(), self.orientation()?);
+        let edit = |value| self.with_number(at, current, key, value);
+        Some(Action::Enter(entry.try_map(edit)))
+    }
+}
+
 /// The same for what it owns.
 pub(crate) fn entered_own(
     editor: &Editor,
