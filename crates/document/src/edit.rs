@@ -7,7 +7,7 @@ use vides_engine::tools::block::Fit;
 
 use super::info::Info;
 use vides_engine::path::{CameraPath, Orientation, Space, Up};
-use vides_engine::property::Value;
+use vides_engine::property::{Value, find};
 
 /// A change of a document. Points, orientations, segments and presets count from 0.
 #[derive(Debug, Clone, PartialEq)]
@@ -213,6 +213,30 @@ impl Edit {
             place,
             property,
             value: value.into(),
+        }
+    }
+
+    /// Whether it is refused where no path is edited.
+    pub(super) fn needs_path(&self) -> bool {
+        match self {
+            Self::Set {
+                place: At::Path,
+                property,
+                ..
+            } => find(Info::PROPERTIES, property).is_none(),
+            Self::Set {
+                place: At::Node(_), ..
+            }
+            | Self::EditNode(_)
+            | Self::ReplaceScene(_)
+            | Self::SetInfo(_)
+            | Self::SetSpace { .. }
+            | Self::Part(_)
+            | Self::AddNodes(_)
+            | Self::CopyNodes(_)
+            | Self::SetParent { .. }
+            | Self::RenameMarker { .. } => false,
+            _ => true,
         }
     }
 }

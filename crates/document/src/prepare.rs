@@ -3,9 +3,8 @@
 use glam::DVec3;
 
 use super::change::{Change, IDLE, Prepared, State};
-use super::edit::{At, Edit, Selection};
+use super::edit::{Edit, Selection};
 use super::edited_scene;
-use super::info::Info;
 use super::normalise::{check_all_orientations, count_orientations, normalise_point};
 use super::place;
 use super::scene_edit;
@@ -19,207 +18,197 @@ use vides_engine::path::insertion::{self, Insertion};
 use vides_engine::path::space::Move;
 use vides_engine::path::{CameraPath, Orientation, Space, SupportPoint, Target, Timeline};
 use vides_engine::path::{ahead, change_up};
-use vides_engine::property::{SameBits, find};
+use vides_engine::property::SameBits;
+use vides_engine::scene::Scene;
 use vides_engine::tools::{block, transform};
 
 pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
-    let path = &state.path;
-    let edit = match edit {
-        Edit::Set {
-            place: At::Path,
-            property,
-            value,
-        } if find(Info::PROPERTIES, property).is_some() => {
-            return Ok((set::set_info(state, property, value)?, None));
-        }
-        Edit::Set {
-            place: At::Node(node),
-            property,
-            value,
-        } => {
-            let part = set::rest(state, node, property, value)?;
-            return scene_edit::prepare(state, |edits| edits.part(part));
-        }
-        other => other,
-    };
     let none_edited = matches!(&state.edited_scene, Some(edited) if edited.node().is_none());
-    let needs_path = !matches!(
-        edit,
-        Edit::EditNode(_)
-            | Edit::ReplaceScene(_)
-            | Edit::SetInfo(_)
-            | Edit::SetSpace { .. }
-            | Edit::Part(_)
-            | Edit::AddNodes(_)
-            | Edit::CopyNodes(_)
-            | Edit::SetParent { .. }
-            | Edit::RenameMarker { .. }
-    );
-    if none_edited && needs_path {
+    if none_edited && edit.needs_path() {
         return Err(Refused::NoPathEdited.into());
     }
-    let change = match edit {
-        Edit::InsertPoint { at, position } => {
-            if at > path.points.len() {
-                return Err(Refused::NewPoint {
-                    at,
-                    last: path.points.len(),
-                }
-                .into());
-            }
-            let points = copies(state, at.saturating_sub(1), &[position])?;
-            return Ok(inserted(at, points));
-        }
-        Edit::AppendAfterLast => {
-            let position = place::beyond(path, End::Last)?;
-            let count = path.points.len();
-            let points = copies(state, count - 1, &[position])?;
-            return Ok(inserted(count, points));
-        }
-        Edit::PrependBeforeFirst => {
-            let position = place::beyond(path, End::First)?;
-            return Ok(inserted(0, copies(state, 0, &[position])?));
-        }
+    let path = &state.path;
+    match edit {
+        Edit::InsertPoint { at, position } => insert_point(state, at, position),
+        Edit::AppendAfterLast => beyond(state, End::Last),
+        Edit::PrependBeforeFirst => beyond(state, End::First),
         Edit::DivideSegment { segment, points } => {
             let mut room = [DVec3::ZERO; limits::MAX_DIVISION];
             let positions = place::divide(path, segment, points, &mut room)?;
-            return Ok(inserted(segment + 1, copies(state, segment, positions)?));
+            Ok(inserted(segment + 1, copies(state, segment, positions)?))
         }
-        Edit::InsertOnCurve { frame } => return on_curve(state, frame),
+        Edit::InsertOnCurve { frame } => on_curve(state, frame),
         Edit::FitFrames {
             first,
             last,
             frames,
-        } => fitted(path, first, last, frames)?,
-        Edit::RemovePoint { at } => {
-            point(path, at)?;
-            if path.points.len() <= limits::MIN_POINTS {
-                return Err(Refused::TwoPointsRemain.into());
-            }
-            return Ok((
-                Change::Splice(at, 1, vec_with_room(1)?, 0),
-                Some(Selection::at(at.saturating_sub(1), 0)),
-            ));
-        }
+        } => fitted(path, first, last, frames),
+        Edit::RemovePoint { at } => remove_point(path, at),
         Edit::MovePoint { from, to } => {
             point(path, from)?;
             point(path, to)?;
-            return Ok((Change::MovePoint(from, to), Some(Selection::at(to, 0))));
+            Ok((Change::MovePoint(from, to), Some(Selection::at(to, 0))))
         }
         Edit::Set {
             place,
             property,
             value,
-        } => set::set(state, place, property, value)?,
+        } => set::set(state, place, property, value),
         Edit::InsertOrientation {
             point,
             at,
             orientation,
-        } => return new_orientation(state, point, at, orientation),
-        Edit::RemoveOrientation { point, at } => {
-            orientation(path, point, at)?;
-            if path.points[point].orientations.len() == 1 {
-                return Err(Refused::OneOrientationRemains.into());
-            }
-            let change = Change::View([point, at], true, None, 0);
-            let selection = Selection::at(point, at.saturating_sub(1));
-            return Ok((change, Some(selection)));
-        }
+        } => new_orientation(state, point, at, orientation),
+        Edit::RemoveOrientation { point, at } => remove_orientation(path, point, at),
         Edit::SetOrientation {
             point,
             at,
             orientation: new,
-        } => view(path, point, at, new)?,
+        } => alone(view(path, point, at, new)?),
         Edit::SetAbsolute {
             point,
             at,
             absolute,
-        } => {
-            let mut orientation = no_longer_ahead(path, point, at)?;
-            let position = path.points[point].position;
-            let target = target::switched(orientation.target, position, absolute, path.space)?;
-            orientation.target = target;
-            Change::View([point, at], true, Some(orientation), 0)
-        }
+        } => aimed(path, point, at, absolute),
         Edit::SetInfo(mut info) => {
             info.check(path.space)?;
             info.normalise();
-            Change::info(info)
+            alone(Change::info(info))
         }
-        Edit::EditNode(node) => return other_node(state, node),
-        Edit::Part(part) => return scene_edit::prepare(state, |edits| edits.part(*part)),
-        Edit::AddNodes(nodes) => return scene_edit::prepare(state, |edits| edits.add(nodes)),
-        Edit::CopyNodes(nodes) => return scene_edit::prepare(state, |edits| edits.copy(&nodes)),
+        Edit::EditNode(node) => other_node(state, node),
+        Edit::Part(part) => scene_edit::prepare(state, |edits| edits.part(*part)),
+        Edit::AddNodes(nodes) => scene_edit::prepare(state, |edits| edits.add(nodes)),
+        Edit::CopyNodes(nodes) => scene_edit::prepare(state, |edits| edits.copy(&nodes)),
         Edit::SetParent { node, parent, keep } => {
-            return scene_edit::prepare(state, |edits| edits.parent(node, parent, keep));
+            scene_edit::prepare(state, |edits| edits.parent(node, parent, keep))
         }
         Edit::RenameMarker { from, to } => {
-            return scene_edit::prepare(state, |edits| edits.rename_marker(from, to));
+            scene_edit::prepare(state, |edits| edits.rename_marker(from, to))
         }
-        Edit::ReplaceScene(scene) => {
-            let (edited, path) = edited_scene::as_shown(*scene)?;
-            state.info.check(edited.scene().space())?;
-            let edited = Some(edited).filter(|edited| !edited.is_path_alone());
-            return exchanged_scene(edited, path, state.comments.of_file()?);
-        }
-        Edit::ReplacePath(path) => return replaced(state, *path, |point| point),
+        Edit::ReplaceScene(scene) => replaced_scene(state, *scene),
+        Edit::ReplacePath(path) => replaced(state, *path, |point| point),
         Edit::TransformPoints {
             points,
             matrix,
             with_targets,
-        } => exchanged(transform::transform(path, &points, &matrix, with_targets)?)?,
+        } => exchanged(transform::transform(path, &points, &matrix, with_targets)?),
         Edit::DeformPoints {
             points,
             deformation,
             bounds,
-            with_targets,
+            with_targets: targets,
         } => exchanged(transform::deform(
             path,
             &points,
             &deformation,
             bounds,
-            with_targets,
-        )?)?,
+            targets,
+        )?),
         Edit::InsertPath {
             at,
             block,
             fit,
             with_targets,
-        } => return insert_block(state, block::insert(path, at, &block, fit, with_targets)?),
-        Edit::Reverse => {
-            let count = path.points.len();
-            // A closed path still begins at its first point.
-            let begin = if path.closed { count } else { count - 1 };
-            let number = |point| (begin - point) % count;
-            return replaced(state, block::reverse(path)?, number);
-        }
-        Edit::Repeat(times) => {
-            return replaced(state, block::repeat(path, times)?, |point| point);
-        }
-        Edit::SetSpace { space, fit } => {
-            space.check()?;
-            state.info.check(space)?;
-            let change = if fit && path.space != space {
-                moved(path, space)?
-            } else {
-                path.check_in(space)?;
-                in_space(path, space)?
-            };
-            match &state.edited_scene {
-                // A scene that lies where its path does goes along.
-                Some(edited) if edited.scene().space() == path.space => {
-                    return scene_in(edited, path, &state.comments, space, fit);
-                }
-                _ => change,
-            }
-        }
-        Edit::ChangeUp(up) if up == path.space.up => IDLE,
+        } => insert_block(state, block::insert(path, at, &block, fit, with_targets)?),
+        Edit::Reverse => reversed(state),
+        Edit::Repeat(times) => replaced(state, block::repeat(path, times)?, |point| point),
+        Edit::SetSpace { space, fit } => in_other_space(state, space, fit),
+        Edit::ChangeUp(up) if up == path.space.up => Ok((IDLE, None)),
         Edit::ChangeUp(up) => {
             let changed = change_up::change_up(path, up)?;
-            return Ok((replaced(state, changed, |point| point)?.0, None));
+            alone(replaced(state, changed, |point| point)?.0)
         }
-    };
+    }
+}
+
+/// A record that leaves the selection.
+const fn alone(change: Change) -> Result<Prepared> {
     Ok((change, None))
+}
+
+fn insert_point(state: &State, at: usize, position: DVec3) -> Result<Prepared> {
+    let last = state.path.points.len();
+    if at > last {
+        return Err(Refused::NewPoint { at, last }.into());
+    }
+    Ok(inserted(
+        at,
+        copies(state, at.saturating_sub(1), &[position])?,
+    ))
+}
+
+/// The record of a point beyond an end.
+fn beyond(state: &State, end: End) -> Result<Prepared> {
+    let at = match end {
+        End::First => 0,
+        End::Last => state.path.points.len(),
+    };
+    insert_point(state, at, place::beyond(&state.path, end)?)
+}
+
+fn remove_point(path: &CameraPath, at: usize) -> Result<Prepared> {
+    point(path, at)?;
+    if path.points.len() <= limits::MIN_POINTS {
+        return Err(Refused::TwoPointsRemain.into());
+    }
+    Ok((
+        Change::Splice(at, 1, vec_with_room(1)?, 0),
+        Some(Selection::at(at.saturating_sub(1), 0)),
+    ))
+}
+
+fn remove_orientation(path: &CameraPath, point: usize, at: usize) -> Result<Prepared> {
+    orientation(path, point, at)?;
+    if path.points[point].orientations.len() == 1 {
+        return Err(Refused::OneOrientationRemains.into());
+    }
+    let change = Change::View([point, at], true, None, 0);
+    Ok((change, Some(Selection::at(point, at.saturating_sub(1)))))
+}
+
+/// The record of aiming at a place, or in a direction.
+fn aimed(path: &CameraPath, point: usize, at: usize, absolute: bool) -> Result<Prepared> {
+    let mut orientation = no_longer_ahead(path, point, at)?;
+    let position = path.points[point].position;
+    orientation.target = target::switched(orientation.target, position, absolute, path.space)?;
+    alone(Change::View([point, at], true, Some(orientation), 0))
+}
+
+fn replaced_scene(state: &State, scene: Scene) -> Result<Prepared> {
+    let (edited, path) = edited_scene::as_shown(scene)?;
+    state.info.check(edited.scene().space())?;
+    let edited = Some(edited).filter(|edited| !edited.is_path_alone());
+    exchanged_scene(edited, path, state.comments.of_file()?)
+}
+
+fn reversed(state: &State) -> Result<Prepared> {
+    let path = &state.path;
+    let count = path.points.len();
+    // A closed path still begins at its first point.
+    let begin = if path.closed { count } else { count - 1 };
+    replaced(state, block::reverse(path)?, |point| {
+        (begin - point) % count
+    })
+}
+
+/// The record of another space; `fit`: what is there is mapped into it.
+fn in_other_space(state: &State, space: Space, fit: bool) -> Result<Prepared> {
+    let path = &state.path;
+    space.check()?;
+    state.info.check(space)?;
+    let change = if fit && path.space != space {
+        moved(path, space)?
+    } else {
+        path.check_in(space)?;
+        in_space(path, space)?
+    };
+    match &state.edited_scene {
+        // A scene that lies where its path does goes along.
+        Some(edited) if edited.scene().space() == path.space => {
+            scene_in(edited, path, &state.comments, space, fit)
+        }
+        _ => alone(change),
+    }
 }
 
 /// The record of setting the space alone.
@@ -245,12 +234,12 @@ fn other_node(state: &State, node: Option<usize>) -> Result<Prepared> {
     }
 }
 
-fn exchanged(points: transform::Changed) -> Result<Change> {
+fn exchanged(points: transform::Changed) -> Result<Prepared> {
     let mut changes = vec_with_room(points.len())?;
     for (at, point) in points {
         changes.push(Change::Point(at, point));
     }
-    Ok(Change::Several(changes))
+    alone(Change::Several(changes))
 }
 
 fn insert_block(state: &State, inserted: block::Inserted) -> Result<Prepared> {
@@ -324,10 +313,10 @@ fn moved(path: &CameraPath, space: Space) -> Result<Change> {
     Ok(Change::Several(changes))
 }
 
-fn fitted(path: &CameraPath, first: usize, last: usize, frames: usize) -> Result<Change> {
+fn fitted(path: &CameraPath, first: usize, last: usize, frames: usize) -> Result<Prepared> {
     let timeline = Timeline::new(path)?;
     let fixed = fit_frames(path, &timeline, first, last, frames)?;
-    Ok(Change::Several(with_frames(path, fixed)?))
+    alone(Change::Several(with_frames(path, fixed)?))
 }
 
 fn check_room(state: &State, points: usize, orientations: usize) -> Result<()> {

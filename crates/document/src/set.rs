@@ -2,10 +2,11 @@
 
 use glam::DVec3;
 
-use super::change::{Change, IDLE, State};
+use super::change::{Change, IDLE, Prepared, State};
 use super::edit::At;
 use super::info::{Info, copy_text};
 use super::named::{keys, no_property};
+use super::scene_edit;
 use crate::error::{Error, OutOfRange, Refused, Result, can_allocate, vec_with_room};
 use vides_engine::math::orientation::wrap_degrees;
 use vides_engine::path::fit_frames::Fixed;
@@ -21,18 +22,19 @@ pub(super) fn set(
     place: At,
     property: &'static str,
     mut value: Value,
-) -> Result<Change> {
+) -> Result<Prepared> {
     let path = &state.path;
     if value == Value::Text(String::new()) {
         value = Value::Unset;
     }
-    match place {
+    let change = match place {
+        At::Path if find(Info::PROPERTIES, property).is_some() => set_info(state, property, value)?,
         At::Path => {
             let points = Vec::new();
             let own = CameraPath { points, ..*path };
             match changed(path, own, property, &mut value, path.space)? {
-                Some(settings) => Change::settings(settings),
-                None => Ok(IDLE),
+                Some(settings) => Change::settings(settings)?,
+                None => IDLE,
             }
         }
         At::Point(at) => {
@@ -48,7 +50,7 @@ pub(super) fn set(
                 ..*there
             };
             let point = changed(there, own, property, &mut value, path.space)?;
-            Ok(point.map_or(IDLE, |point| Change::Point(at, point)))
+            point.map_or(IDLE, |point| Change::Point(at, point))
         }
         At::View(point, at) => {
             let mut new = orientation(path, point, at)?.clone();
@@ -63,19 +65,18 @@ pub(super) fn set(
                     new.own = new.own.with(|own| own.ahead = None)?;
                 }
             }
-            view(path, point, at, new)
+            view(path, point, at, new)?
         }
-        At::Node(node) => Ok(Change::Part(rest(state, node, property, value)?, 0)),
-    }
+        At::Node(node) => {
+            let part = rest(state, node, property, value)?;
+            return scene_edit::prepare(state, |edits| edits.part(part));
+        }
+    };
+    Ok((change, None))
 }
 
 /// What a node has where nothing moves it, with a property set.
-pub(super) fn rest(
-    state: &State,
-    node: usize,
-    property: &'static str,
-    mut value: Value,
-) -> Result<Part> {
+fn rest(state: &State, node: usize, property: &'static str, mut value: Value) -> Result<Part> {
     let edited = state.edited_scene.as_ref().ok_or(Refused::NoScene)?;
     let mut rest = Rest::of(edited.scene().node(node)?);
     let row = exchange(&mut rest.values, property, &mut value, &Values::NEW)?;
@@ -88,7 +89,7 @@ pub(super) fn rest(
 }
 
 /// That of setting what the file has besides the path.
-pub(super) fn set_info(state: &State, property: &'static str, mut value: Value) -> Result<Change> {
+fn set_info(state: &State, property: &'static str, mut value: Value) -> Result<Change> {
     let mut info = Box::new(state.info.try_clone()?);
     let row = exchange(&mut *info, property, &mut value, &Info::NEW)?;
     (row.check)(&info, state.path.space)?;
