@@ -301,34 +301,9 @@ impl Tool {
                     frames: chosen(given.number("frames")),
                 }
             }
-            (Kind::Retime, _) => {
-                let points = given.points()?;
-                let request = Request {
-                    limits: document.info().limits,
-                    fps: document.info().fps,
-                    points: Some([points[0], points[points.len() - 1]]),
-                    seconds: given.number("seconds"),
-                };
-                Edit::ReplacePath(Box::new(retime(path, &request, progress)?.path))
-            }
-            (Kind::Steady, _) => {
-                let request = SteadyRequest {
-                    seconds: given.number("period"),
-                    within: given.number("within"),
-                    fps: document.info().fps,
-                };
-                let made = steady(path, &request, progress)?;
-                Edit::ReplacePath(Box::new(made.path))
-            }
-            (Kind::Avoid, _) => {
-                let request = AvoidRequest {
-                    clearance: given.number("clearance"),
-                    radius: given.number("sphere"),
-                };
-                let object = material.object_or_own(document)?;
-                let made = avoid_object(path, &object, &request, progress)?;
-                Edit::ReplacePath(Box::new(made.path))
-            }
+            (Kind::Retime, _) => Edit::ReplacePath(Box::new(given.retimed(progress)?)),
+            (Kind::Steady, _) => Edit::ReplacePath(Box::new(given.steadied(progress)?)),
+            (Kind::Avoid, _) => Edit::ReplacePath(Box::new(given.avoiding(material, progress)?)),
             (Kind::Picture, _) => {
                 let what = What::ALL[chosen(given.number("what")).min(What::ALL.len() - 1)];
                 let object = material.object_or_own(document)?;
@@ -467,6 +442,35 @@ impl<'a> ToolArguments<'a> {
             return Err(OutOfRange::NumberBetween(LAST.name, 1.0, count as f64).into());
         }
         Ok((first - 1..last).collect())
+    }
+
+    fn retimed(&self, progress: Progress<'_>) -> Result<CameraPath> {
+        let (points, info) = (self.points()?, self.document.info());
+        let request = Request {
+            limits: info.limits,
+            fps: info.fps,
+            points: Some([points[0], points[points.len() - 1]]),
+            seconds: self.number("seconds"),
+        };
+        Ok(retime(self.document.path(), &request, progress)?.path)
+    }
+
+    fn steadied(&self, progress: Progress<'_>) -> Result<CameraPath> {
+        let request = SteadyRequest {
+            seconds: self.number("period"),
+            within: self.number("within"),
+            fps: self.document.info().fps,
+        };
+        Ok(steady(self.document.path(), &request, progress)?.path)
+    }
+
+    fn avoiding(&self, material: &ToolInput, progress: Progress<'_>) -> Result<CameraPath> {
+        let request = AvoidRequest {
+            clearance: self.number("clearance"),
+            radius: self.number("sphere"),
+        };
+        let object = material.object_or_own(self.document)?;
+        Ok(avoid_object(self.document.path(), &object, &request, progress)?.path)
     }
 
     fn tour(&self, progress: Progress<'_>) -> Result<CameraPath> {

@@ -1,83 +1,40 @@
 //! What can be asked for in the window.
 
-use std::path::PathBuf;
+mod file;
+mod path;
+mod time;
+mod tool;
 
-use egui::Pos2;
-use glam::DVec3;
-use vides_document::tool::Tool;
+pub(crate) use file::FileAction;
+pub(crate) use path::PathAction;
+pub(crate) use time::TimeAction;
+pub(crate) use tool::ToolAction;
+
 use vides_document::{Edit, Selection};
 use vides_engine::limits::SPEEDS;
-use vides_engine::path::UpVector;
 use vides_engine::tools::check::Finding;
-use vides_engine::tools::profile::Quantity;
 
 use crate::entry::Entry;
-use crate::playing::axis::Seen;
 use crate::setup::{CameraPlace, Fold, Setup, Theme, View};
 use crate::space::cameras::Camera;
-use crate::state::files::{AfterSave, Purpose};
-use crate::state::playing::tracks::KeyMotion;
-use crate::state::playing::{Pace, Retiming};
 use crate::state::scene_view::{KeyAt, NodeAction, NodeCommand};
 use crate::state::selected::SelectionChange;
-use crate::state::space::{Gesture, Joint};
+use crate::state::space::Gesture;
 use crate::texts::Language;
 
 /// What a menu entry, a key, a button or a field stands for.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Action {
-    /// Ask for a file and load a path from it.
-    /// Begins an empty path.
-    New,
-    Load,
-    /// Save under the known name, else ask for one.
-    Save,
-    SaveAs,
-    Quit,
+    /// Something of files.
+    File(FileAction),
+    /// Something of the path's points and views.
+    Path(PathAction),
+    /// Something of the open tool.
+    Tool(ToolAction),
+    /// Something of the timeline.
+    Time(TimeAction),
     Undo,
     Redo,
-    /// `Pos.+`.
-    AddPoint,
-    /// `Pos.++`: ask how many.
-    AskPoints,
-    /// `Pos.++`: insert this many.
-    AddPoints(usize),
-    /// A key at the playhead.
-    AddHere,
-    /// `Pos.-`.
-    RemovePoint,
-    /// `<< Pos.`
-    PreviousPoint,
-    /// `Pos. >>`
-    NextPoint,
-    AppendPoint,
-    PrependPoint,
-    SwitchClosed,
-    /// Give the point own tangents as they are now, or take its own away.
-    OwnTangents(bool),
-    /// How own tangents are joined.
-    Join(Joint),
-    /// `Ori.+`.
-    AddOrientation,
-    /// `Ori.-`.
-    RemoveOrientation,
-    /// `<< Ori`
-    PreviousOrientation,
-    /// `Ori >>`
-    NextOrientation,
-    /// `Abs.` (true) or `Rel.` (false).
-    SetAbsolute(bool),
-    /// Take away what the current orientation owns of this.
-    ClearOverride(OwnedMotion),
-    /// Let the current orientation look along the way.
-    LookAhead,
-    /// Let the current orientation show all of the object.
-    ShowObject,
-    SetUp(UpVector),
-    /// Change between `Abs.` and `Rel.`.
-    SwitchAbsolute,
-    /// Let every orientation of the path look where the current one does.
-    AimAll,
     /// Copy the selected points, or the current orientation.
     Copy,
     /// Copy the selected points, and remove them.
@@ -86,22 +43,9 @@ pub(super) enum Action {
     Paste,
     /// The clipboard had this.
     Pasted(String),
-    PasteOrientation,
-    /// Open what was dropped on the window.
-    Dropped(Vec<PathBuf>),
-    LoadObject,
-    Export,
-    /// Write into this file, in the format of this name, whatever is lost.
-    WriteAs(PathBuf, &'static str),
-    Import,
     HandOver,
     /// Hand the poses over after each change, or no longer.
     SwitchHandsOver,
-    /// Take over the host's view as a new point, or in place of the current orientation.
-    TakeOver {
-        replace: bool,
-    },
-    Tool(Tool),
     Check,
     /// Go to the frames and the key of a finding.
     GoTo(Finding),
@@ -111,37 +55,11 @@ pub(super) enum Action {
     Mend(Vec<Edit>),
     /// Let the planner cure a finding, beside the window.
     Cure(Finding),
-    /// Show the path with the tool applied.
-    PreviewTool,
-    /// Show what the tool has made beside the window.
-    ToolMade,
-    /// Move a control point of the tool's cage.
-    MoveControl {
-        at: usize,
-        place: DVec3,
-    },
-    /// Continue the line being drawn for the tool: in the camera's picture, and in space.
-    DrawOn(Pos2, DVec3),
-    /// Take or give up that line.
-    EndDrawing {
-        keeps: bool,
-    },
-    /// Give the tool a line that was drawn.
-    Stroke(Vec<DVec3>),
-    /// `OK` of the tool, or its cancellation.
-    EndTool {
-        keeps: bool,
-    },
     Curve,
     SpeedCurve,
     Colours,
     Display,
     Space,
-    LoadSetup,
-    Recent(usize),
-    /// Open unsaved work that was found, by its number in the window.
-    Restore(usize),
-    SaveSetup,
     /// Dark, light, or the desktop's.
     Theme(Option<Theme>),
     /// The sensor for which the zoom panel tells the lens, by its height in mm.
@@ -150,13 +68,8 @@ pub(super) enum Action {
     SwitchCameraView,
     /// Put the camera's picture there, or back into its corner.
     CameraPlace(CameraPlace),
-    /// Show this in the graph, or else the pace, or no longer.
-    Plot(Option<Quantity>),
-    /// Open or close the speeds of the whole path.
-    SwitchSpeedGraph,
     /// See the camera's picture from there, or else from the path.
     Fly(Option<Camera>),
-    PlayOrPause,
     Keys,
     /// Select nodes of the scene, the current one first; no step.
     SelectNodes(Vec<usize>),
@@ -180,35 +93,8 @@ pub(super) enum Action {
     Select(Selection),
     /// Select several points.
     Choose(SelectionChange),
-    /// Move the selected points before this one.
-    MoveSelected(usize),
-    AimAt(DVec3),
-    /// Let every orientation look there.
-    AimAllAt(DVec3),
     /// See the movement space from there.
     View(View),
-    /// An entry into the play bar's frame.
-    Playhead(Entry),
-    SwitchLoops,
-    SwitchOnlySelected,
-    /// Keep the length of the path whatever is changed, or no longer.
-    SwitchKeepsLength,
-    /// What follows a key that is moved in time moves along, or no longer.
-    SwitchMovesAlong,
-    /// Move or copy a key in time, in place of what the open step has done.
-    Retime(Retiming),
-    /// Move or copy keys of the scene, likewise.
-    MoveKeys(Box<KeyMotion>),
-    /// Move a marker to a frame of the scene, likewise.
-    MoveMarker {
-        name: String,
-        to: f64,
-    },
-    /// The ruler counts frames, or seconds.
-    RulerInFrames(bool),
-    /// Show this part of the time on the timeline, or all.
-    See(Option<Seen>),
-    GraphHeight(f32),
     /// How much of the space's room the camera's picture beside it takes.
     CameraShare(f32),
     /// Show the sliders around the space, or hide them.
@@ -217,7 +103,6 @@ pub(super) enum Action {
     SwitchWireframe,
     /// Fold a panel, or unfold it.
     Fold(Fold),
-    Pace(Pace),
     Setup(Box<Setup>),
     /// A language of the window, or the environment's.
     Language(Option<Language>),
@@ -226,21 +111,34 @@ pub(super) enum Action {
     ApplyCurve(bool),
     /// Apply what is pending in the space window; true: and close it.
     ApplySpace(bool),
-    FileChosen(Purpose, PathBuf),
-    /// Discard unsaved work that was found, by its number in the window.
-    Discard(usize),
-    SaveBefore(AfterSave),
-    /// Go on, whatever is lost.
-    GoOn(AfterSave),
-    Reload,
-    /// Save under another name, and then go on.
-    SaveAsBefore(Option<AfterSave>),
-    /// Overwrite the file that has changed, and then go on.
-    Overwrite(Option<AfterSave>),
     /// Show a text in the output field.
     Say(String),
     /// Show what cannot be done in the output field.
     Complain(String),
+}
+
+impl From<FileAction> for Action {
+    fn from(action: FileAction) -> Self {
+        Self::File(action)
+    }
+}
+
+impl From<PathAction> for Action {
+    fn from(action: PathAction) -> Self {
+        Self::Path(action)
+    }
+}
+
+impl From<ToolAction> for Action {
+    fn from(action: ToolAction) -> Self {
+        Self::Tool(action)
+    }
+}
+
+impl From<TimeAction> for Action {
+    fn from(action: TimeAction) -> Self {
+        Self::Time(action)
+    }
 }
 
 impl Action {
@@ -255,106 +153,71 @@ impl Action {
 
     /// Whether a menu, a key or a button names it, which clears the output field.
     pub(super) const fn is_command(&self) -> bool {
-        !matches!(
-            self,
+        match self {
+            Self::File(action) => action.is_command(),
+            Self::Tool(action) => !matches!(action, ToolAction::Preview | ToolAction::Made),
+            Self::Time(action) => matches!(
+                action,
+                TimeAction::PlayOrPause | TimeAction::Plot(_) | TimeAction::SwitchSpeedGraph
+            ),
             Self::Edit(_)
-                | Self::Enter(_)
-                | Self::EnterMissing(_)
-                | Self::Gesture(_)
-                | Self::Node(_)
-                | Self::View(_)
-                | Self::Playhead(_)
-                | Self::SwitchLoops
-                | Self::SwitchOnlySelected
-                | Self::SwitchKeepsLength
-                | Self::SwitchMovesAlong
-                | Self::Retime(_)
-                | Self::MoveKeys(_)
-                | Self::MoveMarker { .. }
-                | Self::SwitchSliders
-                | Self::SwitchWireframe
-                | Self::Fold(_)
-                | Self::RulerInFrames(_)
-                | Self::See(_)
-                | Self::GraphHeight(_)
-                | Self::CameraShare(_)
-                | Self::Pace(_)
-                | Self::SelectKeys(_)
-                | Self::Setup(_)
-                | Self::Language(_)
-                | Self::CopySpeeds(_)
-                | Self::ApplyCurve(_)
-                | Self::ApplySpace(_)
-                | Self::FileChosen(..)
-                | Self::PreviewTool
-                | Self::ToolMade
-                | Self::Discard(_)
-                | Self::SaveBefore(_)
-                | Self::GoOn(_)
-                | Self::Reload
-                | Self::SaveAsBefore(_)
-                | Self::Overwrite(_)
-                | Self::Say(_)
-                | Self::Complain(_)
-        )
+            | Self::Enter(_)
+            | Self::EnterMissing(_)
+            | Self::Gesture(_)
+            | Self::Node(_)
+            | Self::View(_)
+            | Self::SwitchSliders
+            | Self::SwitchWireframe
+            | Self::Fold(_)
+            | Self::CameraShare(_)
+            | Self::SelectKeys(_)
+            | Self::Setup(_)
+            | Self::Language(_)
+            | Self::CopySpeeds(_)
+            | Self::ApplyCurve(_)
+            | Self::ApplySpace(_)
+            | Self::Say(_)
+            | Self::Complain(_) => false,
+            _ => true,
+        }
     }
 
     /// Whether a shown tool stays as it is. Any other action first takes what the tool shows.
     pub(super) const fn leaves_tool(&self) -> bool {
-        matches!(
-            self,
+        match self {
             Self::Tool(_)
-                | Self::PreviewTool
-                | Self::ToolMade
-                | Self::EndTool { .. }
-                | Self::MoveControl { .. }
-                | Self::DrawOn(..)
-                | Self::EndDrawing { .. }
-                | Self::Stroke(_)
-                | Self::Undo
-                | Self::Enter(Entry::Idle | Entry::Wrong(_) | Entry::End)
-                | Self::EnterMissing(Entry::Idle | Entry::Wrong(_) | Entry::End)
-                | Self::Gesture(Gesture::Press(_) | Gesture::End | Gesture::Cancel)
-                | Self::Check
-                | Self::GoTo(_)
-                | Self::Choose(_)
-                | Self::Select(_)
-                | Self::PreviousPoint
-                | Self::NextPoint
-                | Self::PreviousOrientation
-                | Self::NextOrientation
-                | Self::View(_)
-                | Self::Playhead(_)
-                | Self::PlayOrPause
-                | Self::SwitchLoops
-                | Self::SwitchOnlySelected
-                | Self::SwitchKeepsLength
-                | Self::SwitchMovesAlong
-                | Self::SwitchSliders
-                | Self::SwitchWireframe
-                | Self::Fold(_)
-                | Self::RulerInFrames(_)
-                | Self::See(_)
-                | Self::GraphHeight(_)
-                | Self::CameraShare(_)
-                | Self::Pace(_)
-                | Self::Plot(_)
-                | Self::Fly(_)
-                | Self::SwitchCameraView
-                | Self::Setup(_)
-                | Self::Theme(_)
-                | Self::SensorHeight(_)
-                | Self::Language(_)
-                | Self::Colours
-                | Self::Display
-                | Self::Keys
-                | Self::Copy
-                | Self::Paste
-                | Self::CopySpeeds(_)
-                | Self::FileChosen(Purpose::LoadBlock | Purpose::Import | Purpose::SaveBlock, _)
-                | Self::Say(_)
-                | Self::Complain(_)
-        )
+            | Self::Undo
+            | Self::Enter(Entry::Idle | Entry::Wrong(_) | Entry::End)
+            | Self::EnterMissing(Entry::Idle | Entry::Wrong(_) | Entry::End)
+            | Self::Gesture(Gesture::Press(_) | Gesture::End | Gesture::Cancel)
+            | Self::Check
+            | Self::GoTo(_)
+            | Self::Choose(_)
+            | Self::Select(_)
+            | Self::View(_)
+            | Self::SwitchSliders
+            | Self::SwitchWireframe
+            | Self::Fold(_)
+            | Self::CameraShare(_)
+            | Self::Fly(_)
+            | Self::SwitchCameraView
+            | Self::Setup(_)
+            | Self::Theme(_)
+            | Self::SensorHeight(_)
+            | Self::Language(_)
+            | Self::Colours
+            | Self::Display
+            | Self::Keys
+            | Self::Copy
+            | Self::Paste
+            | Self::CopySpeeds(_)
+            | Self::Say(_)
+            | Self::Complain(_) => true,
+            Self::File(action) => action.leaves_tool(),
+            Self::Path(action) => action.selects(),
+            Self::Time(action) => !action.takes_tool(),
+            _ => false,
+        }
     }
 }
 

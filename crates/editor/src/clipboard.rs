@@ -10,7 +10,7 @@ use vides_document::{Document, Edit, StepName, mesh};
 use vides_engine::limits::MIN_POINTS;
 use vides_engine::tools::block::Fit;
 
-use crate::action::Action;
+use crate::action::{Action, FileAction};
 use crate::files::{readable, short};
 use crate::state::files::{AfterSave, Purpose};
 use crate::state::scene_view::NodeCommand;
@@ -157,7 +157,10 @@ impl Editor {
             self.windows.dropped = Some(file.clone());
             self.ask_before(AfterSave::Dropped);
         } else if mesh::Format::of(file).is_some() {
-            let chosen = Action::FileChosen(Purpose::LoadObject(None), file.clone());
+            let chosen = Action::File(FileAction::FileChosen(
+                Purpose::LoadObject(None),
+                file.clone(),
+            ));
             self.act(chosen, context);
         } else {
             self.complain(fill(texts.unknown_file, &[&short(file)]));

@@ -4,7 +4,7 @@ use egui::{
     Color32, Context, CornerRadius, Event, Id, Key, Rect, Stroke, StrokeKind, Ui, UiBuilder, vec2,
 };
 
-use crate::action::Action;
+use crate::action::{Action, FileAction};
 use crate::entry::Entry;
 use crate::panels::output;
 use crate::setup::Theme;
@@ -127,7 +127,7 @@ fn asked(editor: &mut Editor, context: &Context) -> Vec<Action> {
             let files = input.raw.dropped_files.iter();
             files.map(|file| file.path().to_owned()).collect()
         });
-        actions.extend((!dropped.is_empty()).then_some(Action::Dropped(dropped)));
+        actions.extend((!dropped.is_empty()).then_some(Action::File(FileAction::Dropped(dropped))));
     }
     // Those of a scene are no keys while a text is typed; undone, a node is deleted again by the
     // same key.

@@ -5,7 +5,7 @@
 
 use egui::{Context, Event, Id, Key, Modifiers};
 
-use crate::action::Action;
+use crate::action::{Action, FileAction, PathAction, TimeAction};
 use crate::state::scene_view::NodeAction;
 use crate::state::selected::SelectionChange;
 use crate::texts::Language;
@@ -17,48 +17,68 @@ const CTRL_SHIFT: Modifiers = Modifiers::CTRL.plus(Modifiers::SHIFT);
 
 /// Every shortcut; the menu shows the first of several for one action.
 pub(super) const SHORTCUTS: &[(Modifiers, Key, Action)] = &[
-    (CTRL, Key::O, Action::Load),
-    (ALT, Key::L, Action::Load),
-    (CTRL, Key::N, Action::New),
-    (CTRL, Key::S, Action::Save),
-    (CTRL_SHIFT, Key::S, Action::SaveAs),
-    (ALT, Key::S, Action::SaveAs),
-    (ALT, Key::F4, Action::Quit),
-    (CTRL, Key::Q, Action::Quit),
+    (CTRL, Key::O, Action::File(FileAction::Load)),
+    (ALT, Key::L, Action::File(FileAction::Load)),
+    (CTRL, Key::N, Action::File(FileAction::New)),
+    (CTRL, Key::S, Action::File(FileAction::Save)),
+    (CTRL_SHIFT, Key::S, Action::File(FileAction::SaveAs)),
+    (ALT, Key::S, Action::File(FileAction::SaveAs)),
+    (ALT, Key::F4, Action::File(FileAction::Quit)),
+    (CTRL, Key::Q, Action::File(FileAction::Quit)),
     (CTRL, Key::Z, Action::Undo),
     (CTRL_SHIFT, Key::Z, Action::Redo),
     (CTRL, Key::Y, Action::Redo),
-    (CTRL, Key::E, Action::Export),
-    (NONE, Key::Insert, Action::AddPoint),
-    (CTRL, Key::K, Action::AddHere),
+    (CTRL, Key::E, Action::File(FileAction::Export)),
+    (NONE, Key::Insert, Action::Path(PathAction::AddPoint)),
+    (CTRL, Key::K, Action::Path(PathAction::AddHere)),
     (NONE, Key::K, Action::Node(NodeAction::SetKeys)),
-    (CTRL, Key::I, Action::AskPoints),
-    (NONE, Key::Delete, Action::RemovePoint),
-    (CTRL, Key::L, Action::SwitchClosed),
+    (CTRL, Key::I, Action::Path(PathAction::AskPoints)),
+    (NONE, Key::Delete, Action::Path(PathAction::RemovePoint)),
+    (CTRL, Key::L, Action::Path(PathAction::SwitchClosed)),
     (CTRL, Key::A, Action::Choose(SelectionChange::All)),
-    (CTRL, Key::PageDown, Action::NextPoint),
-    (CTRL, Key::PageUp, Action::PreviousPoint),
-    (ALT, Key::Insert, Action::AddOrientation),
-    (ALT, Key::Delete, Action::RemoveOrientation),
-    (CTRL_SHIFT, Key::PageDown, Action::NextOrientation),
-    (CTRL_SHIFT, Key::PageUp, Action::PreviousOrientation),
+    (CTRL, Key::PageDown, Action::Path(PathAction::NextPoint)),
+    (CTRL, Key::PageUp, Action::Path(PathAction::PreviousPoint)),
+    (ALT, Key::Insert, Action::Path(PathAction::AddOrientation)),
+    (
+        ALT,
+        Key::Delete,
+        Action::Path(PathAction::RemoveOrientation),
+    ),
+    (
+        CTRL_SHIFT,
+        Key::PageDown,
+        Action::Path(PathAction::NextOrientation),
+    ),
+    (
+        CTRL_SHIFT,
+        Key::PageUp,
+        Action::Path(PathAction::PreviousOrientation),
+    ),
     (CTRL, Key::C, Action::Copy),
     (CTRL, Key::X, Action::Cut),
     (CTRL, Key::V, Action::Paste),
     (ALT, Key::U, Action::HandOver),
-    (CTRL, Key::Enter, Action::TakeOver { replace: false }),
-    (CTRL_SHIFT, Key::Enter, Action::TakeOver { replace: true }),
+    (
+        CTRL,
+        Key::Enter,
+        Action::Path(PathAction::TakeOver { replace: false }),
+    ),
+    (
+        CTRL_SHIFT,
+        Key::Enter,
+        Action::Path(PathAction::TakeOver { replace: true }),
+    ),
     (ALT, Key::F, Action::Colours),
     (ALT, Key::Z, Action::Display),
-    (ALT, Key::T, Action::LoadSetup),
-    (ALT, Key::P, Action::SaveSetup),
+    (ALT, Key::T, Action::File(FileAction::LoadSetup)),
+    (ALT, Key::P, Action::File(FileAction::SaveSetup)),
     (NONE, Key::F1, Action::Keys),
     (NONE, Key::F2, Action::Curve),
     (NONE, Key::F3, Action::SpeedCurve),
     (NONE, Key::F4, Action::SwitchCameraView),
-    (NONE, Key::F5, Action::PlayOrPause),
-    (NONE, Key::F6, Action::SwitchAbsolute),
-    (NONE, Key::F7, Action::AimAll),
+    (NONE, Key::F5, Action::Time(TimeAction::PlayOrPause)),
+    (NONE, Key::F6, Action::Path(PathAction::SwitchAbsolute)),
+    (NONE, Key::F7, Action::Path(PathAction::AimAll)),
     (NONE, Key::F8, Action::Check),
 ];
 
@@ -66,18 +86,18 @@ pub(super) const SHORTCUTS: &[(Modifiers, Key, Action)] = &[
 const REPEATED: &[Action] = &[
     Action::Undo,
     Action::Redo,
-    Action::NextPoint,
-    Action::PreviousPoint,
-    Action::NextOrientation,
-    Action::PreviousOrientation,
+    Action::Path(PathAction::NextPoint),
+    Action::Path(PathAction::PreviousPoint),
+    Action::Path(PathAction::NextOrientation),
+    Action::Path(PathAction::PreviousOrientation),
 ];
 
 /// What a text being typed needs itself.
 const OF_TEXTS: &[Action] = &[
     Action::Undo,
     Action::Redo,
-    Action::RemovePoint,
-    Action::RemoveOrientation,
+    Action::Path(PathAction::RemovePoint),
+    Action::Path(PathAction::RemoveOrientation),
     Action::Copy,
     Action::Cut,
     Action::Paste,
@@ -224,12 +244,21 @@ mod tests {
     #[test]
     fn keys_are_named_in_the_windows_language() {
         let german = |action: Action| words(Language::German, &action);
-        assert_eq!(german(Action::Save).as_deref(), Some("Strg+S"));
+        assert_eq!(
+            german(Action::File(FileAction::Save)).as_deref(),
+            Some("Strg+S")
+        );
         assert_eq!(german(Action::Redo).as_deref(), Some("Strg+Umschalt+Z"));
-        assert_eq!(german(Action::RemovePoint).as_deref(), Some("Entf"));
+        assert_eq!(
+            german(Action::Path(PathAction::RemovePoint)).as_deref(),
+            Some("Entf")
+        );
         let english = |action: Action| words(Language::English, &action);
-        assert_eq!(english(Action::Quit).as_deref(), Some("Alt+F4"));
-        assert_eq!(english(Action::AppendPoint), None);
+        assert_eq!(
+            english(Action::File(FileAction::Quit)).as_deref(),
+            Some("Alt+F4")
+        );
+        assert_eq!(english(Action::Path(PathAction::AppendPoint)), None);
     }
 
     /// What is done often needs no menu.

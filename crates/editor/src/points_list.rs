@@ -10,7 +10,7 @@ use egui::{
 };
 use vides_document::{At, Document, Edit, Selection};
 
-use crate::action::Action;
+use crate::action::{Action, PathAction};
 use crate::panels::parts::{PanelButton, button_row};
 use crate::state::Editor;
 use crate::state::points_list::{NameField, PointsList, Renaming, Row};
@@ -348,7 +348,7 @@ impl PointsList {
             return;
         }
         self.dragged = None;
-        actions.push(Action::MoveSelected(before));
+        actions.push(Action::Path(PathAction::MoveSelected(before)));
     }
 }
 
@@ -356,12 +356,28 @@ impl PointsList {
 fn buttons(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let (point, view) = (&editor.texts().position, &editor.texts().orientation);
     let points = [
-        PanelButton::new(point.add, point.add_hint, Action::AddPoint),
-        PanelButton::new(point.remove, point.remove_hint, Action::RemovePoint),
+        PanelButton::new(
+            point.add,
+            point.add_hint,
+            Action::Path(PathAction::AddPoint),
+        ),
+        PanelButton::new(
+            point.remove,
+            point.remove_hint,
+            Action::Path(PathAction::RemovePoint),
+        ),
     ];
     let views = [
-        PanelButton::new(view.add, view.add_hint, Action::AddOrientation),
-        PanelButton::new(view.remove, view.remove_hint, Action::RemoveOrientation),
+        PanelButton::new(
+            view.add,
+            view.add_hint,
+            Action::Path(PathAction::AddOrientation),
+        ),
+        PanelButton::new(
+            view.remove,
+            view.remove_hint,
+            Action::Path(PathAction::RemoveOrientation),
+        ),
     ];
     ui.spacing_mut().item_spacing.y = theme::GAP;
     for row in [points, views] {
@@ -373,11 +389,11 @@ fn buttons(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
 fn by_keys(editor: &Editor, ui: &Ui, actions: &mut Vec<Action>) {
     let pressed = |key| ui.input_mut(|input| input.consume_key(Modifiers::NONE, key));
     if pressed(Key::ArrowUp) && editor.document.selection().point > 0 {
-        actions.push(Action::PreviousPoint);
+        actions.push(Action::Path(PathAction::PreviousPoint));
     }
     let last = editor.document.path().points.len() - 1;
     if pressed(Key::ArrowDown) && editor.document.selection().point < last {
-        actions.push(Action::NextPoint);
+        actions.push(Action::Path(PathAction::NextPoint));
     }
     if editor.several().is_some() && keys::take_escape(ui.ctx()) {
         actions.push(Action::Choose(SelectionChange::Current));

@@ -95,73 +95,62 @@ pub enum Loss {
 
 impl fmt::Display for Loss {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let several = |count: &usize| if *count == 1 { "" } else { "s" };
         match self {
-            Self::OtherNodes(n) => write!(f, "{n} other node{} left out", several(n)),
-            Self::OtherCameras(n) => write!(f, "{n} other camera{} left out", several(n)),
-            Self::Object => write!(f, "the object is left out"),
-            Self::Path => write!(f, "points, speeds and holds become poses, one a frame"),
-            Self::Aims(n) => write!(
-                f,
-                "{n} aim{} turned into rotations, one a frame",
-                several(n)
-            ),
-            Self::Interpolations(n) => write!(
-                f,
-                "{n} track{} of an interpolation that the format lacks turned into a key a frame",
-                several(n)
-            ),
-            Self::Deformations(n) => {
-                write!(f, "{n} deformed object{} as at rest", several(n))
+            Self::OtherNodes(n) => counted(f, *n, "other node% left out"),
+            Self::OtherCameras(n) => counted(f, *n, "other camera% left out"),
+            Self::Object => f.write_str("the object is left out"),
+            Self::Path => f.write_str("points, speeds and holds become poses, one a frame"),
+            Self::Aims(n) => counted(f, *n, "aim% turned into rotations, one a frame"),
+            Self::Interpolations(n) => {
+                let what =
+                    "track% of an interpolation that the format lacks turned into a key a frame";
+                counted(f, *n, what)
             }
-            Self::Resampled(n) => write!(
+            Self::Deformations(n) => counted(f, *n, "deformed object% as at rest"),
+            Self::Resampled(n) => {
+                let s = plural(*n);
+                write!(
+                    f,
+                    "the motion of {n} node{s} is computed anew, a key a frame"
+                )
+            }
+            Self::Forms(n) => {
+                let what = "deformed or morphed object% as points, frame by frame where they move";
+                counted(f, *n, what)
+            }
+            Self::Scaled(1) => {
+                f.write_str("1 camera or light in scaled nodes stands at the top, a pose a frame")
+            }
+            Self::Scaled(n) => {
+                let what = "camera% or light% in scaled nodes stand at the top, a pose a frame";
+                counted(f, *n, what)
+            }
+            Self::HostChannels(n) => counted(f, *n, "channel% of the host left out"),
+            Self::Roll(n) => write!(f, "roll is left out, in {n} pose{}", plural(*n)),
+            Self::FieldOfView => f.write_str("the field of view is left out"),
+            Self::FieldsClamped(n) => counted(
                 f,
-                "the motion of {n} node{} is computed anew, a key a frame",
-                several(n)
+                *n,
+                "field% of view beyond 0.69 to 170.5 degrees, clamped",
             ),
-            Self::Forms(n) => write!(
-                f,
-                "{n} deformed or morphed object{} as points, frame by frame where they move",
-                several(n)
-            ),
-            Self::Scaled(n) => write!(
-                f,
-                "{n} camera{} or light{} in scaled nodes stand{} at the top, a pose a frame",
-                several(n),
-                several(n),
-                if *n == 1 { "s" } else { "" }
-            ),
-            Self::HostChannels(n) => write!(f, "{n} channel{} of the host left out", several(n)),
-            Self::Roll(n) => write!(f, "roll is left out, in {n} pose{}", several(n)),
-            Self::FieldOfView => write!(f, "the field of view is left out"),
-            Self::FieldsClamped(n) => write!(
-                f,
-                "{n} field{} of view beyond 0.69 to 170.5 degrees, clamped",
-                several(n)
-            ),
-            Self::Times => write!(f, "there are no times: a pose is a frame"),
+            Self::Times => f.write_str("there are no times: a pose is a frame"),
             Self::Distortion(n) => {
-                write!(f, "the distortion of {n} camera{} is left out", several(n))
+                write!(f, "the distortion of {n} camera{} is left out", plural(*n))
             }
-            Self::OffCentre(n) => write!(
+            Self::OffCentre(n) => counted(
                 f,
-                "{n} picture{} whose axis is off the centre: taken as in it",
-                several(n)
+                *n,
+                "picture% whose axis is off the centre: taken as in it",
             ),
-            Self::Skins(n) => write!(
-                f,
-                "{n} skinned mesh{} as at rest",
-                if *n == 1 { "" } else { "es" }
-            ),
-            Self::Sheared(n) => write!(f, "{n} node{} without their shear", several(n)),
-            Self::OtherAnimations(n) => {
-                write!(f, "{n} other animation{} left out", several(n))
-            }
+            Self::Skins(1) => f.write_str("1 skinned mesh as at rest"),
+            Self::Skins(n) => write!(f, "{n} skinned meshes as at rest"),
+            Self::Sheared(n) => counted(f, *n, "node% without their shear"),
+            Self::OtherAnimations(n) => counted(f, *n, "other animation% left out"),
             Self::FrameNumbers { first, last } => write!(
                 f,
                 "the first frame is 1 and not {first}: its frames are whole numbers from 0 to {last}"
             ),
-            Self::OwnSpline => write!(f, "its viewer joins the keys by a spline of its own"),
+            Self::OwnSpline => f.write_str("its viewer joins the keys by a spline of its own"),
             Self::Fitted {
                 points,
                 off,
@@ -186,41 +175,35 @@ impl fmt::Display for Loss {
             Self::Epoch(start) => {
                 write!(f, "the times begin at {start} s: they count from 0 here")
             }
-            Self::Rates(n) => write!(f, "{n} rate{} beyond 0 to {MAX_FPS} left out", several(n)),
-            Self::Markers(n) => write!(f, "{n} marker{} left out", several(n)),
-            Self::PointColours => write!(f, "the colours of points are left out"),
-            Self::ColourTracks(n) => {
-                write!(f, "{n} changing colour{} as at the first frame", several(n))
-            }
-            Self::Textures(n) => write!(f, "{n} texture{} left out", several(n)),
+            Self::Rates(n) => write!(f, "{n} rate{} beyond 0 to {MAX_FPS} left out", plural(*n)),
+            Self::Markers(n) => counted(f, *n, "marker% left out"),
+            Self::PointColours => f.write_str("the colours of points are left out"),
+            Self::ColourTracks(n) => counted(f, *n, "changing colour% as at the first frame"),
+            Self::Textures(n) => counted(f, *n, "texture% left out"),
             Self::Orthographic(n) => {
-                write!(
-                    f,
-                    "{n} camera{} without perspective, taken as with it",
-                    several(n)
-                )
+                counted(f, *n, "camera% without perspective, taken as with it")
             }
             Self::Oblong(n) => write!(
                 f,
                 "the width of {n} picture{} whose pixels are not square: their height counts",
-                several(n)
+                plural(*n)
             ),
-            Self::OtherScenes(n) => write!(f, "{n} other scene{} left out", several(n)),
-            Self::OtherTracks(n) => {
-                write!(
-                    f,
-                    "{n} animation{} of other properties left out",
-                    several(n)
-                )
-            }
-            Self::Sizes(n) => write!(
-                f,
-                "the scale in {n} matri{} left out",
-                if *n == 1 { "x" } else { "ces" }
-            ),
+            Self::OtherScenes(n) => counted(f, *n, "other scene% left out"),
+            Self::OtherTracks(n) => counted(f, *n, "animation% of other properties left out"),
+            Self::Sizes(1) => f.write_str("the scale in 1 matrix left out"),
+            Self::Sizes(n) => write!(f, "the scale in {n} matrices left out"),
             Self::NotTaken { what, count } => write!(f, "{what} is not taken, {count} of it"),
         }
     }
+}
+
+const fn plural(count: usize) -> &'static str {
+    if count == 1 { "" } else { "s" }
+}
+
+/// A number of things; each % is the s of several.
+fn counted(f: &mut fmt::Formatter<'_>, count: usize, what: &str) -> fmt::Result {
+    write!(f, "{count} {}", what.replace('%', plural(count)))
 }
 
 /// What is told of a file that was written or read.

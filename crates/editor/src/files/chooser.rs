@@ -13,7 +13,7 @@ use vides_formats::formats;
 
 use super::listing::{MAX_ENTRIES, fits, is_hidden};
 use super::naming::{described, filter_of, is_export, tidy, with_ending};
-use crate::action::Action;
+use crate::action::{Action, FileAction};
 use crate::files::exchange::DEFAULT;
 use crate::files::{folders, picture, readable, short};
 use crate::state::Editor;
@@ -129,7 +129,9 @@ impl FileWindow {
             self.go(editor, place);
         } else if done.take {
             let file = self.take(editor);
-            actions.extend(file.map(|file| Action::FileChosen(self.purpose, tidy(&file))));
+            actions.extend(
+                file.map(|file| Action::File(FileAction::FileChosen(self.purpose, tidy(&file)))),
+            );
         }
         true
     }

@@ -3,6 +3,7 @@
 mod autosave;
 mod chooser;
 mod exchange;
+mod file_action;
 pub(crate) mod folders;
 mod listing;
 mod naming;

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use egui::{Button, vec2};
 
-use crate::action::Action;
+use crate::action::{Action, FileAction};
 use crate::files::short;
 use crate::keys;
 use crate::state::Editor;
@@ -70,7 +70,11 @@ impl Question {
         let (texts, files) = (&editor.texts().questions, &editor.texts().files);
         let name = editor.file.as_deref().map(short);
         let cancel = (texts.cancel, texts.cancel_hint, None);
-        let reload = (texts.reload, texts.reload_hint, Some(Action::Reload));
+        let reload = (
+            texts.reload,
+            texts.reload_hint,
+            Some(Action::File(FileAction::Reload)),
+        );
         Some(match &self.about {
             &About::Unsaved(then) => {
                 let text = match then {
@@ -82,7 +86,10 @@ impl Question {
                     AfterSave::Restore(_) => texts.before_restore,
                 };
                 let name = name.unwrap_or_else(|| texts.this_path.to_owned());
-                let (save, discard) = (Action::SaveBefore(then), Action::GoOn(then));
+                let (save, discard) = (
+                    Action::File(FileAction::SaveBefore(then)),
+                    Action::File(FileAction::GoOn(then)),
+                );
                 Parts {
                     place: ("question", texts.unsaved, 380.0, 96.0),
                     text: fill(text, &[&name]),
@@ -109,7 +116,10 @@ impl Question {
                 }
             }
             &About::Changed(then) => {
-                let (save_as, overwrite) = (Action::SaveAsBefore(then), Action::Overwrite(then));
+                let (save_as, overwrite) = (
+                    Action::File(FileAction::SaveAsBefore(then)),
+                    Action::File(FileAction::Overwrite(then)),
+                );
                 Parts {
                     place: ("changed", texts.changed, 480.0, 112.0),
                     text: fill(texts.changed_since, &[&name?]),
@@ -127,7 +137,7 @@ impl Question {
                 for loss in lost {
                     text += &format!("\n•  {loss}");
                 }
-                let write = Action::WriteAs(file.clone(), format);
+                let write = Action::File(FileAction::WriteAs(file.clone(), format));
                 Parts {
                     place: ("losses", texts.losses, 480.0, 112.0),
                     text,

@@ -4,7 +4,7 @@ use std::time::{Duration, SystemTime};
 
 use egui::{Button, Ui, Vec2, vec2};
 
-use crate::action::Action;
+use crate::action::{Action, FileAction};
 use crate::files::recovery::Found;
 use crate::files::{picture, short};
 use crate::host::program::Date;
@@ -72,7 +72,7 @@ impl RecoveryWindow {
                     let button = |text| Button::new(text).min_size(BUTTON);
                     let restore = ui.add(button(texts.restore));
                     if restore.on_hover_text(texts.restore_hint).clicked() {
-                        answer = Some(Some(Action::Restore(index)));
+                        answer = Some(Some(Action::File(FileAction::Restore(index))));
                     }
                     let words = match offered.goes {
                         true => egui::RichText::new(texts.discard_now).color(palette.error),
@@ -81,7 +81,7 @@ impl RecoveryWindow {
                     let discard = ui.add(Button::new(words).min_size(BUTTON));
                     if discard.on_hover_text(texts.discard_hint).clicked() {
                         let goes = std::mem::replace(&mut offered.goes, true);
-                        answer = goes.then_some(Some(Action::Discard(index)));
+                        answer = goes.then_some(Some(Action::File(FileAction::Discard(index))));
                     }
                 });
             });

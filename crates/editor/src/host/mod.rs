@@ -15,7 +15,7 @@ use vides_engine::math::orientation;
 use vides_engine::math::view::View;
 use vides_engine::path::{Change, Orientation, Overrides, Pose, Space, Target};
 
-use crate::action::Action;
+use crate::action::{Action, PathAction};
 use crate::space::cameras::Camera;
 use crate::state::host::{HostPane, PlayheadState};
 use crate::state::{Editor, Reason, Request};
@@ -388,7 +388,7 @@ pub(crate) fn button(
     shown
         .inner
         .clicked()
-        .then_some(Action::TakeOver { replace })
+        .then_some(Action::Path(PathAction::TakeOver { replace }))
 }
 
 #[cfg(test)]

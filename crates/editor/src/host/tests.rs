@@ -145,7 +145,7 @@ fn a_view_is_taken_over_as_it_is() {
             UpVector::Point(DVec3::new(0.3, 0.9, -0.2)),
         ];
         let context = window.ctx.clone();
-        let other = Action::SetUp(ups[n / 2 % 3].clone());
+        let other = Action::Path(PathAction::SetUp(ups[n / 2 % 3].clone()));
         window.state_mut().act(other, &context);
         let old = window.state().document.selection();
         window.state_mut().take_over(Some(&given), replace);

@@ -25,11 +25,11 @@ pub(super) struct Entry {
 }
 
 impl Entry {
-    pub(super) const fn new(text: &'static str, hint: &'static str, action: Action) -> Self {
+    pub(super) fn new(text: &'static str, hint: &'static str, action: impl Into<Action>) -> Self {
         Self {
             text: Cow::Borrowed(text),
             hint: Cow::Borrowed(hint),
-            action,
+            action: action.into(),
             letter: None,
             other_letter: None,
             enabled: true,

@@ -18,7 +18,7 @@ use vides_document::tool::Needs;
 use vides_engine::limits::MIN_POINTS;
 
 use self::entry::{Entry, Menu};
-use crate::action::Action;
+use crate::action::{Action, FileAction, PathAction, ToolAction};
 use crate::setup::Theme;
 use crate::state::Editor;
 use crate::state::scene_view::{NewNode, NodeCommand};
@@ -61,22 +61,22 @@ pub(super) fn names(editor: &Editor, menu: usize) -> Vec<(Action, Cow<'static, s
 fn file(editor: &Editor) -> Vec<Entry> {
     let (texts, hints) = (&editor.texts().menu, &editor.texts().menu_hints);
     let mut file = vec![
-        Entry::new(texts.new, hints.new, Action::New),
-        Entry::new(texts.load, hints.load, Action::Load),
-        Entry::new(texts.load_object, hints.load_object, Action::LoadObject),
-        Entry::new(texts.save, hints.save, Action::Save).apart(),
-        Entry::new(texts.save_as, hints.save_as, Action::SaveAs),
-        Entry::new(texts.import, hints.import, Action::Import).apart(),
-        Entry::new(texts.export, hints.export, Action::Export),
+        Entry::new(texts.new, hints.new, FileAction::New),
+        Entry::new(texts.load, hints.load, FileAction::Load),
+        Entry::new(texts.load_object, hints.load_object, FileAction::LoadObject),
+        Entry::new(texts.save, hints.save, FileAction::Save).apart(),
+        Entry::new(texts.save_as, hints.save_as, FileAction::SaveAs),
+        Entry::new(texts.import, hints.import, FileAction::Import).apart(),
+        Entry::new(texts.export, hints.export, FileAction::Export),
     ];
     let recent = editor.recent.iter().zip(editor.recent_names());
     file.extend(recent.enumerate().map(|(number, (path, name))| Entry {
         text: name.into(),
         hint: fill(hints.recent, &[&path.display()]).into(),
         apart: number == 0,
-        ..Entry::new("", "", Action::Recent(number))
+        ..Entry::new("", "", FileAction::Recent(number))
     }));
-    file.push(Entry::new(texts.quit, hints.quit, Action::Quit).apart());
+    file.push(Entry::new(texts.quit, hints.quit, FileAction::Quit).apart());
     file
 }
 
@@ -99,21 +99,25 @@ fn edit(editor: &Editor) -> Vec<Entry> {
         travel(editor, true, forth).only_if(editor.document.can_redo(), output.nothing_to_redo),
     ];
     let of_path = [
-        Entry::new(texts.add_point, position.add_hint, Action::AddPoint)
+        Entry::new(texts.add_point, position.add_hint, PathAction::AddPoint)
             .only_if(editor.has_segment(), position.last_point)
             .apart(),
-        Entry::new(texts.add_points, position.add_many_hint, Action::AskPoints)
-            .only_if(editor.has_segment(), position.last_point),
+        Entry::new(
+            texts.add_points,
+            position.add_many_hint,
+            PathAction::AskPoints,
+        )
+        .only_if(editor.has_segment(), position.last_point),
         Entry {
             text: editor.removal(),
-            ..Entry::new("", position.remove_hint, Action::RemovePoint)
+            ..Entry::new("", position.remove_hint, PathAction::RemovePoint)
         }
         .only_if(path.points.len() > MIN_POINTS, position.two_remain),
-        Entry::new(texts.append, hints.append, Action::AppendPoint)
+        Entry::new(texts.append, hints.append, PathAction::AppendPoint)
             .only_if(!closed, position.closed_has_no_ends),
-        Entry::new(texts.prepend, hints.prepend, Action::PrependPoint)
+        Entry::new(texts.prepend, hints.prepend, PathAction::PrependPoint)
             .only_if(!closed, position.closed_has_no_ends),
-        Entry::new(texts.close, close_hint, Action::SwitchClosed)
+        Entry::new(texts.close, close_hint, PathAction::SwitchClosed)
             .letter(Key::G)
             .on(closed),
         Entry::new(
@@ -124,13 +128,13 @@ fn edit(editor: &Editor) -> Vec<Entry> {
         Entry::new(
             texts.add_orientation,
             orientation.add_hint,
-            Action::AddOrientation,
+            PathAction::AddOrientation,
         )
         .apart(),
         Entry::new(
             texts.remove_orientation,
             orientation.remove_hint,
-            Action::RemoveOrientation,
+            PathAction::RemoveOrientation,
         )
         .only_if(orientations > 1, orientation.one_remains),
         Entry::new(copy, copy_hint, Action::Copy).apart(),
@@ -139,10 +143,10 @@ fn edit(editor: &Editor) -> Vec<Entry> {
         Entry::new(
             texts.paste_orientation,
             hints.paste_orientation,
-            Action::PasteOrientation,
+            PathAction::PasteOrientation,
         )
         .only_if(editor.copied.is_some(), output.nothing_copied),
-        Entry::new(texts.aim_all, hints.aim_all, Action::AimAll),
+        Entry::new(texts.aim_all, hints.aim_all, PathAction::AimAll),
         Entry::new(texts.speeds, hints.speeds, Action::SpeedCurve).apart(),
         Entry::new(texts.space, hints.space, Action::Space),
     ];
@@ -161,7 +165,7 @@ fn edit(editor: &Editor) -> Vec<Entry> {
 fn without_path(editor: &Editor, entry: Entry) -> Entry {
     let (texts, hints) = (&editor.texts().menu, &editor.texts().menu_hints);
     let (text, hint) = match entry.action {
-        Action::RemovePoint => (texts.remove_nodes, hints.remove_nodes),
+        Action::Path(PathAction::RemovePoint) => (texts.remove_nodes, hints.remove_nodes),
         Action::Choose(SelectionChange::All) => (texts.all_nodes, hints.all_nodes),
         Action::Copy => (texts.copy_nodes, hints.copy_nodes),
         Action::Cut => (texts.cut_nodes, hints.cut_nodes),
@@ -222,7 +226,7 @@ fn travel(editor: &Editor, redo: bool, step: Option<StepName>) -> Entry {
 fn output(editor: &Editor) -> Vec<Entry> {
     let (texts, hints) = (&editor.texts().menu, &editor.texts().menu_hints);
     vec![
-        Entry::new(texts.export, hints.export, Action::Export).letter(Key::D),
+        Entry::new(texts.export, hints.export, FileAction::Export).letter(Key::D),
         Entry::new(texts.hand_over, hints.hand_over, Action::HandOver)
             .letter(Key::U)
             .only_if(editor.host_takes_poses, texts.nobody_takes),
@@ -245,7 +249,7 @@ fn tools(editor: &Editor) -> Vec<Entry> {
         };
         let entry = Entry {
             text: format!("{}{more}", language.tool(tool.name)).into(),
-            ..Entry::new("", language.tool_hint(&tool), Action::Tool(tool))
+            ..Entry::new("", language.tool_hint(&tool), ToolAction::Open(tool))
         };
         let makes = tool.is_move() || tool.needs() == Needs::Stroke;
         let first = !makes && !std::mem::replace(&mut beside, !makes);
@@ -298,10 +302,10 @@ fn settings(editor: &Editor) -> Vec<Entry> {
             display.english_hint,
             Some(Language::English),
         ),
-        Entry::new(texts.load_setup, hints.load_setup, Action::LoadSetup)
+        Entry::new(texts.load_setup, hints.load_setup, FileAction::LoadSetup)
             .letter(Key::T)
             .apart(),
-        Entry::new(texts.save_setup, hints.save_setup, Action::SaveSetup).letter(Key::P),
+        Entry::new(texts.save_setup, hints.save_setup, FileAction::SaveSetup).letter(Key::P),
     ]
 }
 

@@ -6,7 +6,7 @@ use vides_document::{At, Edit};
 use vides_engine::limits::PRESETS;
 use vides_engine::path::{CurveKind, CurveParameters, Tcb};
 
-use crate::action::Action;
+use crate::action::{Action, PathAction};
 use crate::number::Number;
 use crate::panels::parts::{Heading, share};
 use crate::playing::playhead::Missing;
@@ -64,7 +64,12 @@ fn others(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     };
     let joint = editor.joint();
     let owned = (texts.own_tangents, texts.own_tangents_hint);
-    entry(ui, joint.is_some(), owned, Action::OwnTangents(true));
+    entry(
+        ui,
+        joint.is_some(),
+        owned,
+        Action::Path(PathAction::OwnTangents(true)),
+    );
     if joint.is_some() {
         for kind in Joint::ALL {
             let words = match kind {
@@ -72,10 +77,20 @@ fn others(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
                 Joint::Mirrored => (texts.mirrored, texts.mirrored_hint),
                 Joint::Corner => (texts.corner, texts.corner_hint),
             };
-            entry(ui, joint == Some(kind), words, Action::Join(kind));
+            entry(
+                ui,
+                joint == Some(kind),
+                words,
+                Action::Path(PathAction::Join(kind)),
+            );
         }
         let given = (texts.by_shape, texts.by_shape_hint);
-        entry(ui, false, given, Action::OwnTangents(false));
+        entry(
+            ui,
+            false,
+            given,
+            Action::Path(PathAction::OwnTangents(false)),
+        );
     }
     ui.separator();
     ui.weak(texts.kind);

@@ -8,7 +8,7 @@ use vides_engine::math::rotation_minimising::turned;
 use vides_engine::path::{CameraPath, OrientationOverrides, Target, Up, UpVector, ahead};
 
 use super::position::{add_here, three_numbers};
-use crate::action::{Action, OwnedMotion};
+use crate::action::{Action, OwnedMotion, PathAction};
 use crate::number::Number;
 use crate::panels::parts::{Heading, PanelButton, button_row, share};
 use crate::playing::playhead::{Missing, Shown};
@@ -54,22 +54,31 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
             PanelButton::new(
                 texts.absolute,
                 texts.absolute_hint,
-                Action::SetAbsolute(true),
+                Action::Path(PathAction::SetAbsolute(true)),
             )
             .chosen(absolute),
             PanelButton::new(
                 texts.relative,
                 texts.relative_hint,
-                Action::SetAbsolute(false),
+                Action::Path(PathAction::SetAbsolute(false)),
             )
             .chosen(!absolute && !ahead),
-            PanelButton::new(texts.ahead, texts.ahead_hint, Action::LookAhead).chosen(ahead),
+            PanelButton::new(
+                texts.ahead,
+                texts.ahead_hint,
+                Action::Path(PathAction::LookAhead),
+            )
+            .chosen(ahead),
         ],
         actions,
     );
     target(editor, ui, &shown, actions);
     if editor.has_object() {
-        let button = PanelButton::new(texts.whole, texts.whole_hint, Action::ShowObject);
+        let button = PanelButton::new(
+            texts.whole,
+            texts.whole_hint,
+            Action::Path(PathAction::ShowObject),
+        );
         button_row(editor, ui, &[button], actions);
     }
     up(editor, ui, &shown, actions);
@@ -161,7 +170,7 @@ fn up(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mut Vec<Action>) {
             let (word, hint) = words(&up);
             let button = ui.add(Button::selectable(chosen, word)).on_hover_text(hint);
             if button.clicked() && !chosen {
-                actions.push(Action::SetUp(up));
+                actions.push(Action::Path(PathAction::SetUp(up)));
             }
         }
     });
@@ -210,7 +219,8 @@ pub(super) fn own(
         OwnedMotion::Turning => (texts.own_turning, texts.own_turning_hint),
         OwnedMotion::Zoom => (texts.own_slope, texts.own_slope_hint),
     };
-    let button = PanelButton::new(text, hint, Action::ClearOverride(what)).chosen(true);
+    let button =
+        PanelButton::new(text, hint, Action::Path(PathAction::ClearOverride(what))).chosen(true);
     button.show(editor, ui, width, actions);
 }
 

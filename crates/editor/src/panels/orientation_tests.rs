@@ -6,6 +6,7 @@ use vides_engine::limits;
 use vides_engine::path::{Up, UpVector};
 
 use super::tests::{large, orientations, selection};
+use crate::action::{Action, PathAction};
 use crate::tests::*;
 
 #[test]
@@ -181,7 +182,7 @@ fn the_camera_looks_along_the_way_until_it_is_aimed() {
         assert!(here(&window).abs_diff_eq(before, 1e-9));
         click(&mut window, texts.ahead);
         window.state_mut().act(
-            crate::action::Action::AimAt(DVec3::ZERO),
+            Action::Path(PathAction::AimAt(DVec3::ZERO)),
             &egui::Context::default(),
         );
         assert_eq!(own(&window), None);

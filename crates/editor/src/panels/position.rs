@@ -4,7 +4,7 @@ use egui::{RichText, Ui};
 use glam::DVec3;
 use vides_document::{At, Edit};
 
-use crate::action::Action;
+use crate::action::{Action, PathAction};
 use crate::number::Number;
 use crate::panels::parts::{Heading, PanelButton, apart, button_row, share, words};
 use crate::playing::playhead::Shown;
@@ -42,7 +42,7 @@ pub(super) fn add_here(editor: &Editor, ui: &mut Ui, shown: &Shown, actions: &mu
     } else {
         texts.add_orientation_here
     };
-    let button = PanelButton::new(text, texts.add_here_hint, Action::AddHere);
+    let button = PanelButton::new(text, texts.add_here_hint, Action::Path(PathAction::AddHere));
     button_row(editor, ui, &[button], actions);
     let width = ui.available_width();
     words(ui, texts.in_between, width, theme::palette(ui).weak);
@@ -55,7 +55,7 @@ pub(super) fn not_here(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) 
     };
     let text = editor.texts().position.add_here;
     ui.add_enabled_ui(false, |ui| {
-        let button = PanelButton::new(text, &why, Action::AddHere);
+        let button = PanelButton::new(text, &why, Action::Path(PathAction::AddHere));
         button_row(editor, ui, &[button], actions);
     });
     ui.label(RichText::new(&why).color(theme::palette(ui).weak));

@@ -2,7 +2,7 @@
 
 use egui::{CornerRadius, Painter, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, vec2};
 
-use crate::action::Action;
+use crate::action::{Action, TimeAction};
 use crate::state::Editor;
 use crate::theme;
 
@@ -42,7 +42,7 @@ pub(super) fn play_button(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action
         painter.add(Shape::convex_polygon(corners, color, Stroke::NONE));
     }
     if response.clicked() {
-        actions.push(Action::PlayOrPause);
+        actions.push(Action::Time(TimeAction::PlayOrPause));
     }
 }
 
@@ -77,6 +77,6 @@ pub(super) fn speed_button(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Actio
     });
     painter.line(hill.collect(), stroke);
     if response.clicked() {
-        actions.push(Action::SwitchSpeedGraph);
+        actions.push(Action::Time(TimeAction::SwitchSpeedGraph));
     }
 }

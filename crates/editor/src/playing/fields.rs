@@ -7,7 +7,7 @@ use vides_engine::limits::{MAX_FPS, MAX_FRAMES};
 use vides_engine::scene::Part;
 
 use super::buttons::{BUTTON, camera_button, play_button, speed_button};
-use crate::action::Action;
+use crate::action::{Action, TimeAction};
 use crate::number::Number;
 use crate::playing::axis::as_frame;
 use crate::state::Editor;
@@ -122,7 +122,9 @@ fn numbers(
         .range(first..=last)
         .steps(1.0, 1.0)
         .show(ui, language, "playing.frame", field);
-    actions.push(Action::Playhead(entry.map(|value| value - more)));
+    actions.push(Action::Time(TimeAction::Playhead(
+        entry.map(|value| value - more),
+    )));
     // A scene ends where it is told to.
     let range = |last: f64| match editor.document.own_frame_range() {
         Ok(own) if own == (begin, last) => None,
@@ -154,7 +156,7 @@ fn numbers(
         .steps(1.0 / fps, 1.0 / fps)
         .show(ui, language, "playing.second", field);
     let entry = entry.map(|value| (value * fps).round() + 1.0);
-    actions.push(Action::Playhead(entry));
+    actions.push(Action::Time(TimeAction::Playhead(entry)));
     // The last frame is shown as long as every other one; seconds count from the first frame that
     // a scene can have.
     let entry = Number::new(texts.duration, (begin - 1.0 + count) / fps)
@@ -203,7 +205,7 @@ fn along(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         let hint = texts.along_tip;
         let response = response.on_disabled_hover_text(hint).on_hover_text(hint);
         if response.clicked() {
-            actions.push(Action::SwitchMovesAlong);
+            actions.push(Action::Time(TimeAction::SwitchMovesAlong));
         }
     });
 }
@@ -237,7 +239,7 @@ fn lock(editor: &Editor, ui: &mut Ui, of_scene: bool, actions: &mut Vec<Action>)
         ui.painter()
             .extend(padlock(response.rect.center(), keeps, color));
         if response.on_hover_text(texts.keep_length_tip).clicked() {
-            actions.push(Action::SwitchKeepsLength);
+            actions.push(Action::Time(TimeAction::SwitchKeepsLength));
         }
     });
 }
@@ -274,7 +276,7 @@ fn how(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     ui.painter()
         .extend(arrows_round(response.rect.center(), color));
     if response.on_hover_text(texts.again_tip).clicked() {
-        actions.push(Action::SwitchLoops);
+        actions.push(Action::Time(TimeAction::SwitchLoops));
     }
     if editor.document.edited_scene().is_some() {
         only_selected(editor, ui, actions);
@@ -286,7 +288,7 @@ fn how(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         ..WidgetInfo::labeled(Role::Button, true, texts.pace)
     });
     if response.on_hover_text(texts.pace_tip).clicked() {
-        actions.push(Action::Pace(pace.next()));
+        actions.push(Action::Time(TimeAction::Pace(pace.next())));
     }
 }
 
@@ -309,7 +311,7 @@ fn only_selected(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         ui.painter().add(Shape::line(bracket.to_vec(), stroke));
     }
     if response.on_hover_text(texts.only_selected_tip).clicked() {
-        actions.push(Action::SwitchOnlySelected);
+        actions.push(Action::Time(TimeAction::SwitchOnlySelected));
     }
 }
 

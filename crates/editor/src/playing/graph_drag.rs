@@ -12,7 +12,7 @@ use super::key_row::{FINE, bubble};
 use super::track_curve::Of;
 use super::track_dots;
 use super::track_drag::begun;
-use crate::action::Action;
+use crate::action::{Action, TimeAction};
 use crate::entry::Entry;
 use crate::playing::track_dots::{Hit, Shown, has_handles, parts_of};
 use crate::playing::track_rows::channel_name;
@@ -156,7 +156,7 @@ impl DotsDrag {
         let same = wanted == self.done || wanted.is_nothing() && self.done.is_nothing();
         (!same).then(|| {
             self.done = wanted.clone();
-            Action::MoveKeys(Box::new(wanted))
+            Action::Time(TimeAction::MoveKeys(Box::new(wanted)))
         })
     }
 
@@ -259,7 +259,7 @@ impl HandleDrag {
         self.done.clone_from(&wanted);
         let keys = vec![self.dot.at.clone()];
         let motion = KeyMotion::new(keys, Change::By(0.0), false, Numbers::Tangents(wanted));
-        Some(Action::MoveKeys(Box::new(motion)))
+        Some(Action::Time(TimeAction::MoveKeys(Box::new(motion))))
     }
 
     fn tell(&self, editor: &Editor, ui: &Ui, shown: &Shown<'_>, top: f32) {

@@ -9,7 +9,7 @@ use vides_document::Selection;
 use super::axis::Axis;
 use super::ruler::chosen_too;
 use super::{pins, section_menu};
-use crate::action::Action;
+use crate::action::{Action, TimeAction};
 use crate::entry::Entry;
 use crate::playing::axis::as_frame;
 use crate::space::typed::Typed;
@@ -91,7 +91,7 @@ impl KeyDrag {
         };
         (wanted != self.done).then(|| {
             self.done = wanted;
-            Action::Retime(wanted)
+            Action::Time(TimeAction::Retime(wanted))
         })
     }
 

@@ -10,7 +10,7 @@ use vides_engine::scene::Part;
 
 use super::axis::Axis;
 use super::track_time::Time;
-use crate::action::Action;
+use crate::action::{Action, TimeAction};
 use crate::entry::Entry;
 use crate::state::Editor;
 use crate::state::playing::markers::{Drag, Memory, Renaming};
@@ -182,7 +182,7 @@ fn one(
             if to != drag.to {
                 drag.to = to;
                 let name = name.to_owned();
-                actions.push(Action::MoveMarker { name, to });
+                actions.push(Action::Time(TimeAction::MoveMarker { name, to }));
             }
             let at = now.unwrap_or(drag.from);
             drag.way

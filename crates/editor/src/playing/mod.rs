@@ -21,6 +21,7 @@ mod plot;
 mod retime;
 mod ruler;
 mod section_menu;
+mod time_action;
 mod track_clipboard;
 mod track_curve;
 mod track_dots;
@@ -43,7 +44,7 @@ use self::axis::Axis;
 pub(super) use self::axis::Seen;
 pub(super) use self::pins::menu as pin_menu;
 pub(super) use self::track_keys::take_keys;
-use crate::action::Action;
+use crate::action::{Action, TimeAction};
 use crate::entry::Entry;
 use crate::space::cameras::Camera;
 use crate::state::Editor;
@@ -471,7 +472,7 @@ fn dragged_edge(editor: &Editor, ui: &Ui, rect: Rect, height: f32, actions: &mut
     }
     if let (true, Some(pointer)) = (response.dragged(), response.interact_pointer_pos()) {
         let by = rect.top() + EDGE / 2.0 - pointer.y;
-        actions.push(Action::GraphHeight(height + by));
+        actions.push(Action::Time(TimeAction::GraphHeight(height + by)));
     }
     let palette = theme::palette(ui);
     let colour = if lively { palette.focus } else { palette.line };

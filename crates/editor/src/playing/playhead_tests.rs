@@ -6,7 +6,7 @@ use egui_kittest::kittest::Queryable;
 use vides_engine::path::{Space, SupportPoint, Up};
 
 use super::*;
-use crate::action::Action;
+use crate::action::{Action, PathAction};
 use crate::space::tests::{
     editor, hold, motion, press, pyramid, pyramid_window, release, tap, window,
 };
@@ -391,7 +391,7 @@ fn beside_the_keys_a_key_with_another_up_shows_what_it_becomes() {
         for point in 0..count {
             let document = &mut harness.state_mut().document;
             document.select(point, 0).unwrap();
-            let action = Action::SetUp(up.clone());
+            let action = Action::Path(PathAction::SetUp(up.clone()));
             harness.state_mut().act(action, &context);
         }
         let frame = on_the_way(&harness);
@@ -405,7 +405,9 @@ fn beside_the_keys_a_key_with_another_up_shows_what_it_becomes() {
         let shown = harness.state().shown().unwrap();
         assert_eq!(shown.missing, Missing::Point);
         assert_eq!(shown.orientation.own.up.name(), up.name());
-        harness.state_mut().act(Action::AddHere, &context);
+        harness
+            .state_mut()
+            .act(Action::Path(PathAction::AddHere), &context);
         harness.run();
         // The key that comes has what was shown, and the picture stays.
         let made = harness.state().orientation().unwrap();

@@ -14,7 +14,7 @@ use vides_engine::tools::clearance::Clearance;
 use vides_engine::tools::profile::{Film, Quantity, samples, with_peaks};
 
 use super::axis::{Axis, step};
-use crate::action::Action;
+use crate::action::{Action, TimeAction};
 use crate::state::Editor;
 use crate::state::playing::graph::Scale;
 pub(super) use crate::state::playing::plot::Shown;
@@ -244,7 +244,7 @@ pub(super) fn choices(editor: &Editor, ui: &mut Ui, room: Rect, actions: &mut Ve
                 let mut on = shown.has(quantity);
                 let tick = theme::tick(ui, &mut on, name);
                 if tick.on_hover_text(told(editor.texts(), quantity)).clicked() {
-                    actions.push(Action::Plot(quantity));
+                    actions.push(Action::Time(TimeAction::Plot(quantity)));
                 }
             });
         }

@@ -158,7 +158,7 @@ fn the_graph_is_read_at_the_pointer() {
             let context = window.ctx.clone();
             window.state_mut().playing.shown = Shown::default();
             if let Some(quantity) = quantity {
-                let action = Action::Plot(Some(quantity));
+                let action = Action::Time(TimeAction::Plot(Some(quantity)));
                 window.state_mut().act(action, &context);
             }
             window.run();

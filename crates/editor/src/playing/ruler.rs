@@ -8,7 +8,7 @@ use egui::{
 
 use super::axis::{Axis, step};
 use super::markers;
-use crate::action::Action;
+use crate::action::{Action, TimeAction};
 use crate::entry::Entry;
 use crate::setup::Element;
 use crate::state::Editor;
@@ -68,7 +68,7 @@ fn rail_of(axis: &Axis, rect: Rect) -> Rect {
 }
 
 fn to_frame(frame: f64) -> Action {
-    Action::Playhead(Entry::Set(frame))
+    Action::Time(TimeAction::Playhead(Entry::Set(frame)))
 }
 
 /// Takes the playhead to where the mouse is held.
@@ -162,13 +162,13 @@ fn scrub_by_keys(
         actions.push(to_frame(at + step));
     }
     match end {
-        (true, _) if !axis.shows_all() => actions.push(Action::See(None)),
+        (true, _) if !axis.shows_all() => actions.push(Action::Time(TimeAction::See(None))),
         (true, _) => actions.push(to_frame(editor.playing.marks.range.0)),
         (_, true) => actions.push(to_frame(editor.playing.marks.range.1)),
         _ => {}
     }
     if plays {
-        actions.push(Action::PlayOrPause);
+        actions.push(Action::Time(TimeAction::PlayOrPause));
     }
 }
 
@@ -185,7 +185,10 @@ fn move_current(editor: &Editor, by: i64, actions: &mut Vec<Action>) {
     if let ([Some(before), after], true) = (beside, by != 0) {
         let after = after.filter(|_| !along);
         let moved = Retiming::Move { before, after, by };
-        let step = [Action::Enter(Entry::Begin), Action::Retime(moved)];
+        let step = [
+            Action::Enter(Entry::Begin),
+            Action::Time(TimeAction::Retime(moved)),
+        ];
         actions.extend(step.into_iter().chain([Action::Enter(Entry::End)]));
     }
 }
@@ -334,7 +337,7 @@ pub(super) fn unit(editor: &Editor, ui: &mut Ui, room: Rect, actions: &mut Vec<A
         ..WidgetInfo::labeled(Role::Button, true, texts.unit)
     });
     if response.on_hover_text(texts.unit_tip).clicked() {
-        actions.push(Action::RulerInFrames(!frames));
+        actions.push(Action::Time(TimeAction::RulerInFrames(!frames)));
     }
 }
 

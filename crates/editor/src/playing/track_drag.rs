@@ -10,7 +10,7 @@ use vides_engine::scene::Part;
 
 use super::key_row::{FINE, bubble};
 use super::track_time::Time;
-use crate::action::Action;
+use crate::action::{Action, TimeAction};
 use crate::entry::Entry;
 use crate::playing::track_rows::{Hit, Shown, bar_of, channel_name, frame_of};
 use crate::state::Editor;
@@ -150,7 +150,7 @@ impl KeysDrag {
         let same = wanted == self.done || wanted.is_nothing() && self.done.is_nothing();
         (!same).then(|| {
             self.done = wanted.clone();
-            Action::MoveKeys(Box::new(wanted))
+            Action::Time(TimeAction::MoveKeys(Box::new(wanted)))
         })
     }
 

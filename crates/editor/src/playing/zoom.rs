@@ -6,7 +6,7 @@ use vides_engine::scene::Track;
 
 use super::axis::Axis;
 use super::{ruler, track_rows};
-use crate::action::Action;
+use crate::action::{Action, TimeAction};
 use crate::state::Editor;
 
 /// Factor of the frames that are seen for each step of the wheel.
@@ -45,7 +45,7 @@ pub(super) fn by_mouse(
         }
     }
     if let Some(seen) = seen.filter(|seen| seen.is_some() || !axis.shows_all()) {
-        actions.push(Action::See(seen));
+        actions.push(Action::Time(TimeAction::See(seen)));
         ui.ctx().request_repaint();
     }
 }
@@ -64,10 +64,10 @@ pub(super) fn by_keys(editor: &Editor, ui: &Ui, axis: &Axis, actions: &mut Vec<A
         let ends = track_rows::ends(editor, &keys).or_else(|| of_nodes(editor));
         if let Some((first, last)) = ends {
             let seen = axis.between(first, last);
-            actions.push(Action::See(seen));
+            actions.push(Action::Time(TimeAction::See(seen)));
         }
     } else if rows && pressed(Modifiers::NONE) {
-        actions.push(Action::See(None));
+        actions.push(Action::Time(TimeAction::See(None)));
     }
 }
 

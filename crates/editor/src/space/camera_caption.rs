@@ -6,7 +6,7 @@ use egui::{
 };
 
 use super::shown_camera;
-use crate::action::Action;
+use crate::action::{Action, PathAction};
 use crate::setup::{Aspect, CameraPlace, Setup};
 use crate::space::cameras::Camera;
 use crate::state::Editor;
@@ -89,7 +89,7 @@ pub(super) fn caption(
             let take = ui.add(small(texts.take_over));
             let replace = ui.input(|input| input.modifiers.shift);
             if take.on_hover_text(texts.take_over_tip).clicked() {
-                actions.push(Action::TakeOver { replace });
+                actions.push(Action::Path(PathAction::TakeOver { replace }));
             }
         }
         if changed != *setup {
@@ -200,7 +200,7 @@ fn menu(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let take = ui.add_enabled(views, Button::new(texts.take_over));
     if take.on_hover_text(texts.take_over_tip).clicked() {
         ui.close();
-        actions.push(Action::TakeOver { replace: false });
+        actions.push(Action::Path(PathAction::TakeOver { replace: false }));
     }
 }
 

@@ -5,7 +5,7 @@ use glam::DVec3;
 use vides_engine::tools::clearance::Clearance;
 
 use super::projection::from_pos;
-use crate::action::Action;
+use crate::action::{Action, ToolAction};
 use crate::space::cameras::Camera;
 use crate::space::surface::{PointerContext, projection_of};
 use crate::state::Editor;
@@ -56,7 +56,7 @@ impl Drawing {
                 ..
             } => {
                 if self.0.len() > 2 {
-                    actions.push(Action::Stroke(self.0));
+                    actions.push(Action::Tool(ToolAction::Stroke(self.0)));
                 }
                 return None;
             }
@@ -93,7 +93,7 @@ pub(super) fn in_picture(
     let stroke = Stroke::new(2.0, theme::palette(ui).accent);
     ui.painter_at(picture).add(Shape::line(line, stroke));
     if !drawn.is_empty() && keys::consume_escape(ui.ctx()) {
-        actions.push(Action::EndDrawing { keeps: false });
+        actions.push(Action::Tool(ToolAction::EndDrawing { keeps: false }));
         return;
     }
     let begins = response.drag_started_by(PointerButton::Primary);
@@ -115,11 +115,11 @@ pub(super) fn in_picture(
             let ray = Ray::through(at, picture, &camera, aspect);
             let place = ray.meets(object.as_deref(), last, space.half_size);
             last = place.clamp(space.low(), space.high());
-            actions.push(Action::DrawOn(at, last));
+            actions.push(Action::Tool(ToolAction::DrawOn(at, last)));
         }
     }
     if response.drag_stopped() {
-        actions.push(Action::EndDrawing { keeps: true });
+        actions.push(Action::Tool(ToolAction::EndDrawing { keeps: true }));
     }
 }
 

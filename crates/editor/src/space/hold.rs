@@ -7,7 +7,7 @@ use super::drag::{self, Motion, Outcome};
 use super::projection::{from_pos, scale};
 use super::typed::Typed;
 use super::{nodes, tangents};
-use crate::action::Action;
+use crate::action::{Action, ToolAction};
 use crate::setup::View;
 use crate::space::surface::projection_of;
 use crate::state::Editor;
@@ -49,7 +49,7 @@ impl PointerPress {
                 &motion,
                 drag::cube(&projection),
             )?;
-            return Some(Action::MoveControl { at, place });
+            return Some(Action::Tool(ToolAction::MoveControl { at, place }));
         }
         match drag::outcome(&editor.document, &projection, what, &motion) {
             Outcome::Edit(edit) => Some(Action::Gesture(Gesture::Move(what, edit))),

@@ -8,7 +8,7 @@ use vides_document::{At, Edit, Selection};
 use super::drag;
 use super::held_nodes::Motion;
 use super::projection::{Axis, Projection};
-use crate::action::Action;
+use crate::action::{Action, TimeAction};
 use crate::number::decimals;
 use crate::setup::{CameraPlace, View};
 use crate::space::surface::{WHEEL, projection_of, resized};
@@ -108,12 +108,12 @@ pub(super) fn press(
                 Key::Plus | Key::Equals => resized(WHEEL),
                 Key::Minus => resized(1.0 / WHEEL),
                 Key::Num0 | Key::Home => Action::View(View::default()),
-                Key::Space => Action::PlayOrPause,
-                Key::L => Action::SwitchLoops,
+                Key::Space => Action::Time(TimeAction::PlayOrPause),
+                Key::L => Action::Time(TimeAction::SwitchLoops),
                 Key::C if modifiers.shift => Action::CameraPlace(CameraPlace::Whole),
                 Key::C => Action::SwitchCameraView,
                 Key::B => Action::CameraPlace(CameraPlace::Beside),
-                Key::G => Action::SwitchSpeedGraph,
+                Key::G => Action::Time(TimeAction::SwitchSpeedGraph),
                 Key::N => {
                     let count = editor.document.path().points.len();
                     Action::Select(Selection::at(

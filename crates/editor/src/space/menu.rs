@@ -8,7 +8,7 @@ use vides_engine::path::Up;
 use super::picking::REACH;
 use super::projection::{Projection, from_pos};
 use super::surface::projection_of;
-use crate::action::Action;
+use crate::action::{Action, PathAction};
 use crate::setup::{Element, View};
 use crate::state::Editor;
 use crate::state::space::{Handle, PointMenu};
@@ -93,11 +93,11 @@ fn aims(editor: &Editor, ui: &mut Ui, corner: DVec3, actions: &mut Vec<Action>) 
     let (texts, hints) = (&editor.texts().space, &editor.texts().menu_hints);
     let button = ui.button(texts.aim_here).on_hover_text(hints.aim_here);
     if button.clicked() {
-        actions.push(Action::AimAt(corner));
+        actions.push(Action::Path(PathAction::AimAt(corner)));
     }
     let button = ui.button(texts.aim_all_here);
     if button.on_hover_text(hints.aim_all_here).clicked() {
-        actions.push(Action::AimAllAt(corner));
+        actions.push(Action::Path(PathAction::AimAllAt(corner)));
     }
 }
 
@@ -109,7 +109,7 @@ fn take_over(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         (texts.take_over_here, texts.take_over_here_tip, true),
     ] {
         if ui.button(text).on_hover_text(hint).clicked() {
-            actions.push(Action::TakeOver { replace });
+            actions.push(Action::Path(PathAction::TakeOver { replace }));
         }
     }
 }
@@ -130,10 +130,10 @@ fn entries(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     };
     let no_ends = closed.then_some(position.closed_has_no_ends);
     if entry(ui, menu.append, hints.append, no_ends) {
-        actions.push(Action::AppendPoint);
+        actions.push(Action::Path(PathAction::AppendPoint));
     }
     if entry(ui, menu.prepend, hints.prepend, no_ends) {
-        actions.push(Action::PrependPoint);
+        actions.push(Action::Path(PathAction::PrependPoint));
     }
     let (text, hint) = if closed {
         (space.make_open, hints.open)
@@ -141,7 +141,7 @@ fn entries(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         (space.make_closed, hints.close)
     };
     if entry(ui, text, hint, None) {
-        actions.push(Action::SwitchClosed);
+        actions.push(Action::Path(PathAction::SwitchClosed));
     }
     let (text, hint) = if editor.joint().is_some() {
         (position.by_shape, position.by_shape_hint)
@@ -149,7 +149,9 @@ fn entries(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
         (position.own_tangents, position.own_tangents_hint)
     };
     if entry(ui, text, hint, None) {
-        actions.push(Action::OwnTangents(editor.joint().is_none()));
+        actions.push(Action::Path(PathAction::OwnTangents(
+            editor.joint().is_none(),
+        )));
     }
     crate::playing::pin_menu(editor, ui, editor.document.selection().point, actions);
     ui.separator();
@@ -165,15 +167,15 @@ fn entries(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     }
     let nothing = editor.copied.is_none().then_some(output.nothing_copied);
     if entry(ui, menu.paste_orientation, hints.paste_orientation, nothing) {
-        actions.push(Action::PasteOrientation);
+        actions.push(Action::Path(PathAction::PasteOrientation));
     }
     if entry(ui, menu.aim_all, hints.aim_all, None) {
-        actions.push(Action::AimAll);
+        actions.push(Action::Path(PathAction::AimAll));
     }
     ui.separator();
     let two = (count <= vides_engine::limits::MIN_POINTS).then_some(position.two_remain);
     if entry(ui, &editor.removal(), position.remove_hint, two) {
-        actions.push(Action::RemovePoint);
+        actions.push(Action::Path(PathAction::RemovePoint));
     }
 }
 

@@ -5,7 +5,7 @@ use glam::DVec2;
 
 use super::projection::{Projection, from_pos};
 use super::{nodes, picking, trail};
-use crate::action::Action;
+use crate::action::{Action, TimeAction};
 use crate::space::surface::{PointerContext, STILL, projection_of};
 use crate::state::Editor;
 use crate::state::space::{
@@ -53,7 +53,7 @@ impl PointerController {
             Ok(transform) => {
                 if editor.playing.is_playing() {
                     // Else each frame that goes by would get keys.
-                    actions.push(Action::PlayOrPause);
+                    actions.push(Action::Time(TimeAction::PlayOrPause));
                 }
                 actions.push(Action::Gesture(Gesture::Begin));
                 self.transform = Some(match held {

@@ -9,7 +9,7 @@ use super::projection::{Axis, Projection, from_pos};
 use super::transform::{self, Next};
 use super::typed::Typed;
 use super::{drawing, of_nodes, picking};
-use crate::action::Action;
+use crate::action::{Action, ToolAction};
 use crate::keys;
 use crate::space::surface::{FINE, PointerContext, STILL, WHEEL, axis_of, projection_of, resized};
 use crate::state::Editor;
@@ -478,10 +478,10 @@ impl PointerController {
             // A node lies there.
         } else {
             actions.extend(match hold.what {
-                Some(Handle::Control(at)) => Some(Action::MoveControl {
+                Some(Handle::Control(at)) => Some(Action::Tool(ToolAction::MoveControl {
                     at,
                     place: hold.from,
-                }),
+                })),
                 // A click selects one more or one less, or the current one alone.
                 Some(Handle::Point(at)) if hold.adds => {
                     Some(Action::Choose(SelectionChange::Switch(at)))
@@ -500,10 +500,10 @@ impl PointerController {
         };
         match hold.what {
             None => actions.push(Action::View(hold.view)),
-            Some(Handle::Control(at)) => actions.push(Action::MoveControl {
+            Some(Handle::Control(at)) => actions.push(Action::Tool(ToolAction::MoveControl {
                 at,
                 place: hold.from,
-            }),
+            })),
             Some(_) => {}
         }
         actions.push(Action::Gesture(Gesture::Cancel));

@@ -13,6 +13,7 @@ use super::tests::{
     window,
 };
 use super::*;
+use crate::action::ToolAction;
 use crate::screenshots::screenshot;
 use crate::texts::Language;
 
@@ -24,14 +25,18 @@ const RIGHT: PointerButton = PointerButton::Secondary;
 fn begin(harness: &mut Window<'_>, name: &str) {
     let context = harness.ctx.clone();
     let tool = tools().find(|tool| tool.name == name).unwrap();
-    harness.state_mut().act(Action::Tool(tool), &context);
+    harness
+        .state_mut()
+        .act(Action::Tool(ToolAction::Open(tool)), &context);
     harness.step();
     harness.step();
 }
 
 fn end(harness: &mut Window<'_>, keeps: bool) {
     let context = harness.ctx.clone();
-    harness.state_mut().act(Action::EndTool { keeps }, &context);
+    harness
+        .state_mut()
+        .act(Action::Tool(ToolAction::End { keeps }), &context);
     harness.step();
 }
 

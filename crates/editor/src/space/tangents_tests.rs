@@ -12,6 +12,7 @@ use super::tests::{
     editor, hold, image, key, message, motion, press, pyramid, release, shown, tap, text, window,
 };
 use super::*;
+use crate::action::PathAction;
 use crate::screenshots::screenshot;
 use crate::setup::Theme;
 use crate::state::space::{Joint, Side};
@@ -420,7 +421,7 @@ fn the_kind_of_curve_is_chosen_and_what_cannot_be_is_told() {
         let context = harness.ctx.clone();
         harness
             .state_mut()
-            .act(Action::SetUp(UpVector::Frenet), &context);
+            .act(Action::Path(PathAction::SetUp(UpVector::Frenet)), &context);
         harness.run();
         let curved = text(&harness);
         choose(&mut harness, texts.choice, texts.tcb);

@@ -18,7 +18,7 @@ use vides_document::{Document, Edit, Fingerprint, Selection};
 use vides_engine::limits;
 use vides_engine::path::{Orientation, OrientationOverrides, Pose, SupportPoint};
 
-use crate::action::Action;
+use crate::action::{Action, FileAction};
 use crate::background::Start;
 use crate::entry::Entry;
 use crate::files::folders::Folders;
@@ -240,7 +240,7 @@ impl Editor {
 
     /// Whether closing was asked for and not refused yet.
     pub fn asks_to_close(&self) -> bool {
-        self.waiting == Some(Action::Quit)
+        self.waiting == Some(Action::File(FileAction::Quit))
             || self.requests.contains(&Request::Close)
             || self.windows.has_modal()
     }
@@ -261,7 +261,7 @@ impl Editor {
     /// is being typed this waits for the next pass, which applies the text.
     pub fn ask_to_close(&mut self) {
         if self.typing {
-            self.waiting = Some(Action::Quit);
+            self.waiting = Some(Action::File(FileAction::Quit));
         } else {
             self.ask_before(AfterSave::Close);
         }

@@ -5,7 +5,7 @@ use egui_kittest::kittest::{NodeT, by};
 use vides_document::tool;
 
 use super::*;
-use crate::action::Action;
+use crate::action::{Action, ToolAction};
 
 /// In pixels.
 const SIZES: [[f32; 2]; 6] = [
@@ -106,7 +106,9 @@ fn nothing_is_cut_and_nothing_lies_over_something_else() {
                         if what == "tool" && size[1] > 700.0 {
                             let orbit = tool::tools().next().expect("a move");
                             let context = window.ctx.clone();
-                            window.state_mut().act(Action::Tool(orbit), &context);
+                            window
+                                .state_mut()
+                                .act(Action::Tool(ToolAction::Open(orbit)), &context);
                             window.run();
                         }
                         looks += 1;

@@ -4,7 +4,7 @@
 use egui::{Pos2, Rect, Shape};
 
 use super::*;
-use crate::action::Action;
+use crate::action::{Action, ToolAction};
 use crate::screenshots::screenshot;
 use crate::space::camera_view;
 
@@ -238,7 +238,10 @@ fn docked(window: &Window) -> Vec<Action> {
         Action::Display,
         Action::SpeedCurve,
     ];
-    tools.map(Action::Tool).chain(others).collect()
+    tools
+        .map(|tool| Action::Tool(ToolAction::Open(tool)))
+        .chain(others)
+        .collect()
 }
 
 /// The docked state of every window: it lies over nothing, nothing in it is cut or covered, and what
@@ -266,7 +269,7 @@ fn what_is_docked_covers_nothing() {
         let pane = areas(&window, egui::Order::Middle).len();
         for action in docked(&window) {
             let what = match &action {
-                Action::Tool(tool) => tool.name.to_owned(),
+                Action::Tool(ToolAction::Open(tool)) => tool.name.to_owned(),
                 other => format!("{other:?}"),
             };
             let name = format!("{language:?}-{theme:?}-{}x{scale}-{what}", size[0]);

@@ -6,7 +6,7 @@ use egui_kittest::kittest::{NodeT, by};
 
 use super::words::painted;
 use super::*;
-use crate::action::Action;
+use crate::action::{Action, FileAction, PathAction, ToolAction};
 use crate::screenshots::screenshot;
 use crate::theme;
 
@@ -472,7 +472,8 @@ fn nothing_is_cut_off_at_twice_the_size() {
             press(&mut window, Modifiers::NONE, Key::Escape);
         }
         let context = window.ctx.clone();
-        let tools = vides_document::tool::tools().map(|tool| (tool.name, Action::Tool(tool)));
+        let tools = vides_document::tool::tools()
+            .map(|tool| (tool.name, Action::Tool(ToolAction::Open(tool))));
         let needs_file = ["insert", "blend", "fit"];
         let tools = tools.filter(|(name, _)| !needs_file.contains(name));
         let windows = [
@@ -480,13 +481,13 @@ fn nothing_is_cut_off_at_twice_the_size() {
             ("speed", Action::SpeedCurve),
             ("colours", Action::Colours),
             ("display", Action::Display),
-            ("points", Action::AskPoints),
+            ("points", Action::Path(PathAction::AskPoints)),
             ("space", Action::Space),
             ("keys", Action::Keys),
             ("check", Action::Check),
-            ("load", Action::Load),
-            ("save", Action::SaveAs),
-            ("export", Action::Export),
+            ("load", Action::File(FileAction::Load)),
+            ("save", Action::File(FileAction::SaveAs)),
+            ("export", Action::File(FileAction::Export)),
         ];
         for (name, action) in windows.into_iter().chain(tools) {
             window.state_mut().act(action, &context);

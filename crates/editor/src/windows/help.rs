@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use egui::{Grid, Key, Modifiers, ScrollArea, vec2};
 
-use crate::action::Action;
+use crate::action::{Action, FileAction, PathAction, TimeAction};
 use crate::keys::{SHORTCUTS, combination};
 use crate::state::Editor;
 use crate::state::windows::{HelpWindow, Windows};
@@ -171,48 +171,48 @@ pub(crate) fn meaning(language: Language, action: &Action) -> Cow<'static, str> 
     let (position, orientation) = (&texts.position, &texts.orientation);
     let button = |name: &str, does: &str| format!("{name} · {does}").into();
     match action {
-        Action::New => menu.new.into(),
-        Action::Load => menu.load.into(),
-        Action::Save => menu.save.into(),
-        Action::SaveAs => menu.save_as.into(),
-        Action::Export => menu.export.into(),
-        Action::Quit => menu.quit.into(),
+        Action::File(FileAction::New) => menu.new.into(),
+        Action::File(FileAction::Load) => menu.load.into(),
+        Action::File(FileAction::Save) => menu.save.into(),
+        Action::File(FileAction::SaveAs) => menu.save_as.into(),
+        Action::File(FileAction::Export) => menu.export.into(),
+        Action::File(FileAction::Quit) => menu.quit.into(),
         Action::Undo => menu.undo.into(),
         Action::Redo => menu.redo.into(),
-        Action::AddPoint => menu.add_point.into(),
-        Action::AddHere => button(position.add_here, position.add_here_hint),
-        Action::AskPoints => menu.add_points.into(),
-        Action::RemovePoint => menu.remove_point.into(),
+        Action::Path(PathAction::AddPoint) => menu.add_point.into(),
+        Action::Path(PathAction::AddHere) => button(position.add_here, position.add_here_hint),
+        Action::Path(PathAction::AskPoints) => menu.add_points.into(),
+        Action::Path(PathAction::RemovePoint) => menu.remove_point.into(),
         Action::Choose(_) => space.all_points.into(),
-        Action::SwitchClosed => menu.close.into(),
-        Action::NextPoint => position.next_hint.into(),
-        Action::PreviousPoint => position.previous_hint.into(),
-        Action::AddOrientation => menu.add_orientation.into(),
-        Action::RemoveOrientation => menu.remove_orientation.into(),
-        Action::NextOrientation => orientation.next_hint.into(),
-        Action::PreviousOrientation => orientation.previous_hint.into(),
-        Action::SwitchAbsolute => fill(
+        Action::Path(PathAction::SwitchClosed) => menu.close.into(),
+        Action::Path(PathAction::NextPoint) => position.next_hint.into(),
+        Action::Path(PathAction::PreviousPoint) => position.previous_hint.into(),
+        Action::Path(PathAction::AddOrientation) => menu.add_orientation.into(),
+        Action::Path(PathAction::RemoveOrientation) => menu.remove_orientation.into(),
+        Action::Path(PathAction::NextOrientation) => orientation.next_hint.into(),
+        Action::Path(PathAction::PreviousOrientation) => orientation.previous_hint.into(),
+        Action::Path(PathAction::SwitchAbsolute) => fill(
             texts.help.absolute,
             &[&orientation.absolute, &orientation.relative],
         )
         .into(),
-        Action::AimAll => menu.aim_all.into(),
+        Action::Path(PathAction::AimAll) => menu.aim_all.into(),
         Action::Check => texts.check.menu.into(),
-        Action::TakeOver { replace: false } => space.take_over.into(),
-        Action::TakeOver { replace: true } => space.take_over_here.into(),
+        Action::Path(PathAction::TakeOver { replace: false }) => space.take_over.into(),
+        Action::Path(PathAction::TakeOver { replace: true }) => space.take_over_here.into(),
         Action::SwitchHandsOver => menu.hands_over.into(),
         Action::Curve => button(texts.curve.title, position.change_hint),
         Action::SpeedCurve => menu.speeds.into(),
         Action::SwitchCameraView => space.camera_meaning.into(),
-        Action::PlayOrPause => space.play_meaning.into(),
+        Action::Time(TimeAction::PlayOrPause) => space.play_meaning.into(),
         Action::Copy => button(menu.copy_orientation, texts.help.copy),
         Action::Cut => menu.cut.into(),
         Action::Paste => button(menu.paste, texts.help.paste),
         Action::HandOver => menu.hand_over.into(),
         Action::Colours => menu.colours.into(),
         Action::Display => menu.display.into(),
-        Action::LoadSetup => menu.load_setup.into(),
-        Action::SaveSetup => menu.save_setup.into(),
+        Action::File(FileAction::LoadSetup) => menu.load_setup.into(),
+        Action::File(FileAction::SaveSetup) => menu.save_setup.into(),
         Action::Node(_) => texts.node.set_keys.into(),
         _ => menu.keys.into(),
     }
@@ -248,7 +248,7 @@ mod tests {
                 }));
             }
             assert!(entries >= 20, "{entries}");
-            let absolute = meaning(language, &Action::SwitchAbsolute);
+            let absolute = meaning(language, &Action::Path(PathAction::SwitchAbsolute));
             for button in [texts.orientation.absolute, texts.orientation.relative] {
                 assert!(
                     absolute.contains(button) && window.query_all_by_label(button).next().is_some()

@@ -3,7 +3,7 @@
 use egui::{Button, Key, Modifiers, vec2};
 use vides_engine::limits::MAX_DIVISION;
 
-use crate::action::Action;
+use crate::action::{Action, PathAction};
 use crate::state::Editor;
 use crate::state::windows::{PointsWindow, Windows};
 use crate::texts::fill;
@@ -72,7 +72,7 @@ impl SubWindow for PointsWindow {
             });
         }
         if let Some(count) = picked {
-            actions.push(Action::AddPoints(count));
+            actions.push(Action::Path(PathAction::AddPoints(count)));
             stays = false;
         }
         stays

@@ -17,7 +17,7 @@ use vides_document::{Document, Edit, StepName};
 use vides_engine::path::Pose;
 use vides_engine::tools::{Parameter, Unit};
 
-use crate::action::Action;
+use crate::action::{Action, ToolAction};
 use crate::background::Background;
 use crate::entry::Entry;
 use crate::number::Number;
@@ -76,11 +76,11 @@ impl ToolWindow {
         let ended = dragged && self.before.is_none() && slow;
         if (old != self.numbers && !waits) || ended {
             // Before what ends it, which goes by these numbers.
-            actions.insert(0, Action::PreviewTool);
+            actions.insert(0, Action::Tool(ToolAction::Preview));
         } else if self.work.as_mut().is_some_and(|work| work.is_done(context)) {
-            actions.push(Action::ToolMade);
+            actions.push(Action::Tool(ToolAction::Made));
         }
-        actions.extend(end.map(|keeps| Action::EndTool { keeps }));
+        actions.extend(end.map(|keeps| Action::Tool(ToolAction::End { keeps })));
         true
     }
 

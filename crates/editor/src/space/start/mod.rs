@@ -12,7 +12,7 @@ use vides_document::tool;
 use vides_document::tool::Tool;
 use vides_engine::path::Space;
 
-use crate::action::Action;
+use crate::action::{Action, FileAction, PathAction, ToolAction};
 use crate::files::recent::PICTURE;
 use crate::setup::Element;
 use crate::state::Editor;
@@ -226,14 +226,18 @@ fn show_beginning(
         Begin::Tool(tool) => (
             editor.language().tool(tool.name),
             editor.language().tool_hint(&tool),
-            Action::Tool(tool),
+            Action::Tool(ToolAction::Open(tool)),
         ),
         Begin::View => (
             texts.begin_view,
             texts.take_over_here_tip,
-            Action::TakeOver { replace: true },
+            Action::Path(PathAction::TakeOver { replace: true }),
         ),
-        Begin::Open => (texts.begin_open, texts.begin_open_tip, Action::Load),
+        Begin::Open => (
+            texts.begin_open,
+            texts.begin_open_tip,
+            Action::File(FileAction::Load),
+        ),
     };
     let response = ui.put(place, Button::new("").frame_when_inactive(true));
     let moves = response.hovered() && !editor.still;
@@ -295,7 +299,7 @@ fn show_recent(
         &[&file.unwrap_or_default()],
     );
     if response.on_hover_text(hint).clicked() {
-        actions.push(Action::Recent(at));
+        actions.push(Action::File(FileAction::Recent(at)));
     }
 }
 
