@@ -186,6 +186,8 @@ check-format:
 
 check-lints:
 	@command -v cargo-clippy >/dev/null || mk/component.sh clippy
+	@mk/need.sh python3=python3
+	python3 mk/imports.py --check --plain >/dev/null && python3 mk/imports.py --check >/dev/null
 	$(CARGO) clippy --locked --workspace --all-features --all-targets -- $(LINT)
 
 check-rust:

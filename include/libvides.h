@@ -3256,7 +3256,8 @@ int v_editor_set_scene(V_EDITOR *editor,
 /* ---- Steps of a window ------------------------------------------------------- */
 
 /**
- * Takes back the last step of a window, as the user does by Ctrl-Z.
+ * Takes back the last step of a window, as the user does by Ctrl-Z. A window keeps the last
+ * 10,000 steps, and of what they have changed 256 MiB.
  * The thread that opened the window; from callbacks too. V_ERR_NULL,
  * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (there is none).
  */

@@ -3,9 +3,10 @@
 File A imports file B where A names an item of B: in a `use` whose name it then uses, or in a path.
 Names are followed through re-exports to the file that has the item, so that a `mod` or a `pub use`
 alone is no import; methods are not seen. Tests are left out. Usage: imports.py [--edges] [--plain]
-[FOLDER]
+[--check] [FOLDER]
 With --edges also those imports without which the largest circle would be smallest. With --plain
-re-exports are imports as others are and not followed.
+re-exports are imports as others are and not followed. With --check one of more than three files is
+an error.
 """
 
 import pathlib
@@ -117,10 +118,12 @@ def circles(graph):
 
 
 def main():
+    most = 0
     root = pathlib.Path(next((a for a in sys.argv[1:] if not a.startswith("--")), "."))
     for source in [root / "src", *sorted(root.glob("crates/*/src"))]:
         graph = imports(source, "--plain" in sys.argv)
         found = circles(graph)
+        most = max([most, *map(len, found)])
         print(f"{source.relative_to(root)}: {len(graph)} files, circles: {[len(c) for c in found]}")
         for circle in found:
             print("   ", *("::".join(module) or "crate" for module in circle))
@@ -132,6 +135,8 @@ def main():
                 tried.append((size, "::".join(a), "::".join(b)))
         for size, a, b in sorted(tried)[:20]:
             print(f"    {size:4} without {a or 'crate'} -> {b or 'crate'}")
+    if "--check" in sys.argv and most > 3:
+        sys.exit(f"imports.py: {most} files of one crate import each other in a circle")
 
 
 if __name__ == "__main__":

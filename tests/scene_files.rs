@@ -29,6 +29,7 @@ fn track(
 }
 
 /// A scene with everything in it, and numbers that are hard to write.
+#[expect(clippy::too_many_lines)] // told in one piece
 fn everything() -> SceneDocument {
     let mut scene = Scene::new();
     let mut world = Node::new("world", Kind::Group);
@@ -318,6 +319,7 @@ fn poses_handed_over_are_those_of_a_file() {
 }
 
 #[test]
+#[expect(clippy::too_many_lines)] // told in one piece
 fn complaints_name_line_node_channel_and_key() {
     let cases = [
         (

@@ -132,6 +132,7 @@ impl Raw {
     }
 
     /// The edit, with indices that mostly fit the document.
+    #[expect(clippy::too_many_lines)] // told in one piece
     pub(super) fn edit(&self, document: &Document) -> Edit {
         let points = document.path().points.len();
         // One too far is among them.

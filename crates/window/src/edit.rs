@@ -4,10 +4,10 @@
 use std::path::Path;
 use std::rc::Rc;
 
-use crate::document::{self, Document, Edit, load_object};
-use crate::editor::{self, Folders, Warnings};
 use crate::error::{Error, Result};
 use crate::{Host, Options, document_of, main_loop, open, own_program};
+use vides_document::{Document, Edit, load_object};
+use vides_editor::{Folders, Warnings};
 
 /// Opens the editor in a window of its own and returns when it is closed; other windows of the
 /// calling thread are served meanwhile. `file` is what is edited and saved to, a new path if it
@@ -21,7 +21,7 @@ pub fn edit(file: Option<&Path>, object: Option<&Path>) -> Result<()> {
     let mut about_meshes = Warnings::default();
     about_meshes.add_meshes(warnings);
     let _window = open(Options {
-        editor: editor::Options {
+        editor: vides_editor::Options {
             document,
             file: file.map(Path::to_path_buf),
             title: None,
@@ -30,7 +30,7 @@ pub fn edit(file: Option<&Path>, object: Option<&Path>) -> Result<()> {
             fixed_speeds: false,
             folders: Folders::of_environment(),
             program: own_program(),
-            host_view: editor::HostView::default(),
+            host_view: vides_editor::HostView::default(),
         },
         display: None,
         application: None,
@@ -49,7 +49,7 @@ pub fn edit(file: Option<&Path>, object: Option<&Path>) -> Result<()> {
 fn beginning(
     file: Option<&Path>,
     object: Option<&Path>,
-) -> Result<(Document, Vec<document::Error>)> {
+) -> Result<(Document, Vec<vides_document::Error>)> {
     let object = object.map(load_object).transpose()?;
     let (mut document, warnings) = match (file, &object) {
         (Some(file), None) => document_of(file)?,

@@ -4,8 +4,6 @@ pub(crate) use vides_document::error::EngineError;
 use vides_document::error::{Error as DocumentError, ErrorKind, reason};
 pub(crate) use vides_engine::error::{complain, panic_said};
 
-use crate::x11;
-
 /// What can go wrong with a window.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
@@ -14,7 +12,7 @@ pub enum Error {
     Document(#[from] DocumentError),
     /// There is no screen for the window, or it is gone.
     #[error(transparent)]
-    Screen(#[from] x11::Error),
+    Screen(#[from] vides_x11::Error),
     /// The system gives no descriptor.
     #[error("no descriptor for the windows: {}", reason(.0))]
     NoDescriptor(io::Error),

@@ -1,9 +1,9 @@
 //! What a window knows of its owner, and what it is called.
 
-use crate::document::{self, Poses};
-use crate::editor::Reason;
 use crate::error;
-use crate::path::Pose;
+use vides_document::Poses;
+use vides_editor::Reason;
+use vides_engine::path::Pose;
 
 /// The owner of a window. Its methods run on the window's thread; those that call host code run
 /// while nothing of ours is borrowed.
@@ -12,7 +12,7 @@ pub trait Host {
     ///
     /// # Errors
     /// Shown in the window; what the host has stays as it was.
-    fn prepare(&self, window: Id, poses: &Poses<'_>) -> document::Result<()> {
+    fn prepare(&self, window: Id, poses: &Poses<'_>) -> vides_document::Result<()> {
         let _ = (window, poses);
         Ok(())
     }

@@ -33,29 +33,25 @@ use std::rc::Rc;
 use std::sync::OnceLock;
 use std::time::Duration;
 
-use vides_document as document;
 pub use vides_editor as editor;
-use vides_engine::{inject, path};
-use vides_raster as raster;
-use vides_x11 as x11;
 
-use crate::document::Document;
-use crate::editor::{Editor, Warnings};
+use vides_document::Document;
+use vides_editor::{Editor, Warnings};
 
 pub use edit::edit;
-pub use editor::Reason;
 pub use error::{Error, Result};
 pub use handle::Handle;
 pub use host::{Gone, Host, Id};
 pub use program::{host_program, own_program};
 pub use pump::{close_all, dispatch, host_serves, main_loop};
 pub use registry::{Lost, is_open, within_a_call};
+pub use vides_editor::Reason;
 pub use xt::{Refusal, own_thread};
 
 /// How a window is opened.
 pub struct Options {
     /// What it shows.
-    pub editor: editor::Options,
+    pub editor: vides_editor::Options,
     /// The X display's name; by default the environment's.
     pub display: Option<String>,
     /// What the program is called; by default the name of the running one.
@@ -74,16 +70,16 @@ impl Options {
     /// A top-level window on a path, for a program that takes its poses when handed over.
     pub fn new(document: Document, host: Rc<dyn Host>) -> Self {
         Self {
-            editor: editor::Options {
+            editor: vides_editor::Options {
                 document,
                 file: None,
                 title: None,
                 language: None,
                 host_takes_poses: true,
                 fixed_speeds: false,
-                folders: editor::Folders::of_environment(),
+                folders: vides_editor::Folders::of_environment(),
                 program: host_program(true),
-                host_view: editor::HostView::default(),
+                host_view: vides_editor::HostView::default(),
             },
             display: None,
             application: None,
@@ -111,7 +107,7 @@ pub fn open(options: Options) -> Result<Handle> {
     editor.warn(&options.warnings);
     editor.work_beside(start);
     let title = editor.window_title();
-    let screen = x11::Window::open(&x11::Options {
+    let screen = vides_x11::Window::open(&vides_x11::Options {
         display: options.display,
         title: title.clone(),
         application: options.application.unwrap_or_else(program::name),
@@ -134,16 +130,18 @@ pub fn open(options: Options) -> Result<Handle> {
 /// Starts a thread for work that takes long; whether that could be.
 fn start(work: Box<dyn FnOnce() + Send>) -> bool {
     let thread = std::thread::Builder::new().name("vides work".to_owned());
-    x11::without_signals(|| thread.spawn(work)).is_ok()
+    vides_x11::without_signals(|| thread.spawn(work)).is_ok()
 }
 
 /// Loads a path or scene, with what was wrong with its meshes; a new path if the file is missing.
 ///
 /// # Errors
 /// Those of [`Document::load`].
-pub fn document_of(file: &Path) -> document::Result<(Document, Vec<document::Error>)> {
+pub fn document_of(file: &Path) -> vides_document::Result<(Document, Vec<vides_document::Error>)> {
     match Document::load_scene(file) {
-        Err(document::Error::Io { source, .. }) if source.kind() == io::ErrorKind::NotFound => {
+        Err(vides_document::Error::Io { source, .. })
+            if source.kind() == io::ErrorKind::NotFound =>
+        {
             Ok((Document::try_new()?, Vec::new()))
         }
         loaded => loaded,

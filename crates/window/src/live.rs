@@ -7,8 +7,8 @@
 
 use std::time::{Duration, Instant};
 
-use crate::editor::{Editor, PlayheadState, Reason};
-use crate::path::Pose;
+use vides_editor::{Editor, PlayheadState, Reason};
+use vides_engine::path::Pose;
 
 /// The least time between pictures of an animation, or of a mere motion of the pointer.
 pub(super) const FRAME: Duration = Duration::from_nanos(1_000_000_000 / 60);

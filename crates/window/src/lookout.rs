@@ -21,7 +21,7 @@ use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-use crate::x11::without_signals;
+use vides_x11::without_signals;
 
 /// How often and how many times it checks: less than the two seconds promised for the hint.
 const STEP: Duration = Duration::from_millis(100);

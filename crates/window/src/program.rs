@@ -6,7 +6,7 @@ use std::mem::MaybeUninit;
 use std::path::Path;
 use std::time::{SystemTime, UNIX_EPOCH};
 
-use crate::editor::{Date, Program};
+use vides_editor::{Date, Program};
 
 /// The name the program was called by, without folders; empty if there was none. By it a desktop
 /// groups our windows with the program's own, and unsaved work is found again.

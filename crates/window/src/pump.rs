@@ -13,7 +13,7 @@ use super::registry::Lost;
 use super::window::HostRequest;
 use super::{hint, lookout, registry};
 use crate::error::Result;
-use crate::inject;
+use vides_engine::inject;
 
 /// Rounds in one call: a picture, what its reply brings along, and a few more.
 const ROUNDS: u32 = 8;

@@ -23,7 +23,7 @@ use super::host::{Gone, Host, Id};
 use super::window::Window;
 use super::{ending, lookout, thread_end, xt};
 use crate::error::{EngineError, Error, Result, panic_said};
-use crate::inject;
+use vides_engine::inject;
 
 /// Ids are never used again in a process.
 static NEXT: AtomicU64 = AtomicU64::new(1);
@@ -327,7 +327,7 @@ pub(super) fn work<R>(id: Id, f: impl FnOnce(&mut Window, &Rc<dyn Host>) -> R) -
 impl Lost {
     /// The screen is gone or refused to go on.
     pub(super) fn screen(error: &Error) -> Self {
-        use crate::x11::Error::{Destroyed, Reparented};
+        use vides_x11::Error::{Destroyed, Reparented};
         let gone = match error {
             Error::Screen(Destroyed | Reparented) => Gone::FromOutside,
             _ => Gone::Screen,

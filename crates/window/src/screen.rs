@@ -1,12 +1,12 @@
-//! What a window asks of [`crate::x11`], as a trait: the loop can be tested without an X server.
+//! What a window asks of [`vides_x11`], as a trait: the loop can be tested without an X server.
 
 use std::os::fd::{AsFd as _, BorrowedFd};
 use std::time::Instant;
 
 use egui::{PlatformOutput, RawInput};
 
-use crate::raster::{Area, Target};
-use crate::x11::{PanePlace, PaneWindow, PollResult, Result, Window};
+use vides_raster::{Area, Target};
+use vides_x11::{PanePlace, PaneWindow, PollResult, Result, Window};
 
 /// See the methods of [`Window`].
 pub(super) trait Screen {

@@ -17,10 +17,10 @@ use super::window::Window;
 use super::{
     Gone, Host, Id, change, close, dispatch, is_open, main_loop, registry, wait, within_a_call,
 };
-use crate::document::{Document, Poses};
-use crate::editor::{Editor, Folders, HostView, Language, Options};
 use crate::error::EngineError;
-use crate::x11::PollResult;
+use vides_document::{Document, Poses};
+use vides_editor::{Editor, Folders, HostView, Language, Options};
+use vides_x11::PollResult;
 
 type OnClose = Box<dyn FnMut(Id) -> bool>;
 
@@ -39,7 +39,7 @@ struct Calls {
 }
 
 impl Host for Calls {
-    fn prepare(&self, _: Id, _: &Poses<'_>) -> crate::document::Result<()> {
+    fn prepare(&self, _: Id, _: &Poses<'_>) -> vides_document::Result<()> {
         if self.refuses.get() {
             return Err(EngineError::Memory.into());
         }

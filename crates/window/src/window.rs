@@ -11,11 +11,11 @@ use egui::{ClippedPrimitive, Context, FullOutput, ViewportCommand, ViewportId, V
 use super::host::{Host, Id};
 use super::live::{FRAME, HostEvent, Live};
 use super::screen::Screen;
-use crate::editor::{Editor, Request};
 use crate::error::Result;
-use crate::inject::{self, Place};
-use crate::raster::{self, Area, Raster};
-use crate::x11::{PanePlace, PaneWindow};
+use vides_editor::{Editor, Request};
+use vides_engine::inject::{self, Place};
+use vides_raster::{Area, Raster};
+use vides_x11::{PanePlace, PaneWindow};
 
 /// Passes that may follow at once without input, where a size settles. More are an animation.
 const SETTLING_PASSES: u32 = 3;
@@ -258,7 +258,7 @@ impl Window {
         } = output;
         self.raster.update_textures(textures_delta);
         self.raster.set_background(editor.background());
-        let primitives = raster::primitives(context, shapes, pixels_per_point);
+        let primitives = vides_raster::primitives(context, shapes, pixels_per_point);
         self.picture = Some((primitives, pixels_per_point));
         self.screen.take_output(platform_output)?;
         let ours = viewport_output.remove(&ViewportId::ROOT);

@@ -1,6 +1,6 @@
 //! Lists of rectangles: few large ones are shown faster than many small ones.
 
-use crate::raster::Area;
+use vides_raster::Area;
 
 /// A longer list is merged into one rectangle.
 const MOST: usize = 32;

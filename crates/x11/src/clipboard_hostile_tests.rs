@@ -16,7 +16,7 @@ use super::clipboard_tests::{Fixture, long, notify, push};
 use super::connection::Connection;
 use super::testing::{Server, until};
 use super::{incoming, outgoing};
-use crate::limits::MAX_CLIPBOARD_BYTES;
+use vides_engine::limits::MAX_CLIPBOARD_BYTES;
 
 /// A program that owns the clipboard and does as a test tells it.
 struct Owner {
@@ -67,6 +67,7 @@ impl Owner {
 }
 
 #[test]
+#[expect(clippy::too_many_lines)] // told in one piece
 fn owners_that_mean_it_ill_cost_neither_time_nor_memory() {
     let server = Server::start();
     let mut fixture = Fixture::new(&server);

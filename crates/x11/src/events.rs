@@ -14,8 +14,8 @@ use super::present::Surface;
 use super::state::Window;
 use super::{scale, window};
 use crate::error::{Error, Result};
-use crate::inject;
-use crate::raster::Area;
+use vides_engine::inject;
+use vides_raster::Area;
 
 impl Window {
     /// Handles one event, ignoring other windows'. Any client can send events: trust nothing.

@@ -15,7 +15,7 @@ use x11rb::{COPY_DEPTH_FROM_PARENT, COPY_FROM_PARENT, NONE};
 
 use super::connection::Connection;
 use crate::error::Result;
-use crate::limits::MAX_CLIPBOARD_BYTES;
+use vides_engine::limits::MAX_CLIPBOARD_BYTES;
 
 /// How long to wait for the other program's next step.
 pub(super) const STEP_TIMEOUT: Duration = Duration::from_secs(5);

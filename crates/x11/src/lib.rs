@@ -65,10 +65,6 @@ use egui::{Pos2, Rect, Vec2, ViewportInfo};
 use x11rb::connection::{Connection as _, RequestConnection as _};
 use x11rb::protocol::xproto::ImageOrder;
 
-use vides_engine::{inject, limits};
-use vides_raster as raster;
-
-use crate::raster::{Area, Target};
 use clipboard::{Clipboard, Selection};
 pub use connect::without_signals;
 use connection::Connection;
@@ -85,6 +81,7 @@ use present::Surface;
 use settings::Settings;
 use state::Focus;
 pub use state::{PollResult, Window};
+use vides_raster::{Area, Target};
 
 /// The largest texture the painter accepts, in pixels per side.
 const TEXTURE_SIDE: usize = 2048;

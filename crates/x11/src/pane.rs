@@ -16,7 +16,7 @@ use super::connection::{Connection, SENT};
 use super::state::Window;
 use super::{pane_pool, window};
 use crate::error::Result;
-use crate::raster::Area;
+use vides_raster::Area;
 
 /// The place of a pane, in pixels of the window.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

@@ -20,7 +20,7 @@ use super::connection::Connection;
 use super::pixels::Layout;
 use super::shared::Memory;
 use crate::error::{Result, vec_with_room};
-use crate::raster::{Area, Target};
+use vides_raster::{Area, Target};
 
 /// The largest piece of an image, in bytes.
 const PIECE: usize = 256 << 10;

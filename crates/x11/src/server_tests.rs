@@ -15,7 +15,7 @@ use x11rb::rust_connection::RustConnection;
 use super::stream::wait;
 use super::testing::{PATIENCE, Server, until};
 use super::{MOST_EVENTS, Options, Window};
-use crate::raster::Area;
+use vides_raster::Area;
 
 fn open(display: Option<&str>) -> crate::error::Result<Window> {
     Window::open(&Options {

@@ -272,6 +272,7 @@ fn alike(track: &Track, a: &[f64], b: &[f64], near: f64) -> bool {
 
 /// Curves and keys stand where the engine says, to half a pixel, for a thousand random tracks.
 #[test]
+#[expect(clippy::too_many_lines)] // told in one piece
 fn curves_and_keys_stand_where_the_engine_says() {
     let mut random = Random(7);
     let mut harness = graph();

@@ -35,6 +35,7 @@ fn yaw(w: f64, y: f64) -> String {
 }
 
 #[test]
+#[expect(clippy::too_many_lines)] // told in one piece
 fn the_car_is_made_by_hand() {
     let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/car.vid");
     let made = Document::load_scene(&example).unwrap().0.scene().unwrap();

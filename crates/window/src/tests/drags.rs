@@ -7,8 +7,8 @@ use egui::{Event, Modifiers, PointerButton, Pos2, pos2};
 use super::{Remote, open, settle};
 use crate::live::FRAME;
 use crate::window::DRAG_PAUSE;
-use crate::x11::PollResult;
 use crate::{close, dispatch, wait};
+use vides_x11::PollResult;
 
 fn button(pos: Pos2, pressed: bool) -> Event {
     Event::PointerButton {

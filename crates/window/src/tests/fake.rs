@@ -10,9 +10,9 @@ use std::time::Instant;
 
 use egui::{PlatformOutput, RawInput};
 
-use crate::raster::{Area, Target};
 use crate::screen::Screen;
-use crate::x11::{Error, PanePlace, PaneWindow, PollResult, Result};
+use vides_raster::{Area, Target};
+use vides_x11::{Error, PanePlace, PaneWindow, PollResult, Result};
 
 /// What a fake screen does, from outside.
 pub(super) struct Remote {

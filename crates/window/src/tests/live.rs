@@ -8,12 +8,12 @@ use std::time::{Duration, Instant};
 use egui::{Event, Modifiers, PointerButton, pos2};
 
 use super::{Remote, open_for};
-use crate::document::{At, Edit, Poses, Result};
-use crate::editor::HostView;
-use crate::path::{CameraPath, Pose};
-use crate::x11::PollResult;
 use crate::{Gone, Host, Id, Reason, change, close, command, dispatch, is_open, look, wait};
+use vides_document::{At, Edit, Poses, Result};
+use vides_editor::HostView;
+use vides_engine::path::{CameraPath, Pose};
 use vides_engine::scene::{Extrapolation, FollowPath, Kind, Node, Scene};
+use vides_x11::PollResult;
 
 /// What a host does when it is told of a view.
 type OnView = Box<dyn FnMut(Id)>;

@@ -9,8 +9,8 @@ use x11rb::rust_connection::RustConnection;
 use x11rb::wrapper::ConnectionExt as _;
 
 use super::{Shown, colour};
-use crate::raster::Area;
 use crate::testing::Server;
+use vides_raster::Area;
 
 pub(super) struct Looker {
     pub(super) connection: RustConnection,

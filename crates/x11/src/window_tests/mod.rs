@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 use super::stream::wait;
 use super::testing::{PATIENCE, Server};
 use super::{Options, PollResult, Window};
-use crate::raster::Area;
+use vides_raster::Area;
 
 /// A window and what it told.
 struct Shown {

@@ -5,8 +5,8 @@ use x11rb::protocol::xproto::ConnectionExt as _;
 
 use super::looker::Looker;
 use super::{Shown, colour, open};
-use crate::raster::Area;
 use crate::testing::Server;
+use vides_raster::Area;
 
 #[test]
 fn what_is_painted_is_shown_at_every_depth_with_and_without_shared_memory() {

@@ -6,9 +6,9 @@ use x11rb::protocol::xproto::{ConnectionExt as _, EventMask};
 
 use super::Shown;
 use super::looker::Looker;
-use crate::raster::Area;
 use crate::testing::{Server, until};
 use crate::{PanePlace, PaneWindow};
+use vides_raster::Area;
 
 fn place(width: u32, height: u32) -> PanePlace {
     PanePlace {
