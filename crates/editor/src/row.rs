@@ -84,3 +84,25 @@ impl Editor {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use vides_engine::property::Table;
+
+    use super::*;
+
+    fn holds<T: Table>(key: &str) -> Option<bool> {
+        let mut new = T::NEW;
+        let row = find(T::PROPERTIES, key)?;
+        Some(row.set_number(&mut new, 7.0) && (row.value)(&new).number() == Some(7.0))
+    }
+
+    #[test]
+    fn the_panels_fields_are_numbers_of_views() {
+        for key in ["hold_frames", "frames", "roll_degrees", "zoom_mm", "ahead"] {
+            let held = holds::<Orientation>(key).or_else(|| holds::<OrientationOverrides>(key));
+            assert_eq!(held, Some(true), "{key}");
+        }
+        assert_eq!(holds::<Orientation>("target"), Some(false));
+    }
+}

@@ -268,6 +268,7 @@ fn divide(
     let time = old.own.curve_time;
     orientation.own = orientation.own.with(|own| {
         own.turning = turning;
+        own.locked = old.own.locked;
         own.curve_time = time.map(|time| time * (1.0 - phi));
     })?;
     let mut orientations = vec_with_room(1)?;

@@ -3,7 +3,9 @@
 
 use super::*;
 use crate::path::test_support::Random;
-use crate::path::{CurveKind, CurveParameters, Ease, EaseKind, Pose, ZoomMode};
+use crate::path::{
+    CurveKind, CurveParameters, Ease, EaseKind, OrientationOverrides, Pose, ZoomMode,
+};
 
 pub(crate) fn random_path(random: &mut Random, round: usize) -> CameraPath {
     fn some(random: &mut Random) -> f64 {
@@ -201,9 +203,12 @@ fn a_section_of_one_frame_becomes_two() {
 fn fixed_frames_are_shared() {
     let mut path = CameraPath::default();
     let own = &mut path.points[0].orientations[0].own;
-    *own = own.with(|own| own.frames = 77).unwrap();
+    let lock = |own: &mut OrientationOverrides| (own.frames, own.locked) = (77, true);
+    *own = own.with(lock).unwrap();
     assert_eq!(poses(&path).1.len(), 78);
     let inserted = on_curve(&path, 20.4).unwrap();
+    let locked = |at: usize| inserted.path.points[at].orientations[0].own.locked;
+    assert_eq!([0, 1, 2].map(locked), [true, true, false]);
     let frames = |at: usize| inserted.path.points[at].orientations[0].own.frames;
     assert_eq!((frames(0), frames(1), frames(2)), (19, 58, 0));
 }

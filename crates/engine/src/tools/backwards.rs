@@ -144,6 +144,7 @@ fn backwards(old: &Orientation, section: &Orientation) -> Result<Orientation> {
     new.own = old.own.with(|own| {
         own.up = up;
         own.frames = section.own.frames;
+        own.locked = section.own.locked;
         own.curve_time = section.own.curve_time;
         own.pace = match &section.own.pace {
             Pace::Speeds => Pace::Speeds,

@@ -336,10 +336,12 @@ impl Merge<'_> {
             return Ok(());
         };
         let (speeds, rest) = (begin.speeds, begin.own.pace.clone());
+        let locked = begin.own.locked;
         begin.speeds = pace.speeds;
         begin.own = begin.own.with(|own| {
             own.pace = pace.own.pace.clone();
             own.frames = pace.own.frames;
+            own.locked = pace.own.locked;
             own.curve_time = pace.own.curve_time;
         })?;
         let count = self.put.len();
@@ -351,6 +353,7 @@ impl Merge<'_> {
             end.own = end.own.with(|own| {
                 own.pace = rest;
                 own.frames = 0;
+                own.locked = locked;
                 own.curve_time = None;
             })?;
         }

@@ -142,6 +142,41 @@ fn vary(path: &mut CameraPath, random: &mut Random) {
     }
 }
 
+/// Four points, the middle section locked.
+fn with_a_lock() -> CameraPath {
+    let mut random = Random(8);
+    let mut path = CameraPath::default();
+    path.points.resize(4, path.points[0].clone());
+    for point in &mut path.points {
+        point.position = vector(&mut random);
+    }
+    let own = &mut path.points[1].orientations[0].own;
+    let lock = |own: &mut OrientationOverrides| (own.frames, own.locked) = (20, true);
+    *own = own.with(lock).unwrap();
+    path
+}
+
+fn locks(path: &CameraPath) -> Vec<bool> {
+    let own = |point: &SupportPoint| point.orientations.iter().any(|view| view.own.locked);
+    path.points.iter().map(own).collect()
+}
+
+#[test]
+fn a_lock_goes_with_its_section() {
+    let path = with_a_lock();
+    assert_eq!(locks(&path), [false, true, false, false]);
+    assert_eq!(locks(&reverse(&path).unwrap()), [false, true, false, false]);
+    let mut other = path.clone();
+    other.points.remove(0);
+    assert_eq!(locks(&reverse(&other).unwrap()), [false, true, false]);
+    // The way that began at the joint goes on behind the block, as its pace does.
+    let done = insert(&path, 1, &CameraPath::default(), Fit::Move, true).unwrap();
+    let whole = [false, false, true, false, false];
+    assert_eq!(locks(&done.path), whole);
+    let done = insert(&path, 0, &other, Fit::Move, true).unwrap();
+    assert_eq!(locks(&done.path), [true, false, false, true, false, false]);
+}
+
 #[test]
 fn a_film_of_the_reversed_path_runs_backwards() {
     let mut random = Random(4);
