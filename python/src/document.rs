@@ -116,9 +116,8 @@ fn collected(places: impl Iterator<Item = DVec3>) -> Vec<[f64; 3]> {
 /// By its name in files.
 fn curve(name: &str) -> Result<CurveKind> {
     CurveKind::named(name).ok_or_else(|| {
-        Failure::argument(format!(
-            "the curve is \"tcb\", \"cubic\" or \"linear\", not {name:?}"
-        ))
+        let known = CurveKind::NAMES.join(", ");
+        Failure::argument(format!("the curve is one of {known}, not {name:?}"))
     })
 }
 

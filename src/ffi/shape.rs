@@ -1,6 +1,6 @@
 //! The kind of the curve, tangents that points own, and points put on the curve.
 
-use std::ffi::{CStr, c_char, c_int};
+use std::ffi::{c_char, c_int};
 
 use super::border::border;
 use super::path::{edit, edit_and, read};
@@ -10,9 +10,6 @@ use super::status::{Failure, V_ERR_INTERNAL, V_OK};
 use super::types::V_PATH;
 use crate::document::{At, Edit};
 use crate::path::{CurveKind, Tangents, curve};
-
-/// In the order of [`CurveKind::ALL`].
-const KINDS: [&CStr; 3] = [c"tcb", c"cubic", c"linear"];
 
 /// ==== Kind of the curve, tangents ====
 ///
@@ -41,7 +38,7 @@ pub unsafe extern "C" fn v_path_get_curve(path: *const V_PATH, kind: *mut *const
         let out = Out::new(kind, "kind")?;
         let kind = read(path, |document| Ok(document.path().curve))?;
         // SAFETY: room for a pointer, as the header says.
-        unsafe { out.answer(KINDS[kind as usize].as_ptr()) }
+        unsafe { out.answer(kind.c_name().as_ptr()) }
     })
 }
 
@@ -136,13 +133,4 @@ pub unsafe extern "C" fn v_path_insert_on_curve(
         // SAFETY: room for an int, as the header says.
         unsafe { at.answer(new) }
     })
-}
-
-#[cfg(test)]
-mod tests {
-    #[test]
-    fn the_names_of_kinds_are_those_of_the_engine() {
-        let names = super::KINDS.map(|name| name.to_str().unwrap());
-        assert_eq!(names, crate::path::CurveKind::NAMES);
-    }
 }

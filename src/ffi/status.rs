@@ -12,6 +12,7 @@ use crate::error::{
 };
 use crate::formats;
 use crate::instance::Error;
+use crate::path::CurveKind;
 
 /// ==== Version of this header ====
 ///
@@ -127,7 +128,7 @@ pub(super) enum Failure {
         given: c_int,
         known: &'static str,
     },
-    #[error("there is no kind of curve \"{0}\"; known: tcb, cubic, linear")]
+    #[error("there is no kind of curve \"{0}\"; known: {known}", known = CurveKind::NAMES.join(", "))]
     NoCurveKind(Text),
     #[error("options->language is \"{0}\"; known: de, en")]
     NoLanguage(Text),

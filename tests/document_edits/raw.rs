@@ -38,48 +38,59 @@ fn number() -> impl Strategy<Value = f64> {
     ]
 }
 
-/// How many edits there are, in the order of [`kind`].
-pub(super) const KINDS: u8 = 29;
+macro_rules! kinds {
+    ($($edit:ident)*) => {
+        #[repr(u8)]
+        enum Number { $($edit),* }
+
+        /// How many edits there are.
+        pub(super) const KINDS: u8 = [$(Number::$edit as u8),*].len() as u8;
+
+        /// The number by which [`Raw::edit`] makes such an edit; one that is new has none yet.
+        pub(super) fn kind(edit: &Edit) -> u8 {
+            match edit {
+                $(Edit::$edit { .. } => Number::$edit as u8,)*
+            }
+        }
+    };
+}
+
+kinds! {
+    InsertPoint
+    AppendAfterLast
+    PrependBeforeFirst
+    DivideSegment
+    RemovePoint
+    InsertOnCurve
+    FitFrames
+    EditNode
+    ReplaceScene
+    InsertOrientation
+    RemoveOrientation
+    SetOrientation
+    SetAbsolute
+    SetInfo
+    ReplacePath
+    TransformPoints
+    DeformPoints
+    InsertPath
+    Reverse
+    Repeat
+    SetSpace
+    MovePoint
+    ChangeUp
+    Set
+    Part
+    AddNodes
+    CopyNodes
+    SetParent
+    RenameMarker
+}
 
 /// Numbers of what is no edit, and of edits that set a property: there are many.
 pub(super) const SELECT: u8 = KINDS;
 
 const MORE_SETS: u8 = 8;
-
-/// The number by which [`Raw::edit`] makes such an edit; one that is new has none yet.
-pub(super) fn kind(edit: &Edit) -> u8 {
-    match edit {
-        Edit::InsertPoint { .. } => 0,
-        Edit::AppendAfterLast => 1,
-        Edit::PrependBeforeFirst => 2,
-        Edit::DivideSegment { .. } => 3,
-        Edit::RemovePoint { .. } => 4,
-        Edit::InsertOnCurve { .. } => 5,
-        Edit::FitFrames { .. } => 6,
-        Edit::EditNode(_) => 7,
-        Edit::ReplaceScene(_) => 8,
-        Edit::InsertOrientation { .. } => 9,
-        Edit::RemoveOrientation { .. } => 10,
-        Edit::SetOrientation { .. } => 11,
-        Edit::SetAbsolute { .. } => 12,
-        Edit::SetInfo(_) => 13,
-        Edit::ReplacePath(_) => 14,
-        Edit::TransformPoints { .. } => 15,
-        Edit::DeformPoints { .. } => 16,
-        Edit::InsertPath { .. } => 17,
-        Edit::Reverse => 18,
-        Edit::Repeat(_) => 19,
-        Edit::SetSpace { .. } => 20,
-        Edit::MovePoint { .. } => 21,
-        Edit::ChangeUp(_) => 22,
-        Edit::Set { .. } => 23,
-        Edit::Part(_) => 24,
-        Edit::AddNodes(_) => 25,
-        Edit::CopyNodes(_) => 26,
-        Edit::SetParent { .. } => 27,
-        Edit::RenameMarker { .. } => 28,
-    }
-}
 
 pub(super) fn raw() -> impl Strategy<Value = Raw> {
     (

@@ -71,7 +71,7 @@ impl Given<'_> {
         let count = 2 + self.below(5);
         let mut path = CameraPath {
             closed: self.below(2) == 1,
-            curve: [CurveKind::Tcb, CurveKind::Cubic, CurveKind::Linear][self.below(3)],
+            curve: CurveKind::ALL[self.below(CurveKind::ALL.len())],
             points: (0..count)
                 .map(|_| SupportPoint::new(self.place()))
                 .collect(),

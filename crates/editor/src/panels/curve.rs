@@ -95,7 +95,7 @@ fn others(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     ui.separator();
     ui.weak(texts.kind);
     let now = editor.document.path().curve;
-    for kind in [CurveKind::Tcb, CurveKind::Cubic, CurveKind::Linear] {
+    for kind in CurveKind::ALL {
         let set = Action::Edit(Edit::set(At::Path, "curve", kind));
         entry(ui, kind == now, words_of(editor, kind), set);
     }
@@ -141,9 +141,9 @@ fn chosen(editor: &Editor) -> String {
     if editor.joint().is_some() {
         return texts.tangents.to_owned();
     }
-    match editor.document.path().curve {
-        CurveKind::Tcb => {}
-        kind => return words_of(editor, kind).0.to_owned(),
+    let kind = editor.document.path().curve;
+    if !kind.has_shape() {
+        return words_of(editor, kind).0.to_owned();
     }
     match editor.point().map(|point| point.curve) {
         Some(CurveParameters::Preset(preset)) => {
@@ -158,17 +158,15 @@ fn chosen(editor: &Editor) -> String {
 
 /// Why tension, continuity and bias have no effect, if they have none.
 pub(crate) fn without_shape(editor: &Editor) -> Option<&'static str> {
-    match editor.document.path().curve {
-        CurveKind::Tcb => None,
-        CurveKind::Cubic | CurveKind::Linear => Some(editor.texts().position.no_shape_kind),
-    }
+    let without = !editor.document.path().curve.has_shape();
+    without.then_some(editor.texts().position.no_shape_kind)
 }
 
 /// The hint for them at a point that owns its tangents.
 pub(crate) fn in_place_of_tangents(editor: &Editor, point: usize) -> Option<&'static str> {
     let path = editor.document.path();
     let owns = path.points.get(point)?.tangents.is_some();
-    (owns && path.curve == CurveKind::Tcb).then_some(editor.texts().position.in_place_of_tangents)
+    (owns && path.curve.has_shape()).then_some(editor.texts().position.in_place_of_tangents)
 }
 
 /// Name and hint of a kind of curve.

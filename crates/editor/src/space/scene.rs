@@ -209,9 +209,9 @@ fn knots(path: &CameraPath, index: usize) -> impl Iterator<Item = Option<Knot>> 
             position: path.points[at].position,
             tcb: path.tcb(at),
             kind: path.curve,
-            tangents: match path.curve {
-                CurveKind::Cubic => Some(curve::tangents(path, at)),
-                CurveKind::Tcb | CurveKind::Linear => path.points[at].tangents,
+            tangents: match path.curve.is_spline() {
+                true => Some(curve::tangents(path, at)),
+                false => path.points[at].tangents,
             },
         })
     })

@@ -73,7 +73,7 @@ pub(in crate::space) fn edit(count: usize) -> impl Strategy<Value = Edit> {
             Edit::set(At::Point(at), "tangents", tangents)
         }),
         1 => (0..3usize).prop_map(|kind| {
-            Edit::set(At::Path, "curve", [CurveKind::Tcb, CurveKind::Cubic, CurveKind::Linear][kind])
+            Edit::set(At::Path, "curve", CurveKind::ALL[kind])
         }),
     ]
 }

@@ -261,7 +261,7 @@ mod tests {
     fn tangents_that_a_point_has_change_no_bit() {
         let mut random = Random(33);
         for round in 0..3000 {
-            let kind = [CurveKind::Tcb, CurveKind::Cubic, CurveKind::Linear][round % 3];
+            let kind = CurveKind::ALL[round % CurveKind::ALL.len()];
             let count = 2 + round % 7;
             let mut path = path(&mut random, count, kind);
             path.closed = round % 2 == 0;

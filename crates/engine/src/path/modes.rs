@@ -28,6 +28,35 @@ choices! {
     }
 }
 
+impl CurveKind {
+    /// Straight between points that own no tangents.
+    #[must_use]
+    pub const fn is_straight(self) -> bool {
+        match self {
+            Self::Linear => true,
+            Self::Tcb | Self::Cubic => false,
+        }
+    }
+
+    /// A spline over all points: each is felt beyond its neighbours.
+    #[must_use]
+    pub const fn is_spline(self) -> bool {
+        match self {
+            Self::Cubic => true,
+            Self::Tcb | Self::Linear => false,
+        }
+    }
+
+    /// Tension, continuity and bias act.
+    #[must_use]
+    pub const fn has_shape(self) -> bool {
+        match self {
+            Self::Tcb => true,
+            Self::Cubic | Self::Linear => false,
+        }
+    }
+}
+
 choices! {
     /// How the zoom runs between its keys (`docs/path.md`, zoom).
     pub enum ZoomMode {

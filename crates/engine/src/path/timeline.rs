@@ -6,7 +6,7 @@ use std::sync::Arc;
 use glam::DVec3;
 
 use super::ahead::{self, Rail};
-use super::camera_path::{CameraPath, CurveKind, Orientation};
+use super::camera_path::{CameraPath, Orientation};
 use super::curve;
 use super::dispatch;
 use super::hermite::Cubic;
@@ -136,7 +136,7 @@ impl Timeline {
     /// [`crate::Error::Memory`].
     pub fn update_point(&mut self, path: &CameraPath, point: usize) -> Result<()> {
         let ahead = self.rail.is_some() || path.points[point].orientations.iter().any(follows);
-        if path.curve == CurveKind::Cubic || ahead {
+        if path.curve.is_spline() || ahead {
             // Of a spline many segments feel a point, and along the way all views may.
             *self = Self::new(path)?;
             return Ok(());

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::camera_path::{CameraPath, CurveKind, SupportPoint};
+use super::camera_path::{CameraPath, SupportPoint};
 use super::cube::Space;
 use super::curve;
 use super::own_parts::Tangents;
@@ -85,9 +85,8 @@ pub fn check_ups(path: &CameraPath) -> Result<()> {
             _ => {}
         }
     }
-    let smooth = || {
-        path.curve == CurveKind::Cubic && path.points.iter().all(|point| point.tangents.is_none())
-    };
+    let smooth =
+        || path.curve.is_spline() && path.points.iter().all(|point| point.tangents.is_none());
     if frenet && !smooth() {
         return Err(Invalid::NoNormal.into());
     }

@@ -11,7 +11,7 @@ use self::field::Field;
 use self::route::Router;
 use crate::error::{Error, Invalid, Result, vec_with_room};
 use crate::path::hermite::Cubic;
-use crate::path::{CameraPath, Change, CurveKind, Sampler, Timeline};
+use crate::path::{CameraPath, Change, Sampler, Timeline};
 use crate::scene::Mesh;
 use crate::tools::clearance::Clearance;
 use crate::tools::enclosure::Enclosure;
@@ -454,7 +454,7 @@ impl<'a> Work<'a> {
             }
             ends = [from - share * (from - low), to + share * (high - to)];
         }
-        let steps = if self.path.curve == CurveKind::Linear {
+        let steps = if self.path.curve.is_straight() {
             1
         } else {
             BESIDE

@@ -1,6 +1,6 @@
 use super::*;
 use crate::path::test_support::Random;
-use crate::path::{SupportPoint, Target};
+use crate::path::{CurveKind, SupportPoint, Target};
 use crate::tools::check::{CheckContext, FindingKind, Limits, OFF, check};
 
 fn vector(random: &mut Random) -> DVec3 {
@@ -137,7 +137,7 @@ fn random_ways_keep_clear_of_a_ring() {
             }
         }
         let mut path = through(&places);
-        path.curve = [CurveKind::Tcb, CurveKind::Cubic, CurveKind::Linear][round % 3];
+        path.curve = CurveKind::ALL[round % CurveKind::ALL.len()];
         path.closed = round % 4 == 3 && count > 2;
         for point in &mut path.points {
             point.orientations[0].target = Target::Absolute(DVec3::new(0.0, 0.0, 0.01));

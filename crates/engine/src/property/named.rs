@@ -30,6 +30,20 @@ macro_rules! named {
                 }
             }
 
+            /// The same for C.
+            #[allow(dead_code)]
+            #[must_use]
+            $seen const fn c_name(self) -> &'static std::ffi::CStr {
+                match self {
+                    $(Self::$value => {
+                        match std::ffi::CStr::from_bytes_with_nul(concat!($name, "\0").as_bytes()) {
+                            Ok(name) => name,
+                            Err(_) => c"",
+                        }
+                    })*
+                }
+            }
+
             /// The one of this name.
             #[must_use]
             $seen fn named(name: &str) -> Option<Self> {

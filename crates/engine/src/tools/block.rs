@@ -16,7 +16,7 @@ use crate::error::{
 };
 use crate::limits::{MAX_NAME_BYTES, MAX_POINTS};
 use crate::path::up_vector::check_ups;
-use crate::path::{CameraPath, CurveKind, SupportPoint, Tangents, Up, alignment};
+use crate::path::{CameraPath, SupportPoint, Tangents, Up, alignment};
 
 /// Half sizes of the space that a length must have to tell a direction.
 const LEAST: f64 = 1e-9;
@@ -291,7 +291,7 @@ impl Merge<'_> {
     fn tangents(&self) -> Result<Vec<Option<Tangents>>> {
         let (path, at, fit, count) = (self.path, self.at, self.fit, self.put.len());
         let (mut old, mine) = (tangents(path)?, tangents(self.block)?);
-        if path.curve == CurveKind::Linear {
+        if path.curve.is_straight() {
             for (old, point) in old.iter_mut().zip(&path.points) {
                 *old = old.filter(|_| point.tangents.is_some());
             }

@@ -2,8 +2,8 @@ use super::*;
 use crate::path::own::{check_distance, distance_backwards};
 use crate::path::test_support::Random;
 use crate::path::{
-    CurveParameters, Ease, Orientation, OrientationOverrides, Overrides, Pace, Pose, Sampler,
-    Target, Tcb, Timeline, UpPath, UpVector, curve,
+    CurveKind, CurveParameters, Ease, Orientation, OrientationOverrides, Overrides, Pace, Pose,
+    Sampler, Target, Tcb, Timeline, UpPath, UpVector, curve,
 };
 
 fn vector(random: &mut Random) -> DVec3 {

@@ -1,7 +1,7 @@
 //! What tools share: points picked out of a path, and curves that stay while points change.
 
 use crate::error::{Invalid, Result, vec_with_room};
-use crate::path::{CameraPath, CurveKind, CurveParameters, Tangents, alignment, curve};
+use crate::path::{CameraPath, CurveParameters, Tangents, alignment, curve};
 use glam::DVec3;
 
 /// Tangents are the same within this share of their length.
@@ -78,7 +78,7 @@ pub(crate) fn keep_tangents(path: &mut CameraPath, wanted: &[Option<Tangents>]) 
                 settled = false;
             }
         }
-        if settled || path.curve != CurveKind::Cubic {
+        if settled || !path.curve.is_spline() {
             break;
         }
     }

@@ -10,7 +10,7 @@ use crate::error::{Result, vec_with_room};
 use crate::limits::MIN_POINTS;
 use crate::math::orientation::quaternion_from_view;
 use crate::math::quaternion::{angle, continue_sign};
-use crate::path::{CameraPath, CurveKind, Pose, Sampler, Timeline, curve, hermite::Cubic};
+use crate::path::{CameraPath, Pose, Sampler, Timeline, curve, hermite::Cubic};
 
 /// By how much poses may differ: half sizes, degrees, millimetres.
 const SAME: [f64; 3] = [1e-3, 0.1, 0.1];
@@ -45,7 +45,7 @@ pub fn without(path: &CameraPath, point: usize, most: f64) -> Result<Option<With
     if !inner || !plain || count <= MIN_POINTS {
         return Ok(None);
     }
-    let radius = AROUND[usize::from(path.curve == CurveKind::Cubic)];
+    let radius = AROUND[usize::from(path.curve.is_spline())];
     let (with, at) = around(path, point, radius)?;
     let mut less = with.try_clone()?;
     less.points.remove(at);

@@ -5,7 +5,7 @@
 use egui::{Pos2, Rect, Stroke, Vec2, pos2, vec2};
 use glam::DVec3;
 use vides_document::Document;
-use vides_engine::path::{CameraPath, CurveKind, CurveParameters, SupportPoint, Tcb, curve};
+use vides_engine::path::{CameraPath, CurveParameters, SupportPoint, Tcb, curve};
 
 use super::pending::{CurveSource, Pending};
 use crate::theme::{self, Palette};
@@ -45,7 +45,7 @@ impl Around {
             let point = &path.points[number];
             // A spline depends on points further away.
             let outermost = number == numbers[0] || Some(&number) == numbers.last();
-            let cut = path.curve == CurveKind::Cubic && !whole && outermost;
+            let cut = path.curve.is_spline() && !whole && outermost;
             SupportPoint {
                 curve: point.curve,
                 tangents: match cut {
@@ -299,6 +299,8 @@ fn beside(at: Pos2, size: Vec2, lines: &[Pos2]) -> Rect {
 
 #[cfg(test)]
 mod tests {
+    use vides_engine::path::CurveKind;
+
     use super::*;
     use vides_document::{At, Edit, Info};
     use vides_engine::path::Tangents;
@@ -328,7 +330,7 @@ mod tests {
             (20, false),
             (20, true),
         ];
-        let kinds = [CurveKind::Tcb, CurveKind::Cubic, CurveKind::Linear];
+        let kinds = CurveKind::ALL;
         for ((count, closed), kind) in paths
             .into_iter()
             .zip([kinds; 6])

@@ -6,7 +6,6 @@ use super::apply::Bent;
 use super::bend::{APART, Bend, Detour, Knot};
 use super::{Work, no_way};
 use crate::error::{OutOfRange, Result, vec_with_room};
-use crate::path::CurveKind;
 use crate::tools::fit::Progress;
 
 /// Share of the distance by which a new curve keeps more than it must, for what is left between
@@ -108,7 +107,7 @@ impl Work<'_> {
             detours,
             need: need.max(self.need),
             apart,
-            linear: self.path.curve == CurveKind::Linear && (range[0]..=range[1]).all(plain),
+            linear: self.path.curve.is_straight() && (range[0]..=range[1]).all(plain),
             knots,
             short: None,
         })
