@@ -1406,6 +1406,38 @@ int v_path_get_object(const V_PATH *path,
                       V_MESH *mesh);
 
 
+/* ---- Properties by name ------------------------------------------------------ */
+
+/**
+ * Sets a property of a path by its name, as `vides set` does: "closed", "fps",
+ * "point.2.position", "point.2.zoom" (of its first orientation),
+ * "point.2.view.3.zoom" and so on; the names are those of the keys in .vid files
+ * (docs/files.md), with points and orientations counted from 1. value is written as
+ * there, "30" or "[0, 1, 2]"; a text needs no quotes, and "" gives back what a new
+ * path has. One step, wholly or not at all.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE (no such
+ * property, point or orientation), V_ERR_ARGUMENT (no value for it; the message has its
+ * name), V_ERR_LIMIT, V_ERR_MEMORY. Memory that runs out while the value itself is
+ * parsed ends the program.
+ */
+int v_path_set_property(V_PATH *path,
+                        const char *name,
+                        const char *value);
+
+/**
+ * The value of a property as it stands in a .vid file, "" if it has none; see
+ * v_path_set_property(). value, capacity and *length are as those of
+ * v_path_get_title().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT,
+ * V_ERR_RANGE (no such property), V_ERR_MEMORY.
+ */
+int v_path_get_property(const V_PATH *path,
+                        const char *name,
+                        char *value,
+                        size_t capacity,
+                        size_t *length);
+
+
 /* ---- Where a path lies ------------------------------------------------------- */
 
 /**

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 /// The files with exports, in the order in which the header shows them.
-const SOURCES: [&str; 33] = [
+const SOURCES: [&str; 34] = [
     "status",
     "types",
     "legacy",
@@ -15,6 +15,7 @@ const SOURCES: [&str; 33] = [
     "points",
     "orientations",
     "settings",
+    "properties",
     "space",
     "shape",
     "pace",

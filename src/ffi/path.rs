@@ -42,7 +42,10 @@ pub(super) fn read<R>(path: *const V_PATH, look: impl FnOnce(&Document) -> Answe
 }
 
 /// Works on a path with exclusive access.
-fn change<R>(path: *mut V_PATH, work: impl FnOnce(&mut Document) -> Answer<R>) -> Answer<R> {
+pub(super) fn change<R>(
+    path: *mut V_PATH,
+    work: impl FnOnce(&mut Document) -> Answer<R>,
+) -> Answer<R> {
     let document = PATHS.get(path)?;
     let mut document = document.write().map_err(|_| SPOILED)?;
     inject::point(inject::Place::Path);

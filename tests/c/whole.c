@@ -58,6 +58,49 @@ static void titles_and_comments(void)
     v_path_free(path);
 }
 
+static void properties_by_name(void)
+{
+    V_PATH *path = new_path();
+    V_ORIENTATION view;
+    char value[100], small[2] = "a";
+    size_t length = 99;
+    int closed = 0;
+
+    view.size = sizeof view;
+    OK(v_path_set_property(path, "point.2.zoom", "30"));
+    OK(v_path_get_orientation(path, 1, 0, &view));
+    CHECK(view.zoom == 30);
+    OK(v_path_get_property(path, "point.2.view.1.zoom_mm", value, sizeof value, &length));
+    CHECK(strcmp(value, "30.0") == 0 && length == 4);
+    STATUS(V_ERR_SIZE, v_path_get_property(path, "point.2.zoom", small, sizeof small, &length));
+    CHECK(strcmp(small, "a") == 0 && length == 4);
+    OK(v_path_set_property(path, "point.2.zoom", ""));
+    OK(v_path_get_property(path, "point.2.zoom", value, sizeof value, &length));
+    CHECK(strcmp(value, "24.0") == 0);
+    OK(v_path_set_property(path, "closed", "true"));
+    OK(v_path_get_closed(path, &closed));
+    CHECK(closed == 1);
+    OK(v_path_set_property(path, "point.1.locked", "true"));
+    OK(v_path_get_property(path, "point.1.view.1.locked", value, sizeof value, &length));
+    CHECK(strcmp(value, "true") == 0);
+    OK(v_path_set_property(path, "title", "Um den Turm"));
+    OK(v_path_get_property(path, "title", value, sizeof value, &length));
+    CHECK(strcmp(value, "\"Um den Turm\"") == 0);
+
+    STATUS(V_ERR_ARGUMENT, v_path_set_property(path, "point.2.zoom", "3000"));
+    CHECK(strstr(v_last_error(), "point.2.zoom") != NULL);
+    STATUS(V_ERR_ARGUMENT, v_path_set_property(path, "closed", "perhaps"));
+    STATUS(V_ERR_RANGE, v_path_set_property(path, "point.2.colour", "1"));
+    STATUS(V_ERR_RANGE, v_path_set_property(path, "point.3.zoom", "30"));
+    STATUS(V_ERR_NULL, v_path_set_property(path, NULL, "30"));
+    STATUS(V_ERR_NULL, v_path_set_property(path, "closed", NULL));
+    STATUS(V_ERR_ARGUMENT, v_path_set_property(path, "title", "\xff"));
+    OK(v_path_get_property(path, "point.2.zoom", value, sizeof value, &length));
+    CHECK(strcmp(value, "24.0") == 0);
+    v_path_free(path);
+    STATUS(V_ERR_HANDLE, v_path_set_property(path, "closed", "true"));
+}
+
 static void poses_in_pieces(void)
 {
     V_PATH *path = new_path();
@@ -206,6 +249,7 @@ int main(int argc, char **argv)
     if (argc != 2)
         return 2;
     titles_and_comments();
+    properties_by_name();
     poses_in_pieces();
     texts_in_memory(argv[1]);
     no_room_no_struct();

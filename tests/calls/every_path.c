@@ -596,6 +596,23 @@ CALL(v_zoom_from_fov)
 
 /* ---- Space ---------------------------------------------------------------------------- */
 
+CALL(v_path_set_property)
+{
+    V_PATH *path = a_path();
+    const char *name = text("point.2.view.1.zoom");
+    return v_path_set_property(path, name, text("30"));
+}
+
+static int property_of(const V_PATH *path, char *value, size_t capacity, size_t *length)
+{
+    return v_path_get_property(path, text("base_speeds"), value, capacity, length);
+}
+
+CALL(v_path_get_property)
+{
+    return text_of(property_of, a_path(), 100);
+}
+
 CALL(v_path_set_space)
 {
     V_PATH *path = a_path();

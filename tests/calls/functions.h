@@ -64,6 +64,8 @@
     F(v_path_get_fps, STATUS, V_OK, 0) \
     F(v_path_set_first_frame, STATUS, V_OK, 0) \
     F(v_path_get_first_frame, STATUS, V_OK, 0) \
+    F(v_path_set_property, STATUS, V_OK, 0) \
+    F(v_path_get_property, STATUS, V_OK, 0) \
     F(v_path_set_space, STATUS, V_OK, 0) \
     F(v_path_get_space, STATUS, V_OK, 0) \
     F(v_space_init, NOTHING, V_OK, 0) \

@@ -1,0 +1,58 @@
+//! Properties of a path by the names of their keys in files.
+
+use std::ffi::{c_char, c_int};
+
+use super::border::border;
+use super::path::{change, read};
+use super::pointers::{TextOut, text};
+use super::status::{V_ERR_INTERNAL, V_OK};
+use super::types::V_PATH;
+
+/// ==== Properties by name ====
+///
+/// Sets a property of a path by its name, as `vides set` does: "closed", "fps",
+/// "point.2.position", "point.2.zoom" (of its first orientation),
+/// "point.2.view.3.zoom" and so on; the names are those of the keys in .vid files
+/// (docs/files.md), with points and orientations counted from 1. value is written as
+/// there, "30" or "[0, 1, 2]"; a text needs no quotes, and "" gives back what a new
+/// path has. One step, wholly or not at all.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE (no such
+/// property, point or orientation), V_ERR_ARGUMENT (no value for it; the message has its
+/// name), V_ERR_LIMIT, V_ERR_MEMORY. Memory that runs out while the value itself is
+/// parsed ends the program.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_set_property(
+    path: *mut V_PATH,
+    name: *const c_char,
+    value: *const c_char,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        // SAFETY: texts ended by zeros, as the header says.
+        let (name, value) = unsafe { (text(name, "name")?, text(value, "value")?) };
+        change(path, |document| Ok(document.set_property(name, value)?))?;
+        Ok(V_OK)
+    })
+}
+
+/// The value of a property as it stands in a .vid file, "" if it has none; see
+/// v_path_set_property(). value, capacity and *length are as those of
+/// v_path_get_title().
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT,
+/// V_ERR_RANGE (no such property), V_ERR_MEMORY.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_path_get_property(
+    path: *const V_PATH,
+    name: *const c_char,
+    value: *mut c_char,
+    capacity: usize,
+    length: *mut usize,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        let out = TextOut::new(value, capacity, length, "value")?;
+        // SAFETY: a text ended by zero, as the header says.
+        let name = unsafe { text(name, "name") }?;
+        let value = read(path, |document| Ok(document.property(name)?))?;
+        // SAFETY: room as the header says.
+        unsafe { out.write(value.as_bytes()) }
+    })
+}
