@@ -8,7 +8,7 @@ use glam::DVec3;
 use proptest::prelude::*;
 use vides::document::{Document, Edit, Info, ObjectPoint, Selection};
 use vides::error::ErrorKind;
-use vides::path::CameraPath;
+use vides::path::{CameraPath, Space, Up};
 use vides::scene::{self, Extrapolation, FollowPath, Node, Scene};
 
 use raw::{KINDS, Raw, SELECT, kind, raw};
@@ -290,9 +290,43 @@ proptest! {
     }
 }
 
+/// A scene keeps its space where the path that is edited gets another; files are read by the
+/// scene's.
+#[test]
+fn an_object_lies_in_the_scenes_space_too() {
+    let mut document = Document::new();
+    let node = Node::new("a", scene::Kind::Group);
+    document.apply(Edit::AddNodes(vec![node])).unwrap();
+    document.apply(Edit::ChangeUp(Up::Z)).unwrap();
+    let space = Space {
+        half_size: 1e5,
+        ..Space::default()
+    };
+    document
+        .apply(Edit::SetSpace { space, fit: false })
+        .unwrap();
+    let before = whole(&document);
+    let mut info = document.info().clone();
+    let position = DVec3::splat(1e10);
+    info.object = vec![ObjectPoint {
+        position,
+        draw: true,
+    }]
+    .into();
+    let error = document.apply(Edit::SetInfo(Box::new(info))).unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::Range);
+    assert_eq!(whole(&document), before);
+    assert_sound(&document);
+}
+
 #[test]
 fn no_node_is_edited_in_whose_space_the_object_would_be_too_far_away() {
     let mut scene = Scene::new();
+    let far = Space {
+        half_size: 1e6,
+        ..Space::default()
+    };
+    scene.set_space(far).unwrap();
     for (name, half_size) in [("far", 1e6), ("near", 1.0)] {
         let mut path = CameraPath::default();
         path.space.half_size = half_size;

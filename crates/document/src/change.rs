@@ -27,6 +27,16 @@ pub(super) struct State {
 }
 
 impl State {
+    /// Checks what the file is to have besides the path, where the path lies and where the scene
+    /// does: files are read by the second.
+    pub(super) fn check_info(&self, info: &Info) -> Result<()> {
+        info.check(self.path.space)?;
+        if let Some(edited) = &self.edited_scene {
+            info.check(edited.scene().space())?;
+        }
+        Ok(())
+    }
+
     pub(super) fn new(path: CameraPath, info: Info) -> Self {
         let orientations = count_orientations(&path.points);
         Self {

@@ -71,7 +71,7 @@ pub(super) fn prepare(state: &State, edit: Edit) -> Result<Prepared> {
             absolute,
         } => aimed(path, point, at, absolute),
         Edit::SetInfo(mut info) => {
-            info.check(path.space)?;
+            state.check_info(&info)?;
             info.normalise();
             alone(Change::info(info))
         }

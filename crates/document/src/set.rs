@@ -92,7 +92,7 @@ fn rest(state: &State, node: usize, property: &'static str, mut value: Value) ->
 fn set_info(state: &State, property: &'static str, mut value: Value) -> Result<Change> {
     let mut info = Box::new(state.info.try_clone()?);
     let row = exchange(&mut *info, property, &mut value, &Info::NEW)?;
-    (row.check)(&info, state.path.space)?;
+    state.check_info(&info)?;
     Ok(match (row.same)(&info, &state.info) {
         true => IDLE,
         false => Change::info(info),
