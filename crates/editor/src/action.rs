@@ -117,29 +117,18 @@ pub(super) enum Action {
     Complain(String),
 }
 
-impl From<FileAction> for Action {
-    fn from(action: FileAction) -> Self {
-        Self::File(action)
-    }
+/// Each kind as an action.
+macro_rules! kinds {
+    ($($kind:ident($action:ty))*) => { $(
+        impl From<$action> for Action {
+            fn from(action: $action) -> Self {
+                Self::$kind(action)
+            }
+        }
+    )* };
 }
 
-impl From<PathAction> for Action {
-    fn from(action: PathAction) -> Self {
-        Self::Path(action)
-    }
-}
-
-impl From<ToolAction> for Action {
-    fn from(action: ToolAction) -> Self {
-        Self::Tool(action)
-    }
-}
-
-impl From<TimeAction> for Action {
-    fn from(action: TimeAction) -> Self {
-        Self::Time(action)
-    }
-}
+kinds! { File(FileAction) Path(PathAction) Tool(ToolAction) Time(TimeAction) }
 
 impl Action {
     /// An entry into a number of the panels; `missing`: the path does not have it yet.

@@ -72,10 +72,6 @@ impl Editor {
             self.take_tool();
             self.settle_length();
         }
-        let Selection {
-            point: _,
-            orientation: _,
-        } = self.document.selection();
         match action {
             Action::File(action) => self.file_action(action, context),
             Action::Path(action) => self.path_action(action, context),
