@@ -605,7 +605,7 @@ CALL(v_path_set_property)
 
 static int property_of(const V_PATH *path, char *value, size_t capacity, size_t *length)
 {
-    return v_path_get_property(path, text("base_speeds"), value, capacity, length);
+    return v_path_get_property(path, text("fps"), value, capacity, length);
 }
 
 CALL(v_path_get_property)
