@@ -194,7 +194,7 @@ check-rust:
 	@mk/need.sh python3=python3 Xvfb=xvfb xdotool=xdotool xclip=xclip \
 	    setxkbmap=x11-xkb-utils /usr/share/X11/locale/compose.dir=libx11-data
 	@mk/locale.sh
-	env -u MAKEFLAGS $(CARGO) test --locked --workspace --all-features
+	env -u MAKEFLAGS $(CARGO) test --locked --workspace --all-features -- --skip timed_
 
 check-c: libs
 	@mk/need.sh c++=g++ valgrind=valgrind
@@ -300,6 +300,8 @@ bench: libs
 	@mk/need.sh python3=python3 python3:ensurepip=python3-venv
 	python3 benches/table.py
 	python3 benches/scene.py
+	$(CARGO) test --locked --workspace --all-features --lib --tests timed_ -- \
+	    --test-threads=1 --nocapture
 
 soak: toolchain libs fuzz
 	@mk/need.sh python3=python3 Xvfb=xvfb xdotool=xdotool xclip=xclip setxkbmap=x11-xkb-utils \

@@ -436,7 +436,7 @@ fn complaints_name_line_node_channel_and_key() {
 }
 
 #[test]
-fn large_scenes_load_in_time_that_grows_with_them() {
+fn timed_large_scenes_load_in_time_that_grows_with_them() {
     let make = |count: usize| {
         let mut scene = Scene::new();
         for k in 0..count {

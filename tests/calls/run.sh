@@ -94,7 +94,8 @@ hostile() { # NAME PROGRAM
 }
 
 reentry() { # NAME PROGRAM
-    result "$1" with_server "$2" FOLDER
+    # Five to ten minutes on two cores.
+    LIMIT=3000 result "$1" with_server "$2" FOLDER
 }
 
 inject() { # NAME PROGRAM

@@ -6,7 +6,7 @@ use vides_engine::scene::{Keep, Node, Part, Scene};
 use vides_engine::tools::block::Fit;
 
 use super::info::Info;
-use vides_engine::path::{CameraPath, Orientation, Space, Up};
+use vides_engine::path::{CameraPath, Orientation, Space, Tangents, Up};
 use vides_engine::property::{Value, find};
 
 /// A change of a document. Points, orientations, segments and presets count from 0.
@@ -214,6 +214,15 @@ impl Edit {
             property,
             value: value.into(),
         }
+    }
+
+    /// What gives a point a shape, where `shape` sets its preset or parameters of its own: tangents
+    /// of its own, which would hide them, go before.
+    pub fn shaped(path: &CameraPath, at: usize, shape: Self) -> impl Iterator<Item = Self> + use<> {
+        let point = path.points.get(at);
+        let hides = point.is_some_and(|point| point.tangents.is_some());
+        let without = hides.then(|| Self::set(At::Point(at), "tangents", None::<Tangents>));
+        without.into_iter().chain([shape])
     }
 
     /// Whether it is refused where no path is edited.

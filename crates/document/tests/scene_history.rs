@@ -79,7 +79,7 @@ fn the_history_of_moved_keys_is_a_hundredth_of_the_scene() {
 
 /// A frame evaluated, and a frame evaluated after a key has moved.
 #[test]
-fn a_moved_key_costs_no_more_than_half_of_a_frame() {
+fn timed_a_moved_key_costs_no_more_than_half_of_a_frame() {
     let mut document = document();
     let edited = |document: &Document| document.edited_scene().unwrap().number();
     let (mut copy, mut number) = (document.scene().unwrap(), edited(&document));

@@ -4,8 +4,7 @@ mod path;
 mod tool;
 
 use vides_document::error::Result;
-use vides_document::{At, Document, Edit, Selection};
-use vides_engine::path::Tangents;
+use vides_document::{Document, Edit, Selection};
 
 use crate::action::Action;
 use crate::state::selected::SelectionChange;
@@ -201,9 +200,6 @@ impl Editor {
 
     /// Does an edit; a refusal goes to the output field.
     pub(crate) fn edit(&mut self, edit: Edit) -> bool {
-        if self.replaces_tangents(&edit).is_some() {
-            return self.edit_together([edit]);
-        }
         let done = self.document.apply(edit);
         self.tell(done)
     }
@@ -216,28 +212,8 @@ impl Editor {
 
     /// The same, as part of an open step.
     pub(super) fn edit_together(&mut self, edits: impl IntoIterator<Item = Edit>) -> bool {
-        let mut all = Vec::new();
-        for edit in edits {
-            let replaced = self.replaces_tangents(&edit);
-            all.extend(replaced.map(|at| Edit::set(At::Point(at), "tangents", None::<Tangents>)));
-            all.push(edit);
-        }
-        let done = self.document.apply_all(all);
+        let done = self.document.apply_all(edits);
         self.tell(done)
-    }
-
-    /// The point whose own tangents an edit replaces by the shape that it chooses.
-    fn replaces_tangents(&self, edit: &Edit) -> Option<usize> {
-        let Edit::Set {
-            place: At::Point(at),
-            property: "own" | "preset",
-            ..
-        } = *edit
-        else {
-            return None;
-        };
-        let owns = self.document.path().points.get(at)?.tangents.is_some();
-        owns.then_some(at)
     }
 
     /// Shows in the output field why an edit was refused.

@@ -140,15 +140,14 @@ impl Editor {
     /// orientations of the same number the same values change. Within a drag it replaces what the
     /// drag has done so far.
     pub(crate) fn edit_selected(&mut self, edit: Edit) -> bool {
-        if self.several().is_none() {
-            return self.edit(edit);
+        if self.several().is_some() {
+            self.restart_step();
         }
-        self.restart_step();
-        let Some(points) = self.several() else {
-            return self.edit(edit);
-        };
-        match for_all(&self.document, points, edit) {
-            Ok(edits) => self.edit_together(edits),
+        let points = self.several().unwrap_or_default();
+        let edits = of_all(&self.document, points, edit).map(<[Edit; 1]>::try_from);
+        match edits {
+            Ok(Ok([edit])) => self.edit(edit),
+            Ok(Err(edits)) => self.edit_together(edits),
             Err(error) => {
                 self.complain_of(&error);
                 false
@@ -165,36 +164,45 @@ impl Editor {
     }
 }
 
-/// An edit of one point as edits of all of these.
-fn for_all(document: &Document, points: &[usize], edit: Edit) -> Result<Vec<Edit>> {
+/// What an edit of one point means: it, and the same of the other points that are selected.
+fn of_all(document: &Document, points: &[usize], edit: Edit) -> Result<Vec<Edit>> {
     let path = document.path();
     let of = |at: usize| path.points.get(at);
     // Those that the edit itself is not about.
     let others = |one: usize| points.iter().copied().filter(move |&at| at != one);
-    let mut all = vec![edit];
-    match all[0].clone() {
+    let mut all = Vec::new();
+    match &edit {
         Edit::Set {
             place: At::Point(at),
             value: Value::Place(position),
             ..
         } => {
-            let Some(by) = of(at).map(|point| position - point.position) else {
-                return Ok(all);
-            };
-            all.push(Edit::TransformPoints {
-                points: others(at).collect(),
-                matrix: DMat4::from_translation(by),
-                with_targets: false,
-            });
+            let by = of(*at).map(|point| position - point.position);
+            let points: Vec<_> = others(*at).collect();
+            all.extend(
+                by.filter(|_| !points.is_empty())
+                    .map(|by| Edit::TransformPoints {
+                        points,
+                        matrix: DMat4::from_translation(by),
+                        with_targets: false,
+                    }),
+            );
         }
         Edit::Set {
             place: At::Point(at),
             property,
             value,
         } if find(SupportPoint::PROPERTIES, property).is_some_and(|row| row.copied[1]) => {
-            all.extend(others(at).map(|at| Edit::set(At::Point(at), property, value.clone())));
+            for at in [*at].into_iter().chain(others(*at)) {
+                let edit = Edit::set(At::Point(at), property, value.clone());
+                match *property {
+                    "own" | "preset" => all.extend(Edit::shaped(path, at, edit)),
+                    _ => all.push(edit),
+                }
+            }
+            return Ok(all);
         }
-        Edit::SetAbsolute {
+        &Edit::SetAbsolute {
             point,
             at,
             absolute,
@@ -208,28 +216,27 @@ fn for_all(document: &Document, points: &[usize], edit: Edit) -> Result<Vec<Edit
             }));
         }
         Edit::SetOrientation {
-            point,
+            point: one,
             at,
             orientation: new,
         } => {
-            let view = |point: &SupportPoint| point.orientations.get(at).cloned();
-            let Some(old) = of(point).and_then(view) else {
-                return Ok(all);
-            };
-            for point in others(point) {
-                let Some(mut orientation) = of(point).and_then(view) else {
+            let view = |point: usize| of(point).and_then(|point| point.orientations.get(*at));
+            for point in others(*one) {
+                let Some((old, there)) = view(*one).zip(view(point)) else {
                     continue;
                 };
-                take_over(&mut orientation, &old, &new)?;
+                let mut orientation = there.clone();
+                take_over(&mut orientation, old, new)?;
                 all.push(Edit::SetOrientation {
                     point,
-                    at,
+                    at: *at,
                     orientation,
                 });
             }
         }
         _ => {}
     }
+    all.insert(0, edit);
     Ok(all)
 }
 

@@ -320,7 +320,7 @@ fn numbers_stay_in_range() {
 /// A pass in which a key is dragged costs little more than one that scrubs, in a scene of ten
 /// thousand nodes with a million keys.
 #[test]
-fn a_dragged_key_costs_little_more_than_scrubbing() {
+fn timed_a_dragged_key_costs_little_more_than_scrubbing() {
     use vides_engine::scene::{Kind, Node, Scene};
     let mut scene = Scene::new();
     let frames: Vec<f64> = (0..100).map(|key| 1.0 + 3.0 * f64::from(key)).collect();

@@ -505,7 +505,7 @@ fn rows_scroll_and_fold() {
 
 /// Rows cost where they are seen: ten thousand of them scroll nearly as fast as a hundred.
 #[test]
-fn many_rows_scroll_as_fast_as_few() {
+fn timed_many_rows_scroll_as_fast_as_few() {
     let mut scene = Scene::new();
     for number in 0..10_000_u32 {
         let mut lamp = Node::new(&format!("lamp {number}"), Kind::Light(Default::default()));

@@ -346,7 +346,7 @@ fn ball(rings: u32, around: u32) -> Mesh {
 }
 
 #[test]
-fn scrubbing_a_large_scene_stays_fluent() {
+fn timed_scrubbing_a_large_scene_stays_fluent() {
     let mut scene = flights().scene().unwrap();
     for k in 0..196_u32 {
         let mut node = Node::new(&format!("part {k}"), Kind::Object(Object::default()));

@@ -8,6 +8,7 @@ use vides_engine::path::{Orientation, Target, UpVector, ahead};
 use super::projection::{Axis, EDGE_ON, Projection};
 use super::scene::FLOOR_CELLS;
 use super::tangents;
+use crate::state::Editor;
 use crate::state::space::{DragConstraint, Handle, Joint};
 
 /// Length of the VUP arrow, in half sizes of the movement space.
@@ -82,7 +83,7 @@ pub(super) fn follow(
     projection: &Projection,
     point: DVec3,
     motion: &Motion,
-    [low, high]: [DVec3; 2],
+    [low, high]: Room,
 ) -> Option<DVec3> {
     let &Motion {
         freedom, pointer, ..
@@ -108,26 +109,51 @@ pub(super) fn follow(
     Some(found)
 }
 
-/// The corners of the movement space.
-pub(super) fn cube(projection: &Projection) -> [DVec3; 2] {
+/// Two corners of a box, the low one first.
+pub(super) type Room = [DVec3; 2];
+
+/// The movement space.
+pub(super) fn cube(projection: &Projection) -> Room {
     [projection.space().low(), projection.space().high()]
 }
 
-/// The edit that moves what is held to the pointer.
+impl Editor {
+    /// Where a selected point may go with all others that are selected: none of them leaves the
+    /// movement space, and one outside goes no farther out.
+    pub(super) fn room_of(&self, at: usize) -> Room {
+        let path = self.document.path();
+        let [low, high] = [path.space.low(), path.space.high()];
+        let place = |at: usize| path.points.get(at).map(|point| point.position);
+        let Some(here) = place(at) else {
+            return [low, high];
+        };
+        let selected = self.all_selected();
+        let others = selected.iter().filter(|&&other| other != at);
+        let others = others.filter_map(|&other| place(other));
+        others.fold([low.min(here), high.max(here)], |[from, to], other| {
+            [
+                from.max(here + (low - other).min(DVec3::ZERO)),
+                to.min(here + (high - other).max(DVec3::ZERO)),
+            ]
+        })
+    }
+}
+
+/// The edit that moves what is held to the pointer; a point or a target stays in its room.
 pub(super) fn outcome(
     document: &Document,
     projection: &Projection,
     held: Handle,
     motion: &Motion,
+    room: Room,
 ) -> Outcome {
-    let cube = cube(projection);
     let edit = match held {
         Handle::Vup => return roll(document, projection, motion),
         Handle::Vpn => {
             let Some(tip) = current_tip(document) else {
                 return Outcome::Nothing;
             };
-            let to = follow(projection, tip, motion, cube);
+            let to = follow(projection, tip, motion, room);
             to.and_then(|to| move_target(document, to))
         }
         Handle::Control(_) | Handle::Node(_) | Handle::Key(..) => return Outcome::Nothing,
@@ -135,7 +161,7 @@ pub(super) fn outcome(
             let Some(point) = document.path().points.get(at) else {
                 return Outcome::Nothing;
             };
-            let to = follow(projection, point.position, motion, cube);
+            let to = follow(projection, point.position, motion, room);
             to.map(|position| Edit::set(At::Point(at), "position", position))
         }
         Handle::Tangent(side) => {
@@ -143,7 +169,7 @@ pub(super) fn outcome(
                 return Outcome::Nothing;
             };
             // Tangents of a point near a face reach beyond it.
-            let [low, high] = cube;
+            let [low, high] = cube(projection);
             let wide = [low.min(tip) - (high - low), high.max(tip) + (high - low)];
             let to = follow(projection, tip, motion, wide);
             to.and_then(|to| tangents::moved(document, side, to, motion.joint))

@@ -66,6 +66,10 @@ fn clamped(projection: &Projection, from: DVec3, fixed: Axis, pointer: DVec2) ->
     (kept, kept == free)
 }
 
+fn outcome(document: &Document, projection: &Projection, held: Handle, motion: &Motion) -> Outcome {
+    super::outcome(document, projection, held, motion, cube(projection))
+}
+
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(1000))]
 

@@ -1,9 +1,7 @@
 //! The parts of a drag in the movement window, and what they change.
 
 use glam::DVec3;
-use vides_document::{At, Edit};
 use vides_engine::path::Target;
-use vides_engine::property::Value;
 
 use crate::number::decimals;
 use crate::state::Editor;
@@ -28,7 +26,6 @@ impl Editor {
             }
             Gesture::Begin => self.document.begin_step(),
             Gesture::Move(what, edit) => {
-                let edit = self.kept_within(edit);
                 if self.edit_selected(edit) {
                     self.tell_place(what);
                 }
@@ -93,42 +90,6 @@ impl Editor {
             self.restart_step();
         }
         done
-    }
-
-    /// Limits a motion of the selection to the movement space; a point outside goes no farther out.
-    fn kept_within(&mut self, mut edit: Edit) -> Edit {
-        let Edit::Set {
-            place: At::Point(at),
-            value: Value::Place(position),
-            ..
-        } = &mut edit
-        else {
-            return edit;
-        };
-        if self.several().is_some() {
-            self.restart_step();
-        }
-        let path = self.document.path();
-        let Some(from) = path.points.get(*at).map(|point| point.position) else {
-            return edit;
-        };
-        let (mut low, mut high) = (DVec3::NEG_INFINITY, DVec3::INFINITY);
-        for point in self
-            .all_selected()
-            .iter()
-            .filter_map(|&at| path.points.get(at))
-        {
-            low = low.max(path.space.low() - point.position);
-            high = high.min(path.space.high() - point.position);
-        }
-        let by = *position - from;
-        let kept = by.clamp(low.min(DVec3::ZERO), high.max(DVec3::ZERO));
-        for axis in 0..3 {
-            if kept[axis] != by[axis] {
-                position[axis] = from[axis] + kept[axis];
-            }
-        }
-        edit
     }
 
     /// Shows in the output field where what is held is now.

@@ -51,7 +51,11 @@ impl PointerPress {
             )?;
             return Some(Action::Tool(ToolAction::MoveControl { at, place }));
         }
-        match drag::outcome(&editor.document, &projection, what, &motion) {
+        let room = match what {
+            Handle::Point(at) => editor.room_of(at),
+            _ => drag::cube(&projection),
+        };
+        match drag::outcome(&editor.document, &projection, what, &motion, room) {
             Outcome::Edit(edit) => Some(Action::Gesture(Gesture::Move(what, edit))),
             Outcome::CircleEdgeOn => Some(Action::Complain(
                 editor.texts().space.circle_edge_on.to_owned(),

@@ -5,7 +5,7 @@ use egui::{Key, Modifiers, Rect};
 use glam::{DMat3, DVec2, DVec3};
 use vides_document::{At, Edit, Selection};
 
-use super::drag;
+use super::drag::{self, Room};
 use super::held_nodes::Motion;
 use super::projection::{Axis, Projection};
 use crate::action::{Action, TimeAction};
@@ -212,24 +212,24 @@ fn nudge(
 ) -> Option<Edit> {
     let point = editor.point()?;
     let space = projection.space();
-    let (low, high) = (space.low()[axis.index()], space.high()[axis.index()]);
-    let moved = |from: DVec3| {
+    let moved = |from: DVec3, [low, high]: Room| {
         let mut to = from;
         let at = &mut to[axis.index()];
-        // Steps of a hundredth stay hundredths. A point outside the cube goes no farther out.
+        // Steps of a hundredth stay hundredths.
         let wanted = rounded(*at + by * space.half_size, space.half_size) + 0.0;
-        *at = wanted.clamp(at.min(low), at.max(high));
+        *at = wanted.clamp(low[axis.index()], high[axis.index()]);
         to
     };
-    match what {
-        Handle::Vpn => drag::current_tip(&editor.document)
-            .and_then(|tip| drag::move_target(&editor.document, moved(tip))),
-        _ => Some(Edit::set(
-            At::Point(editor.document.selection().point),
-            "position",
-            moved(point.position),
-        )),
+    if what == Handle::Vpn {
+        let tip = drag::current_tip(&editor.document)?;
+        // A target outside the cube goes no farther out.
+        let [low, high] = drag::cube(projection);
+        let to = moved(tip, [low.min(tip), high.max(tip)]);
+        return drag::move_target(&editor.document, to);
     }
+    let at = editor.document.selection().point;
+    let to = moved(point.position, editor.room_of(at));
+    Some(Edit::set(At::Point(at), "position", to))
 }
 
 /// A coordinate rounded to nine digits after the first one of the half size.

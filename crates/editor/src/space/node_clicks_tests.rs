@@ -234,7 +234,7 @@ fn arrow_keys_move_nodes_and_delete_removes_them() {
 /// A pass of a drag in a scene of 200,000 keys, and one that scrubs it. What else the machine does
 /// only makes passes longer, so the least ones count.
 #[test]
-fn a_drag_costs_about_as_much_as_scrubbing() {
+fn timed_a_drag_costs_about_as_much_as_scrubbing() {
     let mut large = Scene::new();
     for at in 0..200 {
         let mut node = Node::new(&format!("node {at}"), Kind::Group);

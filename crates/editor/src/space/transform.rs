@@ -228,7 +228,8 @@ impl Transform {
         match self.kind {
             Kind::Move => {
                 let (at, from) = self.current;
-                let position = from + self.moved(projection);
+                let [low, high] = editor.room_of(at);
+                let position = (from + self.moved(projection)).clamp(low, high);
                 Gesture::Move(
                     Handle::Point(at),
                     Edit::set(At::Point(at), "position", position),

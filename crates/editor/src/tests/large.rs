@@ -26,7 +26,7 @@ fn scene() -> Scene {
 
 /// A key is dragged as fluently as the time is scrubbed: a pass of the window each.
 #[test]
-fn a_key_of_a_million_is_dragged_as_the_time_is_scrubbed() {
+fn timed_a_key_of_a_million_is_dragged_as_the_time_is_scrubbed() {
     let mut document = Document::new();
     let edit = Edit::ReplaceScene(Box::new(scene()));
     document.apply(edit).unwrap();

@@ -140,10 +140,11 @@ impl Pending {
             edits.push(Edit::set(At::Path, "presets", presets));
         }
         if self.shapes() {
-            edits.push(match self.choice(document) {
+            let shape = match self.choice(document) {
                 CurveSource::Preset(preset) => Edit::set(At::Point(at), "preset", preset),
                 CurveSource::Own => Edit::set(At::Point(at), "own", self.tcb(document)),
-            });
+            };
+            edits.extend(Edit::shaped(document.path(), at, shape));
         }
         let moves = self.position.iter().any(Option::is_some);
         let turns = self.target.iter().any(Option::is_some) || self.roll.is_some();
