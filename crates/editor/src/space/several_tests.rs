@@ -593,38 +593,3 @@ fn what_is_moved_against_a_face_says_how_far_it_came() {
     tap(&mut harness, Key::Escape, Modifiers::NONE);
     assert_eq!(positions(&harness), from);
 }
-
-/// Alone it has the cube and its own place; with others what is left for all of them.
-#[test]
-fn a_point_outside_the_space_stays_until_it_comes_in() {
-    let mut harness = pyramid_window();
-    let to = |at, place: DVec3| vides_document::Edit::set(At::Point(at), "position", place);
-    let document = &mut harness.state_mut().document;
-    document.apply(to(1, DVec3::new(1.5, 0.0, 0.25))).unwrap();
-    document.apply(to(2, DVec3::new(0.5, -0.75, 0.0))).unwrap();
-    let (low, high) = (DVec3::NEG_ONE, DVec3::new(1.5, 1.0, 1.0));
-    choose(&mut harness, &[1]);
-    assert_eq!(harness.state().room_of(1), [low, high]);
-    choose(&mut harness, &[1, 2]);
-    let low = DVec3::new(0.0, -0.25, -0.75);
-    assert_eq!(harness.state().room_of(1), [low, high]);
-    let by = DVec3::new(1.0, 0.75, 0.25);
-    assert_eq!(harness.state().room_of(2), [low - by, high - by]);
-    choose(&mut harness, &[1, 2]);
-    for key in [
-        Key::ArrowLeft,
-        Key::ArrowRight,
-        Key::ArrowUp,
-        Key::ArrowDown,
-        Key::PageUp,
-        Key::PageDown,
-    ] {
-        let from = positions(&harness);
-        tap(&mut harness, key, Modifiers::SHIFT);
-        let now = positions(&harness);
-        let by = now[1] - from[1];
-        assert!((now[2] - from[2]).distance(by) < 1e-12, "{key:?}");
-        assert!(now[1].x <= from[1].x, "{key:?} {by}");
-    }
-    assert!(positions(&harness)[1].x < 1.5);
-}

@@ -10,9 +10,13 @@ use vides_engine::path::space::Move;
 use vides_engine::path::{Space, Up};
 
 use super::projection::tests::{in_cube, view};
-use super::tests::{editor, hold, image, motion, press, pyramid, release, viewport, window};
+use super::tests::{
+    editor, hold, image, motion, position, press, pyramid, pyramid_window, release, tap, viewport,
+    window,
+};
 use super::*;
 use crate::screenshots::screenshot;
+use crate::state::selected::SelectionChange;
 use crate::texts::Language;
 
 /// The example in another space, with its object.
@@ -244,4 +248,46 @@ fn the_path_goes_along_into_a_space_that_is_found_for_it() {
             }
         }
     }
+}
+
+/// Alone it has the cube and its own place; with others what is left for all of them.
+#[test]
+fn a_point_outside_the_space_stays_until_it_comes_in() {
+    let mut harness = pyramid_window();
+    let to = |at, place: DVec3| Edit::set(At::Point(at), "position", place);
+    let document = &mut harness.state_mut().document;
+    document.apply(to(1, DVec3::new(1.5, 0.0, 0.25))).unwrap();
+    document.apply(to(2, DVec3::new(0.5, -0.75, 0.0))).unwrap();
+    let (low, high) = (DVec3::NEG_ONE, DVec3::new(1.5, 1.0, 1.0));
+    let choose = |harness: &mut Harness<'_, Editor>, points: &[usize]| {
+        let context = harness.ctx.clone();
+        let choice = SelectionChange::These(points.to_vec());
+        harness.state_mut().act(Action::Choose(choice), &context);
+        harness.step();
+    };
+    let positions = |harness: &Harness<'_, Editor>| [1, 2].map(|at| position(harness, at));
+    choose(&mut harness, &[1]);
+    assert_eq!(harness.state().room_of(1), [low, high]);
+    choose(&mut harness, &[1, 2]);
+    let low = DVec3::new(0.0, -0.25, -0.75);
+    assert_eq!(harness.state().room_of(1), [low, high]);
+    let by = DVec3::new(1.0, 0.75, 0.25);
+    assert_eq!(harness.state().room_of(2), [low - by, high - by]);
+    choose(&mut harness, &[1, 2]);
+    for key in [
+        Key::ArrowLeft,
+        Key::ArrowRight,
+        Key::ArrowUp,
+        Key::ArrowDown,
+        Key::PageUp,
+        Key::PageDown,
+    ] {
+        let from = positions(&harness);
+        tap(&mut harness, key, Modifiers::SHIFT);
+        let now = positions(&harness);
+        let by = now[0] - from[0];
+        assert!((now[1] - from[1]).distance(by) < 1e-12, "{key:?}");
+        assert!(now[0].x <= from[0].x, "{key:?} {by}");
+    }
+    assert!(positions(&harness)[0].x < 1.5);
 }
