@@ -45,8 +45,10 @@ fn table(rows: &[Listed]) -> String {
 #[test]
 fn the_manual_names_every_key() {
     let manual = include_str!("../man/vides.1");
+    let of_a_key = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    let words: Vec<_> = manual.split(|c| !of_a_key(c)).collect();
     for row in vides::properties() {
-        assert!(manual.contains(row.key), "{}", row.key);
+        assert!(words.contains(&row.key), "{}", row.key);
     }
 }
 

@@ -35,6 +35,37 @@ fn readers() -> impl Iterator<Item = &'static dyn Format> {
         .filter(|format| format.row().reads)
 }
 
+/// Those of `vid` are the document's, in `tests/corpus`.
+#[test]
+fn every_reader_has_files_of_its_own() {
+    for format in readers().filter(|format| format.row().name != "vid") {
+        let name = format.row().name;
+        let has_files =
+            |(of, files): &(&dyn Format, Vec<_>)| of.row().name == name && files.len() > 1;
+        assert!(files().iter().any(has_files), "{name}");
+    }
+}
+
+/// The page of formats, the manual page, and what a host can give `v_scene_export`.
+#[test]
+fn every_format_is_told_of() {
+    for (place, text) in [
+        ("docs/formats.md", include_str!("../../../docs/formats.md")),
+        ("man/vides.1", include_str!("../../../man/vides.1")),
+        (
+            "src/ffi/exchange.rs",
+            include_str!("../../../src/ffi/exchange.rs"),
+        ),
+    ] {
+        let of_a_name = |c: char| c.is_ascii_alphanumeric() || c == '_';
+        let words: Vec<_> = text.split(|c: char| !of_a_name(c)).collect();
+        for format in formats() {
+            let name = format.row().name;
+            assert!(words.contains(&name), "{place}: {name}");
+        }
+    }
+}
+
 #[test]
 fn files_of_the_corpus_are_refused_or_in_order_in_every_reader() {
     let folder = tempfile::tempdir().unwrap();
