@@ -11,6 +11,7 @@ use std::io;
 use std::os::fd::{AsRawFd, BorrowedFd, FromRawFd, OwnedFd, RawFd};
 use std::time::{Duration, Instant};
 
+use crate::clock;
 use crate::error::{Error, Result};
 
 pub(super) struct Descriptors {
@@ -105,7 +106,8 @@ impl Descriptors {
 
     /// Makes the descriptor readable at once.
     pub(super) fn ring(&mut self) {
-        self.wake_at(Some(Instant::now()), Instant::now());
+        let now = clock::now();
+        self.wake_at(Some(now), now);
     }
 
     /// How long until the timer makes the descriptor readable.

@@ -5,6 +5,7 @@
 //!
 //! It knows nothing of C: the host is reached through [`Host`].
 
+mod clock;
 mod descriptors;
 mod edit;
 mod ending;

@@ -5,13 +5,11 @@
 //! window must not keep the host from its own work: after some rounds the call returns, and the
 //! timer brings it back at once.
 
-use std::time::Instant;
-
 use super::host::Id;
 use super::live::HostEvent;
 use super::registry::Lost;
 use super::window::HostRequest;
-use super::{hint, lookout, registry};
+use super::{clock, hint, lookout, registry};
 use crate::error::Result;
 use vides_engine::inject;
 
@@ -85,7 +83,7 @@ fn serve(id: Id) -> bool {
             }
         }
         Some(HostRequest::Live(call)) => {
-            let began = Instant::now();
+            let began = clock::now();
             registry::call(id, |host| match call {
                 HostEvent::View(pose, frame, reason) => host.view(id, &pose, frame, reason),
                 HostEvent::Frame(frame, reason) => host.frame(id, frame, reason),

@@ -16,12 +16,12 @@ use std::os::fd::RawFd;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::rc::Rc;
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use super::descriptors::Descriptors;
 use super::host::{Gone, Host, Id};
 use super::window::Window;
-use super::{ending, lookout, thread_end, xt};
+use super::{clock, ending, lookout, thread_end, xt};
 use crate::error::{EngineError, Error, Result, panic_said};
 use vides_engine::inject;
 
@@ -234,7 +234,7 @@ pub(super) fn last_lost() -> Option<Lost> {
 
 /// How long until the timer makes the descriptor readable.
 pub(super) fn wait() -> Option<Duration> {
-    table(|table| table.descriptors.as_ref()?.wait(Instant::now()))
+    table(|table| table.descriptors.as_ref()?.wait(clock::now()))
 }
 
 /// Sleeps until the descriptor is readable, with nothing borrowed: a signal's handler may call in.
@@ -270,7 +270,7 @@ pub(super) fn leave_those_that_call() {
 /// Sets the timer for the next thing that is due; at once if a window may have more to do.
 pub(super) fn set_timer(more: bool) {
     table(|table| {
-        let now = Instant::now();
+        let now = clock::now();
         let free = table.slots.iter().filter(|slot| !slot.calling);
         let due = free
             .filter_map(|slot| slot.window.as_ref()?.due(now))

@@ -8,10 +8,11 @@ mod panes;
 use std::cell::{Cell, RefCell};
 use std::os::unix::net::UnixStream;
 use std::rc::Rc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use fake::{Fails, Fake, Remote};
 
+use super::clock::{self, pass};
 use super::pump::Served;
 use super::window::Window;
 use super::{
@@ -134,7 +135,7 @@ fn open_for(host: Rc<dyn Host>, host_view: HostView) -> (Id, Rc<Remote>) {
         ours,
         remote: Rc::clone(&remote),
         pixels: Vec::new(),
-        opened: Instant::now(),
+        opened: clock::now(),
     };
     let window = Window::new(Box::new(screen), editor, String::new());
     let id = registry::insert(Box::new(window), host).expect("room");
@@ -171,6 +172,7 @@ fn settle(windows: &[&Rc<Remote>]) -> Served {
         if wait().is_none() && !readable() {
             return served;
         }
+        pass(wait().unwrap_or_default());
     }
     panic!("it never comes to rest");
 }
@@ -286,7 +288,7 @@ fn what_the_screen_waits_for_wakes_the_host() {
     settle(&[&one]);
     assert_eq!(wait(), None);
     let polls = one.polls.get();
-    (one.deadline).set(Some(Instant::now() + Duration::from_millis(20)));
+    (one.deadline).set(Some(clock::now() + Duration::from_millis(20)));
     dispatch();
     assert!(wait().is_some_and(|wait| wait <= Duration::from_millis(20)));
     one.deadline.set(None);

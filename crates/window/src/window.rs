@@ -8,6 +8,7 @@ use std::time::{Duration, Instant};
 
 use egui::{ClippedPrimitive, Context, FullOutput, ViewportCommand, ViewportId, ViewportOutput};
 
+use super::clock;
 use super::host::{Host, Id};
 use super::live::{FRAME, HostEvent, Live};
 use super::screen::Screen;
@@ -169,7 +170,7 @@ impl Window {
             polled.request = Some(HostRequest::Pane(None));
             return Ok(polled);
         }
-        let now = Instant::now();
+        let now = clock::now();
         self.tells = host.watches() || self.editor.auto_hand_over();
         if self.next_pass(now).is_some_and(|due| due <= now) {
             polled.busy = true;
@@ -189,7 +190,7 @@ impl Window {
     }
 
     fn next_live_call(&mut self, id: Id, host: &Rc<dyn Host>) -> Option<HostRequest> {
-        let (watched, now) = (host.watches(), Instant::now());
+        let (watched, now) = (host.watches(), clock::now());
         let call = self.live.next(&self.editor, watched, self.held, now)?;
         let ready = !matches!(call, HostEvent::HandOver) || self.make_ready(id, host, false);
         self.called(now);
@@ -198,7 +199,7 @@ impl Window {
 
     /// A call into the host has ended.
     pub(super) fn called(&mut self, began: Instant) {
-        let now = Instant::now();
+        let now = clock::now();
         self.live.called(now.saturating_duration_since(began), now);
     }
 

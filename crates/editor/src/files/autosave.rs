@@ -1,7 +1,7 @@
 //! Joins the keeping of unsaved work to the window.
 
 use std::path::Path;
-use std::time::Instant;
+use std::time::Duration;
 
 use vides_document::error::Result;
 use vides_document::{At, Document, Edit};
@@ -37,7 +37,8 @@ impl Editor {
             file: self.file.as_deref(),
             known: self.known,
         };
-        match autosave.look_after(&self.document, unsaved, &origin, Instant::now()) {
+        let now = Duration::from_secs_f64(context.input(|input| input.time).max(0.0));
+        match autosave.look_after(&self.document, unsaved, &origin, now) {
             Saved::Idle => {}
             Saved::In(time) => context.request_repaint_after(time),
             Saved::Failed(error) => {

@@ -16,7 +16,7 @@ use std::os::unix::ffi::{OsStrExt, OsStringExt};
 use std::os::unix::fs::{MetadataExt, OpenOptionsExt};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
+use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
 use vides_document::error::{Error, Result};
 use vides_document::{Document, Fingerprint};
@@ -66,8 +66,8 @@ pub(crate) struct Autosave {
     held: Option<File>,
     /// The state that was written or needs no writing.
     settled: u64,
-    /// When the first change came that is not written yet.
-    since: Option<Instant>,
+    /// When the first change came that is not written yet, by the clock of the passes.
+    since: Option<Duration>,
     /// Writing failed, and that was reported.
     failed: bool,
 }
@@ -107,7 +107,7 @@ impl Autosave {
         document: &Document,
         unsaved: bool,
         origin: &Origin<'_>,
-        now: Instant,
+        now: Duration,
     ) -> Saved {
         if !unsaved {
             self.forget();
@@ -120,7 +120,7 @@ impl Autosave {
             return Saved::Idle;
         }
         let since = *self.since.get_or_insert(now);
-        let waited = now.saturating_duration_since(since);
+        let waited = now.saturating_sub(since);
         if waited < DELAY {
             return Saved::In(DELAY - waited);
         }

@@ -1,5 +1,6 @@
 use std::io::{BufRead, BufReader};
 use std::process::{Child, Command, Stdio};
+use std::time::Instant;
 
 use glam::DVec3;
 use vides_document::{At, Edit};
@@ -39,8 +40,7 @@ fn a_change_is_written_within_a_second_and_no_sooner_asked_again() {
     let state = folder.path().join("deep/state");
     let mut document = document();
     let mut autosave = Autosave::new(&state, &document);
-    let start = Instant::now();
-    let at = |ms| start + Duration::from_millis(ms);
+    let at = Duration::from_millis;
     assert!(matches!(
         autosave.look_after(&document, document.is_modified(), &Origin::default(), at(0)),
         Saved::Idle
@@ -110,7 +110,7 @@ fn saving_and_undoing_to_the_saved_state_remove_it() {
             &document,
             document.is_modified(),
             &Origin::default(),
-            Instant::now(),
+            Duration::ZERO,
         );
         assert_eq!(names(folder.path()), [""; 0]);
         change(&mut document, 0.5);
@@ -213,12 +213,11 @@ fn odd_things_in_the_folder_do_no_harm() {
 fn where_nothing_can_be_written_it_is_said_once() {
     let mut document = document();
     let mut autosave = Autosave::new(Path::new("/proc/vides"), &document);
-    let start = Instant::now();
     let mut failures = 0;
     for k in 1u32..5 {
         change(&mut document, f64::from(k) / 10.0);
         for ms in [0, 800] {
-            let now = start + Duration::from_secs(k.into()) + Duration::from_millis(ms);
+            let now = Duration::from_secs(k.into()) + Duration::from_millis(ms);
             if let Saved::Failed(error) =
                 autosave.look_after(&document, document.is_modified(), &Origin::default(), now)
             {
@@ -303,8 +302,12 @@ fn a_process_at_work() {
     for number in 1u32.. {
         change(editor.document_mut(), f64::from(number) / 1e6);
         let began = start.elapsed().as_micros();
+        let input = egui::RawInput {
+            time: Some(start.elapsed().as_secs_f64()),
+            ..egui::RawInput::default()
+        };
         context
-            .run_ui(egui::RawInput::default(), |ui| editor.show(ui))
+            .run_ui(input, |ui| editor.show(ui))
             .textures_delta
             .clear();
         // The pass is over: what was due at its begin has been written.

@@ -184,6 +184,11 @@ fn a_file_that_changed_since_the_crash_is_not_overwritten_unasked() {
     }
 }
 
+/// Passes until what is unsaved is written; one takes a quarter of a second.
+fn later(window: &mut Window) {
+    (0..4).for_each(|_| window.step());
+}
+
 /// An idle window asks for no wake-up, modified or not.
 #[test]
 fn an_idle_window_sleeps() {
@@ -199,8 +204,7 @@ fn an_idle_window_sleeps() {
     window.step();
     window.step();
     assert!(!sleeps(&window), "the change is to be written");
-    std::thread::sleep(std::time::Duration::from_millis(750));
-    window.step();
+    later(&mut window);
     assert_eq!(files(folder.path()), 1);
     window.step();
     window.step();
@@ -222,9 +226,7 @@ fn a_window_that_cannot_keep_its_work_says_so_once() {
                 .apply(Edit::set(At::Path, "closed", closed))
                 .unwrap();
             window.state_mut().document.mark_unsaved();
-            window.step();
-            std::thread::sleep(std::time::Duration::from_millis(750));
-            window.step();
+            later(&mut window);
             let message = window.state_mut().message.take();
             said += usize::from(message.is_some_and(|message| message.error));
         }

@@ -1,12 +1,12 @@
 //! What the pointer costs: how often egui runs.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use egui::{Event, Modifiers, PointerButton, Pos2, pos2};
 
 use super::{Remote, open, settle};
+use crate::clock::{self, pass};
 use crate::live::FRAME;
-use crate::window::DRAG_PAUSE;
 use crate::{close, dispatch, wait};
 use vides_x11::PollResult;
 
@@ -36,7 +36,7 @@ fn until_it_settles(remote: &Remote) {
     });
     dispatch();
     while remote.passes.get() == before {
-        std::thread::sleep(wait().expect("a pass to come"));
+        pass(wait().expect("a pass to come"));
         dispatch();
     }
 }
@@ -51,16 +51,21 @@ fn motions_share_a_picture() {
     let at = |x: f32| pos2(300.0 + x, 470.0);
     hand(&remote, Event::PointerMoved(at(0.0)));
     assert!(hand(&remote, button(at(0.0), true)) >= 1);
-    let (begun, before) = (Instant::now(), remote.passes.get());
+    let (begun, before) = (clock::now(), remote.passes.get());
     let mut step = 0.0;
     while remote.passes.get() < before + 10 {
         step += 1.0;
+        pass(Duration::from_millis(1));
         let presents = remote.presents.get();
         let passes = hand(&remote, Event::PointerMoved(at(20.0 + step % 100.0)));
         assert_eq!(remote.presents.get() - presents, passes);
     }
-    // The first and the last of ten have nine steps between them.
-    assert!(begun.elapsed() >= 9 * FRAME, "{:?}", begun.elapsed());
+    // Each comes with the first motion after its time.
+    let took = clock::now() - begun;
+    assert!(
+        took >= 9 * FRAME && took <= 10 * FRAME + Duration::from_millis(10),
+        "{took:?}"
+    );
     // What came after the last picture is shown without another motion.
     let shown = loop {
         if hand(&remote, Event::PointerMoved(at(150.0))) == 0 {
@@ -93,23 +98,11 @@ fn a_motion_of_a_drag_costs_one_pass() {
     let (id, remote, _) = open();
     settle(&[&remote]);
     hand(&remote, button(pos2(30.0, 30.0), true));
-    // On a machine that is busy a motion may come so late that it settles first:
-    // that tells nothing.
-    let mut in_time = 0;
-    let mut begun = Instant::now();
-    for step in (0..20_u8).cycle() {
-        std::thread::sleep(FRAME);
-        let last = std::mem::replace(&mut begun, Instant::now());
+    for step in 0..20_u8 {
+        pass(FRAME);
         let at = pos2(32.0 + f32::from(step), 30.0);
-        let passes = hand(&remote, Event::PointerMoved(at));
-        if last.elapsed() < DRAG_PAUSE {
-            assert_eq!(passes, 1);
-            assert_ne!(wait(), Some(Duration::ZERO));
-            in_time += 1;
-        }
-        if in_time == 20 {
-            break;
-        }
+        assert_eq!(hand(&remote, Event::PointerMoved(at)), 1);
+        assert_ne!(wait(), Some(Duration::ZERO));
     }
     // When the pointer rests it settles all the same.
     until_it_settles(&remote);

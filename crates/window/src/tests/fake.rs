@@ -10,6 +10,7 @@ use std::time::Instant;
 
 use egui::{PlatformOutput, RawInput};
 
+use crate::clock;
 use crate::screen::Screen;
 use vides_raster::{Area, Target};
 use vides_x11::{Error, PanePlace, PaneWindow, PollResult, Result};
@@ -131,7 +132,7 @@ impl Screen for Fake {
         RawInput {
             screen_rect: (width > 64.0).then_some(screen),
             events: self.remote.events.take(),
-            time: Some(self.opened.elapsed().as_secs_f64()),
+            time: Some((clock::now() - self.opened).as_secs_f64()),
             ..RawInput::default()
         }
     }
@@ -153,7 +154,7 @@ impl Screen for Fake {
     fn present(&mut self, areas: &[Area]) -> Result<()> {
         assert!(!areas.is_empty());
         self.remote.presents.set(self.remote.presents.get() + 1);
-        self.remote.presented.set(Some(Instant::now()));
+        self.remote.presented.set(Some(clock::now()));
         self.remote.shown.borrow_mut().clone_from(&self.pixels);
         Ok(())
     }
