@@ -83,6 +83,12 @@ static void properties_by_name(void)
     OK(v_path_set_property(path, "point.1.locked", "true"));
     OK(v_path_get_property(path, "point.1.view.1.locked", value, sizeof value, &length));
     CHECK(strcmp(value, "true") == 0);
+    /* Closed: the section from 1 to 2 goes from 2 to 1 then. */
+    OK(v_path_reverse(path));
+    OK(v_path_get_property(path, "point.1.locked", value, sizeof value, &length));
+    CHECK(strcmp(value, "false") == 0);
+    OK(v_path_get_property(path, "point.2.locked", value, sizeof value, &length));
+    CHECK(strcmp(value, "true") == 0);
     OK(v_path_set_property(path, "title", "Um den Turm"));
     OK(v_path_get_property(path, "title", value, sizeof value, &length));
     CHECK(strcmp(value, "\"Um den Turm\"") == 0);
