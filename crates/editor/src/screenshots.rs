@@ -2,7 +2,9 @@
 
 use std::path::PathBuf;
 
-use egui::{Color32, TexturesDelta};
+use egui::accesskit::Role;
+use egui::{Color32, Rect, Shape, TexturesDelta};
+use egui_kittest::kittest::{NodeT, Queryable};
 use egui_kittest::{Harness, TestRenderer};
 use image::RgbaImage;
 use vides_raster::{Raster, Target};
@@ -52,9 +54,37 @@ impl TestRenderer for Renderer {
     }
 }
 
-/// What the harness shows now. If the environment's `VIDES_SCREENSHOTS` names
-/// a folder, it is written there too, as a PNG file of this name.
+/// Texts that are painted beyond what they are clipped to at the left or right; what scrolls may be
+/// cut above and below.
+fn cut_texts(shape: &Shape, clip: Rect, cut: &mut Vec<(String, [Rect; 2])>) {
+    match shape {
+        Shape::Text(text) if text.angle == 0.0 => {
+            let rect = text.visual_bounding_rect().shrink(1.0);
+            let whole = clip.x_range();
+            if clip.intersects(rect)
+                && !(whole.contains(rect.left()) && whole.contains(rect.right()))
+            {
+                cut.push((text.galley.text().to_owned(), [rect, clip]));
+            }
+        }
+        Shape::Vec(shapes) => shapes.iter().for_each(|shape| cut_texts(shape, clip, cut)),
+        _ => {}
+    }
+}
+
+/// What the harness shows now, with no text cut at its side. If the environment's
+/// `VIDES_SCREENSHOTS` names a folder, it is written there too, as a PNG file of this name.
 pub(crate) fn screenshot<State>(harness: &mut Harness<'_, State>, name: &str) -> RgbaImage {
+    let mut cut = Vec::new();
+    for clipped in &harness.output().shapes {
+        cut_texts(&clipped.shape, clipped.clip_rect, &mut cut);
+    }
+    // What is typed into scrolls sideways.
+    let typed = harness.query_all_by_role(Role::TextInput);
+    let typed = typed.filter_map(|node| node.accesskit_node().value());
+    let typed: Vec<String> = typed.collect();
+    cut.retain(|(text, _)| !typed.contains(text));
+    assert!(cut.is_empty(), "{name}: {cut:#?}");
     let image = harness.render().expect("our raster paints");
     if let Some(folder) = std::env::var_os(FOLDER) {
         let folder = PathBuf::from(folder);

@@ -1,6 +1,6 @@
 //! Rows of the keys of nodes: which there are, where they stand, what lies under the pointer.
 
-use egui::{Align2, Id, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, vec2};
+use egui::{Id, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, vec2};
 use vides_document::EditedScene;
 use vides_engine::scene::{Channel, Node, Track};
 
@@ -163,7 +163,10 @@ pub(crate) fn channel_name(editor: &Editor, channel: &Channel) -> String {
         Channel::Cone => texts.cone.to_owned(),
         Channel::Weights => texts.weights.to_owned(),
         Channel::AimWeight => texts.aim_weight.to_owned(),
-        Channel::Deformation { at, parameter } => fill(texts.deformation, &[&(at + 1), parameter]),
+        Channel::Deformation { at, parameter } => {
+            let parameter = editor.texts().node.parameter(parameter);
+            fill(texts.deformation, &[&(at + 1), &parameter])
+        }
         Channel::Value { name, .. } => name.clone(),
     }
 }
@@ -189,13 +192,10 @@ pub(crate) fn caption(
     let place = room.left_center() + vec2(INDENT, 0.0);
     if let Some(track) = row.track(edited) {
         let words = channel_name(editor, track.channel());
-        painter.text(
-            place,
-            Align2::LEFT_CENTER,
-            words,
-            theme::small(),
-            palette.weak,
-        );
+        if theme::elided(&painter, place, &words, palette.weak) {
+            let id = Id::unique(("name of track", row.node, row.track));
+            ui.interact(room, id, Sense::hover()).on_hover_text(words);
+        }
         return;
     }
     let response = ui.interact(room, Id::unique(("tracks of", row.node)), Sense::CLICK);
@@ -213,13 +213,10 @@ pub(crate) fn caption(
             colour,
         ));
     }
-    painter.text(
-        place,
-        Align2::LEFT_CENTER,
-        &node.name,
-        theme::small(),
-        colour,
-    );
+    let response = match theme::elided(&painter, place, &node.name, colour) {
+        true => response.on_hover_text(&node.name),
+        false => response,
+    };
     if response.clicked() && !memory.folded.remove(&row.node) {
         memory.folded.insert(row.node);
     }

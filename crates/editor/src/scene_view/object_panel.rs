@@ -118,7 +118,7 @@ fn deformation(
             at,
             parameter: parameter.to_owned(),
         };
-        let words = Words::new(parameter_name(editor, parameter), texts.parameter_hint);
+        let words = Words::new(texts.parameter(parameter), texts.parameter_hint);
         match width {
             1 => channel(editor, ui, of, &of_parameter, words, actions),
             _ => actions.extend(heading(editor, ui, of, &of_parameter, words)),
@@ -138,20 +138,6 @@ fn swap(editor: &Editor, (node, from, to): (usize, usize, usize), actions: &mut 
         _ => return,
     };
     actions.push(Action::Node(NodeAction::ShowBox(Some((node, shown)))));
-}
-
-fn parameter_name<'a>(editor: &Editor, parameter: &'a str) -> &'a str {
-    let texts = &editor.texts().node;
-    match parameter {
-        "angle" => texts.angle,
-        "a" => texts.middle_width,
-        "r0" => texts.first_width,
-        "r1" => texts.last_width,
-        "phi_min" => texts.first_angle,
-        "phi_max" => texts.last_angle,
-        "points" => texts.lattice,
-        other => other,
-    }
 }
 
 /// A button with the axis, which chooses the next one.

@@ -188,3 +188,19 @@ texts! {
             "In diesem Bild gibt es Schlüssel für Ort, Drehung und Größe";
     }
 }
+
+impl NodePanel {
+    /// What a number of a deformation is called.
+    pub(crate) fn parameter<'a>(&self, name: &'a str) -> &'a str {
+        match name {
+            "angle" => self.angle,
+            "a" => self.middle_width,
+            "r0" => self.first_width,
+            "r1" => self.last_width,
+            "phi_min" => self.first_angle,
+            "phi_max" => self.last_angle,
+            "points" => self.lattice,
+            other => other,
+        }
+    }
+}

@@ -8,10 +8,10 @@
 mod fonts;
 
 use egui::style::{ScrollAnimation, ScrollStyle, Selection, TextCursorStyle, WidgetVisuals};
-use egui::text::{CCursor, CCursorRange};
+use egui::text::{CCursor, CCursorRange, LayoutJob, TextFormat, TextWrapping};
 use egui::{
-    Align2, Color32, CornerRadius, FontFamily, FontId, Id, Margin, Mesh, Pos2, Rect, Response,
-    RichText, Shadow, Shape, Stroke, Style, TextEdit, TextStyle, Ui, Visuals, vec2,
+    Align2, Color32, CornerRadius, FontFamily, FontId, Id, Margin, Mesh, Painter, Pos2, Rect,
+    Response, RichText, Shadow, Shape, Stroke, Style, TextEdit, TextStyle, Ui, Visuals, vec2,
 };
 
 use crate::setup::Theme;
@@ -221,6 +221,18 @@ pub(super) fn focus(palette: &Palette) -> Stroke {
 /// The font of all text; its digits are of equal width, so that numbers align.
 pub(super) fn text() -> FontId {
     FontId::new(TEXT, FontFamily::Proportional)
+}
+
+/// A small text at the right of a place, as long as the painter's room; whether it ends early.
+pub(super) fn elided(painter: &Painter, place: Pos2, text: &str, colour: Color32) -> bool {
+    let mut job = LayoutJob::single_section(text.to_owned(), TextFormat::simple(small(), colour));
+    let room = painter.clip_rect().right() - place.x;
+    job.wrap = TextWrapping::truncate_at_width(room.max(0.0));
+    let galley = painter.layout_job(job);
+    let ends_early = galley.elided;
+    let rect = Align2::LEFT_CENTER.anchor_size(place, galley.size());
+    painter.galley(rect.min, galley, colour);
+    ends_early
 }
 
 /// The sign before what is folded or unfolded.
