@@ -14,12 +14,10 @@ mod hostile;
 
 static FOLDER: LazyLock<PathBuf> = LazyLock::new(vides_fuzz::folder);
 
-static FORMAT: LazyLock<&'static dyn Format> = LazyLock::new(|| {
+static FORMAT: LazyLock<&'static Format> = LazyLock::new(|| {
     let Ok(name) = std::env::var("VIDES_FORMAT") else {
-        for row in formats().iter().map(|format| format.row()) {
-            if row.reads {
-                println!("{}", row.name);
-            }
+        for format in formats().iter().filter(|format| format.reads()) {
+            println!("{}", format.name);
         }
         std::process::exit(0);
     };

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 use vides::document::{self, Info};
-use vides::formats::{self, As, Format, Options, Report, Source};
+use vides::formats::{self, As, Format, Holds, Options, Report, Source};
 use vides::path::Up;
 use vides::tools::fit::{Options as FitOptions, Tolerance};
 
@@ -25,23 +25,19 @@ pub(crate) fn options(choices: &Choices) -> Result<Options> {
     Ok(options)
 }
 
-pub(crate) fn format(name: Option<&str>) -> Result<Option<&'static dyn Format>> {
+pub(crate) fn format(name: Option<&str>) -> Result<Option<&'static Format>> {
     Ok(name.map(formats::by_name).transpose()?)
 }
 
 /// What a file is written in. A format of several files is never chosen because a folder happens to
 /// be there.
-pub(crate) fn format_for(
-    file: &Path,
-    named: Option<&'static dyn Format>,
-) -> Result<&'static dyn Format> {
+pub(crate) fn format_for(file: &Path, named: Option<&'static Format>) -> Result<&'static Format> {
     match named {
         Some(format) => Ok(format),
         None if file.is_dir() => {
-            let all = formats::formats().iter().map(|format| format.row());
-            let folders = all.filter(|row| row.writes && !row.parts.is_empty());
+            let folders = formats::formats().iter().filter(|one| one.is_folder());
             let names: Vec<_> = folders
-                .map(|row| format!("format={:?}", row.name))
+                .map(|one| format!("format={:?}", one.name))
                 .collect();
             Err(Failure::argument(format!(
                 "{} is a folder: name the format of several files that is written into it, {}",
@@ -80,7 +76,7 @@ pub(crate) fn convert(
         )));
     }
     // What is not kept as a path need not become one on the way.
-    if !to.row().whole {
+    if to.holds != Holds::Scene {
         options.as_ = options.as_.or(Some(As::Keys));
     }
     py.detach(|| {

@@ -2,24 +2,23 @@
 
 use pyo3::prelude::*;
 use vides::document::tool::{Needs, Tool, tools as all_tools};
-use vides::formats::{OPTIONS, formats as all_formats};
+use vides::formats::{Format, OPTIONS, formats as all_formats};
 use vides::property::Listed;
 use vides::tools::Unit;
 
 /// Name, title, endings, whether it is read, whether it is written.
 #[pyfunction]
 pub(crate) fn formats() -> Vec<(&'static str, &'static str, Vec<&'static str>, bool, bool)> {
-    let rows = all_formats().iter().map(|format| format.row());
-    rows.map(|row| {
+    let row = |format: &&Format| {
         (
-            row.name,
-            row.title,
-            row.endings.to_vec(),
-            row.reads,
-            row.writes,
+            format.name,
+            format.title,
+            format.endings.to_vec(),
+            format.reads(),
+            format.writes(),
         )
-    })
-    .collect()
+    };
+    all_formats().iter().map(row).collect()
 }
 
 /// Name, what stands for the value, what it does.

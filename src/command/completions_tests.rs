@@ -9,7 +9,7 @@ use std::path::Path;
 use clap::builder::PossibleValuesParser;
 use clap::{Command, CommandFactory};
 use clap_complete::Shell;
-use vides::formats;
+use vides::formats::{Format, formats};
 
 use super::Cli;
 
@@ -23,14 +23,14 @@ const FILES: [(Shell, &str); 3] = [
 /// The arguments as a shell may know them: here the formats are a list to choose from. (The
 /// command itself refuses others with a sentence of its own.)
 fn arguments() -> Command {
-    let names = |fits: fn(&formats::Row) -> bool| {
-        let rows = formats::formats().iter().map(|format| format.row());
-        PossibleValuesParser::new(rows.filter(|row| fits(row)).map(|row| row.name))
+    let names = |fits: fn(&Format) -> bool| {
+        let all = formats().iter().filter(|format| fits(format));
+        PossibleValuesParser::new(all.map(|format| format.name))
     };
     Cli::command().mut_subcommand("convert", |convert| {
         convert
-            .mut_arg("from", |from| from.value_parser(names(|row| row.reads)))
-            .mut_arg("to", |to| to.value_parser(names(|row| row.writes)))
+            .mut_arg("from", |from| from.value_parser(names(Format::reads)))
+            .mut_arg("to", |to| to.value_parser(names(Format::writes)))
     })
 }
 

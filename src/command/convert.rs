@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
-use vides::formats::{self, As, Format, OPTIONS, Options, Report};
+use vides::formats::{self, As, Format, Holds, OPTIONS, Options, Report};
 
 use super::failure::{Failure, complain, one_line};
 use super::sample::write_out;
@@ -71,21 +71,18 @@ impl Args for Choices {
 
 /// The names of all formats, by what they can do.
 fn after_help() -> String {
-    let list = |what: &str, fits: fn(&dyn Format) -> bool| {
-        let all = formats::formats().iter();
-        let names: Vec<_> = all
-            .filter(|format| fits(**format))
-            .map(|format| format.row().name)
-            .collect();
+    let list = |what: &str, fits: fn(&Format) -> bool| {
+        let all = formats::formats().iter().filter(|format| fits(format));
+        let names: Vec<_> = all.map(|format| format.name).collect();
         if names.is_empty() {
             return String::new();
         }
         format!("{what}: {}.\n", names.join(", "))
     };
     list("Read and written", |format| {
-        format.row().reads && format.row().writes
-    }) + &list("Written only", |format| !format.row().reads)
-        + &list("Read only", |format| !format.row().writes)
+        format.reads() && format.writes()
+    }) + &list("Written only", |format| !format.reads())
+        + &list("Read only", |format| !format.writes())
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
@@ -115,7 +112,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let mut options = arguments.choices.0.clone();
     // What is not kept as a path need not become one on the way.
-    if !to.row().whole {
+    if to.holds != Holds::Scene {
         options.as_ = options.as_.or(Some(As::Keys));
     }
     let options = &options;

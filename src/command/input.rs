@@ -22,14 +22,14 @@ pub(super) fn load(file: &Path) -> Result<Document, Failure> {
 
 /// Why a file is not loaded; what helps where its name is that of another format.
 pub(super) fn refused(file: &Path, error: &dyn std::fmt::Display) -> Failure {
-    let mut others = formats().iter().map(|format| format.row());
-    let other = others.find(|row| row.reads && row.name != "vid" && row.is_named(file));
+    let mut others = formats().iter().filter(|other| other.name != "vid");
+    let other = others.find(|other| other.reads() && other.is_named(file));
     Failure::Input(match other {
-        Some(row) => format!(
+        Some(other) => format!(
             "{0}: this is no .vid file but one of the format {1}: \"vides convert {0} OUT.vid\" \
              makes one of it",
             file.display(),
-            row.name
+            other.name
         ),
         None => error.to_string(),
     })

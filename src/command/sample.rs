@@ -63,7 +63,7 @@ fn decimals(text: &str) -> Result<usize, String> {
 }
 
 impl Arguments {
-    fn format(&self) -> Result<&'static dyn formats::Format, Failure> {
+    fn format(&self) -> Result<&'static formats::Format, Failure> {
         let name = match self.format {
             Format::Ascii => "ascii",
             Format::Csv => "csv",
@@ -174,11 +174,11 @@ pub(super) fn write_out(
     document: &SceneDocument,
     name: &str,
     out: &Path,
-    format: &dyn formats::Format,
+    format: &formats::Format,
     options: &Options,
 ) -> Result<Report, Failure> {
     let named = |error: formats::Error| Failure::from(error.at(name));
-    Flight::new(document, options, format.row(), &mut |_, _| {}).map_err(named)?;
+    Flight::new(document, options, format, &mut |_, _| {}).map_err(named)?;
     let to_standard_output = input::is_standard_stream(out);
     // Poses printed on a terminal are progress enough.
     let shown = io::stderr().is_terminal() && !(to_standard_output && io::stdout().is_terminal());

@@ -87,7 +87,7 @@ pub unsafe extern "C" fn v_scene_import(
 unsafe fn choices(
     format: *const c_char,
     options: *const c_char,
-) -> Answer<(Option<&'static dyn Format>, Options)> {
+) -> Answer<(Option<&'static Format>, Options)> {
     // SAFETY: as required of the caller.
     let (format, options) = unsafe {
         (

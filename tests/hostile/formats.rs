@@ -18,10 +18,10 @@ const FILE: &[u8] = b"--- ";
 ///
 /// # Panics
 /// If that does not hold.
-pub(crate) fn check(format: &dyn Format, bytes: &[u8], folder: &Path) {
+pub(crate) fn check(format: &Format, bytes: &[u8], folder: &Path) {
     let source = source(format, bytes, folder);
     for other in formats() {
-        let _ = other.recognises(&source);
+        let _ = (other.recognises)(&source);
     }
     let mut options = Options {
         as_: Some(As::Keys),
@@ -40,7 +40,7 @@ pub(crate) fn check(format: &dyn Format, bytes: &[u8], folder: &Path) {
     if last - first > LOOKED_AT {
         return;
     }
-    if format.row().writes {
+    if format.writes() {
         match losses(&read.document, format, &options) {
             Ok(report) => report.losses().iter().for_each(check_loss),
             Err(error) => check_sentence(&error.to_string()),
@@ -66,8 +66,8 @@ fn check_sentence(sentence: &str) {
     assert!(!sentence.chars().any(char::is_control), "{sentence:?}");
 }
 
-fn source(format: &dyn Format, bytes: &[u8], folder: &Path) -> Source {
-    if format.row().parts.is_empty() {
+fn source(format: &Format, bytes: &[u8], folder: &Path) -> Source {
+    if !format.is_folder() {
         return Source::of_bytes("a file", bytes.to_vec());
     }
     for entry in std::fs::read_dir(folder).expect("a folder") {

@@ -2,9 +2,8 @@
 
 use std::path::Path;
 
-use super::error::{Error, Result};
+use super::error::{Error, NAMES, Result};
 use super::format::Format;
-use super::row::NAMES;
 use super::{
     ascii, cameras, chan, colmap, csv, gltf, html, json, kitti, nerfstudio, osg, script,
     transforms, tum, usd, vid,
@@ -12,27 +11,27 @@ use super::{
 
 /// All formats, in the order in which they are offered.
 #[must_use]
-pub fn formats() -> &'static [&'static dyn Format] {
-    const ALL: [&dyn Format; NAMES.len()] = [
-        &vid::Vid,
-        &ascii::Ascii,
-        &csv::Csv,
-        &json::Json,
-        &gltf::Gltf,
-        &gltf::Glb,
-        &usd::Usda,
-        &script::Blender,
-        &script::ParaView,
-        &script::Vtk,
-        &html::Html,
-        &nerfstudio::Nerfstudio,
-        &transforms::Transforms,
-        &cameras::Cameras,
-        &tum::Tum,
-        &kitti::Kitti,
-        &colmap::Colmap,
-        &osg::Osg,
-        &chan::Chan,
+pub fn formats() -> &'static [&'static Format] {
+    static ALL: [&Format; NAMES.len()] = [
+        &vid::VID,
+        &ascii::ASCII,
+        &csv::CSV,
+        &json::JSON,
+        &gltf::GLTF,
+        &gltf::GLB,
+        &usd::USDA,
+        &script::BLENDER,
+        &script::PARAVIEW,
+        &script::VTK,
+        &html::HTML,
+        &nerfstudio::NERFSTUDIO,
+        &transforms::TRANSFORMS,
+        &cameras::CAMERAS,
+        &tum::TUM,
+        &kitti::KITTI,
+        &colmap::COLMAP,
+        &osg::OSG,
+        &chan::CHAN,
     ];
     &ALL
 }
@@ -41,8 +40,8 @@ pub fn formats() -> &'static [&'static dyn Format] {
 ///
 /// # Errors
 /// [`Error::UnknownFormat`], naming all.
-pub fn by_name(name: &str) -> Result<&'static dyn Format> {
-    let found = formats().iter().find(|format| format.row().name == name);
+pub fn by_name(name: &str) -> Result<&'static Format> {
+    let found = formats().iter().find(|format| format.name == name);
     found
         .copied()
         .ok_or_else(|| Error::UnknownFormat(name.into()))
@@ -52,29 +51,27 @@ pub fn by_name(name: &str) -> Result<&'static dyn Format> {
 ///
 /// # Errors
 /// [`Error::UnknownEnding`] with those that are known; [`Error::SharedEnding`].
-pub fn by_target(file: &Path) -> Result<&'static dyn Format> {
+pub fn by_target(file: &Path) -> Result<&'static Format> {
     let written = || {
         let all = formats().iter().copied();
-        all.filter(|format| format.row().writes)
+        all.filter(|format| format.writes())
     };
-    if let Some(named) = written().find(|format| format.row().has_name(file)) {
+    if let Some(named) = written().find(|format| format.has_name(file)) {
         return Ok(named);
     }
-    let fitting: Vec<_> = written()
-        .filter(|format| format.row().has_ending(file))
-        .collect();
+    let fitting: Vec<_> = written().filter(|format| format.has_ending(file)).collect();
     match *fitting {
         [] => {}
         [one] => return Ok(one),
         _ => {
             return Err(Error::SharedEnding {
                 file: file.display().to_string().as_str().into(),
-                formats: fitting.iter().map(|format| format.row().name).collect(),
+                formats: fitting.iter().map(|format| format.name).collect(),
             });
         }
     }
     written()
-        .find(|format| file.is_dir() && !format.row().parts.is_empty())
+        .find(|format| file.is_dir() && format.is_folder())
         .ok_or_else(|| Error::UnknownEnding(file.display().to_string().as_str().into()))
 }
 
@@ -84,7 +81,7 @@ mod tests {
 
     #[test]
     fn errors_name_the_formats_that_there_are() {
-        let names = formats().iter().map(|format| format.row().name);
+        let names = formats().iter().map(|format| format.name);
         assert!(names.eq(NAMES));
     }
 }

@@ -10,59 +10,36 @@ use super::blocks;
 use super::content::Content;
 use super::error::Result;
 use super::flight::Flight;
-use super::format::Format;
+use super::format::{Format, Holds};
 use super::loss::Report;
-use super::options::Options;
-use super::row::Row;
 use super::rows;
-use super::source::Source;
 
-/// Lines of numbers.
-pub(super) struct Ascii;
-
-const ROW: Row = Row {
+pub(super) static ASCII: Format = Format {
     name: "ascii",
     title: "ASCII",
     endings: &["txt"],
-    ..Row::PLAIN
+    holds: Holds::Frames,
+    recognises: |source| rows::is_poses(source.beginning(), false),
+    read: Some(|source, _, _| rows::poses_of_text(source.text()?).map(Content::Poses)),
+    write: Some(write),
+    ..Format::PLAIN
 };
 
-impl Format for Ascii {
-    fn row(&self) -> &'static Row {
-        &ROW
+/// Of what has no poses the matrices to world coordinates, column by column as in OpenGL.
+fn write(flight: &mut Flight<'_>, out: &mut dyn Write, _: &mut Report) -> Result<()> {
+    let decimals = flight.options().digits.unwrap_or(DECIMALS);
+    if flight.looks() {
+        return flight.write_poses(Vec::new(), out, |_, text, _, pose| {
+            push_line(text, pose, decimals);
+        });
     }
-
-    fn recognises(&self, source: &Source) -> bool {
-        rows::is_poses(source.beginning(), false)
-    }
-
-    fn read(&self, source: &Source, _: &Options, _: &mut Report) -> Result<Content> {
-        rows::poses_of_text(source.text()?).map(Content::Poses)
-    }
-
-    /// Of what has no poses the matrices to world coordinates, column by column as in OpenGL.
-    fn write(
-        &self,
-        flight: &mut Flight<'_>,
-        _: usize,
-        out: &mut dyn Write,
-        report: &mut Report,
-    ) -> Result<()> {
-        flight.tell_others(report);
-        let decimals = flight.options().digits.unwrap_or(DECIMALS);
-        if flight.looks() {
-            return flight.write_poses(Vec::new(), out, |_, text, _, pose| {
-                push_line(text, pose, decimals);
-            });
+    flight.write_states(Vec::new(), out, |flight, text, _, state| {
+        for (at, number) in flight.matrix(state).iter().enumerate() {
+            text.extend_from_slice(if at == 0 { b"" } else { b" " });
+            push_number(text, *number, decimals);
         }
-        flight.write_states(Vec::new(), out, |flight, text, _, state| {
-            for (at, number) in flight.matrix(state).iter().enumerate() {
-                text.extend_from_slice(if at == 0 { b"" } else { b" " });
-                push_number(text, *number, decimals);
-            }
-            text.push(b'\n');
-        })
-    }
+        text.push(b'\n');
+    })
 }
 
 /// Writes all poses, one per line, as VRP, VPN and VUP (x y z each) and zoom.

@@ -7,65 +7,43 @@ use std::io::Write;
 use super::content::Content;
 use super::error::Result;
 use super::flight::Flight;
-use super::format::Format;
+use super::format::{Format, Holds};
 use super::loss::Report;
-use super::options::Options;
-use super::row::Row;
 use super::rows;
-use super::source::Source;
 
-pub(super) struct Csv;
-
-const ROW: Row = Row {
+pub(super) static CSV: Format = Format {
     name: "csv",
     title: "CSV",
     endings: &["csv"],
-    ..Row::PLAIN
+    holds: Holds::Frames,
+    recognises: |source| rows::is_poses(source.beginning(), true),
+    read: Some(|source, _, _| rows::poses_of_text(source.text()?).map(Content::Poses)),
+    write: Some(write),
+    ..Format::PLAIN
 };
 
 const HEADER: &[u8] = b"frame,vrp_x,vrp_y,vrp_z,vpn_x,vpn_y,vpn_z,vup_x,vup_y,vup_z,zoom,seconds\n";
 
-impl Format for Csv {
-    fn row(&self) -> &'static Row {
-        &ROW
+fn write(flight: &mut Flight<'_>, out: &mut dyn Write, _: &mut Report) -> Result<()> {
+    // Writing into a vector cannot fail.
+    if flight.looks() {
+        return flight.write_poses(HEADER.into(), out, |flight, text, index, pose| {
+            let numbers = [pose.vrp, pose.vpn, pose.vup];
+            push_row(text, &flight.number(index), numbers.as_flattened());
+            let _ = writeln!(text, ",{:?},{:?}", pose.zoom, flight.seconds(index));
+        });
     }
-
-    fn recognises(&self, source: &Source) -> bool {
-        rows::is_poses(source.beginning(), true)
-    }
-
-    fn read(&self, source: &Source, _: &Options, _: &mut Report) -> Result<Content> {
-        rows::poses_of_text(source.text()?).map(Content::Poses)
-    }
-
-    fn write(
-        &self,
-        flight: &mut Flight<'_>,
-        _: usize,
-        out: &mut dyn Write,
-        report: &mut Report,
-    ) -> Result<()> {
-        flight.tell_others(report);
-        // Writing into a vector cannot fail.
-        if flight.looks() {
-            return flight.write_poses(HEADER.into(), out, |flight, text, index, pose| {
-                let numbers = [pose.vrp, pose.vpn, pose.vup];
-                push_row(text, &flight.number(index), numbers.as_flattened());
-                let _ = writeln!(text, ",{:?},{:?}", pose.zoom, flight.seconds(index));
-            });
+    let mut head = b"frame".to_vec();
+    for column in 0..4 {
+        for row in 0..4 {
+            let _ = write!(head, ",m{row}{column}");
         }
-        let mut head = b"frame".to_vec();
-        for column in 0..4 {
-            for row in 0..4 {
-                let _ = write!(head, ",m{row}{column}");
-            }
-        }
-        head.extend_from_slice(b",visible,seconds\n");
-        flight.write_states(head, out, |flight, text, index, state| {
-            push_row(text, &flight.number(index), &flight.matrix(state));
-            let _ = writeln!(text, ",{},{:?}", state.visible, flight.seconds(index));
-        })
     }
+    head.extend_from_slice(b",visible,seconds\n");
+    flight.write_states(head, out, |flight, text, index, state| {
+        push_row(text, &flight.number(index), &flight.matrix(state));
+        let _ = writeln!(text, ",{},{:?}", state.visible, flight.seconds(index));
+    })
 }
 
 fn push_row(text: &mut Vec<u8>, frame: &dyn Display, numbers: &[f64]) {

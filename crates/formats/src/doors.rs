@@ -9,12 +9,11 @@ use vides_engine::tools::fit::Tolerance;
 use super::all::formats;
 use super::blocks::Progress;
 use super::content::{Content, Recording};
-use super::error::{Error, Result};
+use super::error::{Cause, Error, Place, Result};
 use super::flight::Flight;
 use super::format::Format;
 use super::loss::{Loss, Report};
 use super::options::{As, Options};
-use super::row::Row;
 use super::saving::{kept, save_with, saved};
 use super::source::Source;
 
@@ -32,33 +31,35 @@ pub struct Imported {
 /// Writes into a file, or the files of a folder, each replaced only when it is whole.
 ///
 /// # Errors
-/// Those of [`Flight::new`], [`Format::write`] and the system, with the file's name.
+/// Those of [`Flight::new`], of a [`super::Writer`] and of the system, with the file's name;
+/// [`Error::NoCamera`], [`Error::NotWritten`], [`Cause::Beside`].
 pub fn export(
     document: &SceneDocument,
     file: &Path,
-    format: &dyn Format,
+    format: &Format,
     options: &Options,
     progress: Progress<'_>,
 ) -> Result<Report> {
     let mut report = Report::default();
-    let mut flight = Flight::new(document, options, format.row(), progress)?;
-    let parts = format.row().parts;
-    if parts.is_empty() {
-        save_with(file, &mut |out| {
-            format.write(&mut flight, 0, out, &mut report)
-        })?;
+    let mut flight = Flight::new(document, options, format, progress)?;
+    if !format.is_folder() {
+        save_with(file, &mut |out| format.write(&mut flight, out, &mut report))?;
         return Ok(report);
     }
     // A file of the folder may stand for it.
-    let named = file
-        .file_name()
-        .is_some_and(|name| parts.iter().any(|part| name.eq_ignore_ascii_case(part)));
+    let named = file.file_name().is_some_and(|name| {
+        let mut parts = format.parts.iter();
+        parts.any(|(part, _)| name.eq_ignore_ascii_case(part))
+    });
     let folder = if named {
         file.parent().unwrap_or(Path::new(""))
     } else {
         file
     };
-    format.check_folder(folder)?;
+    if let Some(name) = format.barred.iter().find(|name| folder.join(name).exists()) {
+        let barred = Place::Whole.wrong(Cause::Beside((*name).into()));
+        return Err(barred.at(&folder.display().to_string()));
+    }
     let io = |source| DocumentError::Io {
         place: folder.display().to_string(),
         source,
@@ -67,10 +68,12 @@ pub fn export(
     if is_new {
         std::fs::create_dir(folder).map_err(io)?;
     }
-    let files: Vec<_> = parts.iter().map(|name| folder.join(name)).collect();
+    let files = format.parts.iter().map(|(name, _)| folder.join(name));
+    let files: Vec<_> = files.collect();
     let saved = saved(|failure| {
         save::save_all(&files, &mut |part, out| {
-            let written = format.write(&mut flight, part, out, &mut report);
+            let (_, write) = format.parts[part];
+            let written = format.write_by(write, &mut flight, out, &mut report);
             written.map_err(|error| kept(failure, error))
         })
     });
@@ -87,16 +90,16 @@ pub fn export(
 pub fn export_to(
     document: &SceneDocument,
     out: &mut dyn Write,
-    format: &dyn Format,
+    format: &Format,
     options: &Options,
     progress: Progress<'_>,
 ) -> Result<Report> {
-    if !format.row().parts.is_empty() {
-        return Err(Error::Folder(format.row().name));
+    if format.is_folder() {
+        return Err(Error::Folder(format.name));
     }
     let mut report = Report::default();
-    let mut flight = Flight::new(document, options, format.row(), progress)?;
-    format.write(&mut flight, 0, out, &mut report)?;
+    let mut flight = Flight::new(document, options, format, progress)?;
+    format.write(&mut flight, out, &mut report)?;
     Ok(report)
 }
 
@@ -104,12 +107,16 @@ pub fn export_to(
 ///
 /// # Errors
 /// As [`export`].
-pub fn losses(document: &SceneDocument, format: &dyn Format, options: &Options) -> Result<Report> {
+pub fn losses(document: &SceneDocument, format: &Format, options: &Options) -> Result<Report> {
     let mut report = Report::default();
     let mut ignored = |_, _| {};
-    let mut flight = Flight::new(document, options, format.row(), &mut ignored)?;
-    for part in 0..format.row().parts.len().max(1) {
-        format.write(&mut flight, part, &mut io::sink(), &mut report)?;
+    let mut flight = Flight::new(document, options, format, &mut ignored)?;
+    if format.is_folder() {
+        for &(_, write) in format.parts {
+            format.write_by(write, &mut flight, &mut io::sink(), &mut report)?;
+        }
+    } else {
+        format.write(&mut flight, &mut io::sink(), &mut report)?;
     }
     Ok(report)
 }
@@ -117,10 +124,11 @@ pub fn losses(document: &SceneDocument, format: &dyn Format, options: &Options) 
 /// What a file holds, in its format or the one that its content shows.
 ///
 /// # Errors
-/// [`Error::NotRecognised`], [`Error::Ambiguous`]; those of the format; each with the file's name.
+/// [`Error::NotRecognised`], [`Error::Ambiguous`], [`Error::NotRead`]; those of the format; each with
+/// the file's name.
 pub fn read(
     source: &Source,
-    format: Option<&dyn Format>,
+    format: Option<&Format>,
     options: &Options,
     report: &mut Report,
 ) -> Result<(&'static str, Content)> {
@@ -129,7 +137,7 @@ pub fn read(
             Some(format) => format,
             None => recognised(source)?,
         };
-        if source.is_folder && format.row().parts.is_empty() {
+        if source.is_folder && !format.is_folder() {
             let directory = io::Error::other(vides_document::NotAFile::Directory);
             return Err(Error::Document(DocumentError::Io {
                 place: source.name.clone(),
@@ -140,40 +148,41 @@ pub fn read(
         if let Content::Poses(recording) = &content {
             recording.tell_epoch(report);
         }
-        Ok((format.row().name, content))
+        Ok((format.name, content))
     };
     whole().map_err(|error: Error| error.at(&source.name))
 }
 
 /// By the content; of several formats that it may be, or if it looks like none, by the name.
-fn recognised(source: &Source) -> Result<&'static dyn Format> {
+fn recognised(source: &Source) -> Result<&'static Format> {
     let read = formats().iter().copied();
-    let read: Vec<_> = read.filter(|format| format.row().reads).collect();
-    let fits = |format: &&dyn Format| format.recognises(source);
+    let read: Vec<_> = read.filter(|format| format.reads()).collect();
+    let fits = |format: &&Format| (format.recognises)(source);
     let found: Vec<_> = read.iter().copied().filter(fits).collect();
     let file = Path::new(&source.name);
     match *found {
         [] => named(file, &read).ok_or(Error::NotRecognised),
         [one] => Ok(one),
-        _ => named(file, &found).ok_or_else(|| {
-            Error::Ambiguous(found.iter().map(|format| format.row().name).collect())
-        }),
+        _ => named(file, &found)
+            .ok_or_else(|| Error::Ambiguous(found.iter().map(|format| format.name).collect())),
     }
 }
 
 /// The only one of some formats that a file has by its whole name, else by its ending.
-fn named(file: &Path, among: &[&'static dyn Format]) -> Option<&'static dyn Format> {
-    [Row::has_name, Row::has_ending].iter().find_map(|has| {
-        let mut named = among.iter().filter(|format| has(format.row(), file));
-        named.next().filter(|_| named.next().is_none()).copied()
-    })
+fn named(file: &Path, among: &[&'static Format]) -> Option<&'static Format> {
+    [Format::has_name, Format::has_ending]
+        .iter()
+        .find_map(|has| {
+            let mut named = among.iter().filter(|format| has(format, file));
+            named.next().filter(|_| named.next().is_none()).copied()
+        })
 }
 
 /// The scene in a file: poses become a path or keys, as the options say.
 ///
 /// # Errors
 /// As [`read`]; those of the fit.
-pub fn import(source: &Source, format: Option<&dyn Format>, options: &Options) -> Result<Imported> {
+pub fn import(source: &Source, format: Option<&Format>, options: &Options) -> Result<Imported> {
     let mut report = Report::default();
     let (format, content) = read(source, format, options, &mut report)?;
     let document = match content {
@@ -221,7 +230,7 @@ pub fn recording(source: &Source, options: &Options, report: &mut Report) -> Res
     let content = match read(source, None, options, report) {
         // The reader of lines says what is wrong with them.
         Err(Error::In(_, error)) if matches!(*error, Error::NotRecognised) => {
-            read(source, Some(&super::ascii::Ascii), options, report)
+            read(source, Some(&super::ascii::ASCII), options, report)
         }
         content => content,
     };

@@ -5,7 +5,29 @@ use std::fmt;
 use vides_document::error::{EngineError, ErrorKind, Text};
 
 use super::options::OPTIONS;
-use super::row::NAMES;
+
+/// The names of all formats, in the order in which they are offered, which errors tell.
+pub(super) const NAMES: [&str; 19] = [
+    "vid",
+    "ascii",
+    "csv",
+    "json",
+    "gltf",
+    "glb",
+    "usda",
+    "blender",
+    "paraview",
+    "vtk",
+    "html",
+    "nerfstudio",
+    "transforms",
+    "cameras",
+    "tum",
+    "kitti",
+    "colmap",
+    "osg",
+    "chan",
+];
 
 /// Why a file cannot be read or written.
 #[derive(Debug, thiserror::Error)]

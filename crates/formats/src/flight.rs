@@ -12,9 +12,9 @@ use vides_engine::scene::{FollowPath, Kind, Node, NodeState, Scene, Warnings};
 use super::blocks::{self, Progress};
 use super::convention::{self, focal_pixels};
 use super::error::{Error, Result};
+use super::format::{Format, Holds};
 use super::loss::{Loss, Report};
 use super::options::Options;
-use super::row::Row;
 
 /// A share of a frame that is rounding.
 const HAIR: f64 = 1e-6;
@@ -42,7 +42,7 @@ impl<'a> Flight<'a> {
     pub fn new(
         document: &'a SceneDocument,
         options: &'a Options,
-        row: &Row,
+        format: &Format,
         progress: Progress<'a>,
     ) -> Result<Self> {
         let scene = &document.scene;
@@ -50,7 +50,7 @@ impl<'a> Flight<'a> {
             Some(name) => scene.find(name),
             // Nothing of a whole scene is seen through it.
             None => {
-                let any = row.whole && !scene.nodes().is_empty();
+                let any = format.holds == Holds::Scene && !scene.nodes().is_empty();
                 scene.shown_camera().or(any.then_some(0))
             }
         };
@@ -77,10 +77,10 @@ impl<'a> Flight<'a> {
         if frames >= MAX_FRAMES as f64 {
             return Err(Error::Document(TooMany::SceneFrames.into()));
         }
-        let up = options.up.or(row.up).unwrap_or(scene.space().up);
-        if let Some(fixed) = row.up.filter(|fixed| *fixed != up) {
+        let up = options.up.or(format.up).unwrap_or(scene.space().up);
+        if let Some(fixed) = format.up.filter(|fixed| *fixed != up) {
             return Err(Error::OtherUp {
-                format: row.name,
+                format: format.name,
                 up: fixed.name(),
             });
         }
@@ -263,11 +263,31 @@ impl<'a> Flight<'a> {
         self.scene().nodes()[self.node].kind.looks()
     }
 
-    /// Fails unless the node is a camera.
+    /// Tells what has no place in a format.
     ///
     /// # Errors
-    /// [`Error::NoCamera`].
-    pub fn needs_camera(&self) -> Result<()> {
+    /// [`Error::NoCamera`] if it is for cameras and the node is none.
+    pub(super) fn tell_left_out(&self, holds: Holds, report: &mut Report) -> Result<()> {
+        match holds {
+            Holds::Scene => {}
+            Holds::Frames => self.tell_others(report),
+            Holds::View => self.needs_camera()?,
+            Holds::Motion => {
+                self.needs_camera()?;
+                self.tell_motion(report);
+            }
+            Holds::Poses => {
+                self.needs_camera()?;
+                self.tell_motion(report);
+                if !self.info().object.is_empty() {
+                    report.add(Loss::Object);
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn needs_camera(&self) -> Result<()> {
         let node = &self.scene().nodes()[self.node];
         match node.kind {
             Kind::Camera(_) => Ok(()),
@@ -275,16 +295,8 @@ impl<'a> Flight<'a> {
         }
     }
 
-    /// Tells what a list of one camera's poses leaves out: other nodes, the object, keys.
-    pub fn tell_poses_only(&self, report: &mut Report) {
-        self.tell_motion(report);
-        if !self.info().object.is_empty() {
-            report.add(Loss::Object);
-        }
-    }
-
-    /// As [`Flight::tell_poses_only`], of a format that keeps the object.
-    pub fn tell_motion(&self, report: &mut Report) {
+    /// Tells of the other nodes, and of what becomes a pose a frame.
+    fn tell_motion(&self, report: &mut Report) {
         self.tell_others(report);
         let node = &self.scene().nodes()[self.node];
         if node.aim.is_some() {
@@ -295,8 +307,7 @@ impl<'a> Flight<'a> {
         }
     }
 
-    /// Tells what a list of one node's frames leaves out: the other nodes.
-    pub fn tell_others(&self, report: &mut Report) {
+    fn tell_others(&self, report: &mut Report) {
         let nodes = self.scene().nodes().iter().enumerate();
         let mut others = [0, 0];
         for (at, node) in nodes {

@@ -3,52 +3,160 @@
 use std::io::Write;
 use std::path::Path;
 
+use vides_engine::path::Up;
+
 use super::content::Content;
 use super::error::{Error, Result};
 use super::flight::Flight;
 use super::loss::Report;
 use super::options::Options;
-use super::row::Row;
 use super::source::Source;
 
-/// A file format.
-pub trait Format: Sync {
-    /// Its names and what it can do.
-    fn row(&self) -> &'static Row;
+/// Reads all of a file. What is wrong in it is one sentence with the place and the reason.
+pub type Reader = fn(&Source, &Options, &mut Report) -> Result<Content>;
 
+/// Writes a flight into a file, after what [`Holds`] asks for. Its errors are those of sampling, and
+/// [`Error::Document`] if the stream fails.
+pub type Writer = fn(&mut Flight<'_>, &mut dyn Write, &mut Report) -> Result<()>;
+
+/// What of a scene a format holds. Before a file is written, what has no place in it is told, and
+/// nodes that it is not for are refused.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Holds {
+    /// All, with or without a camera.
+    Scene,
+    /// What a camera sees; the writer tells what else there is.
+    View,
+    /// A camera's poses, and the object.
+    Motion,
+    /// A camera's poses.
+    Poses,
+    /// The poses of a node that has some, the matrices of any other.
+    Frames,
+}
+
+/// A file format: its names, and what it can do.
+#[derive(Debug)]
+pub struct Format {
+    /// As `--from` and `--to` take it.
+    pub name: &'static str,
+    /// As people call it.
+    pub title: &'static str,
+    /// File name extensions, without the dot; the first is proposed.
+    pub endings: &'static [&'static str],
+    /// Whole file names that are always of this format.
+    pub file_names: &'static [&'static str],
+    /// Which axis stands upright in every file, if the format says so.
+    pub up: Option<Up>,
+    /// What of a scene it holds.
+    pub holds: Holds,
     /// Whether the content looks like this format; of files that several recognise the user must
     /// name the format.
-    fn recognises(&self, _source: &Source) -> bool {
-        false
+    pub recognises: fn(&Source) -> bool,
+    /// Reads a file, or a folder of files; none if it is written only.
+    pub read: Option<Reader>,
+    /// Writes its one file; none if it is a folder, or read only.
+    pub write: Option<Writer>,
+    /// The files of a format that is a folder, in the order in which they are written.
+    pub parts: &'static [(&'static str, Writer)],
+    /// Files that would be read before the parts, or together with them: into a folder that has one
+    /// nothing is written.
+    pub barred: &'static [&'static str],
+}
+
+impl Format {
+    /// A format of a camera's poses in one file, of which nothing else is known yet.
+    pub const PLAIN: Self = Self {
+        name: "",
+        title: "",
+        endings: &[],
+        file_names: &[],
+        up: None,
+        holds: Holds::Poses,
+        recognises: |_| false,
+        read: None,
+        write: None,
+        parts: &[],
+        barred: &[],
+    };
+
+    /// Whether it can be read.
+    #[must_use]
+    pub const fn reads(&self) -> bool {
+        self.read.is_some()
     }
 
-    /// Reads all of a file.
-    ///
-    /// # Errors
-    /// One sentence with the place in the file and the reason.
-    fn read(&self, _source: &Source, _options: &Options, _report: &mut Report) -> Result<Content> {
-        Err(Error::NotRead(self.row().name))
+    /// Whether it can be written.
+    #[must_use]
+    pub const fn writes(&self) -> bool {
+        self.write.is_some() || self.is_folder()
     }
 
-    /// Fails if nothing may be written into a folder.
-    ///
-    /// # Errors
-    /// What stands in the way there.
-    fn check_folder(&self, _folder: &Path) -> Result<()> {
-        Ok(())
+    /// Whether it is a folder of files.
+    #[must_use]
+    pub const fn is_folder(&self) -> bool {
+        !self.parts.is_empty()
     }
 
-    /// Writes a flight; of a format of several files the one with this index in [`Row::parts`].
+    /// Whether a file of this name is of the format: by the whole name, or by the ending.
+    #[must_use]
+    pub fn is_named(&self, file: &Path) -> bool {
+        self.has_name(file) || self.has_ending(file)
+    }
+
+    pub(super) fn has_name(&self, file: &Path) -> bool {
+        let name = file.file_name().unwrap_or_default();
+        let known = self.file_names.iter();
+        let mut known = known.chain(self.parts.iter().map(|(name, _)| name));
+        known.any(|known| name.eq_ignore_ascii_case(known))
+    }
+
+    pub(super) fn has_ending(&self, file: &Path) -> bool {
+        let ending = file.extension().unwrap_or_default();
+        let mut known = self.endings.iter();
+        known.any(|known| ending.eq_ignore_ascii_case(known))
+    }
+
+    /// Reads a file.
     ///
     /// # Errors
-    /// Those of sampling; [`Error::Document`] if `out` fails.
-    fn write(
+    /// [`Error::NotRead`]; those of the reader.
+    pub(super) fn read(
         &self,
-        _flight: &mut Flight<'_>,
-        _part: usize,
-        _out: &mut dyn Write,
-        _report: &mut Report,
+        source: &Source,
+        options: &Options,
+        report: &mut Report,
+    ) -> Result<Content> {
+        let read = self.read.ok_or(Error::NotRead(self.name))?;
+        read(source, options, report)
+    }
+
+    /// Writes its one file.
+    ///
+    /// # Errors
+    /// [`Error::NotWritten`]; as [`Format::write_by`].
+    pub(super) fn write(
+        &self,
+        flight: &mut Flight<'_>,
+        out: &mut dyn Write,
+        report: &mut Report,
     ) -> Result<()> {
-        Err(Error::NotWritten(self.row().name))
+        let write = self.write.ok_or(Error::NotWritten(self.name))?;
+        self.write_by(write, flight, out, report)
+    }
+
+    /// Writes one of its files, by its writer; tells what the format does not hold.
+    ///
+    /// # Errors
+    /// [`Error::NoCamera`]; those of the writer.
+    pub(super) fn write_by(
+        &self,
+        write: Writer,
+        flight: &mut Flight<'_>,
+        out: &mut dyn Write,
+        report: &mut Report,
+    ) -> Result<()> {
+        flight.tell_left_out(self.holds, report)?;
+        write(flight, out, report)
     }
 }

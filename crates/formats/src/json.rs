@@ -11,107 +11,95 @@ use super::blocks;
 use super::content::{Content, DEFAULT_ZOOM, Recording};
 use super::error::Result;
 use super::flight::Flight;
-use super::format::Format;
+use super::format::{Format, Holds};
 use super::loss::{Loss, Report};
 use super::options::Options;
-use super::row::Row;
 use super::source::Source;
 use super::tree::{self, At};
 
-pub(super) struct Json;
-
-const ROW: Row = Row {
+pub(super) static JSON: Format = Format {
     name: "json",
     title: "JSON",
     endings: &["json"],
-    ..Row::PLAIN
+    holds: Holds::Frames,
+    recognises,
+    read: Some(read),
+    write: Some(write),
+    ..Format::PLAIN
 };
 
-impl Format for Json {
-    fn row(&self) -> &'static Row {
-        &ROW
-    }
+fn recognises(source: &Source) -> bool {
+    let text = source.beginning();
+    text.trim_start().starts_with('{')
+        && text.contains("\"title\":")
+        && text.contains("\"frame_count\":")
+}
 
-    fn recognises(&self, source: &Source) -> bool {
-        let text = source.beginning();
-        text.trim_start().starts_with('{')
-            && text.contains("\"title\":")
-            && text.contains("\"frame_count\":")
+fn read(source: &Source, _: &Options, report: &mut Report) -> Result<Content> {
+    let document = tree::parse(&source.bytes)?;
+    let root = At::root(&document);
+    let space = root.get("space");
+    let in_space = |key| space.and_then(|space| space.get(key));
+    let mut recording = Recording {
+        title: text(root.get("title"))?,
+        comment: text(root.get("comment"))?,
+        unit: text(in_space("unit"))?,
+        fps: root.get("fps").map(At::positive).transpose()?,
+        first_frame: root.get("first_frame").map(At::number).transpose()?,
+        up: in_space("up").map(At::up).transpose()?,
+        ..Recording::default()
+    };
+    if let Some(states) = root.get("states") {
+        report.add(Loss::FieldOfView);
+        let (mut hidden, mut sized) = (0, 0);
+        for state in states.list()? {
+            let visible = state.get("visible").and_then(|at| at.value.as_bool());
+            hidden += usize::from(visible == Some(false));
+            let at = state.need("matrix")?;
+            let matrix = DMat4::from_cols_array(&at.numbers()?);
+            let unit = |column: DVec4| (column.length() - 1.0).abs() <= 1e-9;
+            let axes = [matrix.x_axis, matrix.y_axis, matrix.z_axis];
+            sized += usize::from(!axes.into_iter().all(unit));
+            recording.push(at.pose(matrix, CameraAxes::Vides, DEFAULT_ZOOM)?)?;
+        }
+        report.not_taken("visible", hidden);
+        report.count(sized, Loss::Sizes);
+        return Ok(Content::Poses(recording));
     }
+    for pose in root.need("poses")?.list()? {
+        let vector = |name| pose.need(name)?.numbers::<3>();
+        recording.push(Pose {
+            vrp: vector("vrp")?,
+            vpn: vector("vpn")?,
+            vup: vector("vup")?,
+            zoom: pose.need("zoom")?.number()?,
+        })?;
+    }
+    Ok(Content::Poses(recording))
+}
 
-    fn read(&self, source: &Source, _: &Options, report: &mut Report) -> Result<Content> {
-        let document = tree::parse(&source.bytes)?;
-        let root = At::root(&document);
-        let space = root.get("space");
-        let in_space = |key| space.and_then(|space| space.get(key));
-        let mut recording = Recording {
-            title: text(root.get("title"))?,
-            comment: text(root.get("comment"))?,
-            unit: text(in_space("unit"))?,
-            fps: root.get("fps").map(At::positive).transpose()?,
-            first_frame: root.get("first_frame").map(At::number).transpose()?,
-            up: in_space("up").map(At::up).transpose()?,
-            ..Recording::default()
-        };
-        if let Some(states) = root.get("states") {
-            report.add(Loss::FieldOfView);
-            let (mut hidden, mut sized) = (0, 0);
-            for state in states.list()? {
-                let visible = state.get("visible").and_then(|at| at.value.as_bool());
-                hidden += usize::from(visible == Some(false));
-                let at = state.need("matrix")?;
-                let matrix = DMat4::from_cols_array(&at.numbers()?);
-                let unit = |column: DVec4| (column.length() - 1.0).abs() <= 1e-9;
-                let axes = [matrix.x_axis, matrix.y_axis, matrix.z_axis];
-                sized += usize::from(!axes.into_iter().all(unit));
-                recording.push(at.pose(matrix, CameraAxes::Vides, DEFAULT_ZOOM)?)?;
+fn write(flight: &mut Flight<'_>, out: &mut dyn Write, _: &mut Report) -> Result<()> {
+    let head = match flight.path_alone() {
+        Some(_) => head(flight),
+        None => node_head(flight),
+    };
+    // Writing into a vector cannot fail.
+    if flight.looks() {
+        flight.write_poses(head, out, |_, text, index, pose| {
+            push_begin(text, index);
+            for (name, vector) in [("vrp", pose.vrp), ("vpn", pose.vpn), ("vup", pose.vup)] {
+                let _ = write!(text, "\"{name}\": {vector:?}, ");
             }
-            report.not_taken("visible", hidden);
-            report.count(sized, Loss::Sizes);
-            return Ok(Content::Poses(recording));
-        }
-        for pose in root.need("poses")?.list()? {
-            let vector = |name| pose.need(name)?.numbers::<3>();
-            recording.push(Pose {
-                vrp: vector("vrp")?,
-                vpn: vector("vpn")?,
-                vup: vector("vup")?,
-                zoom: pose.need("zoom")?.number()?,
-            })?;
-        }
-        Ok(Content::Poses(recording))
+            let _ = write!(text, "\"zoom\": {:?}}}", pose.zoom);
+        })?;
+    } else {
+        flight.write_states(head, out, |flight, text, index, state| {
+            push_begin(text, index);
+            let (matrix, visible) = (flight.matrix(state), state.visible != 0);
+            let _ = write!(text, "\"matrix\": {matrix:?}, \"visible\": {visible}}}");
+        })?;
     }
-
-    fn write(
-        &self,
-        flight: &mut Flight<'_>,
-        _: usize,
-        out: &mut dyn Write,
-        report: &mut Report,
-    ) -> Result<()> {
-        flight.tell_others(report);
-        let head = match flight.path_alone() {
-            Some(_) => head(flight),
-            None => node_head(flight),
-        };
-        // Writing into a vector cannot fail.
-        if flight.looks() {
-            flight.write_poses(head, out, |_, text, index, pose| {
-                push_begin(text, index);
-                for (name, vector) in [("vrp", pose.vrp), ("vpn", pose.vpn), ("vup", pose.vup)] {
-                    let _ = write!(text, "\"{name}\": {vector:?}, ");
-                }
-                let _ = write!(text, "\"zoom\": {:?}}}", pose.zoom);
-            })?;
-        } else {
-            flight.write_states(head, out, |flight, text, index, state| {
-                push_begin(text, index);
-                let (matrix, visible) = (flight.matrix(state), state.visible != 0);
-                let _ = write!(text, "\"matrix\": {matrix:?}, \"visible\": {visible}}}");
-            })?;
-        }
-        out.write_all(b"\n  ]\n}\n").map_err(blocks::failed)
-    }
+    out.write_all(b"\n  ]\n}\n").map_err(blocks::failed)
 }
 
 /// A text of the file, empty if there is none.

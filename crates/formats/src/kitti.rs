@@ -13,54 +13,36 @@ use super::flight::Flight;
 use super::format::Format;
 use super::loss::{Loss, Report};
 use super::options::Options;
-use super::row::Row;
 use super::rows;
 use super::source::Source;
 
-pub(super) struct Kitti;
-
-const ROW: Row = Row {
+pub(super) static KITTI: Format = Format {
     name: "kitti",
     title: "KITTI",
     endings: &["kitti"],
-    ..Row::PLAIN
+    recognises: |source| rows::is_matrix(source.beginning()),
+    read: Some(read),
+    write: Some(write),
+    ..Format::PLAIN
 };
 
-impl Format for Kitti {
-    fn row(&self) -> &'static Row {
-        &ROW
+fn read(source: &Source, _: &Options, report: &mut Report) -> Result<Content> {
+    let mut recording = Recording::default();
+    for (place, row) in rows::rows(source.text()?) {
+        let matrix = rows::matrix(rows::numbers(&place, row)?);
+        recording.push(place.matrix(matrix, CameraAxes::OpenCv, DEFAULT_ZOOM)?)?;
     }
+    report.add(Loss::Times);
+    report.add(Loss::FieldOfView);
+    Ok(Content::Poses(recording))
+}
 
-    fn recognises(&self, source: &Source) -> bool {
-        rows::is_matrix(source.beginning())
-    }
-
-    fn read(&self, source: &Source, _: &Options, report: &mut Report) -> Result<Content> {
-        let mut recording = Recording::default();
-        for (place, row) in rows::rows(source.text()?) {
-            let matrix = rows::matrix(rows::numbers(&place, row)?);
-            recording.push(place.matrix(matrix, CameraAxes::OpenCv, DEFAULT_ZOOM)?)?;
-        }
-        report.add(Loss::Times);
-        report.add(Loss::FieldOfView);
-        Ok(Content::Poses(recording))
-    }
-
-    fn write(
-        &self,
-        flight: &mut Flight<'_>,
-        _: usize,
-        out: &mut dyn Write,
-        report: &mut Report,
-    ) -> Result<()> {
-        flight.needs_camera()?;
-        flight.tell_poses_only(report);
-        report.add(Loss::Times);
-        report.add(Loss::FieldOfView);
-        flight.write_poses(Vec::new(), out, |_, text, _, pose| {
-            let rows = convention::matrix(pose, CameraAxes::OpenCv).transpose();
-            rows::push(text, rows.to_cols_array().into_iter().take(12), " ");
-            text.push(b'\n');
-        })
-    }
+fn write(flight: &mut Flight<'_>, out: &mut dyn Write, report: &mut Report) -> Result<()> {
+    report.add(Loss::Times);
+    report.add(Loss::FieldOfView);
+    flight.write_poses(Vec::new(), out, |_, text, _, pose| {
+        let rows = convention::matrix(pose, CameraAxes::OpenCv).transpose();
+        rows::push(text, rows.to_cols_array().into_iter().take(12), " ");
+        text.push(b'\n');
+    })
 }

@@ -1,6 +1,6 @@
 //! Camera paths and scenes in the file formats of other programs, out and in.
 //!
-//! Each format is one file or folder: a [`Format`] with its [`Row`] in [`formats()`]. What is
+//! Each format is one file or folder: a [`Format`] in the table [`formats()`]. What is
 //! written is a [`Flight`], what is read a [`Content`]; [`export`] and [`import`] are the doors for
 //! command, window and C. What a format cannot hold is a [`Loss`], never silent. Axes, angles and
 //! times are converted in [`convention`] and nowhere else.
@@ -34,7 +34,6 @@ mod names;
 mod nerfstudio;
 mod options;
 mod osg;
-mod row;
 mod rows;
 mod saving;
 mod script;
@@ -53,8 +52,7 @@ pub use content::{Content, Recording, missed};
 pub use doors::{Imported, export, export_to, import, losses, read, recording};
 pub use error::{Cause, Error, Place, Result, Wanted};
 pub use flight::Flight;
-pub use format::Format;
+pub use format::{Format, Holds, Reader, Writer};
 pub use loss::{Loss, Report};
 pub use options::{As, MAX_DECIMALS, OPTIONS, OptionRow, Options};
-pub use row::Row;
 pub use source::Source;

@@ -16,80 +16,66 @@ use super::format::Format;
 use super::lens::Lenses;
 use super::loss::{Loss, Report};
 use super::options::Options;
-use super::row::Row;
 use super::source::Source;
 use super::tree::{self, At};
 use super::{blocks, convention, rows};
 
-pub(super) struct Nerfstudio;
-
-const ROW: Row = Row {
+pub(super) static NERFSTUDIO: Format = Format {
     name: "nerfstudio",
     title: "nerfstudio",
     file_names: &["camera_path.json"],
     up: Some(Up::Z),
-    ..Row::PLAIN
+    recognises,
+    read: Some(read),
+    write: Some(write),
+    ..Format::PLAIN
 };
 
-impl Format for Nerfstudio {
-    fn row(&self) -> &'static Row {
-        &ROW
-    }
+fn recognises(source: &Source) -> bool {
+    let text = source.beginning();
+    let has = |key: &str| text.contains(key);
+    text.trim_start().starts_with('{') && (has("\"camera_path\"") || has("\"keyframes\""))
+}
 
-    fn recognises(&self, source: &Source) -> bool {
-        let text = source.beginning();
-        let has = |key: &str| text.contains(key);
-        text.trim_start().starts_with('{') && (has("\"camera_path\"") || has("\"keyframes\""))
-    }
-
-    fn read(&self, source: &Source, _: &Options, report: &mut Report) -> Result<Content> {
-        let document = tree::parse(&source.bytes)?;
-        let root = At::root(&document);
-        let mut recording = Recording {
-            up: ROW.up,
-            fps: root.get("fps").map(At::positive).transpose()?,
-            ..Recording::default()
-        };
-        let mut lenses = Lenses::default();
-        let path = root.get("camera_path").map(At::list).transpose()?;
-        let path = path.filter(|path| path.len() > 0);
-        if let Some(path) = path {
-            for entry in path {
-                let matrix = entry.need("camera_to_world")?;
-                let rows = DMat4::from_cols_array(&matrix.numbers()?).transpose();
-                let zoom = zoom(entry.get("fov"), &mut lenses)?;
-                recording.push(matrix.pose(rows, CameraAxes::OpenGl, zoom)?)?;
-            }
-            if let (None, Some(seconds)) = (recording.fps, root.get("seconds")) {
-                recording.fps = Some(recording.poses.len() as f64 / seconds.positive()?);
-            }
-        } else {
-            read_keys(root, &mut recording, &mut lenses, report)?;
+fn read(source: &Source, _: &Options, report: &mut Report) -> Result<Content> {
+    let document = tree::parse(&source.bytes)?;
+    let root = At::root(&document);
+    let mut recording = Recording {
+        up: NERFSTUDIO.up,
+        fps: root.get("fps").map(At::positive).transpose()?,
+        ..Recording::default()
+    };
+    let mut lenses = Lenses::default();
+    let path = root.get("camera_path").map(At::list).transpose()?;
+    let path = path.filter(|path| path.len() > 0);
+    if let Some(path) = path {
+        for entry in path {
+            let matrix = entry.need("camera_to_world")?;
+            let rows = DMat4::from_cols_array(&matrix.numbers()?).transpose();
+            let zoom = zoom(entry.get("fov"), &mut lenses)?;
+            recording.push(matrix.pose(rows, CameraAxes::OpenGl, zoom)?)?;
         }
-        lenses.tell(report);
-        tell_rest(root, recording.poses.len(), report);
-        Ok(Content::Poses(recording))
+        if let (None, Some(seconds)) = (recording.fps, root.get("seconds")) {
+            recording.fps = Some(recording.poses.len() as f64 / seconds.positive()?);
+        }
+    } else {
+        read_keys(root, &mut recording, &mut lenses, report)?;
     }
+    lenses.tell(report);
+    tell_rest(root, recording.poses.len(), report);
+    Ok(Content::Poses(recording))
+}
 
-    fn write(
-        &self,
-        flight: &mut Flight<'_>,
-        _: usize,
-        out: &mut dyn Write,
-        report: &mut Report,
-    ) -> Result<()> {
-        flight.needs_camera()?;
-        flight.tell_poses_only(report);
-        report.add(Loss::OwnSpline);
-        let head = head(flight)?;
-        let [width, height] = flight.size();
-        flight.write_poses(head, out, |_, text, index, pose| {
-            text.extend_from_slice(if index == 0 { b"\n    {" } else { b",\n    {" });
-            push_camera(text, "camera_to_world", pose, width / height);
-            text.push(b'}');
-        })?;
-        out.write_all(b"\n  ]\n}\n").map_err(blocks::failed)
-    }
+fn write(flight: &mut Flight<'_>, out: &mut dyn Write, report: &mut Report) -> Result<()> {
+    report.add(Loss::OwnSpline);
+    let head = head(flight)?;
+    let [width, height] = flight.size();
+    flight.write_poses(head, out, |_, text, index, pose| {
+        text.extend_from_slice(if index == 0 { b"\n    {" } else { b",\n    {" });
+        push_camera(text, "camera_to_world", pose, width / height);
+        text.push(b'}');
+    })?;
+    out.write_all(b"\n  ]\n}\n").map_err(blocks::failed)
 }
 
 /// The zoom of a vertical field of view in degrees.

@@ -14,99 +14,85 @@ use super::format::Format;
 use super::lens::{Lens, Lenses};
 use super::loss::{Loss, Report};
 use super::options::Options;
-use super::row::Row;
 use super::source::Source;
 use super::tree::{self, At};
 use super::{blocks, convention, rows};
 
-pub(super) struct Transforms;
-
-const ROW: Row = Row {
+pub(super) static TRANSFORMS: Format = Format {
     name: "transforms",
     title: "NeRF transforms",
     file_names: &["transforms.json"],
     up: Some(Up::Z),
-    ..Row::PLAIN
+    recognises,
+    read: Some(read),
+    write: Some(write),
+    ..Format::PLAIN
 };
 
-impl Format for Transforms {
-    fn row(&self) -> &'static Row {
-        &ROW
-    }
+fn recognises(source: &Source) -> bool {
+    let text = source.beginning();
+    let has = |key: &str| text.contains(key);
+    text.trim_start().starts_with('{')
+        && has("\"frames\"")
+        && ["\"transform_matrix\"", "\"camera_angle_x\"", "\"fl_x\""].map(has) != [false; 3]
+}
 
-    fn recognises(&self, source: &Source) -> bool {
-        let text = source.beginning();
-        let has = |key: &str| text.contains(key);
-        text.trim_start().starts_with('{')
-            && has("\"frames\"")
-            && ["\"transform_matrix\"", "\"camera_angle_x\"", "\"fl_x\""].map(has) != [false; 3]
+fn read(source: &Source, options: &Options, report: &mut Report) -> Result<Content> {
+    let document = tree::parse(&source.bytes)?;
+    let root = At::root(&document);
+    let mut recording = Recording {
+        up: TRANSFORMS.up,
+        ..Recording::default()
+    };
+    let mut lenses = Lenses::default();
+    lenses.distorted = usize::from(distorted(root));
+    for frame in root.need("frames")?.list()? {
+        let matrix = frame.need("transform_matrix")?;
+        let rows = matrix.rows()?;
+        let zoom = zoom(root, frame, options, &mut lenses)?;
+        lenses.distorted += usize::from(distorted(frame));
+        recording.push(matrix.pose(rows, CameraAxes::OpenGl, zoom)?)?;
     }
+    lenses.tell(report);
+    report.add(Loss::Times);
+    Ok(Content::Poses(recording))
+}
 
-    fn read(&self, source: &Source, options: &Options, report: &mut Report) -> Result<Content> {
-        let document = tree::parse(&source.bytes)?;
-        let root = At::root(&document);
-        let mut recording = Recording {
-            up: ROW.up,
-            ..Recording::default()
-        };
-        let mut lenses = Lenses::default();
-        lenses.distorted = usize::from(distorted(root));
-        for frame in root.need("frames")?.list()? {
-            let matrix = frame.need("transform_matrix")?;
-            let rows = matrix.rows()?;
-            let zoom = zoom(root, frame, options, &mut lenses)?;
-            lenses.distorted += usize::from(distorted(frame));
-            recording.push(matrix.pose(rows, CameraAxes::OpenGl, zoom)?)?;
-        }
-        lenses.tell(report);
-        report.add(Loss::Times);
-        Ok(Content::Poses(recording))
+fn write(flight: &mut Flight<'_>, out: &mut dyn Write, report: &mut Report) -> Result<()> {
+    report.add(Loss::Times);
+    let [width, height] = flight.options().size;
+    let [cx, cy] = flight.size().map(|side| 0.5 * side);
+    let mut head = Vec::new();
+    // Writing into a vector cannot fail.
+    let _ = write!(
+        head,
+        "{{\n  \"w\": {width},\n  \"h\": {height},\n  \"cx\": {cx:?},\n  \"cy\": {cy:?},"
+    );
+    // Readers take what holds for all before what a frame says.
+    let all = only_zoom(flight)?;
+    if let Some(zoom) = all {
+        head.extend_from_slice(b"\n  ");
+        push_lens(&mut head, flight, zoom);
+        head.push(b',');
     }
-
-    fn write(
-        &self,
-        flight: &mut Flight<'_>,
-        _: usize,
-        out: &mut dyn Write,
-        report: &mut Report,
-    ) -> Result<()> {
-        flight.needs_camera()?;
-        flight.tell_poses_only(report);
-        report.add(Loss::Times);
-        let [width, height] = flight.options().size;
-        let [cx, cy] = flight.size().map(|side| 0.5 * side);
-        let mut head = Vec::new();
-        // Writing into a vector cannot fail.
+    head.extend_from_slice(b"\n  \"frames\": [");
+    flight.write_poses(head, out, |flight, text, index, pose| {
+        let comma = if index == 0 { "" } else { "," };
+        let name = index + 1;
         let _ = write!(
-            head,
-            "{{\n  \"w\": {width},\n  \"h\": {height},\n  \"cx\": {cx:?},\n  \"cy\": {cy:?},"
+            text,
+            "{comma}\n    {{\"file_path\": \"images/frame_{name:05}.png\", "
         );
-        // Readers take what holds for all before what a frame says.
-        let all = only_zoom(flight)?;
-        if let Some(zoom) = all {
-            head.extend_from_slice(b"\n  ");
-            push_lens(&mut head, flight, zoom);
-            head.push(b',');
+        if all.is_none() {
+            push_lens(text, flight, pose.zoom);
+            text.extend_from_slice(b", ");
         }
-        head.extend_from_slice(b"\n  \"frames\": [");
-        flight.write_poses(head, out, |flight, text, index, pose| {
-            let comma = if index == 0 { "" } else { "," };
-            let name = index + 1;
-            let _ = write!(
-                text,
-                "{comma}\n    {{\"file_path\": \"images/frame_{name:05}.png\", "
-            );
-            if all.is_none() {
-                push_lens(text, flight, pose.zoom);
-                text.extend_from_slice(b", ");
-            }
-            text.extend_from_slice(b"\"transform_matrix\": ");
-            let rows = convention::matrix(pose, CameraAxes::OpenGl).transpose();
-            rows::push_matrix(text, rows.to_cols_array_2d());
-            text.push(b'}');
-        })?;
-        out.write_all(b"\n  ]\n}\n").map_err(blocks::failed)
-    }
+        text.extend_from_slice(b"\"transform_matrix\": ");
+        let rows = convention::matrix(pose, CameraAxes::OpenGl).transpose();
+        rows::push_matrix(text, rows.to_cols_array_2d());
+        text.push(b'}');
+    })?;
+    out.write_all(b"\n  ]\n}\n").map_err(blocks::failed)
 }
 
 /// The zoom of a frame: by its own numbers or those of all; by focal lengths rather than by angles,

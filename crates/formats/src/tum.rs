@@ -12,44 +12,21 @@ use super::error::{Cause, Result};
 use super::flight::Flight;
 use super::format::Format;
 use super::loss::{Loss, Report};
-use super::options::Options;
-use super::row::Row;
 use super::rows;
 use super::source::Source;
 
-pub(super) struct Tum;
-
-const ROW: Row = Row {
+pub(super) static TUM: Format = Format {
     name: "tum",
     title: "TUM",
     endings: &["tum"],
-    ..Row::PLAIN
-};
-
-impl Format for Tum {
-    fn row(&self) -> &'static Row {
-        &ROW
-    }
-
-    fn recognises(&self, source: &Source) -> bool {
-        rows::first(source.beginning()).is_some_and(rows::turns_last)
-    }
-
-    fn read(&self, source: &Source, _: &Options, report: &mut Report) -> Result<Content> {
-        read(source, CameraAxes::OpenCv, report)
-    }
-
-    fn write(
-        &self,
-        flight: &mut Flight<'_>,
-        _: usize,
-        out: &mut dyn Write,
-        report: &mut Report,
-    ) -> Result<()> {
+    recognises: |source| rows::first(source.beginning()).is_some_and(rows::turns_last),
+    read: Some(|source, _, report| read(source, CameraAxes::OpenCv, report)),
+    write: Some(|flight, out, report| {
         let head = b"# timestamp tx ty tz qx qy qz qw\n";
         write(flight, head, CameraAxes::OpenCv, out, report)
-    }
-}
+    }),
+    ..Format::PLAIN
+};
 
 /// The poses of lines `t x y z qx qy qz qw`, of cameras with these axes.
 pub(super) fn read(source: &Source, axes: CameraAxes, report: &mut Report) -> Result<Content> {
@@ -78,8 +55,6 @@ pub(super) fn write(
     out: &mut dyn Write,
     report: &mut Report,
 ) -> Result<()> {
-    flight.needs_camera()?;
-    flight.tell_poses_only(report);
     report.add(Loss::FieldOfView);
     flight.write_poses(head.into(), out, |flight, text, index, pose| {
         let turn = convention::rotation(pose, axes).to_array();

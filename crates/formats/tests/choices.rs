@@ -66,7 +66,7 @@ fn a_file_of_a_folder_stands_for_it_in_either_case() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("IMAGES.TXT");
     let format = vides_formats::by_target(&file).unwrap();
-    assert_eq!(format.row().name, "colmap");
+    assert_eq!(format.name, "colmap");
     let document = example("pyramid.vid");
     export(
         &document,
@@ -186,18 +186,17 @@ fn lines_of_a_scene_tell_what_else_is_in_it() {
     }
 }
 
-fn writing() -> impl Iterator<Item = &'static dyn Format> {
+fn writing() -> impl Iterator<Item = &'static Format> {
     let all = formats().iter().copied();
-    all.filter(|format| format.row().writes && format.row().name != "vid")
+    all.filter(|format| format.writes() && format.name != "vid")
 }
 
 /// Where a format is written to in a folder.
-fn target(folder: &Path, format: &dyn Format) -> PathBuf {
-    let row = format.row();
-    match (row.file_names, row.endings) {
+fn target(folder: &Path, format: &Format) -> PathBuf {
+    match (format.file_names, format.endings) {
         ([name, ..], _) => folder.join(name),
-        (_, [ending, ..]) => folder.join(format!("{}.{ending}", row.name)),
-        _ => folder.join(row.name),
+        (_, [ending, ..]) => folder.join(format!("{}.{ending}", format.name)),
+        _ => folder.join(format.name),
     }
 }
 
@@ -222,11 +221,10 @@ fn a_flight_of_one_frame_goes_out_and_comes_in() {
     for name in ["pyramid.vid", "car.vid"] {
         let document = example(name);
         for format in writing() {
-            let row = format.row();
             let file = target(folder.path(), format);
             let one = options("frames=2..2");
             export(&document, &file, format, &one, &mut |_, _| {}).unwrap();
-            if !row.reads {
+            if !format.reads() {
                 continue;
             }
             for kind in ["path", "keys"] {
@@ -241,7 +239,7 @@ fn a_flight_of_one_frame_goes_out_and_comes_in() {
                     read => read.unwrap(),
                 };
                 let range = read.document.scene.frame_range();
-                assert_eq!(range.0, range.1, "{name} {} {kind}", row.name);
+                assert_eq!(range.0, range.1, "{name} {} {kind}", format.name);
             }
         }
     }
@@ -261,9 +259,9 @@ fn other_nodes_are_written_or_refused_by_name() {
                 Ok(_) => {}
                 Err(Error::NoCamera(name)) => {
                     assert_eq!(name.to_string(), node.name);
-                    refused.push(format.row().name);
+                    refused.push(format.name);
                 }
-                Err(other) => panic!("{} {}: {other}", node.name, format.row().name),
+                Err(other) => panic!("{} {}: {other}", node.name, format.name),
             }
         }
     }
@@ -277,12 +275,12 @@ fn content_is_recognised_by_its_own_format_alone() {
     let folder = tempfile::tempdir().unwrap();
     for name in ["pyramid.vid", "car.vid"] {
         let document = example(name);
-        for format in formats().iter().filter(|format| format.row().writes) {
-            let file = target(folder.path(), *format);
+        for format in formats().iter().filter(|format| format.writes()) {
+            let file = target(folder.path(), format);
             export(
                 &document,
                 &file,
-                *format,
+                format,
                 &Options::default(),
                 &mut |_, _| {},
             )
@@ -290,14 +288,14 @@ fn content_is_recognised_by_its_own_format_alone() {
             let source = Source::open(&file).unwrap();
             let found: Vec<_> = formats()
                 .iter()
-                .filter(|format| format.row().reads && format.recognises(&source))
-                .map(|format| format.row().name)
+                .filter(|format| format.reads() && (format.recognises)(&source))
+                .map(|format| format.name)
                 .collect();
-            let own = format.row().name;
+            let own = format.name;
             match own {
                 // They differ in the axes of the camera only.
                 "osg" => assert_eq!(found, ["tum", "osg"]),
-                _ if !format.row().reads => assert!(found.is_empty(), "{own}: {found:?}"),
+                _ if !format.reads() => assert!(found.is_empty(), "{own}: {found:?}"),
                 _ => assert_eq!(found, [own], "{own} of {name}"),
             }
         }

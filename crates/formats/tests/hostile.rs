@@ -14,7 +14,7 @@ fn corpus() -> PathBuf {
 }
 
 /// The files of each format, in the order of their names.
-fn files() -> Vec<(&'static dyn Format, Vec<PathBuf>)> {
+fn files() -> Vec<(&'static Format, Vec<PathBuf>)> {
     let folders = fs::read_dir(corpus())
         .unwrap()
         .map(|entry| entry.unwrap().path());
@@ -28,20 +28,16 @@ fn files() -> Vec<(&'static dyn Format, Vec<PathBuf>)> {
     files.collect()
 }
 
-fn readers() -> impl Iterator<Item = &'static dyn Format> {
-    formats()
-        .iter()
-        .copied()
-        .filter(|format| format.row().reads)
+fn readers() -> impl Iterator<Item = &'static Format> {
+    formats().iter().copied().filter(|format| format.reads())
 }
 
 /// Those of `vid` are the document's, in `tests/corpus`.
 #[test]
 fn every_reader_has_files_of_its_own() {
-    for format in readers().filter(|format| format.row().name != "vid") {
-        let name = format.row().name;
-        let has_files =
-            |(of, files): &(&dyn Format, Vec<_>)| of.row().name == name && files.len() > 1;
+    for format in readers().filter(|format| format.name != "vid") {
+        let name = format.name;
+        let has_files = |(of, files): &(&Format, Vec<_>)| of.name == name && files.len() > 1;
         assert!(files().iter().any(has_files), "{name}");
     }
 }
@@ -60,7 +56,7 @@ fn every_format_is_told_of() {
         let of_a_name = |c: char| c.is_ascii_alphanumeric() || c == '_';
         let words: Vec<_> = text.split(|c: char| !of_a_name(c)).collect();
         for format in formats() {
-            let name = format.row().name;
+            let name = format.name;
             assert!(words.contains(&name), "{place}: {name}");
         }
     }
@@ -73,7 +69,7 @@ fn files_of_the_corpus_are_refused_or_in_order_in_every_reader() {
     for file in files().iter().flat_map(|(_, files)| files) {
         let bytes = fs::read(file).unwrap();
         for format in readers() {
-            println!("{} as {}", file.display(), format.row().name);
+            println!("{} as {}", file.display(), format.name);
             hostile::check(format, &bytes, folder.path());
             count += 1;
         }

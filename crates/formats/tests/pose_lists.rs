@@ -10,7 +10,7 @@ use glam::DVec3;
 use proptest::prelude::*;
 use vides_document::SceneDocument;
 use vides_engine::path::{Pose, Up};
-use vides_formats::{Flight, Loss, Options, Row, Source, by_name, export, formats, import};
+use vides_formats::{Flight, Format, Loss, Options, Source, by_name, export, formats, import};
 
 /// A format, a file of it, whether it keeps fields of view, and whether it keeps times.
 const LISTS: [(&str, &str, bool, bool); 8] = [
@@ -35,7 +35,7 @@ fn poses(document: &SceneDocument, up: Up) -> Vec<Pose> {
         ..Options::default()
     };
     let mut ignored = |_, _| {};
-    let flight = Flight::new(document, &options, &Row::PLAIN, &mut ignored).unwrap();
+    let flight = Flight::new(document, &options, &Format::PLAIN, &mut ignored).unwrap();
     flight.all_poses().unwrap()
 }
 
@@ -125,7 +125,7 @@ proptest! {
             let losses = written(&document, name, &file, &Options::default());
             prop_assert_eq!(losses.contains(&Loss::FieldOfView), !fields, "{}", name);
             prop_assert_eq!(losses.contains(&Loss::Times), !times, "{}", name);
-            let up = by_name(name).unwrap().row().up;
+            let up = by_name(name).unwrap().up;
             let up = up.unwrap_or(document.scene.space().up);
             let keys = options(&format!("as=keys\nfps={}\nup={}", document.info.fps, up.name()));
             let back = import(&Source::open(&file).unwrap(), None, &keys).unwrap();
@@ -180,8 +180,8 @@ proptest! {
                 _ => None,
             });
             let (off, turned) = told.unwrap();
-            let up = by_name(name).unwrap().row().up.unwrap_or(Up::Y);
-            let fixed = by_name(name).unwrap().row().up.is_some();
+            let up = by_name(name).unwrap().up.unwrap_or(Up::Y);
+            let fixed = by_name(name).unwrap().up.is_some();
             let went = poses(&document, if fixed { up } else { document.scene.space().up });
             prop_assert!(off <= 1e-3 * diagonal(&went) * (1.0 + 1e-6), "{}: {}", name, off);
             prop_assert!(turned <= 0.5 + 1e-6, "{}: {} degrees", name, turned);
@@ -225,18 +225,13 @@ fn content_tells_the_format_and_where_it_cannot_the_name_does() {
             assert_eq!(read("flight.txt").unwrap(), name);
         }
     }
-    let by_target = |file: &str| {
-        vides_formats::by_target(Path::new(file))
-            .unwrap()
-            .row()
-            .name
-    };
+    let by_target = |file: &str| vides_formats::by_target(Path::new(file)).unwrap().name;
     assert_eq!(by_target("a/images.txt"), "colmap");
     assert_eq!(by_target("a/poses.txt"), "ascii");
     assert_eq!(by_target("a/poses.json"), "json");
     assert_eq!(by_target("a/Transforms.json"), "transforms");
     assert_eq!(
-        vides_formats::by_target(folder.path()).unwrap().row().name,
+        vides_formats::by_target(folder.path()).unwrap().name,
         "colmap"
     );
 }
@@ -457,7 +452,7 @@ fn every_list_is_tried() {
     const OTHERS: [&str; 11] = [
         "ascii", "csv", "json", "glb", "gltf", "usda", "vid", "html", "blender", "paraview", "vtk",
     ];
-    let mut names: Vec<_> = formats().iter().map(|format| format.row().name).collect();
+    let mut names: Vec<_> = formats().iter().map(|format| format.name).collect();
     let mut known: Vec<_> = LISTS.iter().map(|list| list.0).chain(OTHERS).collect();
     names.sort_unstable();
     known.sort_unstable();

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use egui::{
     Align, Button, Context, Key, Label, Layout, Modifiers, RichText, ScrollArea, Sense, Ui, vec2,
 };
-use vides_formats::formats;
+use vides_formats::{Format, formats};
 
 use super::listing::{MAX_ENTRIES, fits, is_hidden};
 use super::naming::{described, filter_of, is_export, tidy, with_ending};
@@ -46,7 +46,7 @@ struct Done {
 impl FileWindow {
     pub(crate) fn open(editor: &Editor, purpose: Purpose) -> Self {
         let texts = &editor.texts().files;
-        let importable = filter_of(|row| row.reads);
+        let importable = filter_of(Format::reads);
         let exported = filter_of(is_export);
         let (name, filter) = match purpose {
             Purpose::LoadPath => (String::new(), OPENED),
@@ -329,18 +329,15 @@ impl FileWindow {
     /// The formats that are written; choosing one changes the name's ending.
     fn show_formats(&mut self, editor: &Editor, ui: &mut Ui) {
         let (texts, language) = (&editor.texts().files, editor.language());
-        let rows = || formats().iter().map(|format| format.row());
         let typed = Path::new(self.name.trim());
         // A name that is typed may tell another one.
-        let fits =
-            |name| vides_formats::by_name(name).is_ok_and(|format| format.row().is_named(typed));
+        let fits = |name| vides_formats::by_name(name).is_ok_and(|format| format.is_named(typed));
         if !self.format.is_some_and(fits)
             && let Ok(told) = vides_formats::by_target(typed)
         {
-            self.format = Some(told.row().name);
+            self.format = Some(told.name);
         }
-        let current = vides_formats::by_name(self.format.unwrap_or(DEFAULT));
-        let Ok(current) = current.map(|format| format.row()) else {
+        let Ok(current) = vides_formats::by_name(self.format.unwrap_or(DEFAULT)) else {
             return;
         };
         let open = Button::new(described(language, current))
@@ -354,14 +351,14 @@ impl FileWindow {
             // All of them, where the window is high enough.
             let room = ui.ctx().content_rect().height() - 40.0;
             ScrollArea::vertical().max_height(room).show(ui, |ui| {
-                for row in rows().filter(|row| is_export(row)) {
-                    let chosen = row == current;
+                for format in formats().iter().filter(|format| is_export(format)) {
+                    let chosen = format.name == current.name;
                     if ui
-                        .add(Button::selectable(chosen, described(language, row)))
+                        .add(Button::selectable(chosen, described(language, format)))
                         .clicked()
                         && !chosen
                     {
-                        self.choose_format(current, row);
+                        self.choose_format(current, format);
                     }
                 }
             });
@@ -369,7 +366,7 @@ impl FileWindow {
         open.on_hover_text(texts.format_hint);
     }
 
-    fn choose_format(&mut self, old: &vides_formats::Row, new: &vides_formats::Row) {
+    fn choose_format(&mut self, old: &Format, new: &Format) {
         self.format = Some(new.name);
         self.chosen = None;
         let name = self.name.trim();

@@ -29,9 +29,9 @@ impl Editor {
         let report = report.map_err(|error| self.not_written(file, &error))?;
         let lost = losses_of(self.language(), &report);
         if lost.is_empty() {
-            return self.write_as(file, format.row().name);
+            return self.write_as(file, format.name);
         }
-        self.windows.question = Some(Question::losses(file, format.row().name, lost));
+        self.windows.question = Some(Question::losses(file, format.name, lost));
         Ok(())
     }
 
@@ -39,9 +39,9 @@ impl Editor {
         &self,
         file: &Path,
         chosen: Option<&str>,
-    ) -> vides_formats::Result<&'static dyn Format> {
+    ) -> vides_formats::Result<&'static Format> {
         let chosen = vides_formats::by_name(chosen.unwrap_or(DEFAULT))?;
-        if chosen.row().is_named(file) {
+        if chosen.is_named(file) {
             return Ok(chosen);
         }
         match vides_formats::by_target(file) {
@@ -57,7 +57,7 @@ impl Editor {
             let document = self.document.scene_document()?;
             let (format, options) = (vides_formats::by_name(format)?, Options::default());
             let mut ignored = |_, _| {};
-            count = Flight::new(&document, &options, format.row(), &mut ignored)?.count();
+            count = Flight::new(&document, &options, format, &mut ignored)?.count();
             vides_formats::export(&document, file, format, &options, &mut |_, _| {}).map(drop)
         };
         written().map_err(|error| self.not_written(file, &error))?;

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use vides_formats::formats;
+use vides_formats::{Format, formats};
 
 use super::exchange::DEFAULT;
 use crate::state::files::Purpose;
@@ -10,10 +10,10 @@ use crate::texts::Language;
 use crate::texts::formats::title_of;
 
 /// A format by what people call it and how its files end.
-pub(super) fn described(language: Language, row: &vides_formats::Row) -> String {
-    let title = title_of(language, row);
-    let names = row.file_names.iter().map(|name| (*name).to_owned());
-    let endings = row.endings.iter().map(|ending| format!("*.{ending}"));
+pub(super) fn described(language: Language, format: &Format) -> String {
+    let title = title_of(language, format);
+    let names = format.file_names.iter().map(|name| (*name).to_owned());
+    let endings = format.endings.iter().map(|ending| format!("*.{ending}"));
     let files: Vec<_> = names.chain(endings).collect();
     match files.as_slice() {
         [] => format!("{title} ({})", language.texts().files.folder),
@@ -22,14 +22,14 @@ pub(super) fn described(language: Language, row: &vides_formats::Row) -> String 
 }
 
 /// Whether poses or scenes are written in it; saving is another thing.
-pub(super) fn is_export(row: &vides_formats::Row) -> bool {
-    row.writes && row.name != "vid"
+pub(super) fn is_export(format: &Format) -> bool {
+    format.writes() && format.name != "vid"
 }
 
 /// All endings of files of some formats.
-pub(super) fn filter_of(which: impl Fn(&vides_formats::Row) -> bool) -> String {
-    let rows = formats().iter().map(|format| format.row());
-    let endings = rows.filter(|row| which(row)).flat_map(|row| row.endings);
+pub(super) fn filter_of(which: impl Fn(&Format) -> bool) -> String {
+    let which = formats().iter().filter(|format| which(format));
+    let endings = which.flat_map(|format| format.endings);
     let mut endings: Vec<_> = endings.map(|ending| format!("*.{ending}")).collect();
     endings.sort_unstable();
     endings.dedup();
@@ -59,7 +59,7 @@ pub(super) fn with_ending(path: PathBuf, purpose: Purpose, format: Option<&str>)
     let ending = match purpose {
         Purpose::Export => {
             let format = vides_formats::by_name(format.unwrap_or(DEFAULT));
-            let endings = format.map_or(&["txt"][..], |format| format.row().endings);
+            let endings = format.map_or(&["txt"][..], |format| format.endings);
             match endings.first() {
                 Some(ending) => *ending,
                 None => return path,

@@ -3,7 +3,7 @@
 use vides_document::error::one_of;
 use vides_document::error::{EngineError, TooMany};
 use vides_engine::limits::{MAX_FPS, MAX_FRAMES};
-use vides_formats::{Cause, Error, Loss, Place, Report, Row, Wanted};
+use vides_formats::{Cause, Error, Format, Loss, Place, Report, Wanted};
 
 use super::german::{German, german, number};
 use super::{Language, fill, refusals};
@@ -24,14 +24,14 @@ pub(crate) fn reason_of(editor: &Editor, error: &Error) -> String {
 }
 
 /// A format's title; most are the same in every language.
-pub(crate) fn title_of(language: Language, row: &Row) -> &'static str {
-    match (language, row.name) {
+pub(crate) fn title_of(language: Language, format: &Format) -> &'static str {
+    match (language, format.name) {
         (Language::German, "gltf") => "glTF, Text",
         (Language::German, "blender") => "Skript für Blender",
         (Language::German, "paraview") => "Skript für ParaView",
         (Language::German, "vtk") => "Skript für VTK",
         (Language::German, "html") => "Webseite",
-        _ => row.title,
+        _ => format.title,
     }
 }
 

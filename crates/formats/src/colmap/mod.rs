@@ -8,108 +8,72 @@ mod natural;
 mod text;
 mod write;
 
-use std::io::Write;
 use std::path::Path;
 
 use vides_engine::limits::MAX_FILE_BYTES;
 
 use self::model::Model;
 use super::content::Content;
-use super::error::{Cause, Error, Place, Result};
-use super::flight::Flight;
+use super::error::{Error, Result};
 use super::format::Format;
-use super::loss::{Loss, Report};
+use super::loss::Report;
 use super::options::Options;
-use super::row::Row;
 use super::source::Source;
 
-pub(super) struct Colmap;
-
-const ROW: Row = Row {
+pub(super) static COLMAP: Format = Format {
     name: "colmap",
     title: "COLMAP",
-    parts: &["cameras.txt", "images.txt", "points3D.txt"],
-    ..Row::PLAIN
+    recognises: |source| ending(source).is_some(),
+    read: Some(read),
+    parts: &[
+        ("cameras.txt", write::cameras),
+        ("images.txt", write::images),
+        ("points3D.txt", write::points),
+    ],
+    // What COLMAP reads before the three texts, or together with them.
+    barred: &[
+        "cameras.bin",
+        "images.bin",
+        "points3D.bin",
+        "rigs.bin",
+        "frames.bin",
+        "rigs.txt",
+        "frames.txt",
+    ],
+    ..Format::PLAIN
 };
 
-/// What COLMAP reads before the three texts, or together with them.
-const BESIDE: [&str; 7] = [
-    "cameras.bin",
-    "images.bin",
-    "points3D.bin",
-    "rigs.bin",
-    "frames.bin",
-    "rigs.txt",
-    "frames.txt",
-];
-
-impl Format for Colmap {
-    fn row(&self) -> &'static Row {
-        &ROW
+fn read(source: &Source, _: &Options, report: &mut Report) -> Result<Content> {
+    let ending = ending(source).unwrap_or("txt");
+    let is_text = ending == "txt";
+    let mut model = Model::default();
+    let read_cameras = if is_text {
+        text::cameras
+    } else {
+        binary::cameras
+    };
+    let read_images = if is_text {
+        text::images
+    } else {
+        binary::images
+    };
+    let read_points = if is_text {
+        text::points
+    } else {
+        binary::points
+    };
+    part(
+        source,
+        &format!("cameras.{ending}"),
+        &mut model,
+        read_cameras,
+    )?;
+    part(source, &format!("images.{ending}"), &mut model, read_images)?;
+    let points = format!("points3D.{ending}");
+    if source.place_beside(&points)?.is_file() {
+        part(source, &points, &mut model, read_points)?;
     }
-
-    fn recognises(&self, source: &Source) -> bool {
-        ending(source).is_some()
-    }
-
-    fn read(&self, source: &Source, _: &Options, report: &mut Report) -> Result<Content> {
-        let ending = ending(source).unwrap_or("txt");
-        let is_text = ending == "txt";
-        let mut model = Model::default();
-        let read_cameras = if is_text {
-            text::cameras
-        } else {
-            binary::cameras
-        };
-        let read_images = if is_text {
-            text::images
-        } else {
-            binary::images
-        };
-        let read_points = if is_text {
-            text::points
-        } else {
-            binary::points
-        };
-        part(
-            source,
-            &format!("cameras.{ending}"),
-            &mut model,
-            read_cameras,
-        )?;
-        part(source, &format!("images.{ending}"), &mut model, read_images)?;
-        let points = format!("points3D.{ending}");
-        if source.place_beside(&points)?.is_file() {
-            part(source, &points, &mut model, read_points)?;
-        }
-        model.recording(report).map(Content::Poses)
-    }
-
-    fn check_folder(&self, folder: &Path) -> Result<()> {
-        match BESIDE.iter().find(|name| folder.join(name).exists()) {
-            Some(name) => Err(Place::Whole
-                .wrong(Cause::Beside((*name).into()))
-                .at(&folder.display().to_string())),
-            None => Ok(()),
-        }
-    }
-
-    fn write(
-        &self,
-        flight: &mut Flight<'_>,
-        part: usize,
-        out: &mut dyn Write,
-        report: &mut Report,
-    ) -> Result<()> {
-        flight.needs_camera()?;
-        flight.tell_poses_only(report);
-        report.add(Loss::Times);
-        match part {
-            0 => write::cameras(flight, out),
-            1 => write::images(flight, out),
-            _ => write::points(out),
-        }
-    }
+    model.recording(report).map(Content::Poses)
 }
 
 /// Whether a model is binary or text; COLMAP takes `.bin` before text.

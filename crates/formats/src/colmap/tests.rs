@@ -7,6 +7,7 @@ use vides_document::SceneDocument;
 
 use super::*;
 use crate::content::Recording;
+use crate::loss::Loss;
 use crate::{by_name, export, read};
 
 const CAMERAS: &str = "# a comment\n\n7 PINHOLE 800 600 450 450 400 300\n\

@@ -11,6 +11,7 @@ use crate::blocks;
 use crate::convention;
 use crate::error::Result;
 use crate::flight::Flight;
+use crate::loss::{Loss, Report};
 use crate::rows;
 
 /// Bytes that the number of a focal length may take.
@@ -30,7 +31,7 @@ impl Numbers {
     }
 }
 
-pub(super) fn cameras(flight: &mut Flight<'_>, out: &mut dyn Write) -> Result<()> {
+pub(super) fn cameras(flight: &mut Flight<'_>, out: &mut dyn Write, _: &mut Report) -> Result<()> {
     can_allocate(NUMBERED * flight.count())?;
     let numbers = Numbers::default();
     let head = b"# CAMERA_ID MODEL WIDTH HEIGHT FX FY CX CY\n".to_vec();
@@ -47,7 +48,12 @@ pub(super) fn cameras(flight: &mut Flight<'_>, out: &mut dyn Write) -> Result<()
     })
 }
 
-pub(super) fn images(flight: &mut Flight<'_>, out: &mut dyn Write) -> Result<()> {
+pub(super) fn images(
+    flight: &mut Flight<'_>,
+    out: &mut dyn Write,
+    report: &mut Report,
+) -> Result<()> {
+    report.add(Loss::Times);
     can_allocate(NUMBERED * flight.count())?;
     let numbers = Numbers::default();
     // As wide as the last number, so that names sorted as texts are in order too.
@@ -69,7 +75,7 @@ pub(super) fn images(flight: &mut Flight<'_>, out: &mut dyn Write) -> Result<()>
     })
 }
 
-pub(super) fn points(out: &mut dyn Write) -> Result<()> {
+pub(super) fn points(_: &mut Flight<'_>, out: &mut dyn Write, _: &mut Report) -> Result<()> {
     let head = b"# POINT3D_ID X Y Z R G B ERROR TRACK\n";
     out.write_all(head).map_err(blocks::failed)
 }

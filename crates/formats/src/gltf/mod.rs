@@ -32,124 +32,88 @@ use super::blocks::failed;
 use super::content::Content;
 use super::error::{Cause, Place, Result};
 use super::flight::Flight;
-use super::format::Format;
+use super::format::{Format, Holds};
 use super::loss::Report;
 use super::options::Options;
-use super::row::Row;
 use super::source::Source;
 
 /// The text form.
-pub(super) struct Gltf;
-
-/// The binary form.
-pub(super) struct Glb;
-
-const GLTF: Row = Row {
+pub(super) static GLTF: Format = Format {
     name: "gltf",
     title: "glTF, text",
     endings: &["gltf"],
     up: Some(Up::Y),
-    whole: true,
-    ..Row::PLAIN
+    holds: Holds::Scene,
+    recognises: |source| read::is_text(&source.bytes),
+    read: Some(read),
+    write: Some(write_text),
+    ..Format::PLAIN
 };
 
-const GLB: Row = Row {
+/// The binary form.
+pub(super) static GLB: Format = Format {
     name: "glb",
     title: "glTF",
     endings: &["glb"],
+    recognises: |source| source.bytes.starts_with(b"glTF"),
+    write: Some(write_binary),
     ..GLTF
 };
 
-impl Format for Gltf {
-    fn row(&self) -> &'static Row {
-        &GLTF
-    }
-
-    fn recognises(&self, source: &Source) -> bool {
-        read::is_text(&source.bytes)
-    }
-
-    fn read(&self, source: &Source, options: &Options, report: &mut Report) -> Result<Content> {
-        let scene = read::read(source, options, report)?;
-        Ok(Content::Scene(Box::new(scene)))
-    }
-
-    fn write(
-        &self,
-        flight: &mut Flight<'_>,
-        _: usize,
-        out: &mut dyn Write,
-        report: &mut Report,
-    ) -> Result<()> {
-        let (json, bytes) = written(flight, report)?;
-        let json = serde_json::to_vec(&json).map_err(|error| failed(error.into()))?;
-        // Into the object behind its last value: no copy of the whole buffer as text.
-        let mut text = || -> io::Result<()> {
-            out.write_all(&json[..json.len() - 1])?;
-            if !bytes.is_empty() {
-                let length = bytes.len();
-                write!(
-                    out,
-                    ",\"buffers\":[{{\"byteLength\":{length},\
-                     \"uri\":\"data:application/octet-stream;base64,"
-                )?;
-                base64::write(&bytes, out)?;
-                out.write_all(b"\"}]")?;
-            }
-            out.write_all(b"}\n")
-        };
-        text().map_err(failed)
-    }
+fn read(source: &Source, options: &Options, report: &mut Report) -> Result<Content> {
+    let scene = read::read(source, options, report)?;
+    Ok(Content::Scene(Box::new(scene)))
 }
 
-impl Format for Glb {
-    fn row(&self) -> &'static Row {
-        &GLB
-    }
-
-    fn recognises(&self, source: &Source) -> bool {
-        source.bytes.starts_with(b"glTF")
-    }
-
-    fn read(&self, source: &Source, options: &Options, report: &mut Report) -> Result<Content> {
-        Gltf.read(source, options, report)
-    }
-
-    fn write(
-        &self,
-        flight: &mut Flight<'_>,
-        _: usize,
-        out: &mut dyn Write,
-        report: &mut Report,
-    ) -> Result<()> {
-        let (mut json, bytes) = written(flight, report)?;
+fn write_text(flight: &mut Flight<'_>, out: &mut dyn Write, report: &mut Report) -> Result<()> {
+    let (json, bytes) = written(flight, report)?;
+    let json = serde_json::to_vec(&json).map_err(|error| failed(error.into()))?;
+    // Into the object behind its last value: no copy of the whole buffer as text.
+    let mut text = || -> io::Result<()> {
+        out.write_all(&json[..json.len() - 1])?;
         if !bytes.is_empty() {
-            let buffer = serde_json::json!([{"byteLength": bytes.len()}]);
-            json.insert("buffers".into(), buffer);
+            let length = bytes.len();
+            write!(
+                out,
+                ",\"buffers\":[{{\"byteLength\":{length},\
+                 \"uri\":\"data:application/octet-stream;base64,"
+            )?;
+            base64::write(&bytes, out)?;
+            out.write_all(b"\"}]")?;
         }
-        let mut json = serde_json::to_vec(&json).map_err(|error| failed(error.into()))?;
-        json.resize(json.len().next_multiple_of(4), b' ');
-        // The bytes of each accessor are whole words.
-        let chunk = if bytes.is_empty() { 0 } else { 8 + bytes.len() };
-        let all = u32::try_from(12 + 8 + json.len() + chunk);
-        let all = all.map_err(|_| Place::Whole.wrong(Cause::Long))?;
-        let mut head = b"glTF\x02\0\0\0".to_vec();
-        head.extend(all.to_le_bytes());
-        // Shorter than all.
-        head.extend((json.len() as u32).to_le_bytes());
-        head.extend(b"JSON");
-        let mut whole = || -> io::Result<()> {
-            out.write_all(&head)?;
-            out.write_all(&json)?;
-            if !bytes.is_empty() {
-                out.write_all(&(bytes.len() as u32).to_le_bytes())?;
-                out.write_all(b"BIN\0")?;
-                out.write_all(&bytes)?;
-            }
-            Ok(())
-        };
-        whole().map_err(failed)
+        out.write_all(b"}\n")
+    };
+    text().map_err(failed)
+}
+
+fn write_binary(flight: &mut Flight<'_>, out: &mut dyn Write, report: &mut Report) -> Result<()> {
+    let (mut json, bytes) = written(flight, report)?;
+    if !bytes.is_empty() {
+        let buffer = serde_json::json!([{"byteLength": bytes.len()}]);
+        json.insert("buffers".into(), buffer);
     }
+    let mut json = serde_json::to_vec(&json).map_err(|error| failed(error.into()))?;
+    json.resize(json.len().next_multiple_of(4), b' ');
+    // The bytes of each accessor are whole words.
+    let chunk = if bytes.is_empty() { 0 } else { 8 + bytes.len() };
+    let all = u32::try_from(12 + 8 + json.len() + chunk);
+    let all = all.map_err(|_| Place::Whole.wrong(Cause::Long))?;
+    let mut head = b"glTF\x02\0\0\0".to_vec();
+    head.extend(all.to_le_bytes());
+    // Shorter than all.
+    head.extend((json.len() as u32).to_le_bytes());
+    head.extend(b"JSON");
+    let mut whole = || -> io::Result<()> {
+        out.write_all(&head)?;
+        out.write_all(&json)?;
+        if !bytes.is_empty() {
+            out.write_all(&(bytes.len() as u32).to_le_bytes())?;
+            out.write_all(b"BIN\0")?;
+            out.write_all(&bytes)?;
+        }
+        Ok(())
+    };
+    whole().map_err(failed)
 }
 
 fn written(

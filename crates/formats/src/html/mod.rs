@@ -16,18 +16,16 @@ use super::base64::base64;
 use super::blocks::failed;
 use super::error::Result;
 use super::flight::Flight;
-use super::format::Format;
+use super::format::{Format, Holds};
 use super::loss::Report;
-use super::row::Row;
 
-pub(super) struct Html;
-
-const ROW: Row = Row {
+pub(super) static HTML: Format = Format {
     name: "html",
     title: "Web page",
     endings: &["html", "htm"],
-    reads: false,
-    ..Row::PLAIN
+    holds: Holds::View,
+    write: Some(write),
+    ..Format::PLAIN
 };
 
 const PAGE: &str = include_str!("page.html");
@@ -45,28 +43,15 @@ const SCRIPT: &str = concat!(
     "})();\n"
 );
 
-impl Format for Html {
-    fn row(&self) -> &'static Row {
-        &ROW
-    }
-
-    fn write(
-        &self,
-        flight: &mut Flight<'_>,
-        _: usize,
-        out: &mut dyn Write,
-        report: &mut Report,
-    ) -> Result<()> {
-        flight.needs_camera()?;
-        let (head, tail) = PAGE.split_once("@DATA@").unwrap_or((PAGE, ""));
-        let head = head
-            .replace("@POLICY@", &policy())
-            .replace("@STYLE@", STYLE)
-            .replace("@SCRIPT@", SCRIPT);
-        out.write_all(head.as_bytes()).map_err(failed)?;
-        data::write(flight, out, report)?;
-        out.write_all(tail.as_bytes()).map_err(failed)
-    }
+fn write(flight: &mut Flight<'_>, out: &mut dyn Write, report: &mut Report) -> Result<()> {
+    let (head, tail) = PAGE.split_once("@DATA@").unwrap_or((PAGE, ""));
+    let head = head
+        .replace("@POLICY@", &policy())
+        .replace("@STYLE@", STYLE)
+        .replace("@SCRIPT@", SCRIPT);
+    out.write_all(head.as_bytes()).map_err(failed)?;
+    data::write(flight, out, report)?;
+    out.write_all(tail.as_bytes()).map_err(failed)
 }
 
 /// What the page may load and run: itself.

@@ -226,5 +226,5 @@ fn it_is_for_cameras_and_written_only() {
         refused,
         "node \"body\" is no camera; of others this format holds nothing"
     );
-    assert!(!format.row().reads && format.row().writes);
+    assert!(!format.reads() && format.writes());
 }

@@ -10,52 +10,36 @@ use super::data;
 use crate::convention::{self, Continued};
 use crate::error::Result;
 use crate::flight::Flight;
-use crate::format::Format;
+use crate::format::{Format, Holds};
 use crate::loss::{Loss, Report};
-use crate::row::Row;
 
 const SCRIPT: &str = include_str!("for_blender.py");
 
 /// The frame numbers that Blender has are 0 to this.
 const LAST_FRAME: f64 = 1_048_574.0;
 
-pub(crate) struct Blender;
-
-const ROW: Row = Row {
+pub(crate) static BLENDER: Format = Format {
     name: "blender",
     title: "Blender script",
     endings: &["py"],
     up: Some(Up::Z),
-    reads: false,
-    ..Row::PLAIN
+    holds: Holds::Motion,
+    write: Some(write),
+    ..Format::PLAIN
 };
 
-impl Format for Blender {
-    fn row(&self) -> &'static Row {
-        &ROW
-    }
-
-    fn write(
-        &self,
-        flight: &mut Flight<'_>,
-        _: usize,
-        out: &mut dyn Write,
-        report: &mut Report,
-    ) -> Result<()> {
-        flight.needs_camera()?;
-        flight.tell_motion(report);
-        let first = first_frame(flight, report);
-        let head = data::head(flight, SCRIPT, first, report);
-        let continued = Cell::new(Continued::default());
-        flight.write_poses(head, out, |_, text, index, pose| {
-            let mut before = continued.get();
-            let q = before.next(convention::rotation(pose, CameraAxes::OpenGl));
-            continued.set(before);
-            let [x, y, z] = pose.vrp;
-            data::push_frame(text, index, &[x, y, z, q.w, q.x, q.y, q.z, pose.zoom]);
-        })?;
-        data::finish(SCRIPT, out)
-    }
+fn write(flight: &mut Flight<'_>, out: &mut dyn Write, report: &mut Report) -> Result<()> {
+    let first = first_frame(flight, report);
+    let head = data::head(flight, SCRIPT, first, report);
+    let continued = Cell::new(Continued::default());
+    flight.write_poses(head, out, |_, text, index, pose| {
+        let mut before = continued.get();
+        let q = before.next(convention::rotation(pose, CameraAxes::OpenGl));
+        continued.set(before);
+        let [x, y, z] = pose.vrp;
+        data::push_frame(text, index, &[x, y, z, q.w, q.x, q.y, q.z, pose.zoom]);
+    })?;
+    data::finish(SCRIPT, out)
 }
 
 /// The number of the first frame, or 1 if Blender has not all numbers from there on.

@@ -10,6 +10,6 @@ mod data;
 mod paraview;
 mod vtk;
 
-pub(crate) use blender::Blender;
-pub(crate) use paraview::ParaView;
-pub(crate) use vtk::Vtk;
+pub(crate) use blender::BLENDER;
+pub(crate) use paraview::PARAVIEW;
+pub(crate) use vtk::VTK;

@@ -11,11 +11,10 @@ use super::data;
 use crate::content::{Content, Recording};
 use crate::error::{Error, Result};
 use crate::flight::Flight;
-use crate::format::Format;
+use crate::format::{Format, Holds};
 use crate::json::text;
 use crate::loss::{Loss, Report};
 use crate::options::Options;
-use crate::row::Row;
 use crate::source::Source;
 use crate::tree::{self, At};
 
@@ -33,80 +32,64 @@ const OTHERS: [(&str, &str); 2] = [
 /// Shares of the space's half size nearer than which nothing is focused.
 const NEAREST: f64 = 1e-6;
 
-pub(crate) struct ParaView;
-
-const ROW: Row = Row {
+pub(crate) static PARAVIEW: Format = Format {
     name: "paraview",
     title: "ParaView script",
     endings: &["py"],
-    ..Row::PLAIN
+    holds: Holds::Motion,
+    recognises: |source| source.beginning().starts_with(TITLE),
+    read: Some(read),
+    write: Some(write),
+    ..Format::PLAIN
 };
 
-impl Format for ParaView {
-    fn row(&self) -> &'static Row {
-        &ROW
-    }
-
-    fn recognises(&self, source: &Source) -> bool {
-        source.beginning().starts_with(TITLE)
-    }
-
-    fn read(&self, source: &Source, _: &Options, report: &mut Report) -> Result<Content> {
-        for (name, title) in OTHERS {
-            if source.beginning().starts_with(title) {
-                return Err(Error::NotRead(name));
-            }
+fn read(source: &Source, _: &Options, report: &mut Report) -> Result<Content> {
+    for (name, title) in OTHERS {
+        if source.beginning().starts_with(title) {
+            return Err(Error::NotRead(name));
         }
-        let (json, lines) = data::data(source.text()?)?;
-        let parsed = tree::parse(json.as_bytes()).map_err(|error| data::in_file(error, lines))?;
-        let root = At::root(&parsed);
-        let mut recording = Recording {
-            title: text(root.get("title"))?,
-            unit: text(root.get("unit"))?,
-            fps: root.get("fps").map(At::positive).transpose()?,
-            first_frame: root.get("first_frame").map(At::number).transpose()?,
-            up: root.get("up").map(At::up).transpose()?,
-            ..Recording::default()
-        };
-        for frame in root.need("frames")?.list()? {
-            let row = frame.numbers::<11>()?;
-            let vector = |at: usize| [row[at], row[at + 1], row[at + 2]];
-            recording.push(Pose {
-                vrp: vector(0),
-                vpn: vector(3),
-                vup: vector(6),
-                zoom: row[9],
-            })?;
-        }
-        if root.get("object").is_some() {
-            report.add(Loss::Object);
-        }
-        Ok(Content::Poses(recording))
     }
-
-    fn write(
-        &self,
-        flight: &mut Flight<'_>,
-        _: usize,
-        out: &mut dyn Write,
-        report: &mut Report,
-    ) -> Result<()> {
-        flight.needs_camera()?;
-        flight.tell_motion(report);
-        let first = flight.number(0).round() as i64;
-        let head = data::head(flight, SCRIPT, first, report);
-        let focus = Focus::new(flight)?;
-        let sample =
-            |flight: &Flight<'_>, from, framed: &mut [Framed]| focus.sample(flight, from, framed);
-        flight.write_blocks(head, out, sample, |_, text, index, framed| {
-            let Framed { pose, distance } = framed;
-            let mut row = [pose.zoom; 11];
-            row[..9].copy_from_slice([pose.vrp, pose.vpn, pose.vup].as_flattened());
-            row[10] = *distance;
-            data::push_frame(text, index, &row);
+    let (json, lines) = data::data(source.text()?)?;
+    let parsed = tree::parse(json.as_bytes()).map_err(|error| data::in_file(error, lines))?;
+    let root = At::root(&parsed);
+    let mut recording = Recording {
+        title: text(root.get("title"))?,
+        unit: text(root.get("unit"))?,
+        fps: root.get("fps").map(At::positive).transpose()?,
+        first_frame: root.get("first_frame").map(At::number).transpose()?,
+        up: root.get("up").map(At::up).transpose()?,
+        ..Recording::default()
+    };
+    for frame in root.need("frames")?.list()? {
+        let row = frame.numbers::<11>()?;
+        let vector = |at: usize| [row[at], row[at + 1], row[at + 2]];
+        recording.push(Pose {
+            vrp: vector(0),
+            vpn: vector(3),
+            vup: vector(6),
+            zoom: row[9],
         })?;
-        data::finish(SCRIPT, out)
     }
+    if root.get("object").is_some() {
+        report.add(Loss::Object);
+    }
+    Ok(Content::Poses(recording))
+}
+
+fn write(flight: &mut Flight<'_>, out: &mut dyn Write, report: &mut Report) -> Result<()> {
+    let first = flight.number(0).round() as i64;
+    let head = data::head(flight, SCRIPT, first, report);
+    let focus = Focus::new(flight)?;
+    let sample =
+        |flight: &Flight<'_>, from, framed: &mut [Framed]| focus.sample(flight, from, framed);
+    flight.write_blocks(head, out, sample, |_, text, index, framed| {
+        let Framed { pose, distance } = framed;
+        let mut row = [pose.zoom; 11];
+        row[..9].copy_from_slice([pose.vrp, pose.vpn, pose.vup].as_flattened());
+        row[10] = *distance;
+        data::push_frame(text, index, &row);
+    })?;
+    data::finish(SCRIPT, out)
 }
 
 /// A pose, and how far away the point lies about which the user turns the view.

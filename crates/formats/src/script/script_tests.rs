@@ -111,7 +111,7 @@ fn blender_turns_as_the_pose_does() {
     let scene = document(FLIGHT);
     let options = Options::default();
     let mut ignored = |_, _| {};
-    let flight = Flight::new(&scene, &options, &crate::Row::PLAIN, &mut ignored).unwrap();
+    let flight = Flight::new(&scene, &options, &crate::Format::PLAIN, &mut ignored).unwrap();
     let poses = flight.all_poses().unwrap();
     let rows = held["frames"].as_array().unwrap();
     assert_eq!(rows.len(), poses.len());
@@ -209,7 +209,7 @@ fn paraviews_script_comes_back() {
     let scene = document(FLIGHT);
     let options = Options::default();
     let mut ignored = |_, _| {};
-    let flight = Flight::new(&scene, &options, &crate::Row::PLAIN, &mut ignored).unwrap();
+    let flight = Flight::new(&scene, &options, &crate::Format::PLAIN, &mut ignored).unwrap();
     assert_eq!(recording.poses, flight.all_poses().unwrap());
     assert_eq!(
         (recording.fps, recording.first_frame),
@@ -292,7 +292,7 @@ fn large_objects_are_left_out() {
 #[test]
 fn a_name_in_py_is_no_format() {
     let error = by_target(Path::new("flight.py"))
-        .map(|format| format.row().name)
+        .map(|format| format.name)
         .unwrap_err();
     let said = "flight.py: this may be \"blender\", \"paraview\" or \"vtk\": name it, with --to in the \
                 command";

@@ -3,7 +3,7 @@
 use glam::DQuat;
 use proptest::prelude::*;
 
-use super::Usda;
+use super::USDA;
 use super::read_tests::ALL;
 use super::tests::{KEYS, document, matrix, prim, read, written};
 use crate::{Options, Source, import};
@@ -115,7 +115,7 @@ fn binary_files_are_refused_with_what_helps() {
 /// Broken files give a sentence or a scene, nothing else.
 fn tried(bytes: Vec<u8>) {
     let source = Source::of_bytes("a.usda", bytes);
-    if let Err(error) = import(&source, Some(&Usda), &Options::default()) {
+    if let Err(error) = import(&source, Some(&USDA), &Options::default()) {
         let said = error.to_string();
         assert!(!said.is_empty() && !said.contains('\n'), "{said}");
     }

@@ -23,58 +23,35 @@ mod read_tests;
 #[cfg(test)]
 mod tests;
 
-use std::io::Write;
-
 use super::content::Content;
 use super::error::{Cause, Place, Result, Wanted};
-use super::flight::Flight;
-use super::format::Format;
+use super::format::{Format, Holds};
 use super::loss::Report;
 use super::options::Options;
-use super::row::Row;
 use super::source::Source;
 
-pub(super) struct Usda;
-
-const ROW: Row = Row {
+pub(super) static USDA: Format = Format {
     name: "usda",
     title: "OpenUSD",
     endings: &["usda", "usd"],
-    whole: true,
-    ..Row::PLAIN
+    holds: Holds::Scene,
+    recognises: |source| source.bytes.starts_with(TEXT) || binary(source).is_some(),
+    read: Some(read),
+    write: Some(write::write),
+    ..Format::PLAIN
 };
 
-impl Format for Usda {
-    fn row(&self) -> &'static Row {
-        &ROW
+fn read(source: &Source, options: &Options, report: &mut Report) -> Result<Content> {
+    if let Some(name) = binary(source) {
+        return Err(Place::Whole.wrong(Cause::Unsupported {
+            name: name.into(),
+            help: "usdcat in.usdc -o out.usda",
+        }));
     }
-
-    fn recognises(&self, source: &Source) -> bool {
-        source.bytes.starts_with(TEXT) || binary(source).is_some()
+    if !source.bytes.starts_with(TEXT) {
+        return Err(Place::Line(1).expected(Wanted::Literal("#usda 1.0")));
     }
-
-    fn read(&self, source: &Source, options: &Options, report: &mut Report) -> Result<Content> {
-        if let Some(name) = binary(source) {
-            return Err(Place::Whole.wrong(Cause::Unsupported {
-                name: name.into(),
-                help: "usdcat in.usdc -o out.usda",
-            }));
-        }
-        if !source.bytes.starts_with(TEXT) {
-            return Err(Place::Line(1).expected(Wanted::Literal("#usda 1.0")));
-        }
-        read::read(source.text()?, options, report)
-    }
-
-    fn write(
-        &self,
-        flight: &mut Flight<'_>,
-        _: usize,
-        out: &mut dyn Write,
-        report: &mut Report,
-    ) -> Result<()> {
-        write::write(flight, out, report)
-    }
+    read::read(source.text()?, options, report)
 }
 
 /// How a file begins.

@@ -4,7 +4,7 @@ use glam::{DAffine3, DVec3};
 use vides_document::SceneDocument;
 use vides_engine::scene::{Channel, Kind, Light, NodeState, Warnings};
 
-use super::Usda;
+use super::USDA;
 use crate::{Imported, Loss, Options, Report, Source, export_to, import};
 
 const CAR: &str = include_str!("../../../../examples/car.vid");
@@ -16,7 +16,7 @@ pub(super) fn document(text: &str) -> SceneDocument {
 
 fn written_with(document: &SceneDocument, options: &Options) -> (String, Report) {
     let mut out = Vec::new();
-    let report = export_to(document, &mut out, &Usda, options, &mut |_, _| {}).unwrap();
+    let report = export_to(document, &mut out, &USDA, options, &mut |_, _| {}).unwrap();
     (String::from_utf8(out).unwrap(), report)
 }
 
