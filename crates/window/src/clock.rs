@@ -2,7 +2,7 @@
 
 use std::time::Instant;
 
-/// The time. In tests it stands still until they let it [`pass`]: no machine is too slow for them.
+/// The time. In tests it stands still until they let it pass: no machine is too slow for them.
 pub(super) fn now() -> Instant {
     #[cfg(not(test))]
     return Instant::now();
