@@ -1,5 +1,5 @@
 /*
- * Every function from within every callback: reentry FOLDER
+ * Every function from within every callback: reentry FOLDER [PART PARTS]
  *
  * For each pair a window is opened whose callback makes the call, with fit
  * arguments: about the callback's own window, about another one, about neither.
@@ -149,7 +149,8 @@ static void callbacks_within_callbacks(void)
 
 int main(int argc, char **argv)
 {
-    int i, cells = 0, step = argc > 2 ? atoi(argv[2]) : 1;
+    int i, cells = 0, tried = 0, parts = argc > 3 ? atoi(argv[3]) : 1;
+    int part = argc > 3 ? atoi(argv[2]) : 0; /* of so many, counted from 0 */
     enum callback which;
     enum about about;
 
@@ -171,15 +172,17 @@ int main(int argc, char **argv)
                 if (about == OWN && (!editors_function || which == RUECK || which == ENDE))
                     continue;
                 for (k = 0; k <= (lists || answers); k++, cells++)
-                    if (cells % step == 0)
+                    if (cells % parts == part) {
                         cell(which, &functions[i], about, lists && k ? NULL : &head,
                              answers ? k : 1);
+                        tried++;
+                    }
             }
         }
     }
     hands_leave();
     if (faults > 0)
         show_last_calls();
-    printf("reentry: %d cells, %d faults\n", (cells + step - 1) / step, faults);
+    printf("reentry: %d cells, %d faults\n", tried, faults);
     return faults != 0;
 }

@@ -274,14 +274,7 @@ fn a_point_outside_the_space_stays_until_it_comes_in() {
     let by = DVec3::new(1.0, 0.75, 0.25);
     assert_eq!(harness.state().room_of(2), [low - by, high - by]);
     choose(&mut harness, &[1, 2]);
-    for key in [
-        Key::ArrowLeft,
-        Key::ArrowRight,
-        Key::ArrowUp,
-        Key::ArrowDown,
-        Key::PageUp,
-        Key::PageDown,
-    ] {
+    for &key in &keyboard::NUDGES[..6] {
         let from = positions(&harness);
         tap(&mut harness, key, Modifiers::SHIFT);
         let now = positions(&harness);
