@@ -100,6 +100,33 @@ fn sample(c: &mut Criterion) {
                 });
             });
         });
+        // As many poses between frames, in order and in none; and one alone.
+        let count = poses.len();
+        let last = count as f64;
+        let rising: Vec<f64> = (0..count).map(|k| (k as f64 + 1.5).min(last)).collect();
+        group.bench_function(format!("{points}_between_frames"), |b| {
+            b.iter(|| {
+                sampler
+                    .poses_at(&rising, black_box(&mut poses))
+                    .expect("poses")
+            });
+        });
+        // 611,953 is a prime.
+        let random: Vec<f64> = (0..count).map(|k| rising[k * 611_953 % count]).collect();
+        group.bench_function(format!("{points}_anywhere"), |b| {
+            b.iter(|| {
+                sampler
+                    .poses_at(&random, black_box(&mut poses))
+                    .expect("poses")
+            });
+        });
+        group.bench_function(format!("{points}_one_by_one"), |b| {
+            b.iter(|| {
+                for (&frame, pose) in random.iter().zip(black_box(&mut poses)) {
+                    *pose = sampler.pose(frame).expect("a pose");
+                }
+            });
+        });
         group.bench_function(format!("{points}_with_preparation"), |b| {
             b.iter(|| {
                 let sampler = prepare(black_box(&path));

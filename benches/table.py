@@ -129,12 +129,73 @@ def draw(results, file):
     file.write_text("\n".join([*parts, "</svg>"]) + "\n")
 
 
+# What is measured by the triangles of an object, and by the points of a path.
+PLANNERS = (
+    ("check", "check"), ("avoid", "avoid"), ("zoom", "picture, by zoom"), ("distance", "picture, by distance"),
+    ("view", "picture, by view"), ("tour", "tour"), ("inside", "tour inside"), ("tree", "reading the object"),
+)  # fmt: skip
+OF_POINTS = (
+    ("retime", "#8e5a2b"), ("steady", "#1f6fb2"), ("fit", "#2f8f4e"), ("check", "#b3313f"),
+    ("distance", "#7a4fa3"), ("avoid", "#555"),
+)  # fmt: skip
+KINDS = {"smooth": "#1f6fb2", "equal": "#2f8f4e", "degenerate": "#8e5a2b", "overlapping": "#b3313f"}
+
+
+def planners(file, measured=None):
+    """Draws seconds of each planner by the size of what it works on; a line ends where 20 s are not enough."""
+    lines = measured or run(CARGO, "bench", "--locked", "--bench", "planners")
+    seconds = {}
+    for line in lines.splitlines():
+        name, kind, count, took = line.split(" ")[:4]
+        seconds.setdefault((name, kind), []).append((int(count), float(took)))
+    parts = ['<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 1080 620" font-family="sans-serif" font-size="12">',
+             '<rect width="1080" height="620" fill="#fff"/>']  # fmt: skip
+
+    def panel(left, top, width, title, decades, curves):
+        x = lambda count: left + width * (math.log10(count) - 1) / (decades - 1)
+        y = lambda took: top + 130 - 130 * (math.log10(max(took, 1e-4)) + 4) / 5.5
+        parts.append(f'<text x="{left}" y="{top - 8}" font-weight="bold">{title}</text>')
+        for took, name in ((1e-3, "1 ms"), (1e-1, "100 ms"), (10, "10 s")):
+            parts.append(f'<path d="M{left} {y(took):.0f}h{width}" stroke="#ddd"/>'
+                         f'<text x="{left - 4}" y="{y(took) + 4:.0f}" text-anchor="end" font-size="10">{name}</text>')  # fmt: skip
+        for k in range(1, decades + 1):
+            parts.append(f'<text x="{x(10**k):.0f}" y="{top + 144}" text-anchor="middle" font-size="10">10{"⁰¹²³⁴⁵⁶"[k]}</text>')
+        for points, colour in curves:
+            done = [(count, took) for count, took in points if took < math.inf]
+            line = " ".join(f"{x(count):.1f},{y(took):.1f}" for count, took in done)
+            parts.append(f'<polyline points="{line}" fill="none" stroke="{colour}" stroke-width="2"/>')
+            if len(done) < len(points):
+                parts.append(f'<circle cx="{x(done[-1][0]):.1f}" cy="{y(done[-1][1]):.1f}" r="4" fill="none" stroke="{colour}"/>')
+
+    for k, (name, title) in enumerate(PLANNERS):
+        curves = [(seconds[name, kind], colour) for kind, colour in KINDS.items() if (name, kind) in seconds]
+        panel(60 + 260 * (k % 4), 40 + 195 * (k // 4), 190, title, 6, curves)
+    for k, (kind, colour) in enumerate(KINDS.items()):
+        parts.append(f'<text x="{60 + 110 * k}" y="412" fill="{colour}">{kind}</text>')
+    parts.append('<text x="1030" y="412" text-anchor="end">triangles of the object; a path of 20 points</text>')
+    curves = [(seconds[name, "points"], colour) for name, colour in OF_POINTS if (name, "points") in seconds]
+    panel(60, 450, 450, "by the points of the path; an object of 2,000 triangles", 4, curves)
+    for k, (name, colour) in enumerate(OF_POINTS):
+        parts.append(f'<text x="{60 + 75 * k}" y="612" fill="{colour}">{name}</text>')
+    aims = (("plain", "#555"), ("ring", "#1f6fb2"), ("chain", "#2f8f4e"), ("hanging", "#b3313f"))
+    curves = [(seconds["evaluate", kind], colour) for kind, colour in aims if ("evaluate", kind) in seconds]
+    panel(580, 450, 450, "the states of a scene of cameras", 5, curves)
+    for k, (kind, colour) in enumerate(aims):
+        parts.append(f'<text x="{580 + 90 * k}" y="612" fill="{colour}">{kind}</text>')
+    file.write_text("\n".join([*parts, "</svg>"]) + "\n")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--no-peers", action="store_true")
     parser.add_argument("--growth", action="store_true", help="only draw docs/growth.svg")
+    parser.add_argument("--planners", nargs="?", const="", metavar="MEASURED",
+                        help="only draw docs/planners.svg, of a file with lines of the benchmark")  # fmt: skip
     options = parser.parse_args()
 
+    if options.planners is not None:
+        lines = Path(options.planners).read_text() if options.planners else None
+        return planners(ROOT / "docs" / "planners.svg", lines)
     if options.growth:
         return draw(engine(TARGET, "", "growth/"), ROOT / "docs" / "growth.svg")
     dispatched = engine(TARGET, "")

@@ -44,6 +44,20 @@ static int on_capture(V_EDITOR *of, V_POSE *pose, void *user)
     return 1;
 }
 
+static void show_own(void)
+{
+    shown = own;
+    sprintf(caption, "own view");
+    glutPostRedisplay();
+}
+
+/* The editor has gone, whoever ended it. */
+static void on_gone(V_EDITOR *of, int reason, void *user)
+{
+    (void)of, (void)reason, (void)user;
+    show_own();
+}
+
 /* The own camera goes about the object, and stands in the editor as a ghost. Its vectors
  * may have any length; up is made perpendicular to the view. */
 static void drag(int x, int y)
@@ -54,9 +68,7 @@ static void drag(int x, int y)
     own.vrp[1] = 1.6 * sin(lean), own.vrp[2] = 1.6 * cos(turn) * cos(lean);
     own.vpn[0] = -own.vrp[0], own.vpn[1] = 0.2 - own.vrp[1], own.vpn[2] = -own.vrp[2];
     v_editor_set_view(editor, &own);
-    shown = own;
-    sprintf(caption, "own view");
-    glutPostRedisplay();
+    show_own();
 }
 
 static void display(void)
@@ -108,6 +120,7 @@ int main(int argc, char **argv)
     options.title = options.host_name = "glut_flight";
     options.object = &pyramid;
     options.on_view = on_view, options.on_capture = on_capture;
+    options.on_gone = on_gone;
     options.file = argc > 1 ? argv[1] : NULL;
     if (v_editor_open(&options, &editor) != V_OK)
         return fprintf(stderr, "glut_flight: %s\n", v_last_error()), 1;

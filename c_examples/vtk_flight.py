@@ -43,7 +43,8 @@ class Options(ctypes.Structure):
                 ("space_up", c_int), ("on_view", OnView), ("on_change", c_void_p),
                 ("on_capture", OnCapture), ("on_pane", c_void_p), ("host_name", c_char_p),
                 ("parent", c_ulong), ("transient_for", c_ulong), ("application", c_char_p),
-                ("hand_over_saves", c_int), ("on_frame", c_void_p)]
+                ("hand_over_saves", c_int), ("on_frame", c_void_p), ("view", c_void_p),
+                ("on_gone", c_void_p)]
 
 
 vides = ctypes.CDLL("libvides.so.1")

@@ -4,9 +4,8 @@
  *     cc -o xlib_loop xlib_loop.c -lvides -lm -lX11
  *
  * A click into the window opens an editor, a key ends the program. The window
- * tells how many poses the last hand-over brought. The loop waits for three
- * things at once: its own X connection, the library's descriptor, and the
- * library's next timer.
+ * tells how many poses the last hand-over brought. Where it would block in
+ * XNextEvent(), it waits for the library's descriptor, too.
  */
 #include <poll.h>
 #include <stdio.h>
@@ -36,26 +35,10 @@ static void rueck(V_KAMERAPAR *daten, int anzahl)
     draw();
 }
 
-/* Handles what came from our own server; 0 when the program is to end. */
-static int own_events(void)
-{
-    XEvent event;
-
-    while (XPending(display)) { /* also sends what we have drawn */
-        XNextEvent(display, &event);
-        if (event.type == Expose)
-            draw();
-        else if (event.type == ButtonPress)
-            v_haupt(100, 100, 100, 100, &list, 0, NULL, rueck, NULL);
-        else if (event.type == KeyPress)
-            return 0;
-    }
-    return 1;
-}
-
 int main(void)
 {
     struct pollfd watch[2];
+    XEvent event;
     int screen;
 
     display = XOpenDisplay(NULL);
@@ -75,10 +58,15 @@ int main(void)
     watch[1].fd = v_fd();
     watch[0].events = watch[1].events = POLLIN;
     do {
-        v_dispatch();         /* never blocks */
-        if (!own_events())
-            break;
-    } while (poll(watch, 2, v_timeout()) >= 0);
+        while (!XPending(display)) /* also sends what was drawn */
+            if (poll(watch, 2, -1) > 0 && watch[1].revents)
+                v_dispatch();
+        XNextEvent(display, &event);
+        if (event.type == Expose)
+            draw();
+        else if (event.type == ButtonPress)
+            v_haupt(100, 100, 100, 100, &list, 0, NULL, rueck, NULL);
+    } while (event.type != KeyPress);
 
     v_free_liste(&list);
     XCloseDisplay(display);

@@ -1,35 +1,43 @@
 /*
  * libvides: camera paths through space
  *
- * A path leads through a few support points. Each has one or more orientations
- * of the camera; the library makes every pose in between. Link with
- * -lvides -lm. This file is made by cbindgen from the library's source.
+ * A path has a few points; each has one or more views (orientations of the camera).
+ * The library computes every camera pose in between. Link with -lvides -lm.
+ * cbindgen makes this file from the library's source.
  *
- * What holds for all functions:
+ * Where to begin
  *
- * - Those that return int return a status, V_OK (0) if all went well. What was
- *   wrong is then told by v_last_error(). Each comment names the statuses that
- *   its function may return; V_ERR_INTERNAL may come from any.
- * - Results are written through pointers, and only if all went well.
- * - A pointer must not be NULL where the comment does not say that it may; it
- *   gives V_ERR_NULL. The library keeps no pointer that it is given, but those
- *   of v_haupt() and the callbacks and user of v_editor_open() and
- *   v_register_interpolation().
- * - Whoever makes a path or a scene or opens an editor window frees it. Nothing else that
- *   the library returns needs to be freed, but the lists of the interface of
- *   1994.
- * - Every function may be called from within callbacks, and from any thread if
- *   it does not concern windows. Several threads may read and change one
- *   path or scene at once: each call sees it as it is between two others. Windows belong to
- *   the thread that opened them.
- * - The library starts no thread for its own work. One looks up the name of another
- *   machine whose display was asked for, and in a program with Xt one looks whether
- *   windows are served until that is known. They take no signal of the program's,
- *   call none of its functions, and end by themselves.
- * - An X server that goes away, or that never was there, does a program no
- *   harm: its windows are gone, v_last_error() tells, the program goes on.
- * - Points, orientations, segments, sections and presets are counted from 0,
- *   poses from 1. Angles are degrees. Right-handed, y up.
+ *   v_editor_open()   opens the editor window beside your program's own
+ *   v_path_load()     reads a path; v_path_new() makes one
+ *   v_path_sample()   returns all poses, v_path_pose() one
+ *   v_scene_load()    reads a scene of objects, lights and cameras
+ *   v_haupt()         the call of 1994
+ *
+ * Conventions
+ *
+ * - Status. Functions that return int return V_OK (0) or one of V_ERR_...;
+ *   v_last_error() returns the reason. Each comment lists the statuses of its
+ *   function; any function may return V_ERR_INTERNAL.
+ * - Results are written through pointers, and only on success.
+ * - NULL. A pointer must not be NULL unless the comment allows it; otherwise the
+ *   call returns V_ERR_NULL.
+ * - Ownership. The library copies what it is given. It keeps only the pointers
+ *   given to v_haupt(), and the callbacks and user pointers of v_editor_open(),
+ *   v_register_interpolation() and v_set_progress(). You free the paths and scenes that you create and
+ *   the editors that you open, and the lists of the 1994 interface; nothing else.
+ * - Callbacks may call any function, except where its comment says otherwise.
+ * - Threads. A window belongs to the thread that opened it. Every other function
+ *   may be called from any thread; calls on the same path or scene are atomic.
+ *   The library does its work on your thread. It starts one thread to resolve the
+ *   name of a remote display, and one, in a program with Xt, to find out whether
+ *   windows are served. Both block all signals, call none of your functions, and
+ *   end without your help.
+ * - X server. If it is missing or goes away, its windows close, v_last_error()
+ *   returns the reason, and your program continues.
+ * - Counting. Points, orientations, segments, sections and presets count from 0,
+ *   poses and frames from 1.
+ * - Units. Angles are degrees. Coordinates are right-handed, y up unless the path's
+ *   space says z up.
  */
 
 #ifndef LIBVIDES_H
@@ -41,7 +49,7 @@
 /* ---- Version of this header -------------------------------------------------- */
 
 /**
- * v_version() tells that of the library that runs.
+ * v_version() returns the version of the library in use.
  */
 #define V_VERSION_MAJOR 1
 #define V_VERSION_MINOR 0
@@ -51,30 +59,30 @@
 /* ---- Statuses ---------------------------------------------------------------- */
 
 /**
- * What every function that returns a status answers. v_strerror() puts each
- * into words, v_last_error() tells what was wrong in the call itself.
+ * Every function that returns a status returns one of these. v_strerror() describes a
+ * status; v_last_error() returns what was wrong in the call itself.
  *
  * V_OK            done
- * V_ERR_NULL      a pointer is NULL that must not be
- * V_ERR_HANDLE    the handle is none: freed, of another kind, or never made; or
- *                 it is a window's of another thread
- * V_ERR_ARGUMENT  a value that makes no sense: not a finite number, a target
- *                 on the camera itself, an up vector along the view, a
- *                 pointer that is not aligned for its type
- * V_ERR_RANGE     an index or a value outside its range (NaN where there is one)
- * V_ERR_SIZE      an array too small, or a struct whose size is not set
- * V_ERR_LIMIT     more points, orientations or poses than the library takes
+ * V_ERR_NULL      a pointer that must not be NULL is NULL
+ * V_ERR_HANDLE    the handle is not valid: freed, of another kind, or never made; or
+ *                 it is a window of another thread
+ * V_ERR_ARGUMENT  a value is not valid: not a finite number, a target on the camera
+ *                 itself, an up vector along the view, a pointer that is not
+ *                 aligned for its type
+ * V_ERR_RANGE     an index or a value is out of range, or NaN where a range applies
+ * V_ERR_SIZE      an array is too small, or the size of a struct is not set
+ * V_ERR_LIMIT     more points, orientations or poses than the library allows
  * V_ERR_MEMORY    out of memory; nothing was changed
  * V_ERR_IO        the operating system refused to read or write a file
- * V_ERR_FORMAT    the contents of a file are not what they should be
+ * V_ERR_FORMAT    the contents of a file are not valid
  * V_ERR_DISPLAY   no window can be opened, or its X server went away
- * V_ERR_BUSY      not possible at this moment, as from within this callback
- * V_ERR_CLOSED    the window is gone: its user has closed it, it was destroyed from
- *                 outside, its X server went away, or the thread that opened it has
- *                 ended; v_last_error() says which
- * V_ERR_INTERNAL  a fault of the library; the path concerned may be unusable
- *                 from now on, everything else goes on
- * V_ERR_REFUSED   a user said no
+ * V_ERR_BUSY      not possible at this moment, for example within this callback
+ * V_ERR_CLOSED    the window is gone: its user closed it, it was destroyed from
+ *                 outside, its X server went away, or the thread that opened it
+ *                 ended; v_last_error() returns the reason
+ * V_ERR_INTERNAL  a fault of the library; the path concerned may be unusable from
+ *                 now on, everything else works
+ * V_ERR_REFUSED   the user, or a callback of v_set_progress(), refused
  */
 #define V_OK 0
 #define V_ERR_NULL 1
@@ -96,10 +104,14 @@
 /* ---- Reasons of callbacks ---------------------------------------------------- */
 
 /**
- * Why on_view and on_frame are called: another point or orientation became current, or
- * another camera is shown; something is being dragged or was changed; another frame was
- * chosen; it plays; nothing moves any more (the last of a row of the others: time for the
- * good picture).
+ * Why on_view and on_frame are called.
+ *
+ * V_VIEW_SELECTED  another point, orientation or camera was selected
+ * V_VIEW_EDITED    something is being dragged or was changed
+ * V_VIEW_SCRUBBED  another frame was chosen
+ * V_VIEW_PLAYED    the window is playing
+ * V_VIEW_RESTED    nothing moves any more; ends each series of the others and is the
+ *                  time to draw in full quality
  */
 #define V_VIEW_SELECTED 0
 #define V_VIEW_EDITED 1
@@ -107,8 +119,23 @@
 #define V_VIEW_PLAYED 3
 #define V_VIEW_RESTED 4
 
+/**
+ * Why on_gone is called.
+ *
+ * V_GONE_BY_USER    the user closed the window
+ * V_GONE_WITH_ALL   v_editors_close(0) closed it
+ * V_GONE_DESTROYED  it was destroyed from outside or removed from its parent
+ * V_GONE_DISPLAY    its X server went away or refused to go on
+ * V_GONE_FAULT      a fault inside the library closed it
+ */
+#define V_GONE_BY_USER 0
+#define V_GONE_WITH_ALL 1
+#define V_GONE_DESTROYED 2
+#define V_GONE_DISPLAY 3
+#define V_GONE_FAULT 4
 
-/* ---- What stands upright ----------------------------------------------------- */
+
+/* ---- Up axis ----------------------------------------------------------------- */
 
 /**
  * Which axis is up.
@@ -146,9 +173,9 @@
 /* ---- How a block is put in, see v_path_insert_path() ------------------------- */
 
 /**
- * V_FIT_NONE   as it lies
- * V_FIT_MOVE   moved, so that it begins where the path is
- * V_FIT_TURN   turned too, so that it goes on in the direction of travel
+ * V_FIT_NONE   unchanged
+ * V_FIT_MOVE   moved, so that it begins at the point
+ * V_FIT_TURN   also turned, so that it continues in the direction of travel
  * V_FIT_SCALE  moved, turned and scaled, so that it also ends at the next point
  */
 #define V_FIT_NONE 0
@@ -173,12 +200,16 @@
 #define V_LIGHT_SPOT 2
 
 /**
- * How a motion goes on when it is over: its end stays; all over again (the
- * period is the last frame less the first, at the seam the last value counts);
- * back and forth; all over again from where it ended.
+ * How a motion continues after its end.
  *
- * A path does the same before it begins. A track holds its first value there,
- * unless one of V_BEFORE_... is added: V_AFTER_REPEAT | V_BEFORE_PINGPONG.
+ * V_AFTER_HOLD      holds the last value
+ * V_AFTER_REPEAT    starts over; the period is the last frame minus the first, and
+ *                   where they meet the last value is used
+ * V_AFTER_PINGPONG  goes back and forth
+ * V_AFTER_OFFSET    starts over from where it ended
+ *
+ * A path continues in the same way before its start. A track holds its first value
+ * there, unless you add one of V_BEFORE_...: V_AFTER_REPEAT | V_BEFORE_PINGPONG.
  */
 #define V_AFTER_HOLD 0
 #define V_AFTER_REPEAT 1
@@ -189,7 +220,7 @@
 #define V_BEFORE_OFFSET 48
 
 /**
- * What a node keeps that gets another parent, see v_scene_set_parent().
+ * What a node keeps when its parent changes, see v_scene_set_parent().
  */
 #define V_KEEP_PLACE 0
 #define V_KEEP_NUMBERS 1
@@ -206,7 +237,7 @@
 /* ---- Axes of a camera, see v_pose_matrix() ----------------------------------- */
 
 /**
- * All are right-handed.
+ * Conventions of camera axes, all right-handed.
  *
  * V_AXES_OPENGL  x right, y up, z backward
  * V_AXES_OPENCV  x right, y down, z forward
@@ -226,8 +257,8 @@
  * V_CLIP_OPENGL    y up, depth from -1 (near) to 1 (far)
  * V_CLIP_D3D       y up, depth from 0 to 1: Direct3D, Metal, WebGPU
  * V_CLIP_VULKAN    y down, depth from 0 to 1
- * V_CLIP_REVERSED  added to one of them: near and far change places, so that depth
- *                  in float stays exact far away (with depth from 0)
+ * V_CLIP_REVERSED  added to one of these: swaps near and far, which keeps a float
+ *                  depth precise far away (with depth from 0)
  */
 #define V_CLIP_OPENGL 0
 #define V_CLIP_D3D 1
@@ -235,11 +266,25 @@
 #define V_CLIP_REVERSED 16
 
 
+/* ---- Order of turns, see v_pose_to_euler() ----------------------------------- */
+
+/**
+ * The order of three turns: the first letter is the axis of the first turn.
+ * V_ORDER_XYZ is XYZ in Blender and ZYX in three.js; V_ORDER_ZXY is ZXY in Nuke.
+ */
+#define V_ORDER_XYZ 0
+#define V_ORDER_XZY 1
+#define V_ORDER_YXZ 2
+#define V_ORDER_YZX 3
+#define V_ORDER_ZXY 4
+#define V_ORDER_ZYX 5
+
+
 /* ---- The types of the interface of 1994 -------------------------------------- */
 
 /**
- * A point or a vector in the movement space, the cube from -1 to 1 in x, y
- * and z: right-handed, y up.
+ * A point or a vector in the space, the cube from -1 to 1 in x, y and z: right-handed,
+ * y up.
  */
 struct v_punkt {
     float x;
@@ -249,21 +294,19 @@ struct v_punkt {
 
 typedef struct v_punkt V_PUNKT;
 
-/** The same type under the name that the other structs use. */
+/** The same type by the name that the other structs use. */
 typedef V_PUNKT V_POS;
 
 /**
- * One camera pose in a list of them, and the whole list by its first element.
+ * A camera pose in a list, and the whole list by its first element.
  *
- * The first element is the host's; it must outlive the list. Before the first
- * hand-over the host sets its number to -1: no data yet, and prev and next
- * mean nothing. VIDES makes the other elements with malloc(), one each, so
- * that the host may free() them; v_free_liste() does that, too. The next list uses
- * them again as far as it goes.
+ * The first element is yours and must outlive the list. Before the first hand-over set
+ * its number to -1: there is no data yet, and prev and next have no meaning. VIDES
+ * allocates each other element with malloc(), so that you may free() it;
+ * v_free_liste() does that too. The next list reuses the elements.
  *
- * The list is closed both ways: first->prev is the last element, whose number
- * is the count, and the last one's next is the first. A list of one element
- * points to itself.
+ * The list is circular: first->prev is the last element, whose number is the count,
+ * and the last element's next is the first. A list of one element points to itself.
  */
 struct interpolparameter {
     /** position of the camera (view reference point) */
@@ -273,8 +316,8 @@ struct interpolparameter {
     /** up; length 1, perpendicular to VPN */
     V_POS VUP;
     /**
-     * 1 to 100, rounded, and 100 for any zoom beyond; the vertical field of view
-     * is 2 atan (12 / zoom)
+     * 1 to 100, rounded; 100 for any larger zoom. The vertical field of view is 2 atan
+     * (12 / zoom)
      */
     int zoom;
     struct interpolparameter *prev;
@@ -296,78 +339,79 @@ struct v_objekt_list {
 
 typedef struct v_objekt_list V_OBJEKT_LISTE;
 
-/** The same type under its other name. */
+/** The same type by its other name. */
 typedef V_OBJEKT_LISTE V_OBJEKT_LIST;
 
 
 /* ---- The types of the new interface ------------------------------------------ */
 
 /**
- * A camera path, by a handle. It is no address: a handle that was freed, freed
- * twice, or never made gives V_ERR_HANDLE and does no harm. Whoever made it
- * frees it with v_path_free().
+ * A handle for a camera path. It is not an address: using a handle that was freed, or
+ * never made, or freeing it twice, is harmless and fails with V_ERR_HANDLE. Free it
+ * with v_path_free().
  */
 typedef struct v_path V_PATH;
 
 /**
- * How the camera looks from a support point, and how it goes on from there.
+ * An orientation: how the camera looks at a point of the path, and how it moves on
+ * from there. The window calls it a view.
  *
- * A struct that begins with size may grow at its end in later versions. Set
- * size to sizeof the struct before any call, also where the library fills in
- * the rest; v_orientation_init() does it. A host compiled with
- * an earlier 1.x may have a shorter one; any other value is V_ERR_SIZE.
+ * A struct that begins with size may grow at its end in later versions. Set size to
+ * sizeof the struct before any call, even if the library fills in the rest;
+ * v_orientation_init() does it. Programs compiled with an earlier 1.x may have a
+ * shorter struct; any other size fails with V_ERR_SIZE.
  */
 struct v_orientation {
     /** sizeof (V_ORIENTATION) */
     size_t size;
     /**
-     * not 0: target is a point of the world; 0: an offset from the support
-     * point, of which only the direction counts
+     * not 0: target is a point in the world; 0: an offset from the path's point, of
+     * which only the direction matters
      */
     int absolute;
-    /** what the camera looks at; not the support point itself */
+    /** what the camera looks at; must not be the point itself */
     double target[3];
     /**
-     * degrees, turns the up vector about the view direction; any finite
-     * number, kept in (-180, 180]
+     * degrees, turns the up vector about the view direction; any finite number, stored
+     * in (-180, 180]
      */
     double roll;
     /** 1 to 2000 */
     double zoom;
-    /** of the turning, each -1 to 1 */
+    /** of the turning, each from -1 to 1 */
     double tension;
     double continuity;
     double bias;
     /**
-     * speed curve of the section that begins here, each 1 to 100; at 50 the
-     * base speeds hold
+     * speed curve of the section that begins here, each from 1 to 100; at 50 the base
+     * speeds apply
      */
     double speed[10];
-    /** frames for which the camera rests here, 0 to 1000000 */
+    /** number of frames that the camera rests here, 0 to 1000000 */
     int hold;
 };
 
 typedef struct v_orientation V_ORIENTATION;
 
 /**
- * Points, and what connects them: with neither lines nor triangles points
- * alone.
+ * A mesh: points, and the lines and triangles that connect them. Without lines and
+ * triangles only the points are shown.
  *
- * Set size to sizeof (V_MESH) before any call, see V_ORIENTATION.
+ * Set size before any call, see V_ORIENTATION.
  */
 struct v_mesh {
     /** sizeof (V_MESH) */
     size_t size;
-    /** three numbers a point */
+    /** three numbers per point */
     const double *xyz;
     size_t points;
-    /** three bytes a point; NULL: no colours */
+    /** three bytes per point; NULL: no colours */
     const unsigned char *rgb;
-    /** two indices a line; NULL: none */
+    /** two indices per line; NULL: none */
     const unsigned int *lines;
     /** number of indices, even */
     size_t line_ends;
-    /** three indices a triangle; NULL: none */
+    /** three indices per triangle; NULL: none */
     const unsigned int *triangles;
     /** number of indices, a multiple of 3 */
     size_t corners;
@@ -376,15 +420,15 @@ struct v_mesh {
 typedef struct v_mesh V_MESH;
 
 /**
- * A movement space: a cube in the host's world, see v_path_set_space().
- * v_space_init() fills in the space of a new path.
+ * The space of a path: a cube in your world, see v_path_set_space(). v_space_init()
+ * fills in the space of a new path.
  *
- * Set size to sizeof (V_SPACE) before any call, see V_ORIENTATION.
+ * Set size before any call, see V_ORIENTATION.
  */
 struct v_space {
     /** sizeof (V_SPACE) */
     size_t size;
-    /** its centre, in the host's world */
+    /** its centre, in your world */
     double centre[3];
     /** half the length of its edge, 1e-30 to 1e30 */
     double half_size;
@@ -394,7 +438,7 @@ struct v_space {
 
 typedef struct v_space V_SPACE;
 
-/** One camera pose. This layout will never change. */
+/** A camera pose. This layout will never change. */
 struct v_pose {
     /** position of the camera */
     double vrp[3];
@@ -403,9 +447,8 @@ struct v_pose {
     /** up; length 1, perpendicular to vpn */
     double vup[3];
     /**
-     * 1 to 2000: focal length in mm of a 36 x 24 mm camera, so that the
-     * vertical field of view is 2 atan (12 / zoom); v_zoom_from_fov() converts
-     * from any other
+     * 1 to 2000: focal length in mm of a 36 x 24 mm camera, so that the vertical field
+     * of view is 2 atan (12 / zoom); v_zoom_from_fov() converts other lenses
      */
     double zoom;
 };
@@ -413,22 +456,21 @@ struct v_pose {
 typedef struct v_pose V_POSE;
 
 /**
- * How a camera moves at a frame, see v_path_motion(). The library fills it in.
+ * The motion of a camera at a frame, see v_path_motion(). The library fills it in.
  *
- * Set size to sizeof (V_MOTION) before any call, see V_ORIENTATION.
+ * Set size before any call, see V_ORIENTATION.
  */
 struct v_motion {
     /** sizeof (V_MOTION) */
     size_t size;
-    /** length of the way since the first frame */
+    /** length of the path since the first frame */
     double distance;
-    /** length of the way in a second */
+    /** length of the path per second */
     double speed;
-    /** degrees in a second by which the camera turns, rolling included */
+    /** degrees per second by which the camera turns, rolling included */
     double turning;
     /**
-     * of the way: 1 by the radius of its circle; 0 where the camera rests or turns on
-     * the spot
+     * curvature of the path, 1 / radius; 0 where the camera holds or turns on the spot
      */
     double curvature;
 };
@@ -436,26 +478,25 @@ struct v_motion {
 typedef struct v_motion V_MOTION;
 
 /**
- * A node at rest. Its local matrix is T(position) T(pivot) R S T(-pivot), its
- * world matrix that of its parent times the local one. Lights and cameras look
- * along their own +z axis, +y up, and have pivot 0. What another kind of node
- * does not have is not looked at.
+ * A node at rest. Its local matrix is T(position) T(pivot) R S T(-pivot); its world
+ * matrix is that of its parent times the local one. Lights and cameras look along
+ * their own +z axis with +y up and have pivot 0. Values that a kind of node does not
+ * have are ignored.
  *
- * Set size to sizeof (V_NODE) before any call, see V_ORIENTATION;
- * v_node_init() does it.
+ * Set size before any call, see V_ORIENTATION; v_node_init() does it.
  */
 struct v_node {
     /** sizeof (V_NODE) */
     size_t size;
     /** V_NODE_GROUP, V_NODE_OBJECT, V_NODE_LIGHT or V_NODE_CAMERA */
     int kind;
-    /** the node that it is in; -1: none */
+    /** parent node; -1: none */
     int parent;
-    /** 0 hides it and all that is in it */
+    /** 0 hides the node and its descendants */
     int visible;
-    /** lights and cameras: the node to whose pivot it looks; -1: none */
+    /** lights and cameras: the node at whose pivot it looks; -1: none */
     int aim;
-    /** the point that stays when the node turns and scales */
+    /** the point that the node turns and scales about */
     double pivot[3];
     double position[3];
     /** w x y z, of any length but 0 */
@@ -463,7 +504,7 @@ struct v_node {
     double scale[3];
     /** cameras: 1 to 2000, see V_POSE */
     double zoom;
-    /** cameras: degrees, turns up about the view */
+    /** cameras: degrees, turns the up vector about the view direction */
     double roll;
     /** lights: V_LIGHT_DIRECTIONAL, V_LIGHT_POINT or V_LIGHT_SPOT */
     int light;
@@ -485,19 +526,19 @@ typedef struct v_node V_NODE;
 /* ---- Scenes ------------------------------------------------------------------ */
 
 /**
- * Everything that moves on one timeline, by a handle (see V_PATH): a tree of
- * nodes. Whoever made it frees it with v_scene_free(). Nodes are numbered from 0.
+ * A handle for a scene (see V_PATH): a tree of nodes that move on one timeline. Free
+ * it with v_scene_free(). Nodes are numbered from 0.
  *
- * Within a function of v_register_interpolation() those that take a V_SCENE, but
- * v_scene_free(), answer V_ERR_BUSY.
+ * Inside a function given to v_register_interpolation(), functions that take a V_SCENE
+ * fail with V_ERR_BUSY, except v_scene_free().
  */
 typedef struct v_scene V_SCENE;
 
 /**
- * Computes the value of a channel at a frame between its first and its last key:
- * frames of the keys, their values key by key, width numbers each. Writes width
- * numbers to value and returns V_OK; any other answer, or a number that is not
- * finite, and the channel steps from key to key.
+ * Computes the value of a channel at a frame between its first and last key. It is
+ * given the frames of the keys and their values, width numbers per key. It writes
+ * width numbers to value and returns V_OK; if it returns anything else, or writes a
+ * number that is not finite, the channel steps from key to key.
  */
 typedef int (*V_INTERPOLATE)(const double *frames,
                              const double *values,
@@ -509,9 +550,9 @@ typedef int (*V_INTERPOLATE)(const double *frames,
 
 /** A node at a frame. This layout will never change. */
 struct v_node_state {
-    /** from the node's coordinates into the world's, column by column */
+    /** from the node's coordinates to the world's, column by column */
     double matrix[16];
-    /** cameras and lights; of others all 0 */
+    /** cameras and lights; otherwise all 0 */
     V_POSE pose;
     /** lights and objects */
     double colour[3];
@@ -519,7 +560,7 @@ struct v_node_state {
     double intensity;
     /** lights: half angles in degrees, inner and outer */
     double cone[2];
-    /** 1 if it and all that it is in is to be seen, else 0 */
+    /** 1 if the node and all its ancestors are visible, else 0 */
     int visible;
 };
 
@@ -546,28 +587,29 @@ struct v_finding {
 typedef struct v_finding V_FINDING;
 
 /**
- * Limits of a pace, 0: none. Lengths count in half sizes of the space, as in
- * v_path_check(). v_limits_init() fills in those that a check has unless told.
+ * Limits of a speed profile; 0: no limit. Lengths are in half sizes of the space
+ * (v_path_set_space()), as in v_path_check(). v_limits_init() fills in the defaults of
+ * v_path_check().
  *
- * Set size to sizeof (V_LIMITS) before any call, see V_ORIENTATION.
+ * Set size before any call, see V_ORIENTATION.
  */
 struct v_limits {
     /** sizeof (V_LIMITS) */
     size_t size;
-    /** half sizes a second */
+    /** half sizes per second */
     double speed;
-    /** half sizes a second squared, in any direction */
+    /** half sizes per second squared, in any direction */
     double acceleration;
-    /** half sizes a second cubed, the third difference at whole frames */
+    /** half sizes per second cubed, the third difference at whole frames */
     double jerk;
-    /** degrees a second */
+    /** degrees per second */
     double turning;
-    /** degrees a second squared */
+    /** degrees per second squared */
     double turning_acceleration;
-    /** mm a second */
+    /** mm per second */
     double zoom;
     /**
-     * least seconds in which what is in the middle of the picture would cross it
+     * least time in seconds in which what is in the middle of the picture may cross it
      */
     double crossing;
 };
@@ -575,25 +617,23 @@ struct v_limits {
 typedef struct v_limits V_LIMITS;
 
 /**
- * What a tour shows an object with, see v_path_tour(). v_tour_init() fills in what is
- * usual.
+ * Options of a tour that shows an object, see v_path_tour(). v_tour_init() fills in
+ * the defaults.
  *
- * Set size to sizeof (V_TOUR) before any call, see V_ORIENTATION.
+ * Set size before any call, see V_ORIENTATION.
  */
 struct v_tour {
     /** sizeof (V_TOUR) */
     size_t size;
-    /** how long the flight takes, > 0 */
+    /** duration of the flight, > 0 */
     double seconds;
-    /**
-     * the share, by area, that is shown of the surface that can be seen: > 0, at most 1
-     */
+    /** fraction, by area, of the visible surface to show: > 0, at most 1 */
     double coverage;
-    /** how far the camera is from what it shows; 0: found */
+    /** distance of the camera from what it shows; 0: chosen by VIDES */
     double distance;
-    /** not 0: in the object's free space, not around it */
+    /** not 0: in the free space inside the object instead of around it */
     int inside;
-    /** not 0: it begins at start; else it is a closed round */
+    /** not 0: begins at start; 0: a closed tour */
     int has_start;
     /** where it begins */
     double start[3];
@@ -607,83 +647,85 @@ typedef struct v_tour V_TOUR;
 /* ---- Editor windows ---------------------------------------------------------- */
 
 /**
- * An editor window, by a handle (see V_PATH). It belongs to the thread that
- * opened it: from any other its functions answer V_ERR_HANDLE. Whoever opened
- * it frees it with v_editor_close(), also after the user has closed it.
+ * A handle for an editor window (see V_PATH). The window belongs to the thread that
+ * opened it; on any other, its functions fail with V_ERR_HANDLE. Free it with
+ * v_editor_close(), even if the user has closed the window.
  */
 typedef struct v_editor V_EDITOR;
 
 /**
- * How an editor window is opened. v_editor_options_init() fills in defaults;
- * what is pointed to need not live longer than the call of v_editor_open(),
- * but for user.
+ * Options of an editor window. v_editor_options_init() fills in the defaults. What
+ * they point to, except user, must only remain valid during v_editor_open().
  *
- * Set size to sizeof (V_EDITOR_OPTIONS) before any call, see V_ORIENTATION.
+ * Set size before any call, see V_ORIENTATION.
  */
 struct v_editor_options {
     /** sizeof (V_EDITOR_OPTIONS) */
     size_t size;
     /**
-     * what follows "VIDES" in the title, UTF-8, one line; NULL: the file's
-     * name
+     * text after "VIDES" in the title, UTF-8, one line; NULL: the name of the file
      */
     const char *title;
     /**
-     * a .vid file to start with, and to be saved to; one that does not exist
-     * yet is a new path of that name; NULL: none
+     * a .vid file to start with and to save to; one that does not exist yet is a new
+     * path of that name; NULL: none
      */
     const char *file;
     /**
-     * a path to start with, copied; NULL: a new one, or that of file. Not
-     * both
+     * a path to start with, copied; NULL: a new one, or that of file. Must not be
+     * given together with file
      */
     const V_PATH *path;
-    /** an object to be shown, copied; NULL: that of the path */
+    /**
+     * an object to show, copied, at which a new path looks; NULL: that of the path
+     */
     const V_MESH *object;
     /**
-     * frames for a way of one half size and so on, see v_path_set_base_frames().
-     * All 0: those of the path. Else they are the host's: the window keeps them and
-     * ignores a loaded file's
+     * base speeds, see v_path_set_base_frames(). All 0: those of the path. Otherwise
+     * they are fixed: the window keeps them and ignores those of a loaded file
      */
     double move_frames;
     double turn_frames;
     double zoom_frames;
     double roll_frames;
-    /** name of the X display; NULL: the environment's DISPLAY */
+    /**
+     * name of the X display; NULL: the one that the program's Xt opened last; without
+     * Xt, the environment's DISPLAY
+     */
     const char *display;
     /**
-     * "de" or "en"; NULL: the environment's, by LC_ALL, LC_MESSAGES, LANG.
-     * A language that the user has chosen in the setup counts before both
+     * "de" or "en"; NULL: from the environment's LC_ALL, LC_MESSAGES, LANG. A language
+     * chosen by the user in the setup takes precedence
      */
     const char *language;
     /**
-     * called when the user hands over the poses; they are the library's and
-     * valid until it returns. Of a scene they are those of the camera that is shown,
-     * one for each frame of v_scene_frame_range(). NULL: nothing can be handed over
+     * called when the user hands over the poses, which belong to the library and are
+     * valid until it returns. In a scene they are those of the camera shown, one for
+     * each frame of v_scene_frame_range(). NULL: no hand-over is possible
      */
     void (*on_poses)(V_EDITOR *editor, const V_POSE *poses, size_t count, void *user);
     /**
-     * called before the user closes the window; 0 keeps it open. NULL: it
+     * called before the user closes the window; returning 0 keeps it open. NULL: it
      * closes
      */
     int (*on_close)(V_EDITOR *editor, void *user);
-    /** the host's, handed on to the callbacks */
+    /** your pointer, passed to the callbacks */
     void *user;
     /**
-     * the movement space in the host's world: its centre, half of its edge, and
-     * which axis is up, V_UP_Y or V_UP_Z; of a scene in file, too. Half size 0: that of
-     * file or path, and V_UP_Z makes z upright in a new path
+     * the space in your world: its centre, half of its edge, and the up axis, V_UP_Y
+     * or V_UP_Z; also for a scene in file. With space_half_size 0, the space is that
+     * of file or path, and V_UP_Z makes z the up axis of a new path
      */
     double space_centre[3];
     double space_half_size;
     int space_up;
     /**
-     * called with the camera at the playhead whenever that has changed, whether or
-     * not the window is seen (it may be covered, iconified, on another desktop, or in
-     * a parent that is not shown): sixty times a second at most, what came meanwhile
-     * is one call. frame counts from 1. reason is one of V_VIEW_.... The pose is the
-     * library's and valid until it returns. After a call of more than 30 ms the next
-     * one waits as long; the last pose always comes. NULL: none
+     * called with the camera at the playhead whenever it has changed, whether or not
+     * the window is visible (it may be covered, iconified, on another desktop, or in a
+     * parent that is not shown): at most 60 times a second, combining changes in
+     * between. frame counts from 1; reason is one of V_VIEW_.... The pose belongs to
+     * the library and is valid until it returns. After a call of more than 30 ms the
+     * next one waits as long; the last pose always arrives. NULL: none
      */
     void (*on_view)(V_EDITOR *editor,
                     const V_POSE *pose,
@@ -691,28 +733,31 @@ struct v_editor_options {
                     int reason,
                     void *user);
     /**
-     * called when the path in the window has changed: after each step, undo and
-     * redo too, not while a drag goes on; steps of one sixtieth of a second are one
-     * call. Seen or not, as on_view. NULL: none
+     * called when the path in the window has changed: after each step, undo and redo,
+     * but not during a drag; steps within a sixtieth of a second are combined. It is
+     * called whether or not the window is visible, like on_view. A tool's preview
+     * before OK does not count as a change here, nor for on_view, on_frame and
+     * on_poses. NULL: none
      */
     void (*on_change)(V_EDITOR *editor, void *user);
     /**
-     * "take over the view": the host fills in its own camera and returns 1; 0: it
-     * has none. vpn and vup of any length but 0, not parallel. NULL: that of
-     * v_editor_set_view() is taken
+     * called when the user adds your program's view to the path (Ctrl-Enter): fill in
+     * your camera and return 1, or return 0 if there is none. vpn and vup have any
+     * length but 0 and are not parallel. NULL: the window uses the view of
+     * v_editor_set_view()
      */
     int (*on_capture)(V_EDITOR *editor, V_POSE *pose, void *user);
     /**
-     * the camera pane opened, changed its size in pixels, or closed (window 0, sizes
-     * 0). The host draws in it what the camera sees, and again at each Expose: in a
-     * child of any visual that it makes there, which is kept at the pane's size, or
-     * in the pane itself, which is of the screen's own visual. A pane is never
-     * destroyed while the process lives. When it closes it is unmapped, a child in
-     * it is put out to the root window, unmapped, and then this is called; when the
-     * editor closes, after its window is gone, in v_editor_close() too. Then the
-     * editor's handle may be freed already; at the end of a thread nobody is called.
-     * On a server without XFIXES or SHAPE there is no pane. NULL: the editor draws
-     * itself
+     * called when the camera pane opens, changes its size in pixels, or closes (window
+     * 0, sizes 0). Draw in it what the camera sees, and again at each Expose: in a
+     * child window that you create there, of any visual, which is kept at the pane's
+     * size, or in the pane itself, which has the screen's own visual. A pane is never
+     * destroyed while the process lives. When it closes, it is unmapped, a child in it
+     * is moved to the root window, unmapped, and then this is called. When the editor
+     * closes, this is called after its window is gone, also by v_editor_close(); the
+     * editor's handle may then be freed already. It is not called when the thread
+     * ends. On a server without XFIXES or SHAPE there is no pane. NULL: the editor
+     * draws the picture itself
      */
     void (*on_pane)(V_EDITOR *editor,
                     unsigned long window,
@@ -720,48 +765,65 @@ struct v_editor_options {
                     int height,
                     void *user);
     /**
-     * what the window calls the host's view, UTF-8, one line; NULL: "program"
+     * what the window calls your program's view, UTF-8, one line; NULL: "program"
      */
     const char *host_name;
     /**
-     * an X window of the display to live in, of any depth: the editor is its child
-     * and fills it; 0: a top-level window. If it is destroyed, or the editor's window
-     * is put out to the root, the editor is closed without asking on_close, and what
-     * was unsaved is offered at the next start. V_ERR_ARGUMENT if it is no window
+     * an X window of the display, of any depth: the editor becomes its child and fills
+     * it; 0: a top-level window. If the parent is destroyed, or the editor's window is
+     * moved to the root, the editor closes without calling on_close, and unsaved work
+     * is offered at the next start. V_ERR_ARGUMENT if it is not a window
      */
     unsigned long parent;
     /**
-     * the host's window that the editor's belongs to, above which a window manager
-     * keeps it; 0: none. V_ERR_ARGUMENT if it is no window
+     * your window that the editor's window belongs to; window managers keep the editor
+     * above it; 0: none. V_ERR_ARGUMENT if it is not a window
      */
     unsigned long transient_for;
     /**
-     * what the program is called: the first half of WM_CLASS, by which a desktop
-     * groups its windows, and unsaved work finds back to it; UTF-8; NULL: the name of the running program
+     * name of the program, UTF-8: the first half of WM_CLASS, by which desktops group
+     * windows, and by which unsaved work is found again; NULL: the name of the running
+     * program
      */
     const char *application;
     /**
-     * not 0: after a hand-over nothing is unsaved. So it is without a file, too,
+     * not 0: after a hand-over nothing is unsaved. That always holds without a file,
      * and in a window of v_haupt()
      */
     int hand_over_saves;
     /**
-     * for a host that draws the scene itself, by v_editor_get_scene() and
-     * v_scene_evaluate(): called with the scene's frame at the playhead, and why
-     * (V_VIEW_...), after that or the scene has changed; when as on_view. NULL:
-     * nobody is
+     * for programs that draw the scene themselves, with v_editor_get_scene() and
+     * v_scene_evaluate(): called with the scene's frame at the playhead and a reason
+     * (V_VIEW_...) when that frame or the scene has changed; as often as on_view.
+     * NULL: none
      */
     void (*on_frame)(V_EDITOR *editor, double frame, int reason, void *user);
+    /**
+     * the view that your program's picture shows when the window opens; copied. A new
+     * path begins with it and leads to the right, around what is in the middle of the
+     * picture. on_view is then called only when the camera has changed, so that
+     * opening the window does not move your picture. NULL: a new path looks at the
+     * object, and on_view is called at once
+     */
+    const V_POSE *view;
+    /**
+     * called once, after the window is gone, so that your program can show its own
+     * view again. reason is one of V_GONE_.... You may free the handle here
+     * (v_editor_close()); any other use of it fails with V_ERR_CLOSED. It is not
+     * called when v_editor_close() closes the window, or when its thread ends. NULL:
+     * none
+     */
+    void (*on_gone)(V_EDITOR *editor, int reason, void *user);
 };
 
 typedef struct v_editor_options V_EDITOR_OPTIONS;
 
 /**
- * A view as PHIGS describes it. The eye is on the side to which normal points,
- * so the view goes against it. All but vrp, normal and up is in the view's own
- * coordinates u (right), v (up), n (along normal), with the origin in vrp.
+ * A view as defined by PHIGS. The eye is on the side that normal points to, so it
+ * looks against normal. Everything except vrp, normal and up is in the view's own
+ * coordinates u (right), v (up), n (along normal), with the origin at vrp.
  *
- * Set size to sizeof (V_VIEW) before any call, see V_ORIENTATION.
+ * Set size before any call, see V_ORIENTATION.
  */
 struct v_view {
     /** sizeof (V_VIEW) */
@@ -776,7 +838,7 @@ struct v_view {
     double prp[3];
     /** umin, umax, vmin, vmax on the view plane */
     double window[4];
-    /** n of the front plane, less than prp's */
+    /** n of the front plane, less than that of prp */
     double front;
     /** n of the back plane, less than front */
     double back;
@@ -796,35 +858,36 @@ extern "C" {
 /* ---- Errors, warnings, the version of the library ---------------------------- */
 
 /**
- * What went wrong in the calling thread's last call of the library: one
- * sentence in English, UTF-8, "" after a success. Never NULL. Of a sentence
- * longer than 1023 bytes the middle is left out. It calls parameters as this
- * header does (path, options->title) and counts as it does: points,
- * orientations and so on from 0, which it says; frames from 1. The text belongs to the
- * library and is valid until the same thread's next call of any function but
- * this one, v_last_warning(), v_strerror() and v_version().
+ * Returns the reason why the calling thread's last call of the library failed: one
+ * sentence in English, UTF-8, "" after a success. Never NULL. A sentence longer than
+ * 1023 bytes is shortened in the middle. Parameters have the names of this header
+ * (path, options->title). Points, orientations and so on count from 0, and the
+ * sentence says it; frames count from 1. The text belongs to the library and is valid
+ * until the same thread's next call of any function except this one, v_last_warning(),
+ * v_strerror() and v_version().
  * Any thread; from callbacks too.
  */
 const char *v_last_error(void);
 
 /**
- * What the calling thread's last call that can warn has to say besides its success:
- * sentences in English, UTF-8, "" if there is nothing. Functions that can warn say so.
- * Never NULL. Of a sentence too long for 1023 bytes in all the middle is left out. The
- * text belongs to the library and is valid until the same thread's next call of a
- * function that can warn.
+ * Returns the warnings of the calling thread's last call that can warn: sentences in
+ * English, UTF-8, "" if there are none. Never NULL. Comments of functions that can
+ * warn mention it. If the text would exceed 1023 bytes, the sentence that does not fit
+ * is shortened in the middle. The text belongs to the library and is valid until the
+ * same thread's next call of a function that can warn.
  * Any thread; from callbacks too.
  */
 const char *v_last_warning(void);
 
 /**
- * What a status means, in English. Never NULL; the text is constant.
+ * Returns the meaning of a status, in English. Never NULL; the text is constant.
  * Any thread; from callbacks too.
  */
 const char *v_strerror(int status);
 
 /**
- * The version of the library that runs, as "1.0.0". Never NULL; constant.
+ * Returns the version of the library in use, as "1.0.0". Never NULL; the text is
+ * constant.
  * Any thread; from callbacks too.
  */
 const char *v_version(void);
@@ -833,38 +896,36 @@ const char *v_version(void);
 /* ---- The interface of 1994 --------------------------------------------------- */
 
 /**
- * Opens an editor window for a camera path and returns at once; the window
- * then works side by side with the host, in the host's own event loop. Every
- * call opens another window, independent of all others. A host with an Xt or
- * Motif main loop has nothing more to do; for any other see v_fd() and
- * v_main_loop().
+ * Opens an editor window for a camera path and returns at once. The window then works
+ * beside your program, in its event loop. Each call opens another, independent window,
+ * on the display that the program's Xt opened last; without Xt, on the environment's
+ * DISPLAY. A program with an Xt or Motif main loop needs nothing more; others see
+ * v_fd() and v_main_loop(). Work that is not handed over or saved when the program
+ * ends is offered at its next start; for your own Quit see v_editors_close().
  *
- * move_speed, orient_speed, zoom_speed, winkel_speed  poses at speed 50 for a
- *     way of length 1, for turning by 180 degrees, for the zoom from 1 to
- *     100, for rolling by 90 degrees; finite and > 0, else 100 is taken. They
- *     stand in this window: those of a file that is loaded are ignored
- * interpol_liste  first element of the list that takes the poses, see
- *     V_KAMERAPAR; the host's, must outlive the window; may be NULL. Its
- *     number is read anew at each hand-over: < 0 says that there are no data
- *     (any more). The same element may be given to several windows
- * anzahl_objekt, objekt  points of an object to be shown; copied during the
- *     call; NULL or a number <= 0 for none
- * rueck  called when the user hands over poses, with the list and its count;
- *     may be NULL. The list is not touched again before the next hand-over.
- *     With interpol_liste NULL its elements are VIDES's and valid until rueck
- *     returns
- * ende   called before the user closes the window; 0 keeps it open; may be
+ * move_speed, orient_speed, zoom_speed, winkel_speed  number of poses at speed 50 for
+ *     moving by a length of 1, for turning by 180 degrees, for zooming from 1 to 100,
+ *     for rolling by 90 degrees. Each is finite and > 0; otherwise 100 is used. They
+ *     are fixed in this window: those of a file that is loaded are ignored
+ * interpol_liste  first element of the list that receives the poses, see V_KAMERAPAR.
+ *     It is yours and must outlive the window; may be NULL. Its number is read at each
+ *     hand-over: < 0 means that there is no data (any more). Several windows may share
+ *     an element
+ * anzahl_objekt, objekt  points of an object to show, copied during the call; NULL or
+ *     a number <= 0 for none. The new path looks at it
+ * rueck  called when the user hands over poses, with the list and its count; may be
+ *     NULL. The list is not changed until the next hand-over. If interpol_liste is
+ *     NULL, the elements belong to VIDES and are valid until rueck returns
+ * ende   called before the user closes the window; returning 0 keeps it open; may be
  *     NULL
  *
- * rueck and ende run on the thread that called v_haupt(), inside the host's
- * event loop, and may call any function of the library. They may come while the
- * host is in a modal dialog of its own, whose loop serves the window, too. They
- * return to their caller: no longjmp() and no exception may leave them. An exception that does
- * ends the program, after a line on standard error that names the callback.
- * What is wrong with the arguments, or that no window can be opened, is said
- * in one line on standard error, which begins "vides:", by v_last_error(), and
- * in the window if there is one. The window belongs to this thread and is
- * closed when it ends, which such a line says, too.
+ * rueck and ende run on the thread that called v_haupt(). The rules of v_editor_open()
+ * for callbacks apply to them.
+ *
+ * Wrong arguments, or a window that cannot be opened, are reported in one line on
+ * standard error that begins with "vides:", by v_last_error(), and in the window if
+ * there is one. When the thread ends, its window is closed, and such a line reports
+ * it.
  * From the thread that runs the event loop; from callbacks too.
  */
 void v_haupt(float move_speed,
@@ -878,11 +939,10 @@ void v_haupt(float move_speed,
              int (*ende)(void));
 
 /**
- * Frees all elements of a list but the first, which is the host's, and sets
- * the first one's number to -1 (no data). Only a list that VIDES made and that
- * is still linked and numbered as it was made is freed: otherwise nothing is
- * changed, and v_last_error() tells. A list without data (number < 0) and NULL
- * are no error; nothing happens.
+ * Frees all elements of a list except the first, which is yours, and sets the number
+ * of the first to -1 (no data). It frees only a list that VIDES made and whose links
+ * and numbers are unchanged; otherwise it changes nothing, and v_last_error() returns
+ * the reason. It ignores NULL and lists without data (number < 0).
  * Any thread, if no other uses the list meanwhile; from callbacks too.
  */
 void v_free_liste(V_KAMERAPAR *first);
@@ -891,55 +951,53 @@ void v_free_liste(V_KAMERAPAR *first);
 /* ---- The host's event loop --------------------------------------------------- */
 
 /**
- * A host with an Xt or Motif main loop needs none of these: its windows are
- * served by it, also where it asks XtAppPending() first, unless it takes
- * XtIMXEvent only. Any other host, also one with Xt under a select() of its own,
- * watches one descriptor among its own, or calls v_main_loop(). All of them
- * concern the windows that the calling thread has opened. A host that does
- * nothing of the kind finds a hint on standard error.
+ * Returns the descriptor to watch with select(), poll() or the like; when it is
+ * readable, call v_dispatch(). It remains the same and open as long as the thread
+ * lives, with and without windows. It belongs to the library: never read or close it.
+ * Returns -1 if the system has no more descriptors; v_last_error() returns the reason.
  *
- * The descriptor to be watched with select(), poll() or the like: when it is
- * readable, call v_dispatch(). It stays the same and open as long as the
- * thread lives, with and without windows; it is the library's: never read or
- * close it. -1 if the system gives no more descriptors; v_last_error() tells.
+ * A program with an Xt or Motif main loop needs none of these functions: Xt serves its
+ * windows, even if the program calls XtAppPending() first, unless it processes
+ * XtIMXEvent only. Any other program, including one that runs Xt under its own
+ * select(), watches this descriptor or calls v_main_loop(). Each function concerns the
+ * windows that the calling thread opened. If no loop serves a window, a hint appears
+ * on standard error.
  * The thread that opens the windows; from callbacks too.
  */
 int v_fd(void);
 
 /**
- * Milliseconds until v_dispatch() has something to do even if nobody touches
- * a window: the longest time to wait for the descriptor; -1 if there is no
- * limit. Who waits for v_fd() alone misses nothing, since it becomes readable
- * at that time.
+ * Returns the longest time in milliseconds to wait for the descriptor before
+ * v_dispatch() has something to do, even without input; -1 if there is no limit. You
+ * may also wait for v_fd() alone, which becomes readable at that time.
  * The thread that opens the windows; from callbacks too.
  */
 int v_timeout(void);
 
 /**
- * Does everything that there is to do for the windows at the moment, and
- * never waits. Callbacks run within it. How many windows are open; one that was
- * destroyed, or whose X server went away, is not among them, and v_last_error() tells.
- * From within a callback it serves all windows but those whose callbacks run.
+ * Does all pending work for the windows and never waits; callbacks run inside it.
+ * Returns the number of open windows. A window that was destroyed, or whose X server
+ * went away, is not counted; v_last_error() returns the reason. Inside a callback it
+ * serves all windows except those whose callbacks are running.
  * The thread that opens the windows; from callbacks too.
  */
 int v_dispatch(void);
 
 /**
- * Serves the windows until the last one is closed, and sleeps in between; for
- * a host that does nothing else meanwhile. Returns at once without windows.
- * The thread that opens the windows. V_ERR_BUSY from within a callback;
- * V_ERR_DISPLAY if a window was destroyed or its X server went away, when the others
- * are closed, too; V_ERR_LIMIT without descriptors.
+ * Serves the windows until the last one is closed, sleeping in between; for programs
+ * that do nothing else meanwhile. Returns at once if there are no windows.
+ * The thread that opens the windows. V_ERR_BUSY inside a callback; V_ERR_DISPLAY if a
+ * window was destroyed or its X server went away, once the others are closed too;
+ * V_ERR_LIMIT without descriptors.
  */
 int v_main_loop(void);
 
 /**
- * Has the windows of this thread served by an Xt application context, an
- * XtAppContext that this thread runs. Only needed by a host that makes its
- * context after it has opened a window: v_haupt() and v_editor_open() find all
- * contexts that are there.
- * The thread that opens the windows; from callbacks too. V_ERR_NULL,
- * V_ERR_ARGUMENT (no Xt in this program, or no such context), V_ERR_LIMIT.
+ * Lets an Xt application context, an XtAppContext run by this thread, serve the
+ * thread's windows. Needed only if your program creates its context after opening a
+ * window: v_haupt() and v_editor_open() find all existing contexts.
+ * The thread that opens the windows; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT
+ * (no Xt in this program, or no such context), V_ERR_LIMIT.
  */
 int v_set_app_context(void *app_context);
 
@@ -947,67 +1005,66 @@ int v_set_app_context(void *app_context);
 /* ---- Paths ------------------------------------------------------------------- */
 
 /**
- * A new path: two support points at (-0.6, 0.2, 0.8) and (0.6, 0.2, 0.8), each
- * with one orientation as v_orientation_init() makes it. *path is the
- * caller's, to be freed with v_path_free().
+ * Makes a new path: two points at (-0.6, 0.2, 0.8) and (0.6, 0.2, 0.8), each with one
+ * orientation as v_orientation_init() fills it in. Free *path with v_path_free().
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_MEMORY, V_ERR_LIMIT.
  */
 int v_path_new(V_PATH **path);
 
 /**
- * An independent copy of a path. *copy is the caller's, to be freed with
- * v_path_free().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY,
- * V_ERR_LIMIT.
+ * Makes an independent copy of a path. Free *copy with v_path_free().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY, V_ERR_LIMIT.
  */
-int v_path_clone(const V_PATH *path, V_PATH **copy);
+int v_path_clone(const V_PATH *path,
+                 V_PATH **copy);
 
 /**
- * Frees a path; its handle is not valid from now on. NULL is no error. A
- * handle that is not valid does no harm; v_last_error() tells. A call that
- * another thread has under way on this path ends as if it had come before.
+ * Frees a path and makes its handle invalid. NULL is ignored; an invalid handle only
+ * sets v_last_error(). If another thread is using the path, its call completes
+ * normally.
  * Any thread; from callbacks too.
  */
 void v_path_free(V_PATH *path);
 
 /**
- * Reads a path from a .vid file; of a scene (v_scene_load()) that of the camera
- * that is shown: to save it to that file would lose the rest of the scene. file
- * is a name as open() takes it. *path is the caller's, to be freed with
- * v_path_free().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT (with
- * line and reason in v_last_error()), V_ERR_ARGUMENT (that camera follows none, or
- * there is none), V_ERR_MEMORY, V_ERR_LIMIT. Memory that
- * runs out while the text itself is read or parsed ends the program.
+ * Reads a path from a .vid file. From a scene (see v_scene_load()) it reads the path
+ * of the camera shown; saving that to the same file would lose the rest of the scene.
+ * file is a name as for open(). Free *path with v_path_free().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT (with line and
+ * reason in v_last_error()), V_ERR_ARGUMENT (no camera, or it follows no path),
+ * V_ERR_MEMORY, V_ERR_LIMIT. If memory runs out while the text itself is read or
+ * parsed, the program ends.
  */
-int v_path_load(const char *file, V_PATH **path);
+int v_path_load(const char *file,
+                V_PATH **path);
 
 /**
- * Reads a path from the text of a .vid file in memory, as v_path_load() does; size
- * bytes of UTF-8, a zero behind them is not needed. *path is the caller's, to be freed with v_path_free().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_FORMAT (with line and reason
- * in v_last_error()), V_ERR_ARGUMENT (a scene without such a camera), V_ERR_MEMORY,
- * V_ERR_LIMIT. Memory that runs out while the text is parsed ends the program.
+ * Reads a path from the text of a .vid file in memory, like v_path_load(). text has
+ * size bytes of UTF-8 and need not be zero-terminated. Free *path with v_path_free().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_FORMAT (with line and reason in
+ * v_last_error()), V_ERR_ARGUMENT (a scene without such a camera), V_ERR_MEMORY (but
+ * see v_path_load()), V_ERR_LIMIT.
  */
 int v_path_load_from_memory(const char *text,
                             size_t size,
                             V_PATH **path);
 
 /**
- * Writes a path into a .vid file. Whatever happens, the file is afterwards
- * wholly the old or wholly the new one; when the call returns V_OK the new one
- * is on the disk. A symbolic link is followed, permissions are kept.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO,
- * V_ERR_MEMORY. Memory that runs out while the file is opened or written may
- * end the program; the old file stays.
+ * Saves a path to a .vid file. The file is replaced atomically; when the call returns
+ * V_OK, the new contents are on the disk. Symbolic links are followed and permissions
+ * kept.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_MEMORY. If
+ * memory runs out while the file is opened or written, the program may end; the old
+ * file is kept.
  */
-int v_path_save(const V_PATH *path, const char *file);
+int v_path_save(const V_PATH *path,
+                const char *file);
 
 /**
- * The text of a .vid file of a path in memory, ended by zero, as v_path_save() writes it
- * and v_path_load_from_memory() reads it; *length is its bytes without the zero. With a
- * capacity not larger than *length nothing else is written, and the answer is V_ERR_SIZE.
- * text NULL with capacity 0 only asks for *length.
+ * Gets the text that v_path_save() would write and that v_path_load_from_memory()
+ * reads, zero-terminated. *length is its number of bytes without the zero. If capacity
+ * is not larger than *length, only *length is written and the call fails with
+ * V_ERR_SIZE; with text NULL and capacity 0, only *length is written.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_LIMIT,
  * V_ERR_MEMORY.
  */
@@ -1017,60 +1074,65 @@ int v_path_save_to_memory(const V_PATH *path,
                           size_t *length);
 
 
-/* ---- Support points ---------------------------------------------------------- */
+/* ---- Points ------------------------------------------------------------------ */
 
 /**
- * How many support points a path has; at least 2. They are counted from 0.
+ * Gets the number of points of a path, at least 2. They count from 0. (The thesis
+ * calls them support points.)
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
  */
 int v_path_point_count(const V_PATH *path, int *count);
 
 /**
- * Inserts a support point before the one that is number at now; at = their
- * number appends. It takes all other properties from its predecessor, at 0
- * from its successor; an absolute target equal to the new position becomes
- * relative. Coordinates are finite, at most 1e9 half sizes from the centre of the space.
- * Any thread; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * Inserts a point before the one at index at; if at is their number, appends it. The
+ * new point copies all other properties from the point before it, or from the point
+ * after it if at is 0; an absolute target equal to the new position becomes relative.
+ * Coordinates are finite and at most 1e9 half sizes from the centre of the space.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+ * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_insert_point(V_PATH *path,
                         int at,
                         const double xyz[3]);
 
 /**
- * Divides the segment behind support point number segment by 1 to 10 new
- * support points on the curve, at equal arc lengths. They take all other
- * properties from the point before them.
- * Any thread; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * Divides a segment with 1 to 10 new points on its curve, at equal arc lengths. As in
+ * 1994, the new points copy all other properties from the point before them, so the
+ * motion changes. To keep the motion, use v_path_insert_on_curve(), as the window's
+ * Pos.++ does at the nearest whole frames.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT,
+ * V_ERR_MEMORY.
  */
-int v_path_divide_segment(V_PATH *path, int segment, int points);
+int v_path_divide_segment(V_PATH *path,
+                          int segment,
+                          int points);
 
 /**
- * Removes a support point. Two always remain.
- * Any thread; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_RANGE.
+ * Removes a point. The last two cannot be removed.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_remove_point(V_PATH *path, int at);
 
 /**
- * Moves a support point. Absolute targets stay where they are, relative ones
- * go along; a position equal to an absolute target of the point is refused.
- * Coordinates are finite, at most 1e9 half sizes from the centre of the space.
- * Any thread; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE.
+ * Moves a point. Absolute targets stay in place; relative ones move with it. The
+ * position must not equal an absolute target of the point. Coordinates are limited as
+ * in v_path_insert_point().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+ * V_ERR_RANGE.
  */
-int v_path_set_position(V_PATH *path, int at, const double xyz[3]);
+int v_path_set_position(V_PATH *path,
+                        int at,
+                        const double xyz[3]);
 
 /**
- * Where a support point lies.
+ * Gets the position of a point.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_get_position(const V_PATH *path, int at, double xyz[3]);
 
 /**
- * Gives a support point another number; those between the two places move up or down by
- * one. All that it has goes along.
+ * Moves a point with all its properties to another index; the points between shift by
+ * one.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
  */
 int v_path_move_point(V_PATH *path,
@@ -1078,14 +1140,15 @@ int v_path_move_point(V_PATH *path,
                       int to);
 
 /**
- * Names a support point: UTF-8, one line of at most 256 bytes; "" is none.
+ * Sets the name of a point: UTF-8, one line of at most 256 bytes; "" removes it.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
  * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_set_point_name(V_PATH *path, int at, const char *name);
 
 /**
- * The name of a support point, "" if it has none, as v_path_get_title() gives the title.
+ * Gets the name of a point, "" if it has none. The buffer works as in
+ * v_path_get_title().
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_SIZE.
  */
 int v_path_get_point_name(const V_PATH *path,
@@ -1098,10 +1161,9 @@ int v_path_get_point_name(const V_PATH *path,
 /* ---- Tension, continuity and bias of the curve ------------------------------- */
 
 /**
- * Gives a support point its own tension, continuity and bias, each from -1
- * to 1 (Kochanek and Bartels 1984).
- * Any thread; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_RANGE.
+ * Sets the tension, continuity and bias of a point, each from -1 to 1 (Kochanek and
+ * Bartels 1984), instead of a preset.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_set_tcb(V_PATH *path,
                    int at,
@@ -1110,24 +1172,25 @@ int v_path_set_tcb(V_PATH *path,
                    double bias);
 
 /**
- * Lets a support point follow one of the path's presets, 0 to 9.
- * Any thread; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_RANGE.
+ * Makes a point use one of the path's presets, 0 to 9.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_use_preset(V_PATH *path, int at, int preset);
 
 /**
- * Tension, continuity and bias in force at a support point, and the preset
- * that it follows, -1 for its own values. Each result may be NULL.
+ * Gets the tension, continuity and bias in effect at a point, and the preset that it
+ * uses, or -1 if it has its own values. Any result may be NULL.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
  */
-int v_path_get_tcb(const V_PATH *path, int at, double tcb[3], int *preset);
+int v_path_get_tcb(const V_PATH *path,
+                   int at,
+                   double tcb[3],
+                   int *preset);
 
 /**
- * Changes one of the path's ten presets, 0 to 9, and with it every support
- * point that follows it. Each value from -1 to 1.
- * Any thread; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_RANGE.
+ * Sets one of the path's ten presets, 0 to 9, which changes every point that uses it.
+ * Each value is from -1 to 1.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_set_preset(V_PATH *path,
                       int preset,
@@ -1136,7 +1199,7 @@ int v_path_set_preset(V_PATH *path,
                       double bias);
 
 /**
- * Tension, continuity and bias of a preset, 0 to 9.
+ * Gets the tension, continuity and bias of a preset, 0 to 9.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_get_preset(const V_PATH *path, int preset, double tcb[3]);
@@ -1145,28 +1208,29 @@ int v_path_get_preset(const V_PATH *path, int preset, double tcb[3]);
 /* ---- Orientations ------------------------------------------------------------ */
 
 /**
- * Fills in an orientation: size, looking along (0, 0, -1) (relative, target
- * (0, 0, -0.4)), roll 0, zoom 24, tension, continuity and bias 0, all speeds
- * 50, hold 0. NULL does nothing but set v_last_error().
+ * Fills in an orientation: size, viewing direction (0, 0, -1) (relative, target (0, 0,
+ * -0.4)), roll 0, zoom 24, tension, continuity and bias 0, all speeds 50, hold 0. NULL
+ * only sets v_last_error().
  * Any thread; from callbacks too.
  */
 void v_orientation_init(V_ORIENTATION *o);
 
 /**
- * How many orientations a support point has, 1 to 10. They are counted from
- * 0 and taken in this order: the camera comes in the first one, turns from
- * one to the next, and leaves in the last one.
+ * Gets the number of orientations of a point, 1 to 10. They count from 0, in the order
+ * in which the camera takes them: it arrives in the first, turns from one to the next,
+ * and leaves in the last.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
  */
-int v_path_orientation_count(const V_PATH *path, int point, int *count);
+int v_path_orientation_count(const V_PATH *path,
+                             int point,
+                             int *count);
 
 /**
- * Inserts an orientation before the one that is number at now; at = their
- * number appends. o is copied; NULL copies the orientation before, at 0 the
- * one that was the first.
- * Any thread; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT,
- * V_ERR_MEMORY.
+ * Inserts an orientation before the one at index at; if at is their number, appends
+ * it. o is copied; NULL copies the orientation before the new one, or the first one if
+ * at is 0.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+ * V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_insert_orientation(V_PATH *path,
                               int point,
@@ -1174,54 +1238,61 @@ int v_path_insert_orientation(V_PATH *path,
                               const V_ORIENTATION *o);
 
 /**
- * Removes an orientation. One always remains.
- * Any thread; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_RANGE.
+ * Removes an orientation. The only one of a point cannot be removed.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_remove_orientation(V_PATH *path, int point, int at);
 
 /**
- * Changes all values of an orientation; o is copied. What an orientation may
- * have besides (ease, given distance, fixed frames, a view along the way)
- * stays.
- * Any thread; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_SIZE.
+ * Sets all values of an orientation; o is copied. Settings that V_ORIENTATION does not
+ * have (ease, distance curve, fixed frames, looking ahead) are unchanged.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+ * V_ERR_RANGE, V_ERR_SIZE.
  */
-int v_path_set_orientation(V_PATH *path, int point, int at, const V_ORIENTATION *o);
+int v_path_set_orientation(V_PATH *path,
+                           int point,
+                           int at,
+                           const V_ORIENTATION *o);
 
 /**
- * The values of an orientation. o->size must be set before, for instance by
+ * Gets the values of an orientation. Set o->size before, for example with
  * v_orientation_init().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
- * V_ERR_SIZE.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_SIZE.
  */
-int v_path_get_orientation(const V_PATH *path, int point, int at, V_ORIENTATION *o);
+int v_path_get_orientation(const V_PATH *path,
+                           int point,
+                           int at,
+                           V_ORIENTATION *o);
 
 /**
- * Makes the target of an orientation absolute (not 0) or relative (0); the
- * view stays as it is.
- * Any thread; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_RANGE.
+ * Makes the target of an orientation absolute (not 0) or relative (0). The view does
+ * not change.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
  */
-int v_path_set_absolute(V_PATH *path, int point, int at, int absolute);
+int v_path_set_absolute(V_PATH *path,
+                        int point,
+                        int at,
+                        int absolute);
 
 /**
- * Lets an orientation look along the way, and no longer at its target. A
- * section between two orientations that look equally far ahead and have the same
- * up follows its way exactly.
+ * Makes an orientation look ahead along the path instead of at its target. In a
+ * section between two orientations with the same distance and the same up, the camera
+ * looks ahead throughout.
  *
- * distance  0: along the tangent; greater: at the place so far ahead on the
- *     curve, behind the end of which it looks on straight; less: no longer
- *     ahead, but in the direction in which it looked, as an offset. At most 1e9
- *     half sizes of the space
- * Any thread; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
+ * distance  0: along the tangent; > 0: at the position this far ahead on the curve,
+ *     straight on beyond its end; < 0: stops looking ahead and keeps the present
+ *     direction as an offset. At most 1e9 half sizes of the space
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+ * V_ERR_RANGE, V_ERR_MEMORY.
  */
-int v_path_set_ahead(V_PATH *path, int point, int at, double distance);
+int v_path_set_ahead(V_PATH *path,
+                     int point,
+                     int at,
+                     double distance);
 
 /**
- * How far along the way an orientation looks ahead, see v_path_set_ahead(); -1 where it
- * looks at its target.
+ * Gets how far ahead an orientation looks, see v_path_set_ahead(); -1 if it looks at
+ * its target.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_get_ahead(const V_PATH *path,
@@ -1230,24 +1301,24 @@ int v_path_get_ahead(const V_PATH *path,
                      double *distance);
 
 /**
- * Which way is up for an orientation, before its roll; with any view. A section
- * between two orientations with the same view and the same up follows both
- * all the way.
+ * Sets which way is up for an orientation, before its roll, whether it looks at a
+ * target or ahead. In a section between two orientations with the same view and the
+ * same up, the camera keeps both throughout.
  *
- * up  "axis"     the vertical of the space, as in a new path
+ * up  "axis"     the up axis of the space, the default
  *     "point"    towards up_point
- *     "path"     towards the place on up_path at the same share of its length; its
- *                curve is copied, a closed one ends where it begins
- *     "minimal"  never turned about the view: it begins with the vertical and is
- *                carried on through all orientations that have it; what it misses
- *                on a closed path is spread over the length
+ *     "path"     towards the position on up_path at the same fraction of its length.
+ *                The curve is copied; a closed one ends where it begins
+ *     "minimal"  starts with the up axis and is carried on without turning about the
+ *                view, through all consecutive orientations that have it; on a closed
+ *                path, the angle missing at the end is spread over the length
  *     "frenet"   the normal of the curve; only for curves of kind "cubic" whose
- *                points own no tangents
- *     "y", "z"   this axis, whatever is upright
- * What an up does not need may be NULL. At most 10 different up paths, each with at
- * most 1000 points.
- * Any thread; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ *                points have no tangents of their own
+ *     "y", "z"   this axis, whatever the space's up axis
+ * Arguments that an up does not need may be NULL. A path has at most 10 different up
+ * paths, each with at most 1000 points.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+ * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_set_up(V_PATH *path,
                   int point,
@@ -1257,12 +1328,15 @@ int v_path_set_up(V_PATH *path,
                   const V_PATH *up_path);
 
 /**
- * Which way is up for an orientation, as v_path_set_up() takes it: the name, whose text
- * is the library's and stays; up_point, of "point" (else zeros); and *up_path, of "path"
- * (else NULL), an open path with that curve, the caller's, to be freed with
- * v_path_free(). Each result may be NULL.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
- * V_ERR_LIMIT, V_ERR_MEMORY.
+ * Gets which way is up for an orientation, see v_path_set_up(). Any result may be
+ * NULL.
+ *
+ * up        its name; the text belongs to the library and is constant
+ * up_point  the point of "point", otherwise zeros
+ * up_path   an open path with the curve of "path", to be freed with v_path_free();
+ *     otherwise NULL
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT,
+ * V_ERR_MEMORY.
  */
 int v_path_get_up(const V_PATH *path,
                   int point,
@@ -1275,10 +1349,14 @@ int v_path_get_up(const V_PATH *path,
 /* ---- What holds for the whole path ------------------------------------------- */
 
 /**
- * Sets how many poses a path has at speed 50, each finite and > 0: for a way of
- * one half size of its space (move), for turning by 180 degrees (turn), for the
- * zoom from 1 to 100 (zoom), for rolling by 90 degrees (roll). v_haupt() calls
- * them its speeds.
+ * Sets the base speeds of a path: the number of frames that each movement takes at
+ * speed 50, finite and > 0, so that a larger value is slower. v_haupt() calls them
+ * speeds.
+ *
+ * move_frames  moving by one half size of the space (v_path_set_space())
+ * turn_frames  turning by 180 degrees
+ * zoom_frames  zooming from 1 to 100
+ * roll_frames  rolling by 90 degrees
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT.
  */
 int v_path_set_base_frames(V_PATH *path,
@@ -1288,7 +1366,7 @@ int v_path_set_base_frames(V_PATH *path,
                            double roll_frames);
 
 /**
- * The frames of v_path_set_base_frames(). Each result may be NULL.
+ * Gets the base speeds, see v_path_set_base_frames(). Any result may be NULL.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
  */
 int v_path_get_base_frames(const V_PATH *path,
@@ -1298,45 +1376,43 @@ int v_path_get_base_frames(const V_PATH *path,
                            double *roll_frames);
 
 /**
- * Joins the last support point to the first by one more segment (not 0), or
- * opens the path (0).
- * Any thread; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE.
+ * Closes a path with one more segment from the last point to the first (not 0), or
+ * opens it (0).
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
  */
 int v_path_set_closed(V_PATH *path, int closed);
 
 /**
- * Whether a path is closed: 1 or 0.
+ * Gets whether a path is closed: 1 or 0.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
  */
 int v_path_get_closed(const V_PATH *path, int *closed);
 
 /**
  * Sets how the camera turns between its orientations (V_ORIENTATION_TCB,
- * V_ORIENTATION_BARRY_GOLDMAN, V_ORIENTATION_SLERP) and how the zoom runs
+ * V_ORIENTATION_BARRY_GOLDMAN, V_ORIENTATION_SLERP) and how the zoom changes
  * (V_ZOOM_SMOOTH, V_ZOOM_LINEAR).
- * Any thread; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_RANGE.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_set_modes(V_PATH *path, int orientation_mode, int zoom_mode);
 
 /**
- * The modes, see v_path_set_modes(). Each result may be NULL.
+ * Gets the modes, see v_path_set_modes(). Any result may be NULL.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
  */
 int v_path_get_modes(const V_PATH *path, int *orientation_mode, int *zoom_mode);
 
 /**
- * Sets what a path is called: UTF-8, one line of at most 256 bytes; "" is none.
+ * Sets the title of a path: UTF-8, one line of at most 256 bytes; "" removes it.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
  * V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_set_title(V_PATH *path, const char *title);
 
 /**
- * What a path is called, ended by zero; *length is its bytes without the zero.
- * With a capacity not larger than *length nothing else is written, and the answer
- * is V_ERR_SIZE. title NULL with capacity 0 only asks for *length.
+ * Gets the title of a path, zero-terminated. *length is its number of bytes without
+ * the zero. If capacity is not larger than *length, only *length is written and the
+ * call fails with V_ERR_SIZE; with title NULL and capacity 0, only *length is written.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE.
  */
 int v_path_get_title(const V_PATH *path,
@@ -1345,14 +1421,14 @@ int v_path_get_title(const V_PATH *path,
                      size_t *length);
 
 /**
- * Sets the comment of a path: UTF-8, any lines; "" is none.
+ * Sets the comment of a path: UTF-8, any number of lines; "" removes it.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
  * V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_set_comment(V_PATH *path, const char *comment);
 
 /**
- * The comment of a path, as v_path_get_title() gives the title.
+ * Gets the comment of a path, like v_path_get_title().
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE.
  */
 int v_path_get_comment(const V_PATH *path,
@@ -1361,45 +1437,46 @@ int v_path_get_comment(const V_PATH *path,
                        size_t *length);
 
 /**
- * Sets how many poses are shown in a second, > 0 and at most 100000; it changes no
- * pose. A new path has 25.
+ * Sets the frame rate in frames per second, > 0 and at most 100000, by default 25.
+ * Poses do not change.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_set_fps(V_PATH *path, double fps);
 
 /**
- * How many poses are shown in a second.
+ * Gets the frame rate in frames per second.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
  */
 int v_path_get_fps(const V_PATH *path, double *fps);
 
 /**
- * Sets the number that the first pose has in the user's film; a new path has 1.
- * Files written in other formats count from it; the library itself counts poses
- * from 1.
+ * Sets the number of the first pose in the user's film, by default 1. Files in other
+ * formats count from it; the library itself counts poses from 1.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
  */
-int v_path_set_first_frame(V_PATH *path, int number);
+int v_path_set_first_frame(V_PATH *path,
+                           int number);
 
 /**
- * The number that the first pose has in the user's film.
+ * Gets the number of the first pose in the user's film.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
  */
 int v_path_get_first_frame(const V_PATH *path, int *number);
 
 /**
- * Sets the object that is shown with a path, copied; NULL: none. Its lines and the
- * edges of its triangles are drawn (of more than 1,000,000 points of lines those at
- * which it ends or bends), its triangles are there for v_path_check().
+ * Sets the object that is shown with a path, copied; NULL: none. The window draws its
+ * lines and the edges of its triangles; if lines have more than 1,000,000 points in
+ * all, only the points where they end or bend. v_path_check() uses the triangles.
  * Any thread; from callbacks too. V_ERR_NULL (path), V_ERR_SIZE, V_ERR_HANDLE,
  * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
-int v_path_set_object(V_PATH *path, const V_MESH *object);
+int v_path_set_object(V_PATH *path,
+                      const V_MESH *object);
 
 /**
- * The object that is shown with a path, with its triangles if it has any; no points if
- * there is none. What the mesh points to is the library's, and valid until the same
- * thread's next call of this function, or its end. mesh->size must be set before.
+ * Gets the object that is shown with a path, with its triangles if it has any; 0
+ * points if there is no object. The arrays belong to the library and are valid until
+ * the same thread's next call of this function or its end. Set mesh->size before.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_MEMORY.
  */
 int v_path_get_object(const V_PATH *path,
@@ -1409,27 +1486,27 @@ int v_path_get_object(const V_PATH *path,
 /* ---- Properties by name ------------------------------------------------------ */
 
 /**
- * Sets a property of a path by its name, as `vides set` does: "closed", "fps",
- * "point.2.position", "point.2.zoom" (of its first orientation),
- * "point.2.view.3.zoom" and so on; the names are those of the keys in .vid files
- * (docs/files.md), with points and orientations counted from 1. value is written as
- * there, "30" or "[0, 1, 2]"; a text needs no quotes, and "" gives back what a new
- * path has. One step, wholly or not at all.
+ * Sets a property of a path by its name, like `vides set`, atomically and in one step.
+ *
+ * name   a key of .vid files (docs/files.md), with points and orientations counted
+ *     from 1: "closed", "fps", "point.2.position", "point.2.zoom" (of its first
+ *     orientation), "point.2.view.3.zoom" and so on
+ * value  as in the file: "30" or "[0, 1, 2]". Text needs no quotes; "" restores the
+ *     value of a new path
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE (no such
- * property, point or orientation), V_ERR_ARGUMENT (no value for it; the message has its
- * name), V_ERR_LIMIT, V_ERR_MEMORY. Memory that runs out while the value itself is
- * parsed ends the program.
+ * property, point or orientation), V_ERR_ARGUMENT (not a value for it; the message
+ * names it), V_ERR_LIMIT, V_ERR_MEMORY. If memory runs out while the value itself is
+ * parsed, the program ends.
  */
 int v_path_set_property(V_PATH *path,
                         const char *name,
                         const char *value);
 
 /**
- * The value of a property as it stands in a .vid file, "" if it has none; see
- * v_path_set_property(). value, capacity and *length are as those of
- * v_path_get_title().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT,
- * V_ERR_RANGE (no such property), V_ERR_MEMORY.
+ * Gets the value of a property as written in a .vid file, "" if it has none; see
+ * v_path_set_property(). The buffer works as in v_path_get_title().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
+ * V_ERR_ARGUMENT, V_ERR_RANGE (no such property), V_ERR_MEMORY.
  */
 int v_path_get_property(const V_PATH *path,
                         const char *name,
@@ -1441,17 +1518,20 @@ int v_path_get_property(const V_PATH *path,
 /* ---- Where a path lies ------------------------------------------------------- */
 
 /**
- * The movement space is a cube in the host's world: its centre, half the length of
- * its edge, and the axis that stands upright (V_UP_Y, V_UP_Z). All places,
- * offsets, tangents and lengths of a path are the world's own numbers; only base
- * frames count ways in half sizes, and so do the distances below which nothing
- * moves, so that they mean the same in metres and in angstroms. A new path has
- * (0, 0, 0), 1 and V_UP_Y.
+ * Sets the space of a path, a cube in your world; the path's coordinates do not
+ * change.
  *
- * Sets the space; the path's numbers stay what they are. The half size is from
- * 1e-30 to 1e30; centre, points and targets may be up to 1e9 half sizes away.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a
- * number that is not finite), V_ERR_RANGE.
+ * centre     (0, 0, 0) in a new path
+ * half_size  half the length of its edge, 1e-30 to 1e30; 1 in a new path. Centre,
+ *     points and targets are at most 1e9 half sizes away
+ * up         V_UP_Y, as in a new path, or V_UP_Z
+ *
+ * Positions, offsets, tangents and lengths of a path are in your world's units. Base
+ * frames, limits (V_LIMITS, v_path_check()) and the distances below which nothing
+ * moves are counted in half sizes, so that they mean the same in metres and in
+ * angstroms.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a number
+ * that is not finite), V_ERR_RANGE.
  */
 int v_path_set_space(V_PATH *path,
                      const double centre[3],
@@ -1459,7 +1539,7 @@ int v_path_set_space(V_PATH *path,
                      int up);
 
 /**
- * The space of a path. Each result may be NULL.
+ * Gets the space of a path. Any result may be NULL.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
  */
 int v_path_get_space(const V_PATH *path,
@@ -1468,27 +1548,24 @@ int v_path_get_space(const V_PATH *path,
                      int *up);
 
 /**
- * Fills in a space: size, centre (0, 0, 0), half size 1, V_UP_Y. NULL does nothing but
- * set v_last_error(). In C a macro of this name hands the struct's size on to
- * v_space_init_sized(); the function itself, for other languages, fills in the struct
- * of version 1.0.
+ * Fills in a space: size, centre (0, 0, 0), half_size 1, V_UP_Y. NULL only sets
+ * v_last_error(). In C, a macro of this name passes the struct's size on, as for
+ * v_editor_options_init().
  * Any thread; from callbacks too.
  */
 void v_space_init(V_SPACE *space);
 
 /**
- * As v_space_init(), for a struct that is size bytes long. One shorter than in version
- * 1.0 stays as it is, and v_last_error() says so. What is behind the fields that the
- * library knows is not touched, and size is set to what was filled in.
+ * Like v_space_init(), for a struct of size bytes, see v_editor_options_init_sized().
  * Any thread; from callbacks too.
  */
 void v_space_init_sized(V_SPACE *space,
                         size_t size);
 
 /**
- * As v_path_new(), with the path lying in a space as v_path_new()'s lies in its own: as
- * in a new window that is given this space. space may be NULL: as v_path_new(). *path
- * is the caller's, to be freed with v_path_free().
+ * Makes a new path in a space, placed as the path of v_path_new() is in its own; the
+ * same as in a new window with this space. NULL: like v_path_new(). Free *path with
+ * v_path_free().
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT (a number
  * that is not finite), V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
  */
@@ -1496,41 +1573,43 @@ int v_path_new_in_space(const V_SPACE *space,
                         V_PATH **path);
 
 /**
- * Makes another axis stand upright (V_UP_Y, V_UP_Z) and turns nothing that one sees:
- * each pose stays, between frames, too. Rolls are measured against the new axis.
- * Where views track a target or look along the way, their ups become "y" or "z",
- * the axis that was upright (v_path_set_up()); ups "y" or "z" that are upright now
- * become "axis".
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
- * V_ERR_MEMORY.
+ * Changes the up axis of a path (V_UP_Y, V_UP_Z) without changing what the camera
+ * sees: all poses stay the same, between frames too. Rolls are then measured from the
+ * new axis. Views that track a target or look ahead get the old axis as their up, "y"
+ * or "z" (v_path_set_up()); ups "y" or "z" that equal the new axis become "axis".
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
  */
 int v_path_change_up(V_PATH *path,
                      int up);
 
 /**
- * How an orientation must be to look as a camera does in a pose, such as the
- * host's own: relative, target the pose's vpn, and its roll and zoom; all else in
- * *orientation stays, so that v_orientation_init() must have filled it in before.
- * up is the upright axis of the path that it is for (V_UP_Y, V_UP_Z). vpn and vup
- * may have any length but zero; vup need not be perpendicular to vpn, but not
- * parallel.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT,
- * V_ERR_RANGE (zoom, up).
+ * Makes an orientation look like the camera of a pose, such as your program's own.
+ * Sets a relative target, the pose's vpn, and roll and zoom; everything else in
+ * *orientation is unchanged, so call v_orientation_init() before. up is the up axis of
+ * the path that it is for (V_UP_Y, V_UP_Z). vpn and vup may have any length but zero;
+ * vup need not be perpendicular to vpn, but must not be parallel to it.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE
+ * (zoom, up).
  */
-int v_orientation_from_pose(const V_POSE *pose, int up, V_ORIENTATION *orientation);
+int v_orientation_from_pose(const V_POSE *pose,
+                            int up,
+                            V_ORIENTATION *orientation);
 
 
 /* ---- Kind of the curve, tangents --------------------------------------------- */
 
 /**
  * Sets how the curve leads through the points: "tcb" by tension, continuity
- * and bias (Kochanek and Bartels 1984; the default), "cubic" as a cubic spline
- * with a continuous second derivative, "linear" straight. Tangents that points
+ * and bias (Kochanek and Bartels 1984; the default), "centripetal" and "chordal"
+ * the same with regard to how far the points are apart (Yuksel et al. 2011: no
+ * cusp or loop, and no way back, where points stand close), "cubic" as a cubic
+ * spline with a continuous second derivative, "linear" straight. Tangents that points
  * own hold in each.
  * Any thread; from callbacks too. V_ERR_NULL,
  * V_ERR_HANDLE, V_ERR_RANGE.
  */
-int v_path_set_curve(V_PATH *path, const char *kind);
+int v_path_set_curve(V_PATH *path,
+                     const char *kind);
 
 /**
  * How the curve leads through the points, see v_path_set_curve(). The text is
@@ -1572,7 +1651,9 @@ int v_path_get_tangents(const V_PATH *path,
  * one frame where it is asked for, and there are two then). So that nothing
  * changes, the points beside it own their tangents from then on, and
  * orientations their angular velocity, their slopes of zoom and roll, and a
- * part of the old pace.
+ * part of the old pace. These tangents are removed when their point or one
+ * beside it moves, unless they move together; v_path_set_tangents() makes them
+ * the point's own for good.
  *
  * frame  from 1 to the number of frames, not at a key and not in a pan; the
  *     orientation mode must not be V_ORIENTATION_BARRY_GOLDMAN
@@ -1583,18 +1664,18 @@ int v_path_get_tangents(const V_PATH *path,
 int v_path_insert_on_curve(V_PATH *path, double frame, int *at);
 
 
-/* ---- Pace -------------------------------------------------------------------- */
+/* ---- Speed profile ----------------------------------------------------------- */
 
 /**
- * Speeding up, cruising and slowing down as a function.
+ * Gets distance and speed of an ease: speeding up, cruising and slowing down.
  *
  * kind  V_EASE_SINE or V_EASE_PARABOLIC
- * rise, fall  shares of the time for speeding up and slowing down, not
- *     negative, together at most 1
+ * rise, fall  fractions of the time for speeding up and slowing down, not negative,
+ *     together at most 1
  * t     from 0 to 1
- * distance  the share of the way at t, 0 to 1
+ * distance  fraction of the distance covered at t, 0 to 1
  * speed     its derivative
- * Each result may be NULL.
+ * Any result may be NULL.
  * Any thread; from callbacks too. V_ERR_ARGUMENT, V_ERR_RANGE.
  */
 int v_ease(int kind,
@@ -1605,15 +1686,15 @@ int v_ease(int kind,
            double *speed);
 
 /**
- * Lets the section that begins with an orientation speed up, cruise and slow
- * down, in place of its ten speeds or a given distance.
+ * Makes the section that begins with an orientation speed up, cruise and slow down,
+ * instead of using its ten speeds or a distance curve.
  *
- * kind  V_EASE_SINE, V_EASE_PARABOLIC, or -1: the ten speeds again, the other
- *     values are not looked at
- * rise, fall  shares of the time, as in v_ease()
+ * kind  V_EASE_SINE, V_EASE_PARABOLIC, or -1: back to the ten speeds; the other values
+ *     are ignored
+ * rise, fall  fractions of the time, as in v_ease()
  * cruise  the cruising speed, 1 to 100
- * Any thread; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+ * V_ERR_RANGE, V_ERR_MEMORY.
  */
 int v_path_set_ease(V_PATH *path,
                     int point,
@@ -1624,8 +1705,8 @@ int v_path_set_ease(V_PATH *path,
                     double cruise);
 
 /**
- * How the section that begins with an orientation eases, see v_path_set_ease();
- * kind -1 and zeros where it does not. Each result may be NULL.
+ * Gets the ease of the section that begins with an orientation, see v_path_set_ease();
+ * kind -1 and zeros if it has none. Any result may be NULL.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_get_ease(const V_PATH *path,
@@ -1637,16 +1718,15 @@ int v_path_get_ease(const V_PATH *path,
                     double *cruise);
 
 /**
- * Gives the section that begins with an orientation its distance as a function
- * of time, in place of its ten speeds or an ease: keys joined smoothly, without
- * going back.
+ * Sets the distance curve of the section that begins with an orientation: distance as
+ * a function of time, instead of its ten speeds or an ease. It runs smoothly through
+ * the keys and never goes back.
  *
- * time_way  pairs (share of the time, share of the way), from 0, 0 to 1, 1, both
- *     increasing
- * keys      how many pairs, 2 to 32; 0: the ten speeds again, time_way is not
- *     looked at
- * Any thread; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
+ * time_way  pairs (fraction of the time, fraction of the distance), from 0, 0 to 1, 1,
+ *     both increasing
+ * keys      number of pairs, 2 to 32; 0: back to the ten speeds; time_way is ignored
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+ * V_ERR_RANGE, V_ERR_MEMORY.
  */
 int v_path_set_distance(V_PATH *path,
                         int point,
@@ -1655,10 +1735,11 @@ int v_path_set_distance(V_PATH *path,
                         size_t keys);
 
 /**
- * The given distance of the section that begins with an orientation: as many pairs as
- * *keys says, see v_path_set_distance(); 0 where none is given. capacity is the number of
- * pairs that there is room for; with too little nothing is written but *keys, and the
- * answer is V_ERR_SIZE. time_way NULL with capacity 0 only asks for *keys.
+ * Gets the distance curve of the section that begins with an orientation, see
+ * v_path_set_distance(). *keys is the number of pairs, 0 if it has none. capacity is
+ * the number of pairs that time_way has room for. If that is too small, only *keys is
+ * written and the call fails with V_ERR_SIZE; with time_way NULL and capacity 0, only
+ * *keys is written.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_SIZE.
  */
 int v_path_get_distance(const V_PATH *path,
@@ -1672,45 +1753,61 @@ int v_path_get_distance(const V_PATH *path,
 /* ---- Fixed frames ------------------------------------------------------------ */
 
 /**
- * Gives the section that begins with an orientation so many frames, whatever
- * its length; 0: by its length again. A section in which nothing changes has
- * none all the same.
- * Any thread; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
- */
-int v_path_set_frames(V_PATH *path, int point, int at, size_t frames);
-
-/**
- * The fixed frames of the section that begins with an orientation; 0: by length.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
- */
-int v_path_get_frames(const V_PATH *path, int point, int at, size_t *frames);
-
-/**
- * Whether the section that begins with an orientation keeps its frames where
- * v_path_fit_frames() brings a whole to a number of frames; 0: no.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
+ * Fixes the number of frames of the section that begins with an orientation, whatever
+ * its length; 0: it follows from the length again. A section in which nothing changes
+ * always has 0 frames. The path may have at most 100000000 frames in all.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT,
  * V_ERR_MEMORY.
  */
-int v_path_set_frames_locked(V_PATH *path, int point, int at, int locked);
+int v_path_set_frames(V_PATH *path,
+                      int point,
+                      int at,
+                      size_t frames);
 
 /**
- * Whether the section that begins with an orientation keeps its frames so: 0 or 1.
+ * Gets the fixed frames of the section that begins with an orientation; 0: they follow
+ * from the length.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
  */
-int v_path_get_frames_locked(const V_PATH *path, int point, int at, int *locked);
+int v_path_get_frames(const V_PATH *path,
+                      int point,
+                      int at,
+                      size_t *frames);
 
 /**
- * Fixes the frames of all moving sections from the first orientation of one
- * support point to the last one of another, so that from the first pose to the
- * last there are exactly frames, holds included. Each section has one, the rest
- * goes in proportion to what they had, by largest remainder, ties to the
- * earlier; locked ones keep theirs. With 0 and the last point v_path_frame_count() is then exactly
- * frames, closed paths with the way back to the first point; on a closed path
- * first_point may lie behind last_point. Too few are refused, v_last_error()
- * names the least possible number.
- * Any thread; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
+ * Sets whether v_path_fit_frames() keeps the frames of the section that begins with an
+ * orientation (not 0) or not (0).
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
+ */
+int v_path_set_frames_locked(V_PATH *path,
+                             int point,
+                             int at,
+                             int locked);
+
+/**
+ * Gets whether the frames of a section are locked, see v_path_set_frames_locked(): 1
+ * or 0.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+ */
+int v_path_get_frames_locked(const V_PATH *path,
+                             int point,
+                             int at,
+                             int *locked);
+
+/**
+ * Fixes the frames of all moving sections between two points, so that there are
+ * exactly frames from the first pose at first_point to the last pose at last_point,
+ * holds included. With 0 and the last point, v_path_frame_count() is then exactly
+ * frames; on a closed path that includes the way back to the first point. On a closed
+ * path first_point may also be after last_point.
+ *
+ * Frames are shared in proportion to those that sections have now (unrounded if they
+ * follow from the length), at least one each, by largest remainder; ties go to the
+ * earlier section. Locked sections keep their frames. Frames fixed by an earlier call
+ * count as they are; v_path_set_frames() with 0 makes them follow from the length
+ * again. If frames is too small, the call fails and v_last_error() returns the
+ * smallest possible number.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
  */
 int v_path_fit_frames(V_PATH *path,
                       int first_point,
@@ -1721,30 +1818,34 @@ int v_path_fit_frames(V_PATH *path,
 /* ---- The curve --------------------------------------------------------------- */
 
 /**
- * The length of the whole curve, in the units of the positions.
+ * Gets the length of the whole curve, in the units of the positions.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY.
  */
 int v_path_length(const V_PATH *path, double *length);
 
 /**
- * The length of one segment. Segment n leads from support point n to the next;
- * a closed path has one more, from the last to the first.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
- * V_ERR_MEMORY.
+ * Gets the length of a segment. Segment n leads from point n to the next; a closed
+ * path has one more, from the last point to the first.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
  */
-int v_path_segment_length(const V_PATH *path, int segment, double *length);
+int v_path_segment_length(const V_PATH *path,
+                          int segment,
+                          double *length);
 
 /**
- * The point of a segment at t from 0 to 1, the parameter of the spline itself
- * (not of the length).
+ * Gets the position on a segment at t from 0 to 1, the parameter of the spline (not of
+ * its length).
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
  * V_ERR_RANGE, V_ERR_MEMORY.
  */
-int v_path_curve_point(const V_PATH *path, int segment, double t, double xyz[3]);
+int v_path_curve_point(const V_PATH *path,
+                       int segment,
+                       double t,
+                       double xyz[3]);
 
 /**
- * The point of a segment at the length s from its start, 0 to the segment's
- * length.
+ * Gets the position on a segment at the distance s from its start, measured along the
+ * curve, from 0 to the length of the segment.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
  * V_ERR_RANGE, V_ERR_MEMORY.
  */
@@ -1757,10 +1858,10 @@ int v_path_point_at_length(const V_PATH *path,
 /* ---- Tools ------------------------------------------------------------------- */
 
 /**
- * A path by a ready-made move, at 25 frames a second. Its numbers stand in the
- * order below, a place as three; those behind count have their defaults. Headings
- * are seen from the target: 0 lies towards +z, 90 towards +x. All its sections have one
- * speed.
+ * Makes a path by a ready-made move, at 25 frames per second; all its sections have
+ * one speed. parameters has the numbers in the order below, a position as three; those
+ * after count have the defaults in parentheses. Headings are seen from the target: 0
+ * is towards +z, 90 towards +x. Free *path with v_path_free().
  *
  * "orbit"  on a circle round a target
  *     around x y z (0), radius (1), height (0.4), from degrees (0), turns (1),
@@ -1790,7 +1891,6 @@ int v_path_point_at_length(const V_PATH *path,
  *     around x y z (0), radius (0.7), height (0.4), width (1.2),
  *     from degrees (0), zoom mm (24), seconds (10)
  *
- * *path is the caller's, to be freed with v_path_free().
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE,
  * V_ERR_LIMIT, V_ERR_MEMORY.
  */
@@ -1800,14 +1900,13 @@ int v_path_from_move(const char *move,
                      V_PATH **path);
 
 /**
- * As v_path_from_move(), in a space: where it has V_UP_Z, headings lie towards +x (0)
- * and +y (90) and heights along z. Lengths behind count have their defaults times its
- * half size, places its centre.
+ * Like v_path_from_move(), in a space. With V_UP_Z, headings are towards +x (0) and +y
+ * (90), and heights along z. Default lengths are multiplied by the half size of the
+ * space; default positions are its centre. Free *path with v_path_free().
  *
- * space   see v_space_init(); NULL: centre (0, 0, 0), half size 1, V_UP_Y
- * *path is the caller's, to be freed with v_path_free().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT,
- * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * space   see v_space_init(); NULL: centre (0, 0, 0), half_size 1, V_UP_Y
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE,
+ * V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_from_move_in_space(const char *move,
                               const double *parameters,
@@ -1816,14 +1915,14 @@ int v_path_from_move_in_space(const char *move,
                               V_PATH **path);
 
 /**
- * Moves, turns, scales and mirrors the support points from first_point to
- * last_point, tangents that they own with them.
+ * Moves, turns, scales and mirrors the points from first_point to last_point,
+ * including their own tangents.
  *
  * matrix  column by column, without shear; its last row is 0 0 0 1
- * with_targets  1: what their cameras see goes along, targets, views and rolls;
- *     0: absolute targets stay, relative ones keep their direction
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (shear,
- * or a point would lie on its own target), V_ERR_RANGE, V_ERR_MEMORY.
+ * with_targets  1: targets, views and rolls are transformed too; 0: absolute targets
+ *     stay in place, relative ones keep their direction
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (shear, or
+ * a point would be at its own target), V_ERR_RANGE, V_ERR_MEMORY.
  */
 int v_path_transform(V_PATH *path,
                      int first_point,
@@ -1832,11 +1931,11 @@ int v_path_transform(V_PATH *path,
                      int with_targets);
 
 /**
- * Deforms the support points from first_point to last_point as v_deform() does,
- * tangents that they own with them.
+ * Deforms the points from first_point to last_point like v_deform(), including their
+ * own tangents.
  *
- * box    NULL: that of the points' positions
- * with_targets  1: their targets are deformed too; 0: they stay
+ * box    NULL: the bounds of the points' positions
+ * with_targets  1: their targets are deformed too; 0: they are unchanged
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
  * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
@@ -1850,11 +1949,11 @@ int v_path_deform(V_PATH *path,
                   int with_targets);
 
 /**
- * The support points from first_point to last_point as a path of their own, open,
- * with the curve that they have; on a closed path first_point may lie behind
- * last_point. *block is the caller's, to be freed with v_path_free().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
- * V_ERR_MEMORY, V_ERR_LIMIT.
+ * Copies the points from first_point to last_point into a new, open path with the same
+ * curve. On a closed path first_point may be after last_point. Free *block with
+ * v_path_free().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY,
+ * V_ERR_LIMIT.
  */
 int v_path_extract(const V_PATH *path,
                    int first_point,
@@ -1862,41 +1961,45 @@ int v_path_extract(const V_PATH *path,
                    V_PATH **block);
 
 /**
- * Puts a path in behind support point at; block stays as it is and may be the same
- * path. Its curve stays, and all other of the path; at the join both ways have one
- * direction. But with V_FIT_NONE its first point becomes one with point at, whose
- * views stay; with V_FIT_SCALE its last one so with the next point. Its targets go
- * along. A closed block ends where it begins. Names that are there already get a
- * number.
+ * Inserts a copy of another path, block, after the point at index at. block may be the
+ * same path. The block keeps its curve, with its targets, and so does the rest of the
+ * path; where they join, both have the same direction.
+ *
+ * Except with V_FIT_NONE, the block's first point is merged with that point, which
+ * keeps its views; with V_FIT_SCALE its last point is merged with the next point in
+ * the same way. A closed block ends where it begins. Duplicate names get a number.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no
  * direction, or no length to scale), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
-int v_path_insert_path(V_PATH *path, int at, const V_PATH *block, int fit);
+int v_path_insert_path(V_PATH *path,
+                       int at,
+                       const V_PATH *block,
+                       int fit);
 
 /**
- * Turns the way round: the film shows the same poses in reverse order. Views along
- * the way look along the new one.
+ * Reverses a path: the film shows the same poses in reverse order. Views that look
+ * ahead then look ahead in the new direction.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY.
  */
 int v_path_reverse(V_PATH *path);
 
 /**
- * The way count times, each beginning where the one before ended, its targets with
- * it; a closed path goes round so often.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
- * V_ERR_LIMIT, V_ERR_MEMORY.
+ * Repeats a path count times. Each repetition begins where the last one ended, and its
+ * targets move with it; a closed path is run through count times.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT,
+ * V_ERR_MEMORY.
  */
-int v_path_repeat(V_PATH *path, int count);
+int v_path_repeat(V_PATH *path,
+                  int count);
 
 /**
- * The sum of paths times their weights: positions, curve, targets, roll, zoom and
- * speeds, point by point; paths with different numbers of points are resampled to
- * the largest of them by length first. Fixed frames (rounded), angular velocities
- * and slopes are blended where each path owns them. All else is that of the path
- * with the greatest weight.
+ * Makes the weighted sum of paths: positions, curve, targets, roll, zoom and speeds,
+ * point by point. Paths with fewer points are first resampled by length to the largest
+ * number of points. Fixed frames (rounded), angular velocities and slopes are blended
+ * where every path has them. Everything else comes from the path with the greatest
+ * weight. Free *blend with v_path_free().
  *
  * weights  count numbers with the sum 1
- * *blend is the caller's, to be freed with v_path_free().
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
  * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
@@ -1972,11 +2075,11 @@ int v_path_sample_range(const V_PATH *path,
 int v_path_pose(const V_PATH *path, double frame, V_POSE *pose);
 
 /**
- * The poses at count frames in any order, each as v_path_pose() gives it: for motion
- * blur, sound, and pictures at the times at which they are shown.
+ * The poses at count frames, each as v_path_pose() returns it: for motion blur, sound, and
+ * pictures at the times at which they are shown. Any order; ascending frames are fastest.
  *
  * frames  each from 1 to the count of v_path_frame_count()
- * poses   room for count of them
+ * poses   room for count of them, which does not overlap the frames
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
  * V_ERR_LIMIT, V_ERR_MEMORY.
  */
@@ -2027,35 +2130,35 @@ int v_path_write_ascii_to_memory(const V_PATH *path,
 /* ---- Time and motion --------------------------------------------------------- */
 
 /**
- * The frame that is shown at a time: 1 + seconds * fps (v_path_set_fps()), between two
- * frames too. The first pose is shown at 0 seconds, the last one at
- * (v_path_frame_count() - 1) / fps; other times are none of the path's. What
- * v_path_seconds_at_frame() gives for a whole frame gives that frame again.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
- * V_ERR_LIMIT, V_ERR_MEMORY.
+ * Gets the frame that is shown at a time: 1 + seconds * fps (v_path_set_fps()), which
+ * may lie between two whole frames. The last pose is at (v_path_frame_count() - 1) / fps
+ * seconds; other times are out of range. For the time of a whole frame from
+ * v_path_seconds_at_frame(), the result is exactly that frame.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT,
+ * V_ERR_MEMORY.
  */
 int v_path_frame_at_seconds(const V_PATH *path,
                             double seconds,
                             double *frame);
 
 /**
- * The time at which a frame is shown, between two frames too: (frame - 1) / fps, see
+ * Gets the time in seconds at which a frame is shown: (frame - 1) / fps, see
  * v_path_frame_at_seconds().
  *
- * frame  from 1 to the count of v_path_frame_count()
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
- * V_ERR_LIMIT, V_ERR_MEMORY.
+ * frame  from 1 to v_path_frame_count(), also between two whole frames
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT,
+ * V_ERR_MEMORY.
  */
 int v_path_seconds_at_frame(const V_PATH *path,
                             double frame,
                             double *seconds);
 
 /**
- * How the camera moves at a frame, between two frames too: lengths in the units of the
- * positions, seconds by v_path_set_fps(). At a key it is how the camera goes on from
- * there, at the last frame how it came. motion->size must be set before.
+ * Gets the motion of the camera at a frame: lengths in the units of the positions,
+ * seconds by v_path_set_fps(). At a key it is the motion after the key; at the last
+ * frame, the motion before it. Set motion->size before.
  *
- * frame  from 1 to the count of v_path_frame_count()
+ * frame  from 1 to v_path_frame_count(), also between two whole frames
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_RANGE,
  * V_ERR_LIMIT, V_ERR_MEMORY.
  */
@@ -2067,54 +2170,52 @@ int v_path_motion(const V_PATH *path,
 /* ---- Scenes: made, loaded, saved, freed -------------------------------------- */
 
 /**
- * A node of this kind at the origin: visible, scale 1, rotation 1 0 0 0, in
- * none, aiming at none, zoom 24, white, intensity 1, a cone of 20 and 30
- * degrees, planes at 0.01 and 1000. Sets size. A kind that is none stays as it
- * is and is refused where the node is used.
- * Any thread; from callbacks too. NULL does no harm; v_last_error() tells.
+ * Fills in a node of this kind at the origin: size, visible, scale 1, rotation 1 0 0
+ * 0, no parent, no aim, zoom 24, white, intensity 1, a cone of 20 and 30 degrees,
+ * planes at 0.01 and 1000. An unknown kind is refused only where the node is used.
+ * Any thread; from callbacks too. NULL only sets v_last_error().
  */
-void v_node_init(V_NODE *node, int kind);
+void v_node_init(V_NODE *node,
+                 int kind);
 
 /**
- * A new scene: one camera, "camera", on the path of v_path_new(), from frame 1
- * on. *scene is the caller's, to be freed with v_scene_free(). For one in a space of
- * the host's world: v_scene_set_space(), then v_scene_set_path() of node 0 with a path
- * of v_path_new_in_space().
+ * Makes a new scene: one camera, "camera", on the path of v_path_new(), starting at
+ * frame 1. Free *scene with v_scene_free(). For a scene in a space of your world, call
+ * v_scene_set_space(), then v_scene_set_path() for node 0 with a path of
+ * v_path_new_in_space().
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_MEMORY, V_ERR_LIMIT.
  */
 int v_scene_new(V_SCENE **scene);
 
 /**
- * Reads a scene from a .vid file; one with a path alone is that of a camera on
- * it. file is a name as open() takes it. *scene is the caller's, to be freed
- * with v_scene_free().
+ * Reads a scene from a .vid file; a file with only a path gives a camera on it. file
+ * is a name as for open(). Free *scene with v_scene_free().
  *
- * A mesh in a file of its own that is gone or broken leaves its object empty, and one
- * that has changed is taken: the answer is V_OK, and v_last_warning() tells, "" if all are
- * as they were.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT (with
- * line and reason in v_last_error()), V_ERR_MEMORY, V_ERR_LIMIT. Memory that
- * runs out while the text itself is read or parsed ends the program.
+ * An object is left empty if its mesh is in a separate file that is missing or
+ * malformed, or outside the folder of the .vid file once links are followed; a mesh
+ * file that has changed is read as it is. In these cases the call still returns V_OK,
+ * and v_last_warning() reports them; "" if all meshes are unchanged.
+ * v_scene_load_geometry() reads a mesh from anywhere.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT (with line and
+ * reason in v_last_error()), V_ERR_MEMORY (but see v_path_load()), V_ERR_LIMIT.
  */
 int v_scene_load(const char *file,
                  V_SCENE **scene);
 
 /**
- * Reads a scene from the text of a .vid file in memory, as v_scene_load() does; size bytes
- * of UTF-8, a zero behind them is not needed. Meshes in files of their own are looked for
- * where the program runs, if the text does not name them from the root. *scene is the
- * caller's, to be freed with v_scene_free().
+ * Reads a scene from the text of a .vid file in memory, like v_scene_load(). text has
+ * size bytes of UTF-8 and need not be zero-terminated. Mesh files with relative names
+ * are looked up in the current directory. Free *scene with v_scene_free().
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_FORMAT (with line and reason in
- * v_last_error()), V_ERR_MEMORY, V_ERR_LIMIT. Memory that runs out while the text is
- * parsed ends the program.
+ * v_last_error()), V_ERR_MEMORY (but see v_path_load()), V_ERR_LIMIT.
  */
 int v_scene_load_from_memory(const char *text,
                              size_t size,
                              V_SCENE **scene);
 
 /**
- * The text of a .vid file of a scene in memory, as v_path_save_to_memory() gives that of a
- * path; names of meshes' files stay as they are.
+ * Gets the text of the .vid file of a scene, like v_path_save_to_memory(). The names
+ * of mesh files are unchanged.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_BUSY,
  * V_ERR_LIMIT, V_ERR_MEMORY.
  */
@@ -2124,24 +2225,23 @@ int v_scene_save_to_memory(const V_SCENE *scene,
                            size_t *length);
 
 /**
- * Writes a scene into a .vid file, as v_path_save() writes a path: afterwards
- * the file is wholly the old or wholly the new one.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO,
- * V_ERR_BUSY, V_ERR_LIMIT, V_ERR_MEMORY. Memory that runs out while the file is
- * opened or written may end the program; the old file stays.
+ * Saves a scene to a .vid file, atomically like v_path_save().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_BUSY,
+ * V_ERR_LIMIT, V_ERR_MEMORY (but see v_path_save()).
  */
 int v_scene_save(const V_SCENE *scene, const char *file);
 
 /**
- * An independent copy of a scene; geometry is shared until one of them changes
- * it. *copy is the caller's, to be freed with v_scene_free().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY,
- * V_ERR_MEMORY, V_ERR_LIMIT.
+ * Makes an independent copy of a scene. Both share geometry until one of them changes
+ * it. Free *copy with v_scene_free().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY, V_ERR_MEMORY,
+ * V_ERR_LIMIT.
  */
-int v_scene_clone(const V_SCENE *scene, V_SCENE **copy);
+int v_scene_clone(const V_SCENE *scene,
+                  V_SCENE **copy);
 
 /**
- * Frees a scene, see v_path_free(). NULL is no error.
+ * Frees a scene, like v_path_free(). NULL is ignored.
  * Any thread; from callbacks too.
  */
 void v_scene_free(V_SCENE *scene);
@@ -2150,17 +2250,16 @@ void v_scene_free(V_SCENE *scene);
 /* ---- Nodes ------------------------------------------------------------------- */
 
 /**
- * How many nodes a scene has.
+ * Gets the number of nodes in a scene.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
  */
 int v_scene_node_count(const V_SCENE *scene, int *count);
 
 /**
- * Adds a node behind the others; *node is its number (NULL: not wanted). name
- * is unique in its scene: UTF-8, one line, not empty.
- * Any thread; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT,
- * V_ERR_BUSY, V_ERR_MEMORY.
+ * Adds a node after the others. *node receives its number; it may be NULL. name is
+ * unique in its scene: UTF-8, one line, not empty.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
+ * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
  */
 int v_scene_add_node(V_SCENE *scene,
                      const char *name,
@@ -2168,67 +2267,72 @@ int v_scene_add_node(V_SCENE *scene,
                      int *node);
 
 /**
- * Removes a node with all that is in it. The numbers behind move up; who aimed
- * at one of them aims at none. Many in a row cost no more than one: count, names
- * and nodes may be asked for in between.
- * Any thread; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY, V_ERR_MEMORY.
+ * Removes a node with all its descendants. The numbers of later nodes decrease; nodes
+ * that aimed at a removed one no longer aim. Removing many nodes in a row costs no
+ * more than removing one; you may read the number of nodes, names and nodes in
+ * between.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY,
+ * V_ERR_MEMORY.
  */
-int v_scene_remove_node(V_SCENE *scene, int node);
+int v_scene_remove_node(V_SCENE *scene,
+                        int node);
 
 /**
- * The number of the node with this name.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no
- * such node), V_ERR_BUSY.
+ * Gets the number of the node with this name.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such
+ * node), V_ERR_BUSY.
  */
 int v_scene_find_node(const V_SCENE *scene, const char *name, int *node);
 
 /**
- * A node's name. The text belongs to the library and is valid until the same
- * thread's next call of a function that gives one of a scene.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
- * V_ERR_BUSY.
+ * Gets the name of a node. The text belongs to the library and is valid until the same
+ * thread's next call of a function that returns a text of a scene.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
  */
-int v_scene_get_name(const V_SCENE *scene, int node, const char **name);
+int v_scene_get_name(const V_SCENE *scene,
+                     int node,
+                     const char **name);
 
 /**
- * Gives a node another name, see v_scene_add_node().
- * Any thread; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
- * V_ERR_MEMORY.
+ * Renames a node, see v_scene_add_node().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+ * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
  */
 int v_scene_set_name(V_SCENE *scene, int node, const char *name);
 
 /**
- * A node at rest. values->size must be set.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
- * V_ERR_RANGE, V_ERR_BUSY.
+ * Gets a node at rest. Set values->size before.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_RANGE,
+ * V_ERR_BUSY.
  */
-int v_scene_get_node(const V_SCENE *scene, int node, V_NODE *values);
+int v_scene_get_node(const V_SCENE *scene,
+                     int node,
+                     V_NODE *values);
 
 /**
- * Gives a node other values; its kind stays. With another parent it stays where
- * it is in the world at the scene's first frame: position, rotation and scale
- * are taken as of the old parent. A node that moves can only be given to a
- * parent that lies as the old one does.
- * Any thread; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (cycles among them), V_ERR_RANGE,
- * V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+ * Sets the values of a node; its kind does not change. If the parent changes,
+ * position, rotation and scale are read relative to the old parent and converted, so
+ * that the node keeps its place in the world at the scene's first frame. A node that
+ * moves can only change to a parent in the same place as the old one.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT
+ * (such as a cycle), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
  */
-int v_scene_set_node(V_SCENE *scene, int node, const V_NODE *values);
+int v_scene_set_node(V_SCENE *scene,
+                     int node,
+                     const V_NODE *values);
 
 
 /* ---- What moves a node ------------------------------------------------------- */
 
 /**
- * Gives a node a path to follow, copied; NULL: none. Its pose n is shown at the
- * scene's frame start_frame + n - 1. after: V_AFTER_HOLD, V_AFTER_REPEAT or
- * V_AFTER_PINGPONG, before the path too. A path moves position, rotation and
- * zoom, in the parent's coordinates; a node that has a track of one of them
- * takes none.
- * Any thread; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
- * V_ERR_MEMORY.
+ * Makes a node follow a path, which is copied; NULL: no path. Pose n of the path is
+ * shown at the scene's frame start_frame + n - 1. A path moves position, rotation and
+ * zoom, in the parent's coordinates; a node with a track for one of them cannot have a
+ * path.
+ *
+ * after  V_AFTER_HOLD, V_AFTER_REPEAT or V_AFTER_PINGPONG; applies before the path too
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+ * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
  */
 int v_scene_set_path(V_SCENE *scene,
                      int node,
@@ -2237,36 +2341,39 @@ int v_scene_set_path(V_SCENE *scene,
                      int after);
 
 /**
- * A copy of the path that a node follows. *path is the caller's, to be freed
- * with v_path_free().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (it
- * follows none), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+ * Gets a copy of the path that a node follows. Free *path with v_path_free().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (it follows
+ * none), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
  */
-int v_scene_get_path(const V_SCENE *scene, int node, V_PATH **path);
+int v_scene_get_path(const V_SCENE *scene,
+                     int node,
+                     V_PATH **path);
 
 /**
- * Sets a marker, or moves the one of this name (UTF-8, one line, not empty).
- * Any thread; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
- * V_ERR_MEMORY.
+ * Sets a marker at a frame, or moves the marker of this name (UTF-8, one line, not
+ * empty).
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+ * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
  */
 int v_scene_set_marker(V_SCENE *scene, const char *name, double frame);
 
 /**
- * Pins a support point of a node's path to a marker; NULL frees it. Pins are
- * kept and saved.
- * Any thread; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
- * V_ERR_MEMORY.
+ * Pins a point of a node's path to a marker; NULL removes the pin. Pins hold when the
+ * path changes, and are saved.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+ * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
  */
-int v_scene_pin(V_SCENE *scene, int node, int point, const char *marker);
+int v_scene_pin(V_SCENE *scene,
+                int node,
+                int point,
+                const char *marker);
 
 /**
- * Sets the space of a scene, as v_path_set_space() that of a path: up is what stands
- * upright for nodes that aim at others. The numbers of its nodes stay what they are; a
- * path in it has a space of its own.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY,
- * V_ERR_ARGUMENT (a number that is not finite), V_ERR_RANGE.
+ * Sets the space of a scene, like v_path_set_space(); up applies to nodes that aim at
+ * others. The values of its nodes do not change. A path in the scene has its own
+ * space.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY, V_ERR_ARGUMENT
+ * (a number that is not finite), V_ERR_RANGE.
  */
 int v_scene_set_space(V_SCENE *scene,
                       const double centre[3],
@@ -2274,7 +2381,7 @@ int v_scene_set_space(V_SCENE *scene,
                       int up);
 
 /**
- * The space of a scene. Each result may be NULL.
+ * Gets the space of a scene. Any result may be NULL.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
  */
 int v_scene_get_space(const V_SCENE *scene,
@@ -2286,14 +2393,14 @@ int v_scene_get_space(const V_SCENE *scene,
 /* ---- What a scene is called -------------------------------------------------- */
 
 /**
- * Sets what a scene is called: UTF-8, one line of at most 256 bytes; "" is none.
+ * Sets the title of a scene, like v_path_set_title().
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
  * V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
  */
 int v_scene_set_title(V_SCENE *scene, const char *title);
 
 /**
- * What a scene is called, as v_path_get_title() gives it of a path.
+ * Gets the title of a scene, like v_path_get_title().
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_BUSY.
  */
 int v_scene_get_title(const V_SCENE *scene,
@@ -2302,14 +2409,14 @@ int v_scene_get_title(const V_SCENE *scene,
                       size_t *length);
 
 /**
- * Sets the comment of a scene: UTF-8, any lines; "" is none.
+ * Sets the comment of a scene, like v_path_set_comment().
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
  * V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
  */
 int v_scene_set_comment(V_SCENE *scene, const char *comment);
 
 /**
- * The comment of a scene, as v_path_get_title() gives the title of a path.
+ * Gets the comment of a scene, like v_path_get_comment().
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_BUSY.
  */
 int v_scene_get_comment(const V_SCENE *scene,
@@ -2318,85 +2425,86 @@ int v_scene_get_comment(const V_SCENE *scene,
                         size_t *length);
 
 /**
- * Sets how many frames are shown in a second, > 0 and at most 100000; nothing moves
- * elsewhere by it. A new scene has 25.
+ * Sets the frame rate in frames per second, > 0 and at most 100000, by default 25.
+ * Positions at frames do not change.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
  */
 int v_scene_set_fps(V_SCENE *scene,
                     double fps);
 
 /**
- * How many frames are shown in a second.
+ * Gets the frame rate in frames per second.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
  */
 int v_scene_get_fps(const V_SCENE *scene, double *fps);
 
 /**
- * Sets the number that people see for the scene's frame 1; a new scene has 1. What the
- * functions here take and give is the scene's frame.
+ * Sets the number shown to users for the scene's frame 1, by default 1. The functions
+ * of this library always use the scene's own frames.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
  */
 int v_scene_set_first_frame(V_SCENE *scene,
                             int number);
 
 /**
- * The number that people see for the scene's frame 1.
+ * Gets the number shown to users for the scene's frame 1.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
  */
 int v_scene_get_first_frame(const V_SCENE *scene, int *number);
 
 /**
- * Sets the limit of a kind of finding, see v_path_check(); it is kept in the file.
- * INFINITY: that kind is not looked for.
+ * Sets the limit of a kind of finding, like v_path_set_limit().
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such
  * kind), V_ERR_RANGE, V_ERR_BUSY.
  */
 int v_scene_set_limit(V_SCENE *scene, const char *kind, double limit);
 
 /**
- * The limit of a kind of finding, see v_path_check(); INFINITY: not looked for.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_BUSY.
+ * Gets the limit of a kind of finding, like v_path_get_limit().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+ * V_ERR_BUSY.
  */
-int v_scene_get_limit(const V_SCENE *scene,
-                      const char *kind,
-                      double *limit);
+int v_scene_get_limit(const V_SCENE *scene, const char *kind, double *limit);
 
 
 /* ---- What is shown of a scene ------------------------------------------------ */
 
 /**
- * Chooses the camera that is shown; -1: the first on a path, else the first. The choice
- * is kept in the file, stays with its node and goes with it.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no camera),
- * V_ERR_RANGE, V_ERR_BUSY.
+ * Sets the camera that is shown; -1: the first one on a path, or the first one if none
+ * is. The choice follows the node when numbers change, is removed with it, and is
+ * saved in the file.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no
+ * camera), V_ERR_RANGE, V_ERR_BUSY.
  */
 int v_scene_set_camera(V_SCENE *scene,
                        int node);
 
 /**
- * The camera that is shown; -1: there is none.
+ * Gets the camera that is shown; -1 if the scene has none.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
  */
 int v_scene_get_camera(const V_SCENE *scene, int *node);
 
 /**
- * Chooses the first and the last frame of a scene; first > last: those of all paths and
- * keys. v_scene_frame_range() gives what holds. It is kept in the file.
+ * Sets the first and last frame of a scene; if first > last, they follow from all
+ * paths and keys. v_scene_frame_range() gets the range in effect. It is saved in the
+ * file.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a number
- * that is not finite), V_ERR_RANGE, V_ERR_LIMIT (more than 100000000 frames), V_ERR_BUSY.
+ * that is not finite), V_ERR_RANGE, V_ERR_LIMIT (more than 100000000 frames),
+ * V_ERR_BUSY.
  */
 int v_scene_set_range(V_SCENE *scene,
                       double first,
                       double last);
 
 /**
- * Puts a node into another one, or into none (-1).
+ * Sets the parent of a node; -1: no parent.
  *
- * keep  V_KEEP_PLACE: it stays where it is in the world at the scene's first frame, as by
- *     v_scene_set_node(); V_KEEP_NUMBERS: its numbers, path and tracks stay, and it goes
- *     along with its new parent
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (cycles among
- * them), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+ * keep  V_KEEP_PLACE: it keeps its place in the world at the scene's first frame, as
+ *     in v_scene_set_node(). V_KEEP_NUMBERS: its values, path and tracks are
+ *     unchanged, and it moves with its new parent
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (such as a
+ * cycle), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
  */
 int v_scene_set_parent(V_SCENE *scene,
                        int node,
@@ -2407,28 +2515,26 @@ int v_scene_set_parent(V_SCENE *scene,
 /* ---- Tracks ------------------------------------------------------------------ */
 
 /**
- * Sets the keys of a channel in place of older ones; with 0 keys there is none
- * any more.
+ * Sets the keys of a channel, replacing older ones; 0 keys remove the track.
  *
- * channel: "position", "rotation" (w x y z), "scale", "visible" (0 or 1); of
- * cameras "roll" (degrees) and, unless they follow a path, which has its own, "zoom"
- * (mm, as in V_POSE); of lights "colour", "intensity", "cone"; of objects
- * "colour", "weights" (one for each shape) and "deformation.N.NAME" (N from 0;
- * NAME as v_deform() lists them); of cameras and lights "aim_weight" (0 to 1);
- * and "value:NAME" or "value:NAME:W", W numbers (1 to 16) for the host.
- *
- * interpolation: "step", "linear", "ramp", "sine", "parabolic", "catmull-rom",
- * "hermite", "tcb", "cubic" (not of rotations), "host:NAME"; of rotations also
- * "euler-linear" and "euler-catmull-rom", with three numbers a key: yaw, pitch
- * and roll in degrees. "visible" takes "step" alone.
- *
- * frames: strictly increasing. values: keys x width numbers, key by key. shape:
- * for "hermite" each key's tangent before and after it (2 x width, per frame);
- * for "tcb" tension, continuity and bias; else NULL. after: what follows the
- * last key, V_AFTER_..., and what goes before the first one, V_BEFORE_...
- * Any thread; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
- * V_ERR_MEMORY.
+ * channel  "position", "rotation" (w x y z), "scale", "visible" (0 or 1); for cameras
+ *     "roll" (degrees) and, unless they follow a path, which has its own, "zoom" (mm,
+ *     as in V_POSE); for lights "colour", "intensity", "cone"; for objects "colour",
+ *     "weights" (one per shape) and "deformation.N.NAME" (N from 0; NAME as listed for
+ *     v_deform()); for cameras and lights "aim_weight" (0 to 1); and "value:NAME" or
+ *     "value:NAME:W", W numbers (1 to 16) for your own use
+ * interpolation  "step", "linear", "ramp", "sine", "parabolic", "catmull-rom",
+ *     "hermite", "tcb", "cubic" (not for rotations), "host:NAME"; for rotations also
+ *     "euler-linear" and "euler-catmull-rom", with three numbers per key: yaw, pitch
+ *     and roll in degrees. "visible" takes only "step"
+ * frames  strictly increasing
+ * values  keys x width numbers, key by key
+ * shape   "hermite": the tangents before and after each key (2 x width, per frame);
+ *     "tcb": tension, continuity and bias of each key; otherwise NULL
+ * after   how it continues after the last key, V_AFTER_..., optionally | V_BEFORE_...
+ *     for before the first one
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+ * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
  */
 int v_scene_set_track(V_SCENE *scene,
                       int node,
@@ -2441,11 +2547,10 @@ int v_scene_set_track(V_SCENE *scene,
                       int after);
 
 /**
- * The keys of a channel as they were set; *keys is how many, 0 if there is no
- * track (then *interpolation is ""). capacity is the number of keys that
- * frames, values and shape have room for; each of them may be NULL, as any
- * other result. The text belongs to the library and is valid until the same
- * thread's next call of a function that gives one of a scene.
+ * Gets the keys of a channel as set. *keys receives their number, 0 if there is no
+ * track (*interpolation is then ""). capacity is the number of keys that frames,
+ * values and shape have room for. Any result may be NULL; the text is valid as for
+ * v_scene_get_name().
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
  * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_SIZE (more keys than room), V_ERR_BUSY.
  */
@@ -2461,32 +2566,33 @@ int v_scene_get_track(const V_SCENE *scene,
                       int *after);
 
 /**
- * Makes a function known as the interpolation "host:NAME" of every scene of the
- * process, in place of an older one; NULL takes it away. name is NAME, with or
- * without "host:". It is called by
- * whatever thread evaluates a scene, must not use scenes itself, and returns to its
- * caller: no longjmp() and no exception may leave it.
+ * Registers a function as the interpolation "host:NAME" for all scenes of the process,
+ * replacing an older one; NULL removes it. name is NAME, with or without "host:". The
+ * function is called on any thread that evaluates a scene. It must not use scenes
+ * itself, and must return to its caller: no longjmp() and no exception may leave it.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_LIMIT,
  * V_ERR_MEMORY.
  */
-int v_register_interpolation(const char *name, V_INTERPOLATE function, void *user);
+int v_register_interpolation(const char *name,
+                             V_INTERPOLATE function,
+                             void *user);
 
 
 /* ---- Objects ----------------------------------------------------------------- */
 
 /**
- * Sets the geometry of an object, copied. A mesh has as many points as the
- * object's shapes, if it has any.
- * Any thread; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT,
- * V_ERR_BUSY, V_ERR_MEMORY.
+ * Sets the geometry of an object; the mesh is copied. If the object has shapes, the
+ * mesh must have as many points as they have.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
+ * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
  */
 int v_scene_set_geometry(V_SCENE *scene, int node, const V_MESH *mesh);
 
 /**
- * Reads the geometry of an object from an OBJ, PLY, STL or glTF file, by the ending
- * of its name. A .vid file then names that file, relative to itself if it lies beside or below
- * it, in the place of points; v_scene_load() reads it again.
+ * Reads the geometry of an object from an OBJ, PLY, STL or glTF file, by the extension
+ * of its name. A saved .vid file then refers to that file instead of containing the
+ * points, by a relative name if the file is in the same folder or below;
+ * v_scene_load() reads it again.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_FORMAT,
  * V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
  */
@@ -2495,12 +2601,11 @@ int v_scene_load_geometry(V_SCENE *scene,
                           const char *file);
 
 /**
- * Adds a shape to an object: other places for all its points. Its weight is 0;
- * the channel "weights" has one number for each shape, and the mesh takes what
- * is left of 1.
- * Any thread; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
- * V_ERR_MEMORY.
+ * Adds a shape to an object: other positions for all its points. Its weight is 0 at
+ * first; the channel "weights" has one number per shape, and the mesh itself gets the
+ * remainder to 1.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+ * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
  */
 int v_scene_add_shape(V_SCENE *scene,
                       int node,
@@ -2509,11 +2614,10 @@ int v_scene_add_shape(V_SCENE *scene,
                       size_t points);
 
 /**
- * Adds a deformation (see v_deform()) to an object, behind the others; *at is
- * its number (NULL: not wanted). box NULL: the bounds of the geometry at rest.
- * Any thread; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
- * V_ERR_MEMORY.
+ * Adds a deformation (see v_deform()) to an object, after the others. *at receives its
+ * number and may be NULL. box NULL: the bounds of the geometry at rest.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+ * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
  */
 int v_scene_add_deformation(V_SCENE *scene,
                             int node,
@@ -2524,28 +2628,31 @@ int v_scene_add_deformation(V_SCENE *scene,
                             int *at);
 
 /**
- * Removes a deformation with its tracks. The numbers behind move up, in the
- * names of channels too.
- * Any thread; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_BUSY, V_ERR_MEMORY.
+ * Removes a deformation with its tracks. The numbers of later deformations decrease,
+ * in the names of channels too.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+ * V_ERR_RANGE, V_ERR_BUSY, V_ERR_MEMORY.
  */
-int v_scene_remove_deformation(V_SCENE *scene, int node, int at);
+int v_scene_remove_deformation(V_SCENE *scene,
+                               int node,
+                               int at);
 
 /**
- * Deforms points in place. u, v, w run from -1 to 1 along the box (min x y z,
- * max x y z); a flat side gives coordinate 0 and stays. Axes are 0, 1, 2, angles
- * degrees in u, v, w: in a box that is no cube what is turned is stretched as the box
- * is. In parentheses the names of what can move, see v_scene_set_track().
+ * Deforms points in place. u, v, w run from -1 to 1 along the sides of the box (min x
+ * y z, max x y z); along a side of length 0 the coordinate is 0 and points do not
+ * move. Axes are 0, 1, 2. Angles are degrees in u, v, w: in a box that is not a cube,
+ * rotations are stretched with the box. The names in parentheses are those that tracks
+ * can animate, see v_scene_set_track().
  *
  * "taper"      axis a (a): the other two times 1 + (a-1)(1-u^2)
  * "taper"      axis r0 r1 (r0 r1): from r0 at one end to r1 at the other
  * "twist"      axis angle (angle): about the axis, from 0 to angle
- * "bend"       axis angle (angle): about the axis; the middle stays
+ * "bend"       axis angle (angle): about the axis; the middle does not move
  * "bend"       axis_u axis_v u0 v0 phi_min phi_max (the last four): u becomes
  *              the angle about (u0, v0), v - v0 the distance from it
  * "free-form"  64 points, 3 numbers each (points): a Bezier volume over the box,
  *              the first index fastest; (-1, -1, -1), (-1/3, -1, -1) ... is the
- *              identity. Points outside the box stay
+ *              identity. Points outside the box do not move
  *
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE,
  * V_ERR_LIMIT, V_ERR_MEMORY.
@@ -2561,10 +2668,10 @@ int v_deform(const char *kind,
 /* ---- What has been set in a scene -------------------------------------------- */
 
 /**
- * The frame at which a node's path begins, and what comes before it and after it, see
- * v_scene_set_path(). Each result may be NULL.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (it
- * follows none), V_ERR_RANGE, V_ERR_BUSY.
+ * Gets the frame at which a node's path starts, and how it continues before and after,
+ * see v_scene_set_path(). Any result may be NULL.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (it follows
+ * none), V_ERR_RANGE, V_ERR_BUSY.
  */
 int v_scene_get_start(const V_SCENE *scene,
                       int node,
@@ -2572,7 +2679,7 @@ int v_scene_get_start(const V_SCENE *scene,
                       int *after);
 
 /**
- * How many tracks a node has.
+ * Gets the number of tracks of a node.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
  */
 int v_scene_track_count(const V_SCENE *scene,
@@ -2580,9 +2687,8 @@ int v_scene_track_count(const V_SCENE *scene,
                         int *count);
 
 /**
- * The channel of a node's track, for v_scene_get_track(); at counts from 0. The text
- * belongs to the library and is valid until the same thread's next call of a function that
- * gives one of a scene.
+ * Gets the channel of a node's track, for v_scene_get_track(); at counts from 0. The
+ * text is valid as for v_scene_get_name().
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
  */
 int v_scene_get_channel(const V_SCENE *scene,
@@ -2591,14 +2697,14 @@ int v_scene_get_channel(const V_SCENE *scene,
                         const char **channel);
 
 /**
- * How many markers a scene has.
+ * Gets the number of markers in a scene.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
  */
 int v_scene_marker_count(const V_SCENE *scene, int *count);
 
 /**
- * A marker, in the order of their names, counted from 0. Each result may be NULL; the text
- * as of v_scene_get_channel().
+ * Gets a marker; markers are sorted by name and count from 0. Any result may be NULL;
+ * the text is valid as for v_scene_get_name().
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
  */
 int v_scene_get_marker(const V_SCENE *scene,
@@ -2607,21 +2713,21 @@ int v_scene_get_marker(const V_SCENE *scene,
                        double *frame);
 
 /**
- * Removes a marker with its pins.
+ * Removes a marker and its pins.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such
  * marker), V_ERR_BUSY.
  */
 int v_scene_remove_marker(V_SCENE *scene, const char *name);
 
 /**
- * How many points of paths are pinned to markers.
+ * Gets the number of points that are pinned to markers.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
  */
 int v_scene_pin_count(const V_SCENE *scene, int *count);
 
 /**
- * A pin, in the order of nodes and points, counted from 0: what v_scene_pin() was given.
- * Each result may be NULL; the text as of v_scene_get_channel().
+ * Gets a pin as set by v_scene_pin(); pins are sorted by node and point and count from
+ * 0. Any result may be NULL; the text is valid as for v_scene_get_name().
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
  */
 int v_scene_get_pin(const V_SCENE *scene,
@@ -2631,31 +2737,29 @@ int v_scene_get_pin(const V_SCENE *scene,
                     const char **marker);
 
 /**
- * The geometry of an object at rest, as it was set or read from a file; no points if there
- * is none. What the mesh points to is the library's, and valid until the scene is changed or
- * freed. mesh->size must be set before.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (no
- * object), V_ERR_RANGE, V_ERR_BUSY.
+ * Gets the geometry of an object at rest, as set or read from a file; 0 points if it
+ * has none. The arrays belong to the library and are valid until the scene is changed
+ * or freed. Set mesh->size before.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT
+ * (no object), V_ERR_RANGE, V_ERR_BUSY.
  */
 int v_scene_get_geometry(const V_SCENE *scene,
                          int node,
                          V_MESH *mesh);
 
 /**
- * How many shapes an object has.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no object),
- * V_ERR_RANGE, V_ERR_BUSY.
+ * Gets the number of shapes of an object.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no
+ * object), V_ERR_RANGE, V_ERR_BUSY.
  */
-int v_scene_shape_count(const V_SCENE *scene,
-                        int node,
-                        int *count);
+int v_scene_shape_count(const V_SCENE *scene, int node, int *count);
 
 /**
- * A shape of an object, counted from 0: its name, and its points, three numbers each;
- * capacity counts points, *points is how many there are. Each result may be NULL; the text
- * as of v_scene_get_channel().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (more points than
- * room; *points is written), V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY.
+ * Gets the name and the points of an object's shape; shapes count from 0. xyz receives
+ * three numbers per point; capacity and *points count points. Any result may be NULL;
+ * the text is valid as for v_scene_get_name().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (more points
+ * than room; *points is written), V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY.
  */
 int v_scene_get_shape(const V_SCENE *scene,
                       int node,
@@ -2666,31 +2770,31 @@ int v_scene_get_shape(const V_SCENE *scene,
                       size_t *points);
 
 /**
- * Removes a shape of an object. The numbers behind move up; the others keep their weights,
- * in a track of the channel "weights" too.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no object),
- * V_ERR_RANGE, V_ERR_BUSY, V_ERR_MEMORY.
+ * Removes a shape of an object. The numbers of later shapes decrease; all other shapes
+ * keep their weights, also in a track of the channel "weights".
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no
+ * object), V_ERR_RANGE, V_ERR_BUSY, V_ERR_MEMORY.
  */
 int v_scene_remove_shape(V_SCENE *scene,
                          int node,
                          int at);
 
 /**
- * How many deformations an object has.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no object),
- * V_ERR_RANGE, V_ERR_BUSY.
+ * Gets the number of deformations of an object.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no
+ * object), V_ERR_RANGE, V_ERR_BUSY.
  */
-int v_scene_deformation_count(const V_SCENE *scene,
-                              int node,
-                              int *count);
+int v_scene_deformation_count(const V_SCENE *scene, int node, int *count);
 
 /**
- * A deformation of an object, counted from 0: its kind, its parameters as they were given
- * (*count is how many), and its box. Where it goes by the bounds of the geometry, box is
- * 1 1 1 -1 -1 -1, which no other is: give v_scene_add_deformation() NULL then. Each result
- * may be NULL; the text as of v_scene_get_channel().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (more parameters than
- * room; *count is written), V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY.
+ * Gets the kind, parameters and box of an object's deformation; deformations count
+ * from 0. *count receives the number of parameters. If the deformation uses the bounds
+ * of the geometry, box is 1 1 1 -1 -1 -1, which no other box is; give
+ * v_scene_add_deformation() NULL then. Any result may be NULL; the text is valid as
+ * for v_scene_get_name().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (more
+ * parameters than room; *count is written), V_ERR_ARGUMENT (no object), V_ERR_RANGE,
+ * V_ERR_BUSY.
  */
 int v_scene_get_deformation(const V_SCENE *scene,
                             int node,
@@ -2705,9 +2809,8 @@ int v_scene_get_deformation(const V_SCENE *scene,
 /* ---- The scene at a frame ---------------------------------------------------- */
 
 /**
- * The first and the last frame: those of v_scene_set_range(), else of all paths and keys;
- * 1 and 1 if nothing moves.
- * Each result may be NULL.
+ * Gets the first and last frame: those of v_scene_set_range(), otherwise those of all
+ * paths and keys; 1 and 1 if nothing moves. Any result may be NULL.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
  * V_ERR_BUSY.
  */
@@ -2716,14 +2819,15 @@ int v_scene_frame_range(const V_SCENE *scene,
                         double *last);
 
 /**
- * The states of all nodes at a frame, any finite number, by the nodes' numbers.
- * *count (NULL: not wanted) is how many. states NULL: only that.
+ * Gets the states of all nodes at a frame, in the order of their numbers. frame is any
+ * finite number. *count receives the number of nodes and may be NULL; states may be
+ * NULL to get only that.
  *
- * A channel whose interpolation is the host's and is not registered, fails or
- * gives no finite number steps from key to key: the rest plays, the answer is
- * V_OK, and v_last_warning() tells, "" if there was none.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (fewer
- * than the nodes; *count is written), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+ * If a "host:" interpolation is not registered, fails or returns a number that is not
+ * finite, its channel steps from key to key. The call then still returns V_OK, and
+ * v_last_warning() reports it; "" if there is nothing to report.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (fewer than the
+ * nodes; *count is written), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
  * V_ERR_MEMORY.
  */
 int v_scene_evaluate(const V_SCENE *scene,
@@ -2733,8 +2837,8 @@ int v_scene_evaluate(const V_SCENE *scene,
                      size_t *count);
 
 /**
- * count states of one node, at the frames first, first + frame_step and so on. What
- * v_scene_evaluate() says of a host's interpolation holds here too.
+ * Gets count states of one node, at the frames first, first + frame_step and so on.
+ * "host:" interpolations are handled as in v_scene_evaluate().
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
  * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
  */
@@ -2746,12 +2850,12 @@ int v_scene_sample(const V_SCENE *scene,
                    size_t count);
 
 /**
- * The numbers of a channel (see v_scene_set_track()) at a frame, with or without
- * a track; *width (NULL: not wanted) is how many. values NULL: only that. What
- * v_scene_evaluate() says of a host's interpolation holds here too.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (fewer
- * than the channel has; *width is written), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
- * V_ERR_MEMORY.
+ * Gets the value of a channel (see v_scene_set_track()) at a frame, with or without a
+ * track. *width receives the number of its components and may be NULL; values may be
+ * NULL to get only that. "host:" interpolations are handled as in v_scene_evaluate().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (fewer than the
+ * channel has; *width is written), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT,
+ * V_ERR_BUSY, V_ERR_MEMORY.
  */
 int v_scene_value(const V_SCENE *scene,
                   int node,
@@ -2762,12 +2866,12 @@ int v_scene_value(const V_SCENE *scene,
                   size_t *width);
 
 /**
- * The points of an object at a frame, morphed and deformed, in the node's own
- * coordinates: three numbers each, capacity counts points; *points (NULL: not
- * wanted) is how many. xyz NULL: only that. What v_scene_evaluate() says of a
- * host's interpolation holds here too.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (more
- * points than room; *points is written), V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY,
+ * Gets the points of an object at a frame, morphed and deformed, in the coordinates of
+ * the node. xyz receives three numbers per point; capacity and *points count points.
+ * *points may be NULL; xyz may be NULL to get only *points. "host:" interpolations are
+ * handled as in v_scene_evaluate().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (more points
+ * than room; *points is written), V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY,
  * V_ERR_MEMORY.
  */
 int v_scene_vertices(const V_SCENE *scene,
@@ -2778,22 +2882,24 @@ int v_scene_vertices(const V_SCENE *scene,
                      size_t *points);
 
 /**
- * Writes a scene in the format of another program: gltf, glb, usda, blender,
- * paraview, vtk, nerfstudio, transforms, cameras, tum, kitti, colmap (a folder), osg, chan,
- * html, ascii, csv, json or vid; format NULL: the one that the file's name tells. options are
- * lines name=value ("fps=30\nnode=camera"), NULL: none; the names are node, frames, fps, start,
- * size, up, scale, as, tolerance, angle, compact, digits and rotation-order, as `vides convert
- * --help` explains them; of two alike the last counts, and one that a format has no use for is
- * ignored. Each file is afterwards wholly the old or wholly the new one; a missing folder is made
- * only for colmap, in one that is there.
+ * Writes a scene in another program's format. Each file is replaced atomically. A
+ * missing folder is created only for colmap, inside an existing one.
  *
- * What the format cannot hold is left out: the answer is V_OK, and v_last_warning()
- * tells, a line each, "" if nothing is.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY, V_ERR_ARGUMENT (format,
- * options, no such node, a host interpolation that fails), V_ERR_RANGE (frames, fps), V_ERR_FORMAT
- * (a folder that holds what would be read first), V_ERR_IO, V_ERR_LIMIT, V_ERR_MEMORY.
- * Memory that runs out while a file is opened or written may end the program; the old file
- * stays.
+ * format   gltf, glb, usda, blender, paraview, vtk, nerfstudio, transforms, cameras,
+ *     tum, kitti, colmap (a folder), osg, chan, html, ascii, csv, json or vid; NULL:
+ *     by the name of the file
+ * options  lines of name=value ("fps=30\nnode=camera"); NULL: none. The names are
+ *     node, frames, fps, start, size, up, scale, as, tolerance, angle, compact, digits
+ *     and rotation-order; `vides convert --help` explains them. The last of duplicates
+ *     counts; names that a format does not use are ignored
+ *
+ * What the format cannot hold is left out. The call then still returns V_OK, and
+ * v_last_warning() lists the losses, one per line; "" if there are none.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY, V_ERR_ARGUMENT
+ * (format, options, no such node, a host interpolation that fails), V_ERR_RANGE
+ * (frames, fps), V_ERR_FORMAT (a folder that holds what would be read first),
+ * V_ERR_IO, V_ERR_LIMIT, V_ERR_MEMORY. If memory runs out while a file is opened or
+ * written, the program may end; the old file is kept.
  */
 int v_scene_export(const V_SCENE *scene,
                    const char *file,
@@ -2801,23 +2907,47 @@ int v_scene_export(const V_SCENE *scene,
                    const char *options);
 
 /**
- * Reads the file of another program, or a folder of COLMAP's, as a scene: one of gltf, glb,
- * usda, nerfstudio, transforms, cameras, tum, kitti, colmap, osg, chan, paraview (what
- * v_scene_export() wrote; nothing is run), ascii, csv, json and vid; format NULL: the one that
- * the content shows. options as of v_scene_export(). Poses become a path of few points, fitted,
- * or with "as=keys", or fewer than three, a camera with a key for each. *scene is the caller's, to be freed
- * with v_scene_free().
+ * Reads another program's file, or a COLMAP folder, as a scene. Poses become a path
+ * fitted with few points; with "as=keys", or fewer than three poses, they become a
+ * camera with one key each. Free *scene with v_scene_free().
  *
- * What is not taken, and how well a path fits, is told by v_last_warning() beside V_OK, a line
- * each, "" if there is nothing to tell.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT (format, options), V_ERR_IO,
- * V_ERR_FORMAT (with place and reason in v_last_error()), V_ERR_RANGE, V_ERR_LIMIT,
- * V_ERR_MEMORY. Memory that runs out while the file is parsed may end the program.
+ * format   gltf, glb, usda, nerfstudio, transforms, cameras, tum, kitti, colmap, osg,
+ *     chan, paraview (as v_scene_export() writes it; no code is run), ascii, csv, json
+ *     or vid; NULL: by the content
+ * options  as for v_scene_export()
+ *
+ * The call returns V_OK even if parts of the file are ignored. v_last_warning() lists
+ * them, and how well a path fits, one per line; "" if there is nothing to report.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT (format, options),
+ * V_ERR_IO, V_ERR_FORMAT (with place and reason in v_last_error()), V_ERR_RANGE,
+ * V_ERR_LIMIT, V_ERR_MEMORY. If memory runs out while the file is parsed, the program
+ * may end.
  */
 int v_scene_import(const char *file,
                    const char *format,
                    const char *options,
                    V_SCENE **scene);
+
+
+/* ---- Progress ---------------------------------------------------------------- */
+
+/**
+ * Sets the function that the calling thread's long calls tell how far they are, ten times
+ * a second at most and not in the first tenth of one; NULL: none, as at first. These are
+ * v_path_fit_poses() and its kin, v_path_check(), v_path_retime(), v_path_steady(),
+ * v_path_avoid(), v_path_keep_in_picture() and v_path_tour(). With objects of up to a
+ * million triangles they ask at least twice a second, but for reading the object at the
+ * beginning, which takes about two seconds for a million.
+ *
+ * progress  share is from 0 to 1, and may fall where the work begins another round; if it
+ *     returns 0, the call ends with V_ERR_REFUSED and has changed nothing. It may call any
+ *     function; a path that is in use at that moment, as that of the call is, answers
+ *     V_ERR_BUSY there. No exception or longjmp() may leave it
+ * user  is handed to it
+ * Any thread; from callbacks too.
+ */
+int v_set_progress(int (*progress)(double share, void *user),
+                   void *user);
 
 
 /* ---- Paths from recorded poses, checks --------------------------------------- */
@@ -2827,14 +2957,15 @@ int v_scene_import(const char *file,
  * tolerance, each view, up and field of view within angle degrees, at its time, and as
  * smoothly as they do. Noise of up to half of that is taken out.
  *
- * seconds  when each pose was taken, increasing; NULL: one a frame
+ * seconds  when each pose was taken, increasing; NULL: one a frame. Poses that span
+ *     more than 100,000,000 frames, as those in nanoseconds do, are V_ERR_LIMIT
  * count    at least three
  * fps      frames in a second of the path
  * The space is the smallest round the positions, with a tenth to spare, and V_UP_Y.
  * *path is the caller's, to be freed with v_path_free().
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT (poses that are no
  * path: all the same, a number that is not finite, a view without direction),
- * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
  */
 int v_path_fit_poses(const V_POSE *poses,
                      const double *seconds,
@@ -2851,7 +2982,7 @@ int v_path_fit_poses(const V_POSE *poses,
  *     smallest round the positions, as with NULL
  * *path is the caller's, to be freed with v_path_free().
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE,
- * V_ERR_LIMIT, V_ERR_MEMORY.
+ * V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
  */
 int v_path_fit_poses_in_space(const V_POSE *poses,
                               const double *seconds,
@@ -2870,7 +3001,7 @@ int v_path_fit_poses_in_space(const V_POSE *poses,
  * v_last_warning() then says how many and which is the first, "" if none is.
  * *path is the caller's, to be freed with v_path_free().
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE,
- * V_ERR_LIMIT, V_ERR_MEMORY.
+ * V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
  */
 int v_path_fit_poses_robust(const V_POSE *poses,
                             const double *seconds,
@@ -2910,6 +3041,13 @@ int v_path_fit_poses_robust(const V_POSE *poses,
  * "crossing"      seconds in which what is in the middle of the picture, as far away as
  *                 the target (or the middle of the space), would cross it; below the
  *                 limit (off unless one is set)
+ * "backwards"     the way goes back although the points lead on, in half sizes (0.001):
+ *                 a "centripetal" curve does not, see v_path_set_curve()
+ *
+ * A hold between sections without an ease, and a turn on the spot between such sections,
+ * begin and end at once: that is a "speed-jump", an "acceleration" or a
+ * "turning-acceleration" only if the limit of that kind is not the one above.
+ * An object is asked three times for each frame, as v_path_avoid() does.
  *
  * object  what the camera must not come near to, in the coordinates of the path;
  *     NULL: the path's own object with its faces, if it has one
@@ -2921,7 +3059,7 @@ int v_path_fit_poses_robust(const V_POSE *poses,
  * a parent adds to the camera).
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
  * V_ERR_ARGUMENT (an object without geometry), V_ERR_RANGE, V_ERR_LIMIT,
- * V_ERR_MEMORY.
+ * V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
  */
 int v_path_check(const V_PATH *path,
                  const V_MESH *object,
@@ -2973,6 +3111,8 @@ void v_limits_init_sized(V_LIMITS *limits,
  * points keeps its pace. Sections get fixed frames, a given distance and a curve time
  * of their own.
  *
+ * It takes at most 40 rounds over the sections.
+ *
  * limits  see v_limits_init(); NULL: the path's own, see v_path_set_limit()
  * first_point, last_point  0 and the last: all, closed paths with the way back to
  *     the first point; on a closed path first_point may lie behind last_point
@@ -2981,7 +3121,8 @@ void v_limits_init_sized(V_LIMITS *limits,
  *     one has a frame, too
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
  * V_ERR_ARGUMENT (no limit, one that is not positive, too few seconds: v_last_error()
- * names the least), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * names the least), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED
+ * (v_set_progress()).
  */
 int v_path_retime(V_PATH *path,
                   const V_LIMITS *limits,
@@ -3000,7 +3141,8 @@ int v_path_retime(V_PATH *path,
  *     quicker ones; greater than 0 and at most 2,000 frames
  * within   no place goes farther than so; 0: no bound
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a path that
- * does not move, no path within the bound), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * does not move, no path within the bound), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
+ * V_ERR_REFUSED (v_set_progress()).
  */
 int v_path_steady(V_PATH *path,
                   double seconds,
@@ -3013,12 +3155,16 @@ int v_path_steady(V_PATH *path,
  * part of the object between others outside. Frames and targets stay. v_last_warning()
  * has a line for each part that changed, "" if the way was clear.
  *
+ * Each part that is too near takes at most a few searches of a grid with 96 cells along its
+ * longest side. A question to the object takes the logarithm of its triangles; where they
+ * overlap widely, up to all of them.
+ *
  * object  in the coordinates of the path; NULL: the path's own
  * clearance, radius  in the path's units; the clearance greater than 0, the radius of the
  *     sphere 0 or greater
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT
  * (no way round: v_last_error() names the frame and the place; an object without
- * geometry), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * geometry), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
  */
 int v_path_avoid(V_PATH *path,
                  const V_MESH *object,
@@ -3030,7 +3176,8 @@ int v_path_avoid(V_PATH *path,
  * zoom or the distance as large as that allows and the path's limits of zoom, or of
  * speed and acceleration (see v_path_set_limit()), let it change; by turning no more
  * than it takes. Frames and pace stay. Where keys do not hold it points are added.
- * The path stays as it is where that cannot be.
+ * The path stays as it is where that cannot be. It looks at the object from 20 places for
+ * each frame, at most 60 times from each.
  *
  * object  in the coordinates of the path; NULL: the path's own, with the objects of
  *     its scene
@@ -3039,7 +3186,7 @@ int v_path_avoid(V_PATH *path,
  * what  V_PICTURE_ZOOM, V_PICTURE_DISTANCE or V_PICTURE_VIEW
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no object,
  * or where it cannot be whole, with the frame), V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT,
- * V_ERR_MEMORY.
+ * V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
  */
 int v_path_keep_in_picture(V_PATH *path,
                            const V_MESH *object,
@@ -3080,7 +3227,7 @@ void v_tour_init_sized(V_TOUR *tour,
  * time, for a million triangles some seconds, and about 300 bytes a triangle.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT (no surface, no
  * free place, too few seconds: v_last_error() names the least), V_ERR_RANGE,
- * V_ERR_LIMIT, V_ERR_MEMORY.
+ * V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
  */
 int v_path_tour(const V_MESH *object,
                 const V_TOUR *tour,
@@ -3091,114 +3238,117 @@ int v_path_tour(const V_MESH *object,
 /* ---- Opening and closing windows --------------------------------------------- */
 
 /**
- * The options' defaults: size, space_up V_UP_Y, and everything else NULL or 0. NULL
- * does nothing but set v_last_error(). In C a macro of this name hands the struct's size
- * on to v_editor_options_init_sized(); the function itself, for other languages
- * (ctypes, JNI, bindgen), fills in all that version 1.0 has: the whole struct.
+ * Fills in the default options: size, space_up V_UP_Y, and everything else NULL or 0.
+ * NULL only sets v_last_error(). In C, a macro of this name passes the struct's size
+ * to v_editor_options_init_sized(). The function itself, for other languages (ctypes,
+ * JNI, bindgen), fills in the whole struct of version 1.0.
  * Any thread; from callbacks too.
  */
 void v_editor_options_init(V_EDITOR_OPTIONS *options);
 
 /**
- * As v_editor_options_init(), for a struct that is size bytes long. One shorter than
- * in version 1.0 stays as it is, and v_last_error() says so. What is behind the fields
- * that the library knows is not touched, and size is set to what was filled in.
+ * Like v_editor_options_init(), for a struct of size bytes. Sets size to what was
+ * filled in and leaves bytes after the fields that the library knows unchanged. A
+ * struct shorter than in version 1.0 is left unchanged, and v_last_error() returns the
+ * reason.
  * Any thread; from callbacks too.
  */
 void v_editor_options_init_sized(V_EDITOR_OPTIONS *options,
                                  size_t size);
 
 /**
- * Opens an editor window and returns at once; how it is served then, see
- * v_fd(). options may be NULL for the defaults. *editor is the caller's, to be
- * freed with v_editor_close().
+ * Opens an editor window and returns at once; see v_fd() for how your program serves
+ * it. options may be NULL for the defaults. Free *editor with v_editor_close().
  *
- * The callbacks run on the thread that opened the window, inside the
- * host's event loop, and may call any function of the library. They may come
- * while the host is in a modal dialog of its own, whose loop serves the window,
- * too. They return to their caller: no longjmp() and no exception may leave them. An exception that
- * does ends the program, after a line on standard error that names the callback.
- * The window belongs to this thread and is closed when it ends, which a line on
- * standard error says.
- * The thread that runs the event loop; from callbacks too. V_ERR_NULL,
- * V_ERR_SIZE, V_ERR_HANDLE (of path), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_IO and
- * V_ERR_FORMAT (of file), V_ERR_DISPLAY, V_ERR_LIMIT, V_ERR_MEMORY.
+ * The callbacks run on the thread that opened the window, in your event loop, and may
+ * call any function of the library. They may run while your program shows a modal
+ * dialog, since the dialog's loop serves the window too. They must return to their
+ * caller: no longjmp() and no exception may leave them. An exception that does ends
+ * the program, after a line on standard error that names the callback. When the thread
+ * ends, its window is closed, and a line on standard error reports it.
+ * The thread that runs the event loop; from callbacks too. V_ERR_NULL, V_ERR_SIZE,
+ * V_ERR_HANDLE (of path), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_IO and V_ERR_FORMAT (of
+ * file), V_ERR_DISPLAY, V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_editor_open(const V_EDITOR_OPTIONS *options,
                   V_EDITOR **editor);
 
 /**
- * Closes a window without asking anybody, and frees its handle. From within
- * its own callbacks it closes when they have returned. NULL is no error.
- * The thread that opened it, or any once the window is gone; from callbacks
- * too. V_ERR_HANDLE.
+ * Closes a window without asking, and frees its handle. Inside the window's own
+ * callbacks it closes when they have returned. on_gone is not called. Work that
+ * v_editor_is_modified() reports is offered at the next start of the program, unless
+ * you called v_editor_mark_saved() before. NULL is ignored.
+ * The thread that opened it, or any once the window is gone; from callbacks too.
+ * V_ERR_HANDLE.
  */
 int v_editor_close(V_EDITOR *editor);
 
 /**
- * A copy of the path as it is in the window now; of a scene that of the camera that is
- * shown (v_scene_get_camera()). *path is the caller's, to be freed with v_path_free().
- * The thread that opened the window; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no camera, or it follows no path),
- * V_ERR_MEMORY, V_ERR_LIMIT.
+ * Gets a copy of the path in a window; in a scene, that of the camera shown
+ * (v_scene_get_camera()). Free *path with v_path_free().
+ * The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
+ * V_ERR_CLOSED, V_ERR_ARGUMENT (no camera, or it follows no path), V_ERR_MEMORY,
+ * V_ERR_LIMIT.
  */
-int v_editor_get_path(const V_EDITOR *editor,
-                      V_PATH **path);
+int v_editor_get_path(const V_EDITOR *editor, V_PATH **path);
 
 /**
- * Shows another path in a window, in one step that the user can take back.
- * path is copied, with its space, title, comment and so on; its object, too, if it
- * has one. Base speeds that were given when the window was opened stay. In a
- * scene it takes the place of the path of the camera that is shown, which is
- * edited then.
- * The thread that opened the window; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no camera, or it follows no path),
- * V_ERR_MEMORY.
+ * Replaces the path in a window, in one step that the user can undo. The path is
+ * copied with its space, title, comment and so on, and with its object if it has one.
+ * Base speeds given when the window was opened are kept. In a scene it replaces the
+ * path of the camera shown, which is then edited. The playhead stays at its frame if
+ * the path has that frame; otherwise it goes to the current point.
+ * The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
+ * V_ERR_CLOSED, V_ERR_ARGUMENT (no camera, or it follows no path), V_ERR_MEMORY.
  */
-int v_editor_set_path(V_EDITOR *editor, const V_PATH *path);
+int v_editor_set_path(V_EDITOR *editor,
+                      const V_PATH *path);
 
 
 /* ---- The window and the host's own picture ----------------------------------- */
 
 /**
- * Shows the host's camera in a window, as a ghost in the movement space that the
- * user can take over into the path. NULL: no more. vpn and vup may have any length
- * but 0.
+ * Shows your program's camera in a window, as a ghost in the space, which the user can
+ * add to the path as a point. NULL hides it. vpn and vup may have any length but 0.
  *
- * What a callback changes by these functions or by v_editor_set_path(), that
- * callbacks are not called for.
- * The thread that opened the window; from callbacks too. V_ERR_HANDLE,
- * V_ERR_CLOSED, V_ERR_NULL (editor), V_ERR_ARGUMENT, V_ERR_RANGE.
+ * Changes that a callback makes with the functions of this section or with
+ * v_editor_set_path() do not cause further callbacks.
+ * The thread that opened the window; from callbacks too. V_ERR_HANDLE, V_ERR_CLOSED,
+ * V_ERR_NULL (editor), V_ERR_ARGUMENT, V_ERR_RANGE.
  */
-int v_editor_set_view(V_EDITOR *editor, const V_POSE *pose);
+int v_editor_set_view(V_EDITOR *editor,
+                      const V_POSE *pose);
 
 /**
- * The frame at the playhead, from 1: v_path_pose() of it is what the camera there
- * sees. It lies between two frames where the user has gone there. In a scene it is
- * the scene's frame, as v_scene_evaluate() takes it.
- * The thread that opened the window; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_MEMORY, V_ERR_LIMIT.
+ * Gets the frame at the playhead, counted from 1; v_path_pose() gets the camera there.
+ * It may lie between two whole frames. In a scene it is a frame of the scene, as for
+ * v_scene_evaluate().
+ * The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
+ * V_ERR_CLOSED, V_ERR_MEMORY, V_ERR_LIMIT.
  */
-int v_editor_get_frame(const V_EDITOR *editor, double *frame);
+int v_editor_get_frame(const V_EDITOR *editor,
+                       double *frame);
 
 /**
- * The playhead goes to a frame, from 1 to v_path_frame_count(), also between two,
- * and stays there. The orientation from which the camera comes there is current
- * then. In a scene it is a frame of the scene, any from the first to the last one
- * of v_scene_frame_range(), whatever is selected.
- * The thread that opened the window; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
+ * Moves the playhead to a frame, from 1 to v_path_frame_count(), which may lie between
+ * two whole frames. The orientation that the camera comes from becomes current. In a
+ * scene it is a frame of the scene, within v_scene_frame_range(), whatever is
+ * selected.
+ * The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
+ * V_ERR_CLOSED, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
  */
-int v_editor_set_frame(V_EDITOR *editor, double frame);
+int v_editor_set_frame(V_EDITOR *editor,
+                       double frame);
 
 /**
- * Plays the flight from the playhead on, at the end from the beginning; play 0:
- * no more. It begins when the window is served next, and goes on whether or not
- * that is seen.
- * The thread that opened the window; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_CLOSED.
+ * Plays the flight from the playhead, or from the beginning if that is at the end;
+ * play 0 stops. It starts when the window is next served, and continues whether or not
+ * the window is visible.
+ * The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
+ * V_ERR_CLOSED.
  */
-int v_editor_play(V_EDITOR *editor, int play);
+int v_editor_play(V_EDITOR *editor,
+                  int play);
 
 /**
  * Makes an orientation of a point current, both counted from 0.
@@ -3208,61 +3358,79 @@ int v_editor_play(V_EDITOR *editor, int play);
 int v_editor_select(V_EDITOR *editor, int point, int orientation);
 
 /**
- * Shows another object, copied, in one step that the user can take back. NULL:
- * none.
+ * Replaces the object shown, in one step that the user can undo. The mesh is copied;
+ * NULL removes the object.
  * The thread that opened the window; from callbacks too. V_ERR_NULL (editor),
- * V_ERR_SIZE, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT, V_ERR_RANGE,
- * V_ERR_LIMIT, V_ERR_MEMORY.
+ * V_ERR_SIZE, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT,
+ * V_ERR_MEMORY.
  */
-int v_editor_set_object(V_EDITOR *editor, const V_MESH *object);
+int v_editor_set_object(V_EDITOR *editor,
+                        const V_MESH *object);
 
 /**
- * Sets what follows "VIDES" in the window's title, UTF-8, one line (control
- * characters are shown as spaces); NULL: the file's name.
+ * Sets the text after "VIDES" in the window's title: UTF-8, one line (control
+ * characters are shown as spaces); NULL: the name of the file.
  * The thread that opened the window; from callbacks too. V_ERR_NULL (editor),
  * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT, V_ERR_MEMORY.
  */
 int v_editor_set_title(V_EDITOR *editor, const char *title);
 
 /**
- * Whether there is work in a window that would be lost with it: *modified is 1 or 0.
- * The thread that opened the window; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_CLOSED.
+ * Gets whether closing a window would lose work: *modified is 1 or 0.
+ * The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
+ * V_ERR_CLOSED.
  */
-int v_editor_is_modified(const V_EDITOR *editor,
-                         int *modified);
+int v_editor_is_modified(const V_EDITOR *editor, int *modified);
 
 /**
- * Saves the path of a window as a .vid file, whatever is there, which the window
- * edits from then on. NULL: its own file, unless another program has changed that
- * meanwhile.
+ * Marks the contents of a window as saved, after your program has kept them, for
+ * example from v_editor_get_path(). They count as saved until the next change and are
+ * not offered at the next start.
+ * The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
+ * V_ERR_CLOSED.
+ */
+int v_editor_mark_saved(V_EDITOR *editor);
+
+/**
+ * Saves the contents of a window to a .vid file, replacing an existing one; the window
+ * edits that file from then on. NULL: its own file, unless another program has changed
+ * it meanwhile.
  * The thread that opened the window; from callbacks too. V_ERR_NULL (editor),
  * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no file yet, or changed by others),
  * V_ERR_IO, V_ERR_MEMORY.
  */
-int v_editor_save(V_EDITOR *editor, const char *file);
+int v_editor_save(V_EDITOR *editor,
+                  const char *file);
 
 /**
- * Brings a window before all others, if the desktop lets it.
- * The thread that opened the window; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_DISPLAY.
+ * Raises a window above all others, if the desktop allows it.
+ * The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
+ * V_ERR_CLOSED, V_ERR_DISPLAY.
  */
 int v_editor_raise(V_EDITOR *editor);
 
 /**
- * Closes all windows of this thread, those of v_haupt(), too: for the host's own
- * Quit. ask not 0: each window asks about unsaved work, then on_close or ende, one
- * after the other; all are served until the last is closed or somebody says no.
- * Handles are freed by v_editor_close() nevertheless.
+ * Closes all windows that this thread has open, including those of v_haupt(), for your
+ * program's Quit. Windows opened meanwhile stay open. Handles must still be freed with
+ * v_editor_close().
+ *
+ * ask  0: closes without asking; unsaved work is offered at the next start. Otherwise
+ *     each window in turn asks about unsaved work and then calls on_close or ende,
+ *     until all are closed or one refuses; meanwhile all are served
+ *
+ * While a window asks, the call also handles the events, timers and inputs of a
+ * program with Xt, in the context that this thread ran last; no longjmp() and no
+ * exception may leave their callbacks. A second call meanwhile raises the window that
+ * asks and fails with V_ERR_BUSY.
  * The thread that opens the windows. V_ERR_REFUSED (the windows before that one are
- * closed), V_ERR_BUSY from within a callback, V_ERR_DISPLAY, V_ERR_LIMIT without
- * descriptors.
+ * closed), V_ERR_BUSY from within a callback or while an earlier call asks,
+ * V_ERR_DISPLAY, V_ERR_LIMIT without descriptors.
  */
 int v_editors_close(int ask);
 
 /**
- * A copy of the scene as it is in the window now; of a path alone that of a camera on
- * it. *scene is the caller's, to be freed with v_scene_free().
+ * Gets a copy of the scene in a window; if the window has only a path, a scene with a
+ * camera on it. Free *scene with v_scene_free().
  * The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
  * V_ERR_CLOSED, V_ERR_MEMORY, V_ERR_LIMIT.
  */
@@ -3270,14 +3438,16 @@ int v_editor_get_scene(const V_EDITOR *editor,
                        V_SCENE **scene);
 
 /**
- * Shows another scene in a window, in one step that the user can take back. scene is
- * copied, with its space, title, comment and so on; its wireframe object, too, if it has
- * one. The space of the options is that of what the window began with.
- * The path that is edited stays so where its node is there under its name and follows
- * one; else that of the camera that is shown is edited then, if it has one, with the base
- * speeds that were given when the window was opened. One camera on a path and nothing
- * else is that path. A drag of the user's ends where it has come to. The playhead stays
- * at its frame, if the scene has that. A scene like the one before is a step, too.
+ * Replaces the scene in a window, in one step that the user can undo, even if the
+ * scene is equal to the old one. The scene is copied with its space, title, comment
+ * and so on, and with its wireframe object if it has one. The space given in the
+ * options applies only to what the window began with.
+ *
+ * The path that is edited remains the one edited if the new scene has a node of the
+ * same name that follows a path. Otherwise the path of the camera shown, if it has
+ * one, is edited, with the base speeds given when the window was opened. A scene with
+ * nothing but one camera on a path is treated as that path. A drag in progress ends
+ * where it is. The playhead stays at its frame if the scene has that frame.
  * The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
  * V_ERR_CLOSED, V_ERR_BUSY, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
  */
@@ -3288,48 +3458,50 @@ int v_editor_set_scene(V_EDITOR *editor,
 /* ---- Steps of a window ------------------------------------------------------- */
 
 /**
- * Takes back the last step of a window, as the user does by Ctrl-Z. A window keeps the last
- * 10,000 steps, and of what they have changed 256 MiB.
- * The thread that opened the window; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (there is none).
+ * Undoes the last step of a window, like Ctrl-Z. A window keeps the last 10,000 steps,
+ * and at most 256 MiB of what they changed.
+ * The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
+ * V_ERR_CLOSED, V_ERR_ARGUMENT (nothing to undo).
  */
 int v_editor_undo(V_EDITOR *editor);
 
 /**
- * Does again what was taken back last, as the user does by Ctrl-Y.
- * The thread that opened the window; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (there is none).
+ * Redoes the step that was undone last, like Ctrl-Y.
+ * The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
+ * V_ERR_CLOSED, V_ERR_ARGUMENT (nothing to redo).
  */
 int v_editor_redo(V_EDITOR *editor);
 
 /**
- * Begins what the user can take back at once: all that is changed in a window, by whomever,
- * until v_editor_end_step(). One that was begun before is forgotten; another document in the
- * window ends it.
- * The thread that opened the window; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_CLOSED.
+ * Begins a group of changes that the user undoes as one step: all changes in a window
+ * until v_editor_end_step(), yours and the user's. It replaces a group begun before;
+ * loading another document in the window ends it.
+ * The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
+ * V_ERR_CLOSED.
  */
 int v_editor_begin_step(V_EDITOR *editor);
 
 /**
- * Ends what v_editor_begin_step() has begun; without that it does nothing.
- * The thread that opened the window; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_MEMORY (the steps stay apart).
+ * Ends the group begun by v_editor_begin_step(); does nothing without one.
+ * The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
+ * V_ERR_CLOSED.
  */
 int v_editor_end_step(V_EDITOR *editor);
 
 /**
- * The point that is current and its orientation, both counted from 0, see
- * v_editor_select(). Each result may be NULL.
- * The thread that opened the window; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no path of its scene is edited).
+ * Gets the current point and orientation, both counted from 0, see v_editor_select().
+ * Any result may be NULL.
+ * The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
+ * V_ERR_CLOSED, V_ERR_ARGUMENT (no path of its scene is edited).
  */
-int v_editor_get_selection(const V_EDITOR *editor, int *point, int *orientation);
+int v_editor_get_selection(const V_EDITOR *editor,
+                           int *point,
+                           int *orientation);
 
 /**
- * Whether a window plays the flight, see v_editor_play(): *playing is 1 or 0.
- * The thread that opened the window; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_CLOSED.
+ * Gets whether a window is playing, see v_editor_play(): *playing is 1 or 0.
+ * The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
+ * V_ERR_CLOSED.
  */
 int v_editor_is_playing(const V_EDITOR *editor, int *playing);
 
@@ -3337,32 +3509,38 @@ int v_editor_is_playing(const V_EDITOR *editor, int *playing);
 /* ---- Toolbox: quaternions ---------------------------------------------------- */
 
 /**
- * Quaternions are w, x, y, z. What goes in is brought to length 1; V_ERR_ARGUMENT
- * if it is zero or not finite. The camera that is not turned looks along
- * (0, 0, 1) with (0, 1, 0) up. Results may be the same arrays as arguments.
+ * Gets the spherical linear interpolation from a (t = 0) to b (t = 1) by the shorter
+ * arc, at any finite t.
  *
- * Spherical linear interpolation from a (t = 0) to b (t = 1) by the shorter
- * way; any finite t.
+ * Quaternions are w, x, y, z. Arguments are normalized; V_ERR_ARGUMENT if one is zero
+ * or not finite. The identity is a camera that looks along (0, 0, 1) with (0, 1, 0)
+ * up. Results may be the same arrays as arguments.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT.
  */
-int v_quat_slerp(const double a[4], const double b[4], double t, double q[4]);
+int v_quat_slerp(const double a[4],
+                 const double b[4],
+                 double t,
+                 double q[4]);
 
 /**
- * The quaternion of a camera that looks along vpn with vup up. Both may have
- * any length but zero; vup need not be perpendicular to vpn, but not parallel.
+ * Gets the quaternion of a camera that looks along vpn with vup up. Both may have any
+ * length but zero; vup need not be perpendicular to vpn, but must not be parallel to
+ * it.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT.
  */
-int v_quat_from_view(const double vpn[3], const double vup[3], double q[4]);
+int v_quat_from_view(const double vpn[3],
+                     const double vup[3],
+                     double q[4]);
 
 /**
- * View direction and up vector of a quaternion. Each result may be NULL.
+ * Gets the view direction and up vector of a quaternion. Any result may be NULL.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT.
  */
 int v_view_from_quat(const double q[4], double vpn[3], double vup[3]);
 
 /**
- * A smooth curve through orientations (Barry and Goldman 1988), its ends by
- * reflection, at the time when.
+ * Gets the quaternion at the time when on a smooth curve through orientations (Barry
+ * and Goldman 1988), whose ends are made by reflection.
  *
  * keys   count quaternions, four doubles each
  * key_times  the time of each key, strictly increasing
@@ -3378,11 +3556,9 @@ int v_quat_spline(const double *keys,
                   double q[4]);
 
 /**
- * As v_quat_spline(), by a cubic spherical curve with tension, continuity and
- * bias.
+ * Like v_quat_spline(), on a cubic spherical curve with tension, continuity and bias.
  *
- * tcb  three doubles for each key, tension, continuity and bias, each from
- *     -1 to 1; NULL for all zero
+ * tcb  tension, continuity and bias of each key, each from -1 to 1; NULL: all zero
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE,
  * V_ERR_LIMIT, V_ERR_MEMORY.
  */
@@ -3397,15 +3573,14 @@ int v_quat_tcb_spline(const double *keys,
 /* ---- Toolbox: speed curve ---------------------------------------------------- */
 
 /**
- * The speed curve of one section: ten speeds from 1 to 100 at u = 0, 1/9, ... 1,
- * smoothly joined, never leaving 1 to 100.
+ * Gets speed and distance on the speed curve of a section: ten speeds from 1 to 100 at
+ * u = 0, 1/9, ... 1, smoothly joined, never leaving 1 to 100.
  *
- * before, after  the facing speeds of the neighbouring sections; NULL where
- *     there is none
+ * before, after  the adjacent speed of the section before and after; NULL: no section
  * u    from 0 to 1
- * speed_at_u         the speed there
- * distance_fraction  how much of the way is done there, 0 to 1
- * Each result may be NULL.
+ * speed_at_u         the speed at u
+ * distance_fraction  the fraction of the distance covered at u, 0 to 1
+ * Any result may be NULL.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE.
  */
 int v_speed_curve(const double speed[10],
@@ -3419,23 +3594,23 @@ int v_speed_curve(const double speed[10],
 /* ---- Toolbox: views ---------------------------------------------------------- */
 
 /**
- * The matrix that takes world coordinates into the canonical volume of a view:
- * 16 numbers by rows, for column vectors, m times (x, y, z, 1). In a parallel
- * projection x and y are then from -1 to 1 and z is 0 in the front plane and
- * -1 in the back plane; in a perspective |x| and |y| are at most z, and z is 1
+ * Gets the matrix from world coordinates to the canonical volume of a view: 16
+ * numbers, row by row, for column vectors, m times (x, y, z, 1). In a parallel
+ * projection, x and y are then from -1 to 1, and z is 0 in the front plane and -1 in
+ * the back plane. In a perspective projection, |x| and |y| are at most z, and z is 1
  * in the back plane.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT (up
- * parallel to normal), V_ERR_RANGE (prp not before the front plane, back plane
- * not behind it, empty window).
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT (up parallel
+ * to normal), V_ERR_RANGE (prp not in front of the front plane, back plane not behind
+ * it, empty window).
  */
-int v_view_matrix(const V_VIEW *view, double m[16]);
+int v_view_matrix(const V_VIEW *view,
+                  double m[16]);
 
 /**
- * The perspective view that a camera has in a pose. aspect is the picture's
- * width by its height; front and back are the distances of the planes before
- * the camera, 0 < front < back. view->size must be set before.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT,
- * V_ERR_RANGE.
+ * Gets the perspective view of a camera in a pose. aspect is the width of the picture
+ * divided by its height; front and back are the distances of the planes from the
+ * camera, 0 < front < back. Set view->size before.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE.
  */
 int v_view_from_pose(const V_POSE *pose,
                      double aspect,
@@ -3444,56 +3619,124 @@ int v_view_from_pose(const V_POSE *pose,
                      V_VIEW *view);
 
 /**
- * The matrix of a camera in a pose as gluLookAt() makes it, to be given to
- * glLoadMatrixd(): 16 numbers by columns, world to eye, looking along -z.
+ * Gets the matrix of a camera in a pose as gluLookAt() makes it, for glLoadMatrixd():
+ * 16 numbers, column by column, from the world to the eye, looking along -z.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE.
  */
-int v_pose_gl_matrix(const V_POSE *pose, double m[16]);
+int v_pose_gl_matrix(const V_POSE *pose,
+                     double m[16]);
 
 /**
- * The vertical field of view, in degrees, of a lens of zoom mm before a picture
- * that is height mm high: 2 atan (height / (2 zoom)). The zoom of a V_POSE goes with
- * the height 24.
+ * Returns the vertical field of view, in degrees, of a lens of zoom mm and a picture
+ * that is height mm high: 2 atan (height / (2 zoom)). For the zoom of a V_POSE, height
+ * is 24.
  *
  * zoom, height  finite and > 0
- * Any thread; from callbacks too. NaN, and v_last_error() says why, for anything else.
+ * Any thread; from callbacks too. NaN for anything else; v_last_error() returns why.
  */
 double v_fov_from_zoom(double zoom,
                        double height);
 
 /**
- * The lens in mm that gives a picture height mm high the vertical field of view fov:
- * height / (2 tan (fov / 2)). With the height 24 it is the zoom of a V_POSE.
+ * Returns the focal length in mm that gives a picture height mm high the vertical
+ * field of view fov: height / (2 tan (fov / 2)). With height 24 it is the zoom of a
+ * V_POSE.
  *
- * fov     in degrees, between 0 and 180, both left out
+ * fov     in degrees, between 0 and 180, both excluded
  * height  finite and > 0
- * Any thread; from callbacks too. NaN, and v_last_error() says why, for anything else.
+ * Any thread; from callbacks too. NaN for anything else; v_last_error() returns why.
  */
 double v_zoom_from_fov(double fov,
                        double height);
 
 /**
- * The matrix of a camera in a pose, for programs whose cameras have other axes than
- * OpenGL's: 16 numbers by columns, for column vectors.
+ * Gets the matrix of a camera, for programs whose camera axes differ from OpenGL's: 16
+ * numbers, column by column, for column vectors.
  *
  * convention  the camera's axes, V_AXES_...
- * to_world    0: from world coordinates into the camera's (the view matrix); with
- *     V_AXES_OPENGL that of v_pose_gl_matrix(), bit for bit. Else from the camera's
- *     into the world's: its columns are the axes and vrp
+ * to_world    0: world to camera (the view matrix), with V_AXES_OPENGL equal to that
+ *     of v_pose_gl_matrix(), bit for bit. Otherwise camera to world: the columns are
+ *     the axes and vrp
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE.
  */
-int v_pose_matrix(const V_POSE *pose, int convention, int to_world, double m[16]);
+int v_pose_matrix(const V_POSE *pose,
+                  int convention,
+                  int to_world,
+                  double m[16]);
 
 /**
- * The projection of a camera in a pose, behind the view matrix of v_pose_gl_matrix(),
- * which looks along -z, whatever the convention: 16 numbers by columns, for column
- * vectors (the same numbers by rows, for row vectors, as Direct3D takes them). Of the
- * pose only the zoom counts: vertically 2 atan (12 / zoom) are seen.
+ * Gets the pose of a camera from its matrix, the inverse of v_pose_matrix(), for
+ * on_capture and v_editor_set_view(). For a matrix of
+ * glGetDoublev(GL_MODELVIEW_MATRIX), read before the object's own transformations, use
+ * V_AXES_OPENGL and to_world 0. A scale common to all axes is removed, and the axes
+ * are made perpendicular.
  *
- * aspect      the picture's width by its height
+ * m           16 numbers, column by column, for column vectors; the last row is 0, 0,
+ *     0, 1
+ * convention  the camera's axes, V_AXES_...
+ * to_world    0: m is world to camera (the view matrix); otherwise camera to world
+ * zoom        zoom of the pose, finite and > 0, which a matrix does not have; from a
+ *     vertical angle: v_zoom_from_fov(angle, 24)
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT (a matrix that mirrors,
+ * shears, projects or is not finite; zoom), V_ERR_RANGE (convention).
+ */
+int v_pose_from_matrix(const double m[16],
+                       int convention,
+                       int to_world,
+                       double zoom,
+                       V_POSE *pose);
+
+/**
+ * Gets the orientation of a camera as three angles. At angles 0, 0, 0 the camera's
+ * axes (those of convention) lie along the world's. The camera is then turned about
+ * the fixed axes of the world, in the order of the letters: with V_ORDER_XYZ about x,
+ * then y, then z, so that the rotation is Rz Ry Rx for column vectors. (This equals
+ * turns about the camera's own axes in the reverse order: z, y, x.) Positive angles
+ * are counter-clockwise, seen against the axis.
+ *
+ * With V_AXES_VIDES and V_ORDER_ZXY the angles are pitch (positive looks down), yaw
+ * and roll of a camera in a world with y up.
+ *
+ * convention  the camera's axes, V_AXES_...; Blender and glTF use V_AXES_OPENGL
+ * order       V_ORDER_...
+ * angles      degrees about x, y and z, listed so for any order. The second turn is
+ *     within -90 to 90, the others within -180 to 180. If it is 90 or -90, the other
+ *     two turn about the same axis and share its angle
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE (convention,
+ * order).
+ */
+int v_pose_to_euler(const V_POSE *pose,
+                    int convention,
+                    int order,
+                    double angles[3]);
+
+/**
+ * Gets the pose of a camera at a position, turned by three angles: the inverse of
+ * v_pose_to_euler(), which explains them. Any finite angles are valid.
+ *
+ * vrp     position of the camera
+ * angles  degrees about x, y and z
+ * zoom    zoom of the pose, finite and > 0
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT (not finite; zoom),
+ * V_ERR_RANGE (convention, order).
+ */
+int v_pose_from_euler(const double vrp[3],
+                      const double angles[3],
+                      int convention,
+                      int order,
+                      double zoom,
+                      V_POSE *pose);
+
+/**
+ * Gets the projection matrix of a camera, to be applied after the view matrix of
+ * v_pose_gl_matrix(), which looks along -z whatever the convention: 16 numbers, column
+ * by column, for column vectors (row by row for row vectors, as Direct3D uses them).
+ * Only the zoom of the pose is used: the vertical field of view is 2 atan (12 / zoom).
+ *
+ * aspect      width of the picture divided by its height
  * near_plane  distance of the front plane, > 0
- * far_plane   that of the back plane, > near_plane; INFINITY: there is none
- * convention  V_CLIP_..., | V_CLIP_REVERSED
+ * far_plane   distance of the back plane, > near_plane; INFINITY: no back plane
+ * convention  V_CLIP_..., optionally | V_CLIP_REVERSED
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_RANGE.
  */
 int v_pose_projection(const V_POSE *pose,

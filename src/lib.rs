@@ -79,7 +79,7 @@ pub mod plot;
 
 pub use glam;
 pub use vides_document::{self as document, Error, Result, error, properties};
-pub use vides_engine::{deform, limits, math, path, planner, property, scene, tools};
+pub use vides_engine::{deform, limits, math, path, planner, property, scene, shared_list, tools};
 #[cfg(feature = "formats")]
 pub use vides_formats as formats;
 #[cfg(feature = "window")]

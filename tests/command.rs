@@ -11,6 +11,8 @@ use std::process::{Command, Output, Stdio};
 mod check_and_plot;
 #[path = "command/convert.rs"]
 mod convert;
+#[path = "command/files.rs"]
+mod files;
 #[path = "command/planner.rs"]
 mod planner;
 #[path = "command/properties.rs"]
@@ -205,42 +207,6 @@ fn a_full_standard_output_is_told() {
 }
 
 #[test]
-fn a_failed_run_leaves_the_old_file() {
-    let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("out.txt");
-    fs::write(&file, "old\n").unwrap();
-    // The shell limits the size of files to a few blocks, and sees to it that
-    // more is an error instead of a signal.
-    let script = "trap '' XFSZ; ulimit -f 8; exec \"$0\" sample \"$1\" -o \"$2\"";
-    let output = Command::new("sh")
-        .args(["-c", script, env!("CARGO_BIN_EXE_vides"), PYRAMID])
-        .arg(&file)
-        .output()
-        .unwrap();
-    let sentence = sentence(&output, 1);
-    assert!(sentence.contains("File too large"), "{sentence}");
-    assert_eq!(fs::read_to_string(&file).unwrap(), "old\n");
-    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
-}
-
-#[test]
-fn a_path_is_not_overwritten_by_its_poses() {
-    let folder = tempfile::tempdir().unwrap();
-    let file = folder.path().join("path.vid");
-    let link = folder.path().join("link.txt");
-    fs::copy(PYRAMID, &file).unwrap();
-    std::os::unix::fs::symlink(&file, &link).unwrap();
-    for out in [&file, &link] {
-        let output = vides(&["sample", "-o"])
-            .args([out, &file])
-            .output()
-            .unwrap();
-        assert!(sentence(&output, 2).contains("overwrite"));
-        assert_eq!(fs::read(&file).unwrap(), fs::read(PYRAMID).unwrap());
-    }
-}
-
-#[test]
 fn too_many_frames_are_refused_before_anything_is_written() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("out.txt");
@@ -402,7 +368,7 @@ fn the_manual_page_knows_every_option_and_no_other() {
     // What goes on on another line is indented further.
     let commands = commands.lines().filter_map(|line| line.strip_prefix("  "));
     let commands = commands.filter(|line| !line.starts_with(' '));
-    let commands: Vec<_> = commands
+    let mut commands: Vec<_> = commands
         .filter_map(|line| Some(line.split_whitespace().next()?.to_owned()))
         .collect();
     assert!(commands.len() >= 23, "{commands:?}");
@@ -425,9 +391,23 @@ fn the_manual_page_knows_every_option_and_no_other() {
         .lines()
         .filter(|line| line.starts_with(".SS "))
         .collect();
-    for command in commands {
+    for command in &commands {
         let title = format!("vides {command}");
         let named = |line: &&str| line[4..].split(", ").any(|name| name == title);
         assert!(titles.iter().any(named), "{command}: {titles:?}");
     }
+    // The synopsis names each command once: alone, or within braces.
+    let (_, synopsis) = page.split_once(".SH SYNOPSIS\n").unwrap();
+    let (synopsis, _) = synopsis.split_once(".SH DESCRIPTION\n").unwrap();
+    let mut shown = Vec::new();
+    for line in synopsis.lines() {
+        if let Some(command) = line.strip_prefix(".B vides ") {
+            shown.push(command);
+        } else if let Some(several) = line.strip_prefix(".BR vides \" {\" ") {
+            shown.extend(several.trim_end_matches(" }").split(" | "));
+        }
+    }
+    shown.sort_unstable();
+    commands.sort_unstable();
+    assert_eq!(shown, commands);
 }

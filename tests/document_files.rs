@@ -167,7 +167,7 @@ const BROKEN: &[(&str, &str)] = &[
     ),
     (
         "unknown_point_key",
-        "line 5: unknown key \"presset\"; known here: name, position, preset, own, tangents, orientation",
+        "line 5: unknown key \"presset\"; known here: name, position, preset, own, tangents, keeps_motion, orientation",
     ),
     (
         "unknown_root_key",
@@ -311,7 +311,7 @@ fn long_files_are_read_like_short_ones() {
     assert_eq!(
         parse(&format!("{text}zoom = 3\n")).unwrap_err(),
         format!(
-            "line {}: unknown key \"zoom\"; known here: name, position, preset, own, tangents, orientation",
+            "line {}: unknown key \"zoom\"; known here: name, position, preset, own, tangents, keeps_motion, orientation",
             lines + 1
         )
     );

@@ -7,7 +7,7 @@ use vides::{Error, limits};
 
 fn document(points: Vec<SupportPoint>) -> Document {
     let path = CameraPath {
-        points,
+        points: points.into(),
         ..CameraPath::default()
     };
     Document::from_parts(path, vides::document::Info::default()).unwrap()

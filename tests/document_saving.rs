@@ -62,6 +62,72 @@ fn permissions_stay() {
     }
 }
 
+/// Whatever is in the folder meanwhile: nobody else may read it.
+#[test]
+fn a_private_file_is_private_while_it_is_saved() {
+    let folder = folder();
+    let file = folder.path().join("private.vid");
+    fs::write(&file, "old").unwrap();
+    fs::set_permissions(&file, fs::Permissions::from_mode(0o600)).unwrap();
+    let mut looked = 0;
+    save::save_with(&file, &mut |out| {
+        out.write_all(&vec![b'x'; 1 << 20]).unwrap();
+        for name in names(folder.path()) {
+            assert_eq!(mode(&folder.path().join(&name)) & 0o077, 0, "{name}");
+            looked += 1;
+        }
+        Ok(())
+    })
+    .unwrap();
+    assert!(looked > 0);
+    assert_eq!(mode(&file), 0o600);
+}
+
+#[test]
+fn another_hard_link_keeps_the_old_file() {
+    let folder = folder();
+    let [file, other] = ["file", "other"].map(|name| folder.path().join(name));
+    fs::write(&file, "old").unwrap();
+    fs::hard_link(&file, &other).unwrap();
+    save::save(&file, b"new").unwrap();
+    assert_eq!(fs::read(&file).unwrap(), b"new");
+    assert_eq!(fs::read(&other).unwrap(), b"old");
+}
+
+/// What somebody else has put into a folder like `/tmp` is neither followed nor replaced. Root alone
+/// can try it.
+#[test]
+fn traps_in_shared_folders_are_refused() {
+    const OTHER: Option<u32> = Some(65534);
+    let folder = folder();
+    let at = |name: &str| folder.path().join(name);
+    fs::create_dir(at("shared")).unwrap();
+    fs::write(at("precious"), "kept").unwrap();
+    symlink("../precious", at("shared/theirs")).unwrap();
+    symlink("../none", at("shared/dangling")).unwrap();
+    symlink("../precious", at("shared/ours")).unwrap();
+    fs::write(at("shared/waiting"), "").unwrap();
+    let planted = ["theirs", "dangling", "waiting"].map(|name| at("shared").join(name));
+    for planted in &planted {
+        if std::os::unix::fs::lchown(planted, OTHER, None).is_err() {
+            return;
+        }
+    }
+    // Nobody else can write here: the links are the folder's owner's business.
+    save::save(&planted[0], b"followed").unwrap();
+    assert_eq!(fs::read(at("precious")).unwrap(), b"followed");
+    fs::write(at("precious"), "kept").unwrap();
+    fs::set_permissions(at("shared"), fs::Permissions::from_mode(0o1777)).unwrap();
+    for planted in &planted {
+        let error = save::save(planted, b"new").unwrap_err().to_string();
+        assert_eq!(error, format!("{}: Permission denied", planted.display()));
+    }
+    assert_eq!(fs::read(at("precious")).unwrap(), b"kept");
+    assert!(!at("none").exists());
+    save::save(&at("shared/ours"), b"new").unwrap();
+    assert_eq!(fs::read(at("precious")).unwrap(), b"new");
+}
+
 #[test]
 fn links_are_followed_and_stay() {
     let folder = folder();

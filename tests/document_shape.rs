@@ -5,7 +5,7 @@
 mod common;
 
 use common::Random;
-use glam::DVec3;
+use glam::{DMat4, DVec3};
 use vides::document::{At, Document, Edit};
 use vides::path::{
     CurveKind, Ease, EaseKind, OrientationOverrides, Pace, Tangents, Up, UpPath, UpVector, own,
@@ -157,7 +157,7 @@ fn a_wrong_value_is_told_with_its_line() {
     for (orientation, said) in [
         (
             "frames = -1",
-            "line 6: frames: must lie between 0 and 100000000",
+            "line 6: frames: must lie between 0 and 99999999",
         ),
         (
             "ahead = -0.5",
@@ -235,6 +235,126 @@ fn a_wrong_value_is_told_with_its_line() {
     let found = refused("version = 1\ncurve = \"round\"\n");
     assert_eq!(
         found,
-        "line 2: curve: must be \"tcb\", \"cubic\" or \"linear\""
+        "line 2: curve: must be \"tcb\", \"centripetal\", \"chordal\", \"cubic\" or \"linear\""
     );
+}
+
+/// A path of six points with two on its curve that keep the motion: numbers 2 and 5.
+fn keeping(closed: bool) -> Document {
+    let mut document = Document::new();
+    let places = [
+        [0.3, 0.9, 0.1],
+        [-0.2, 0.4, -0.6],
+        [0.7, -0.3, 0.2],
+        [0.0, -0.8, 0.5],
+    ];
+    for (k, place) in places.into_iter().enumerate() {
+        let position = DVec3::from(place);
+        let at = k + 2;
+        document.apply(Edit::InsertPoint { at, position }).unwrap();
+    }
+    document
+        .apply(Edit::set(At::Path, "closed", closed))
+        .unwrap();
+    for segment in [3, 1] {
+        let frame = document
+            .timeline(|timeline| {
+                let section = timeline.section_from(segment, 0).unwrap();
+                let start: usize = (0..section).map(|one| timeline.section(one).frames).sum();
+                (start + timeline.section(section).frames / 2) as f64
+            })
+            .unwrap();
+        document.apply(Edit::InsertOnCurve { frame }).unwrap();
+    }
+    document
+}
+
+/// Numbers of the points that keep a motion, which are those that own tangents.
+fn keepers(document: &Document) -> Vec<usize> {
+    let points = document.path().points.iter().enumerate();
+    points
+        .filter_map(|(at, point)| {
+            assert_eq!(point.keeps_motion, point.tangents.is_some());
+            point.keeps_motion.then_some(at)
+        })
+        .collect()
+}
+
+#[test]
+fn tangents_that_keep_a_motion_lapse_when_their_point_or_one_beside_it_moves() {
+    let position = DVec3::new(0.5, 0.5, 0.5);
+    let matrix = DMat4::from_translation(DVec3::splat(0.01));
+    let moved = |points: &[usize]| Edit::TransformPoints {
+        points: points.to_vec(),
+        matrix,
+        with_targets: false,
+    };
+    let place = |at| Edit::set(At::Point(at), "position", position);
+    let all: Vec<usize> = (0..8).collect();
+    for (edit, left) in [
+        (place(2), vec![0, 4, 5, 6, 7]),
+        (place(1), vec![3, 4, 5, 6, 7]),
+        (place(3), vec![0, 1, 5, 6, 7]),
+        (place(0), vec![2, 3, 4, 5, 6, 7]),
+        (Edit::RemovePoint { at: 2 }, vec![0, 3, 4, 5, 6]),
+        (Edit::RemovePoint { at: 7 }, vec![0, 1, 2, 3, 4, 5]),
+        (
+            Edit::InsertPoint { at: 2, position },
+            vec![0, 4, 5, 6, 7, 8],
+        ),
+        (
+            Edit::DivideSegment {
+                segment: 4,
+                points: 3,
+            },
+            vec![0, 1, 2, 3, 9, 10],
+        ),
+        (Edit::AppendAfterLast, vec![0, 1, 2, 3, 4, 5, 6]),
+        (Edit::MovePoint { from: 2, to: 0 }, vec![4, 5, 6, 7]),
+        (Edit::MovePoint { from: 2, to: 4 }, vec![0, 6, 7]),
+        (moved(&all), all.clone()),
+        (moved(&[0, 1, 2, 3]), vec![0, 1, 2, 5, 6, 7]),
+        (
+            Edit::set(At::Point(2), "tangents", None::<Tangents>),
+            vec![0, 1, 3, 4, 5, 6, 7],
+        ),
+    ] {
+        let mut document = keeping(false);
+        assert_eq!(keepers(&document), all);
+        let before = document.to_toml().unwrap();
+        document.apply(edit.clone()).unwrap();
+        assert_eq!(keepers(&document), left, "{edit:?}");
+        let after = document.to_toml().unwrap();
+        let read = Document::from_toml(&after).unwrap();
+        assert_eq!(read.path(), document.path());
+        assert!(document.undo());
+        assert_eq!(document.to_toml().unwrap(), before, "{edit:?}");
+        assert!(document.redo());
+        assert_eq!(document.to_toml().unwrap(), after, "{edit:?}");
+    }
+    // Around the end of a closed path.
+    let mut closed = keeping(true);
+    let frames = closed.timeline(|timeline| timeline.frame_count());
+    let frame = frames.unwrap().unwrap() as f64 - 3.0;
+    closed.apply(Edit::InsertOnCurve { frame }).unwrap();
+    assert_eq!(keepers(&closed), [0, 1, 2, 3, 4, 5, 6, 7, 8]);
+    closed.apply(place(8)).unwrap();
+    assert_eq!(keepers(&closed), [1, 2, 3, 4, 5, 6]);
+}
+
+#[test]
+fn tangents_of_the_users_own_stay_where_a_motion_was_kept() {
+    let mut document = keeping(false);
+    // Those that are there, taken over: from then on they are the user's.
+    let tangents = document.path().points[3].tangents;
+    document
+        .apply(Edit::set(At::Point(3), "tangents", tangents))
+        .unwrap();
+    assert!(!document.path().points[3].keeps_motion);
+    let position = DVec3::new(0.5, 0.5, 0.5);
+    document
+        .apply(Edit::set(At::Point(2), "position", position))
+        .unwrap();
+    let own = |at: usize| document.path().points[at].tangents;
+    assert_eq!([own(1), own(2), own(3)], [None, None, tangents]);
 }

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::Path;
 
 /// The files with exports, in the order in which the header shows them.
-const SOURCES: [&str; 34] = [
+const SOURCES: [&str; 35] = [
     "status",
     "types",
     "legacy",
@@ -31,6 +31,7 @@ const SOURCES: [&str; 34] = [
     "scene_contents",
     "scene_states",
     "exchange",
+    "progress",
     "checks",
     "planning",
     "editor",

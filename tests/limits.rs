@@ -27,7 +27,7 @@ fn row(count: usize) -> Vec<SupportPoint> {
 
 fn path(points: Vec<SupportPoint>) -> CameraPath {
     CameraPath {
-        points,
+        points: points.into(),
         ..CameraPath::default()
     }
 }

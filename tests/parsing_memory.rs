@@ -105,6 +105,15 @@ fn dear_texts_are_refused_before_they_fill_the_memory() {
             answer = Document::from_toml(&text).unwrap_err().to_string();
         })
         .peak;
+        // What is written as we write it takes far less than the parser would for it.
+        if answer.contains("unknown key") {
+            assert!(
+                peak < 120 * text.len(),
+                "{kind}: {peak} bytes for {}",
+                text.len()
+            );
+            continue;
+        }
         assert_eq!(
             answer,
             "line 1: what begins here could take more than 2048 MiB of memory to be read"

@@ -4,6 +4,7 @@
 
 use std::fmt::Write as _;
 
+use vides::limits;
 use vides::property::{Listed, Owner};
 
 const FILE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/docs/files.md");
@@ -49,6 +50,26 @@ fn the_manual_names_every_key() {
     let words: Vec<_> = manual.split(|c| !of_a_key(c)).collect();
     for row in vides::properties() {
         assert!(words.contains(&row.key), "{}", row.key);
+    }
+}
+
+/// What stands in the tables is read by people: no links of rustdoc, and the numbers of the limits.
+#[test]
+fn a_property_says_what_it_is_in_plain_words() {
+    let all = vides::properties();
+    for row in &all {
+        let code = ["[`", "`]", "::"]
+            .iter()
+            .any(|mark| row.does.contains(mark));
+        assert!(!code, "{}: {}", row.key, row.does);
+    }
+    for (key, limit) in [
+        ("title", limits::MAX_NAME_BYTES as f64),
+        ("comment", limits::MAX_COMMENT_BYTES as f64),
+        ("fps", limits::MAX_FPS),
+    ] {
+        let row = all.iter().find(|row| row.key == key).unwrap();
+        assert!(row.does.contains(&format!(" {limit}")), "{}", row.does);
     }
 }
 

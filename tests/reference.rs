@@ -100,7 +100,7 @@ impl Case {
     fn read(file: &Path) -> Self {
         let text = std::fs::read_to_string(file).expect("the file can be read");
         let mut path = CameraPath {
-            points: Vec::new(),
+            points: [].into(),
             ..CameraPath::default()
         };
         let (mut segments, mut sections, mut poses) = (Vec::new(), Vec::new(), Vec::new());

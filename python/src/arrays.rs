@@ -1,8 +1,9 @@
-//! Poses and places in arrays of numpy: ten and three doubles a row, row by row.
+//! Poses and positions in numpy arrays, row by row: ten and three doubles in a row.
 
 use numpy::ndarray::Array2;
 use numpy::{
-    PyArray2, PyReadonlyArray1, PyReadonlyArray2, PyReadwriteArray2, PyUntypedArrayMethods,
+    PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2,
+    PyReadwriteArray2, PyUntypedArrayMethods,
 };
 use pyo3::prelude::*;
 use vides::glam::DVec3;
@@ -11,7 +12,7 @@ use vides::path::Pose;
 
 use crate::error::{Failure, Result};
 
-/// Doubles of a pose.
+/// The doubles of a pose.
 pub(crate) const WIDTH: usize = 10;
 
 pub(crate) fn row(pose: &Pose) -> [f64; WIDTH] {
@@ -31,7 +32,7 @@ fn pose(row: &[f64]) -> Option<Pose> {
     })
 }
 
-/// The rows of an array that is written to.
+/// The rows of a writeable array.
 pub(crate) fn rows_mut<'a>(
     array: &'a mut PyReadwriteArray2<'_, f64>,
     width: usize,
@@ -42,7 +43,7 @@ pub(crate) fn rows_mut<'a>(
     }
     array
         .as_slice_mut()
-        .map_err(|_| Failure::argument("the array must lie row by row without gaps (order C)"))
+        .map_err(|_| Failure::argument("the array must be contiguous row by row (order C)"))
 }
 
 fn wrong_shape([rows, columns]: [usize; 2], width: usize) -> Failure {
@@ -75,7 +76,7 @@ pub(crate) fn numbers(array: &PyReadonlyArray1<'_, f64>) -> Vec<f64> {
     array.as_array().iter().copied().collect()
 }
 
-/// An array of rows of so many numbers.
+/// An array with N numbers in a row.
 pub(crate) fn table<'py, const N: usize>(
     py: Python<'py>,
     rows: impl ExactSizeIterator<Item = [f64; N]>,
@@ -87,24 +88,66 @@ pub(crate) fn table<'py, const N: usize>(
     PyArray2::from_owned_array(py, shaped.unwrap_or_else(|_| Array2::zeros((0, N))))
 }
 
-/// Quaternions w x y z of poses: they take (0, 0, 1) to the view and (0, 1, 0) to the up.
+/// N numbers computed from each pose of a contiguous array.
+fn of_each<const N: usize>(
+    py: Python<'_>,
+    array: &PyReadonlyArray2<'_, f64>,
+    made: impl Fn(&[f64; WIDTH]) -> [f64; N] + Sync,
+) -> PyResult<Vec<f64>> {
+    let shape = [array.shape()[0], array.shape()[1]];
+    if shape[1] != WIDTH {
+        return Err(wrong_shape(shape, WIDTH).into());
+    }
+    let (rows, _) = array.as_slice()?.as_chunks::<WIDTH>();
+    Ok(py.detach(|| {
+        let mut all = Vec::with_capacity(rows.len() * N);
+        rows.iter()
+            .for_each(|row| all.extend_from_slice(&made(row)));
+        all
+    }))
+}
+
+/// View and up of a pose.
+fn axes(row: &[f64; WIDTH]) -> [DVec3; 2] {
+    [3, 6].map(|k| DVec3::new(row[k], row[k + 1], row[k + 2]))
+}
+
+/// Quaternions w x y z of poses: they rotate (0, 0, 1) to the view and (0, 1, 0) to the up.
 #[pyfunction]
 pub(crate) fn quaternions<'py>(
     py: Python<'py>,
     array: PyReadonlyArray2<'py, f64>,
 ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-    let poses = poses(&array)?;
-    let all: Vec<[f64; 4]> = py.detach(|| {
-        let turned = poses.iter().map(|pose| {
-            let q = quaternion_from_view(pose.vpn.into(), pose.vup.into());
-            [q.w, q.x, q.y, q.z]
-        });
-        turned.collect()
-    });
-    Ok(table(py, all.into_iter()))
+    let all = of_each(py, &array, |row| {
+        let [view, up] = axes(row);
+        let q = quaternion_from_view(view, up);
+        [q.w, q.x, q.y, q.z]
+    })?;
+    PyArray1::from_vec(py, all).reshape((array.shape()[0], 4))
 }
 
-/// Poses of places, quaternions w x y z and zooms.
+/// Camera-to-world matrices of poses. Column k is the column of (left, up, view) that `columns`
+/// names, times its sign.
+#[pyfunction]
+pub(crate) fn matrices<'py>(
+    py: Python<'py>,
+    array: PyReadonlyArray2<'py, f64>,
+    columns: [usize; 3],
+    signs: [f64; 3],
+) -> PyResult<Bound<'py, PyArray3<f64>>> {
+    let all = of_each(py, &array, |row| {
+        let [view, up] = axes(row);
+        let own = [up.cross(view), up, view];
+        let [a, b, c] = [0, 1, 2].map(|k| own[columns[k]] * signs[k]);
+        let [x, y, z] = [row[0], row[1], row[2]];
+        [
+            a.x, b.x, c.x, x, a.y, b.y, c.y, y, a.z, b.z, c.z, z, 0.0, 0.0, 0.0, 1.0,
+        ]
+    })?;
+    PyArray1::from_vec(py, all).reshape((array.shape()[0], 4, 4))
+}
+
+/// Poses from positions, quaternions w x y z and zooms.
 #[pyfunction]
 pub(crate) fn poses_of<'py>(
     py: Python<'py>,

@@ -1,4 +1,4 @@
-//! A path: read, sampled, edited, saved.
+//! A path: load, sample, edit, save.
 
 use std::path::PathBuf;
 use std::sync::{PoisonError, RwLock};
@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use vides::document::{self, Edit, Info};
 use vides::glam::DVec3;
-use vides::path::{CameraPath, Change, CurveKind, Pose, Space, Up};
+use vides::path::{CameraPath, Change, CurveKind, Pose, Space, Target, Up};
 use vides::tools::check::Finding;
 use vides::tools::fit::Progress;
 
@@ -18,7 +18,7 @@ use crate::interrupt::interruptible;
 use crate::scene::Scene;
 use crate::{edits, planning, values};
 
-/// A path with its info and its history.
+/// A path with its info and its undo history.
 #[pyclass(frozen, module = "vides._vides")]
 pub(crate) struct Document(RwLock<document::Document>);
 
@@ -45,7 +45,7 @@ impl From<document::Document> for Document {
 }
 
 impl Document {
-    /// Looks at it while the interpreter is free.
+    /// Reads the document without holding the interpreter.
     pub(crate) fn read<R: Send, E: Into<Failure>>(
         &self,
         py: Python<'_>,
@@ -57,7 +57,7 @@ impl Document {
         })
     }
 
-    /// Changes it while the interpreter is free.
+    /// Changes the document without holding the interpreter.
     pub(crate) fn write<R: Send, E: Into<Failure>>(
         &self,
         py: Python<'_>,
@@ -69,8 +69,8 @@ impl Document {
         })
     }
 
-    /// Plans an edit on a copy, so that handlers of signals may look at the path meanwhile, and
-    /// applies it; Ctrl-C ends it.
+    /// Plans an edit on a copy, so that signal handlers may read the path meanwhile, and applies
+    /// it. Ctrl-C stops it.
     fn planned<R: Send>(
         &self,
         py: Python<'_>,
@@ -88,7 +88,10 @@ impl Document {
                     "the path was changed while it was planned",
                 ));
             }
-            document.apply(edit)?;
+            // An edit that changes nothing is no undo step.
+            if !matches!(&edit, Edit::ReplacePath(path) if **path == copy) {
+                document.apply(edit)?;
+            }
             Ok(told)
         })
         .map_err(Into::into)
@@ -98,7 +101,7 @@ impl Document {
         self.write(py, |document| document.apply(edit))
     }
 
-    /// Takes over what a window shows, as one step.
+    /// Takes the path shown in a window, as one undo step.
     pub(crate) fn follow(&self, py: Python<'_>, path: CameraPath, info: Info) -> Result<()> {
         self.write(py, |document| {
             document.apply_all([
@@ -113,7 +116,7 @@ fn collected(places: impl Iterator<Item = DVec3>) -> Vec<[f64; 3]> {
     places.map(DVec3::into).collect()
 }
 
-/// By its name in files.
+/// A curve by its name in files.
 fn curve(name: &str) -> Result<CurveKind> {
     CurveKind::named(name).ok_or_else(|| {
         let known = CurveKind::NAMES.join(", ");
@@ -123,13 +126,13 @@ fn curve(name: &str) -> Result<CurveKind> {
 
 pub(crate) fn upright(name: &str) -> Result<Up> {
     Up::named(name).ok_or_else(|| {
-        Failure::argument(format!("the upright axis is \"y\" or \"z\", not {name:?}"))
+        Failure::argument(format!("the up axis must be \"y\" or \"z\", not {name:?}"))
     })
 }
 
 fn told(finding: &Finding) -> Found {
     let kind = finding.kind;
-    // Counted from 0, as points are in Python.
+    // Python counts points from 0.
     let sentence = kind.sentence().replace("{2}", &finding.point.to_string());
     let sentence = sentence.replace("{3}", &finding.orientation.to_string());
     let number = |value: f64, decimals: usize| format!("{value:.decimals$}");
@@ -214,7 +217,7 @@ impl Document {
     }
 
     fn same(&self, py: Python<'_>, other: &Self) -> Result<bool> {
-        // One lock at a time: two threads may compare the same two.
+        // One lock at a time: another thread may compare the same two in the other order.
         let (path, info) = other.read(py, |other| {
             Ok::<_, Failure>((other.path().try_clone()?, other.info().clone()))
         })?;
@@ -243,7 +246,7 @@ impl Document {
         Ok(table(py, places.into_iter()))
     }
 
-    /// Moves all points, with what they look at by an offset, as one step.
+    /// Moves all points, and the targets given as offsets with them, as one undo step.
     fn set_positions(&self, py: Python<'_>, positions: PyReadonlyArray2<'_, f64>) -> Result<()> {
         let places = arrays::places(&positions)?;
         self.write(py, |document| {
@@ -262,13 +265,33 @@ impl Document {
         })
     }
 
+    /// Makes all views of a point, or of all points, look at a place, as one undo step.
+    fn look_at(&self, py: Python<'_>, target: [f64; 3], point: Option<usize>) -> Result<()> {
+        self.write(py, |document| {
+            let mut path = document.path().try_clone()?;
+            let points = match point {
+                Some(at) => {
+                    edits::point(document, at)?;
+                    at..at + 1
+                }
+                None => 0..path.points.len(),
+            };
+            for at in points {
+                for orientation in &mut path.points[at].orientations {
+                    orientation.target = Target::Absolute(target.into());
+                }
+            }
+            Ok::<_, Failure>(document.apply(Edit::ReplacePath(Box::new(path)))?)
+        })
+    }
+
     fn position(&self, py: Python<'_>, point: usize) -> Result<[f64; 3]> {
         self.read(py, |document| {
             edits::point(document, point).map(|point| point.position.to_array())
         })
     }
 
-    /// Everything that an edit changes goes by the name of the edit and what it takes.
+    /// Applies an edit, by its name and its parameters.
     #[pyo3(signature = (name, **given))]
     fn edit(&self, py: Python<'_>, name: &str, given: Option<&Bound<'_, PyDict>>) -> PyResult<()> {
         let edit = edits::by_name(name, given)?;
@@ -327,7 +350,7 @@ impl Document {
         let rows = rows_mut(&mut out, WIDTH)?;
         self.read(py, |document| {
             let sampler = document.sampler()?;
-            // Refused before anything is written.
+            // Fails before anything is written.
             let count = rows.len() / WIDTH;
             if first == 0 || count > (sampler.frame_count() + 1).saturating_sub(first) {
                 return Err(Failure::frames(first, count, sampler.frame_count()));
@@ -344,14 +367,11 @@ impl Document {
         let frames = arrays::numbers(&frames);
         let poses = self.read(py, |document| {
             let sampler = document.sampler()?;
-            let poses = frames.iter().map(|&frame| sampler.pose(frame));
-            Ok::<_, Failure>(
-                poses
-                    .map(|pose| pose.map(|pose| arrays::row(&pose)))
-                    .collect::<Result<Vec<_>, _>>()?,
-            )
+            let mut poses = vec![Pose::default(); frames.len()];
+            sampler.poses_at(&frames, &mut poses)?;
+            Ok::<_, Failure>(poses)
         })?;
-        Ok(table(py, poses.into_iter()))
+        Ok(table(py, poses.iter().map(arrays::row)))
     }
 
     fn motion<'py>(
@@ -416,7 +436,7 @@ impl Document {
     fn check(&self, py: Python<'_>) -> Result<(Vec<Found>, Vec<String>)> {
         self.read(py, |document| {
             let clearance = document.clearance(None)?;
-            let found = document.check_against(clearance.as_ref())?;
+            let found = document.check_against(clearance.as_ref(), &mut |_, _| true)?;
             let notes = document.notes(clearance.as_ref(), true)?;
             Ok::<_, Failure>((
                 found.iter().map(told).collect(),
@@ -539,7 +559,7 @@ impl Document {
         Ok(table(py, places.into_iter()))
     }
 
-    /// One camera on this path.
+    /// A scene with one camera on this path.
     fn scene(&self, py: Python<'_>) -> Result<Scene> {
         self.read(py, |document| document.scene_document().map(Scene::from))
     }
@@ -558,7 +578,7 @@ impl Document {
         self.write(py, |document| Ok::<_, Failure>(document.redo()))
     }
 
-    /// The up of an orientation, roll included.
+    /// The up of an orientation, including the roll.
     fn up_at(&self, py: Python<'_>, point: usize, orientation: usize) -> Result<[f64; 3]> {
         self.read(py, |document| {
             document.up(point, orientation).map(DVec3::into)

@@ -1,4 +1,4 @@
-//! Edits by name, with what they take by name; tools.
+//! Edits and tools by name, with their parameters by name.
 
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
@@ -13,7 +13,7 @@ use crate::document::upright;
 use crate::error::{Failure, Result};
 use crate::listed::usable;
 
-/// A point by its number.
+/// A point by its index.
 pub(crate) fn point(document: &Document, at: usize) -> Result<&SupportPoint> {
     let points = &document.path().points;
     points.get(at).ok_or_else(|| {
@@ -22,7 +22,7 @@ pub(crate) fn point(document: &Document, at: usize) -> Result<&SupportPoint> {
     })
 }
 
-/// What was given by name; each is taken once, and none may be left over.
+/// Parameters by name. Each is taken once; any that is left over is an error.
 struct Given<'a, 'py> {
     all: Option<&'a Bound<'py, PyDict>>,
     taken: usize,
@@ -52,7 +52,7 @@ impl Given<'_, '_> {
     }
 }
 
-/// The edit of this name.
+/// The edit with this name.
 pub(crate) fn by_name(name: &str, given: Option<&Bound<'_, PyDict>>) -> PyResult<Edit> {
     let mut given = Given {
         all: given,
@@ -105,13 +105,13 @@ pub(crate) fn by_name(name: &str, given: Option<&Bound<'_, PyDict>>) -> PyResult
     };
     if given.all.is_some_and(|all| all.len() > given.taken) {
         return Err(PyTypeError::new_err(format!(
-            "{name} takes no more than that"
+            "{name} has too many arguments"
         )));
     }
     Ok(edit)
 }
 
-/// A tool's numbers by name: some numbers, or one of the choices.
+/// The parameters of a tool by name: numbers, or one of several choices.
 pub(crate) type Numbers = Vec<(String, Chosen)>;
 
 pub(crate) enum Chosen {
@@ -127,14 +127,15 @@ pub(crate) fn tool_numbers(given: &Bound<'_, PyDict>) -> PyResult<Numbers> {
         } else if let Ok(text) = value.extract::<String>() {
             Chosen::Name(text)
         } else {
-            Chosen::Numbers(value.extract()?)
+            let wrong = |_| PyTypeError::new_err(format!("{name} takes numbers or a name"));
+            Chosen::Numbers(value.extract().map_err(wrong)?)
         };
         Ok((name, chosen))
     };
     given.iter().map(one).collect()
 }
 
-/// What a tool does, its numbers being the defaults but for those that are given.
+/// The edit that a tool makes; parameters that are not given have their defaults.
 pub(crate) fn tool(
     document: &Document,
     name: &str,

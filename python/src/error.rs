@@ -1,4 +1,4 @@
-//! Errors of the crates become `vides.Error`, in the words of who counts from 0.
+//! Converts errors of the crates to `vides.Error`, whose sentences count points from 0.
 
 use pyo3::exceptions::PyAttributeError;
 use pyo3::prelude::*;
@@ -6,27 +6,26 @@ use pyo3::sync::PyOnceLock;
 use vides::error::{EngineError, ErrorKind, FromZero, OutOfRange, Refused};
 use vides::{formats, window};
 
-/// What is raised.
+/// What will be raised as an exception.
 #[derive(Debug)]
 pub(crate) struct Failure {
     kind: &'static str,
-    /// File, point, key: as far as they are known, the outermost first.
+    /// File, point, key, as far as known, the outermost first.
     place: Vec<String>,
     line: Option<usize>,
     sentence: String,
-    /// Nothing has this name: what Python calls an error of attributes.
+    /// There is no such name: an `AttributeError` in Python.
     no_attribute: bool,
-    /// No point or orientation has this number: an error of indices, too.
+    /// There is no such point or orientation: also an `IndexError`.
     no_index: bool,
-    /// What the system said, by its number.
+    /// The system's error number.
     errno: Option<i32>,
 }
 
-/// The command's words, and Python's for them.
-const WORDS: [(&str, &str); 3] = [
-    ("--to in the command", "format="),
-    ("--from in the command", "format="),
-    ("(--robust)", "(robust=True)"),
+/// Words in the library's sentences, and what they are called in Python.
+const WORDS: [(&str, &str); 2] = [
+    ("name it, with format", "name it, with format="),
+    ("v_path_fit_poses_robust()", "robust=True"),
 ];
 
 pub(crate) type Result<T, E = Failure> = std::result::Result<T, E>;
@@ -53,7 +52,7 @@ impl Failure {
         }
     }
 
-    /// An argument that makes no sense.
+    /// An argument that is not valid.
     pub(crate) fn argument(sentence: impl Into<String>) -> Self {
         Self {
             kind: "argument",
@@ -74,13 +73,13 @@ impl Failure {
         }
     }
 
-    /// Where `format=` goes by another name.
+    /// For functions whose parameter `format=` has another name.
     pub(crate) fn with_format_as(mut self, name: &str) -> Self {
         self.sentence = self.sentence.replace(" format=", &format!(" {name}"));
         self
     }
 
-    /// A path of `last` frames has not so many from the first on.
+    /// The path has only `last` frames, fewer than `count` from the first one.
     #[expect(clippy::cast_precision_loss)]
     pub(crate) fn frames(first: usize, count: usize, last: usize) -> Self {
         let end = first.saturating_add(count.saturating_sub(1));
@@ -154,7 +153,7 @@ impl Failure {
     }
 }
 
-/// Without saying again how it counts.
+/// The place, without the note that it counts from 0.
 fn bare(place: &impl std::fmt::Display) -> String {
     FromZero(place).to_string().replace(" (counted from 0)", "")
 }

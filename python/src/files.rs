@@ -1,10 +1,11 @@
-//! Other programs' files, and recorded poses that become a path.
+//! Files of other programs, and paths fitted to recorded poses.
 
 use std::path::{Path, PathBuf};
 
 use numpy::{PyArray1, PyArray2, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 use vides::document::{self, Info};
+use vides::error::FromZero;
 use vides::formats::{self, As, Format, Holds, Options, Report, Source};
 use vides::path::Up;
 use vides::tools::fit::{Options as FitOptions, Tolerance};
@@ -14,7 +15,7 @@ use crate::document::{Document, upright};
 use crate::error::{Failure, Result};
 use crate::interrupt::interruptible;
 
-/// Options of the command, by their long names.
+/// The options of the command, by their long names.
 pub(crate) type Choices = Vec<(String, String)>;
 
 pub(crate) fn options(choices: &Choices) -> Result<Options> {
@@ -29,8 +30,8 @@ pub(crate) fn format(name: Option<&str>) -> Result<Option<&'static Format>> {
     Ok(name.map(formats::by_name).transpose()?)
 }
 
-/// What a file is written in. A format of several files is never chosen because a folder happens to
-/// be there.
+/// The format of the output. A format of several files is never chosen merely because the folder
+/// exists.
 pub(crate) fn format_for(file: &Path, named: Option<&'static Format>) -> Result<&'static Format> {
     match named {
         Some(format) => Ok(format),
@@ -50,10 +51,14 @@ pub(crate) fn format_for(file: &Path, named: Option<&'static Format>) -> Result<
 }
 
 pub(crate) fn losses(report: &Report) -> Vec<String> {
-    report.losses().iter().map(ToString::to_string).collect()
+    report
+        .losses()
+        .iter()
+        .map(|loss| FromZero(loss).to_string())
+        .collect()
 }
 
-/// From one program's file to another's, as `vides convert`. What is lost on the way.
+/// Converts a file, as `vides convert` does. Returns what the target cannot hold.
 #[pyfunction]
 #[pyo3(signature = (source, target, read_as, write_as, choices))]
 pub(crate) fn convert(
@@ -75,7 +80,7 @@ pub(crate) fn convert(
             "{name}: the file would be replaced by what is made of it"
         )));
     }
-    // What is not kept as a path need not become one on the way.
+    // If the target does not hold paths, the poses need not become one.
     if to.holds != Holds::Scene {
         options.as_ = options.as_.or(Some(As::Keys));
     }
@@ -83,7 +88,9 @@ pub(crate) fn convert(
         let imported = formats::import(&Source::open(&source)?, from, &options)
             .map_err(|error| Failure::from(error).with_format_as("source_format="))?;
         let warned = imported.document.warnings().iter();
-        let mut told: Vec<String> = warned.map(ToString::to_string).collect();
+        let mut told: Vec<String> = warned
+            .map(|warning| FromZero(warning).to_string())
+            .collect();
         told.extend(losses(&imported.report));
         let report = formats::export(&imported.document, &target, to, &options, &mut |_, _| {})?;
         told.extend(losses(&report));
@@ -91,7 +98,7 @@ pub(crate) fn convert(
     })
 }
 
-/// Poses, their frames and seconds where there are some, frames per second, the upright axis, losses.
+/// Poses; their frames and seconds, if any; frames per second; the up axis; losses.
 type Recorded<'py> = (
     Bound<'py, PyArray2<f64>>,
     Option<Bound<'py, PyArray1<f64>>>,
@@ -101,7 +108,6 @@ type Recorded<'py> = (
     Vec<String>,
 );
 
-/// The poses in a file.
 #[pyfunction]
 #[pyo3(signature = (file, read_as, choices))]
 pub(crate) fn recording<'py>(
@@ -137,7 +143,7 @@ pub(crate) fn recording<'py>(
     ))
 }
 
-/// A path of few points near recorded poses, and the indices of those that were left out.
+/// Fits a path to poses; also returns the indices of the poses that were ignored.
 #[pyfunction]
 #[pyo3(signature = (poses, seconds, fps, tolerance, angle, up, robust))]
 #[expect(clippy::too_many_arguments)]

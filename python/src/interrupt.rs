@@ -1,4 +1,4 @@
-//! Work that may take long: other threads run meanwhile, and Ctrl-C ends it.
+//! Long computations: other threads run meanwhile, and Ctrl-C stops them.
 
 use std::time::{Duration, Instant};
 
@@ -7,10 +7,10 @@ use vides::tools::fit::Progress;
 
 use crate::error::Result;
 
-/// How often Python is asked whether there was Ctrl-C.
+/// How often to check for Ctrl-C.
 const SOMETIMES: Duration = Duration::from_millis(20);
 
-/// Works while the interpreter is free; what the handler of a signal raises ends it.
+/// Computes without holding the interpreter. An exception from a signal handler stops it.
 pub(crate) fn interruptible<R: Send>(
     py: Python<'_>,
     work: impl FnOnce(Progress<'_>) -> Result<R> + Send,

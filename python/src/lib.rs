@@ -1,8 +1,8 @@
-//! `vides._vides`: what the Python package `vides` (`vides/*.py`) is made on. Numbers, arrays and
-//! texts go through here; names, defaults and documentation are Python's.
+//! `vides._vides`: the native part of the Python package `vides` (`vides/*.py`). It passes numbers,
+//! arrays and texts; names, defaults and documentation are in Python.
 //!
-//! A path and a scene are behind a lock, and are waited for and computed with while the interpreter
-//! is free: so threads may share them, and none waits for the interpreter while it holds one.
+//! Each path and scene has a lock. Waiting for a lock and computing under it release the
+//! interpreter, so threads may share paths and scenes without a deadlock.
 
 mod arrays;
 mod document;
@@ -18,11 +18,11 @@ mod window;
 
 use pyo3::prelude::*;
 
-/// The engine beneath `vides`; not for direct use.
+/// The native part of `vides`; not for direct use.
 #[pymodule]
 mod _vides {
     #[pymodule_export]
-    use super::arrays::{poses_of, quaternions};
+    use super::arrays::{matrices, poses_of, quaternions};
     #[pymodule_export]
     use super::document::Document;
     #[pymodule_export]

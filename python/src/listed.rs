@@ -1,4 +1,4 @@
-//! What there is, from the tables of the crates.
+//! Lists from the tables of the crates.
 
 use pyo3::prelude::*;
 use vides::document::tool::{Needs, Tool, tools as all_tools};
@@ -6,7 +6,7 @@ use vides::formats::{Format, OPTIONS, formats as all_formats};
 use vides::property::Listed;
 use vides::tools::Unit;
 
-/// Name, title, endings, whether it is read, whether it is written.
+/// Name, title, extensions, whether it can be read, whether it can be written.
 #[pyfunction]
 pub(crate) fn formats() -> Vec<(&'static str, &'static str, Vec<&'static str>, bool, bool)> {
     let row = |format: &&Format| {
@@ -21,7 +21,7 @@ pub(crate) fn formats() -> Vec<(&'static str, &'static str, Vec<&'static str>, b
     all_formats().iter().map(row).collect()
 }
 
-/// Name, what stands for the value, what it does.
+/// Name, placeholder of the value, description.
 #[pyfunction]
 pub(crate) fn options() -> Vec<(&'static str, &'static str, &'static str)> {
     OPTIONS
@@ -30,8 +30,8 @@ pub(crate) fn options() -> Vec<(&'static str, &'static str, &'static str)> {
         .collect()
 }
 
-/// Name, what it does, whether it wants another path, and its parameters: name, what it does, unit
-/// or choices, how many numbers.
+/// Name, description, whether it takes another path, and its parameters: name, description, unit or
+/// choices, number of values.
 type ToolRow = (
     &'static str,
     &'static str,
@@ -39,8 +39,8 @@ type ToolRow = (
     Vec<(String, &'static str, String, usize)>,
 );
 
-/// Whether Python has it: the others want a file to write, a line drawn by hand, or poses, for
-/// which there is `fit`.
+/// Whether Python has this tool. The others write a file, need a line drawn by hand, or take poses,
+/// for which there is `fit`.
 pub(crate) fn usable(tool: &Tool) -> bool {
     matches!(tool.needs(), Needs::Nothing | Needs::Block)
 }
@@ -66,8 +66,7 @@ pub(crate) fn tools() -> Vec<ToolRow> {
     .collect()
 }
 
-/// A property: what has it, its key, what it is for, its kind, its unit, its range, and the value of
-/// a new one as a file has it.
+/// A property: owner, key, description, type, unit, range, and the default as in files.
 type Row = (
     &'static str,
     &'static str,
@@ -78,7 +77,7 @@ type Row = (
     String,
 );
 
-/// The properties of paths, points, views and nodes, as the engine's table has them.
+/// The properties of paths, points, views and nodes, from the engine's table.
 #[pyfunction]
 pub(crate) fn keys() -> Vec<Row> {
     let row = |listed: Listed| {

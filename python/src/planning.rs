@@ -1,4 +1,4 @@
-//! What is planned for a path: each tool one step of its history.
+//! The planning tools; each call is one undo step.
 
 use std::path::PathBuf;
 
@@ -19,12 +19,12 @@ use crate::document::upright;
 use crate::error::{Failure, Result};
 use crate::interrupt::interruptible;
 
-/// As a keyword of Python.
+/// The kind as a Python keyword.
 fn keyword(kind: FindingKind) -> String {
     kind.name().replace('-', "_")
 }
 
-/// Limits by their keywords.
+/// Limits by keyword.
 pub(crate) fn named(limits: &Limits) -> Vec<(String, f64)> {
     let kinds = FindingKind::all();
     kinds
@@ -32,7 +32,7 @@ pub(crate) fn named(limits: &Limits) -> Vec<(String, f64)> {
         .collect()
 }
 
-/// These, but for what is given by keyword; none given: what a new path has.
+/// Limits, changed by keyword; `None` restores a default.
 pub(crate) fn limits(mut of: Limits, given: &[(String, Option<f64>)]) -> Result<Limits> {
     for (name, limit) in given {
         let kind = FindingKind::all()
@@ -43,17 +43,17 @@ pub(crate) fn limits(mut of: Limits, given: &[(String, Option<f64>)]) -> Result<
     Ok(of)
 }
 
-/// The edit that is planned, and what is told.
+/// The planned edit, and its report.
 type Planned<T> = Result<(Edit, T)>;
 
 fn replacing(path: CameraPath) -> Edit {
     Edit::ReplacePath(Box::new(path))
 }
 
-/// Where the pace rests: point, orientation, limit.
+/// Where the camera rests: point, orientation, limit.
 pub(crate) type Rests = Vec<(usize, usize, &'static str)>;
 
-/// Computes the pace of points anew: the seconds that they take, and where it rests.
+/// Recomputes the speed of points; returns their duration and where the camera rests.
 pub(crate) fn retimed(
     document: &Document,
     seconds: f64,
@@ -74,14 +74,14 @@ pub(crate) fn retimed(
     Ok((replacing(made.path), told))
 }
 
-/// An object as Python gives it: a file's name, or points and triangles.
+/// An object as given in Python: a file name, or points and triangles.
 #[derive(FromPyObject)]
 pub(crate) enum Given<'py> {
     File(PathBuf),
     Mesh(PyReadonlyArray2<'py, f64>, Vec<[u32; 3]>),
 }
 
-/// The same for another thread.
+/// The same, to be moved to another thread.
 pub(crate) enum Source {
     File(PathBuf),
     Mesh(Mesh),
@@ -121,10 +121,10 @@ impl Source {
     }
 }
 
-/// First and last point, points moved, points put in, the farthest.
+/// First and last point, number of moved points, number of inserted points, greatest distance.
 pub(crate) type Detours = Vec<(usize, usize, usize, usize, f64)>;
 
-/// Leads the way clear of an object, the path's own unless given.
+/// Moves the path away from an object, by default its own.
 pub(crate) fn avoided(
     document: &Document,
     (clearance, radius): (f64, f64),
@@ -142,7 +142,8 @@ pub(crate) fn avoided(
     Ok((replacing(made.path), told))
 }
 
-/// Keeps an object in the picture: points added, the greatest and the least share of the room.
+/// Keeps an object in the picture; returns the number of points added, the greatest and the least
+/// share of the room.
 pub(crate) fn framed(
     document: &Document,
     (margin, by): (f64, &str),
@@ -164,7 +165,8 @@ pub(crate) fn framed(
     ))
 }
 
-/// Takes out the shaking of a hand: how far a place went, and degrees that a view turned.
+/// Stabilises the path; returns how far a position moved and by how many degrees a view turned, at
+/// most.
 pub(crate) fn steadied(
     document: &Document,
     seconds: f64,
@@ -180,11 +182,11 @@ pub(crate) fn steadied(
     Ok((replacing(made.path), (made.furthest, made.turned)))
 }
 
-/// Coverage, share of the surface, places, distance, length, seconds, and shares of the surface
+/// Coverage, share of the surface, views, distance, length, seconds, and the shares of the surface
 /// that are left out, narrow and hidden.
 type Told = (f64, f64, usize, f64, f64, f64, f64, f64, f64);
 
-/// A flight that shows an object.
+/// Plans a flight that shows an object.
 #[pyfunction]
 #[pyo3(signature = (object, seconds, coverage, distance, inside, start, up, stills))]
 #[expect(clippy::too_many_arguments)]

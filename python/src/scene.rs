@@ -1,4 +1,4 @@
-//! A scene: read, evaluated, edited, saved.
+//! A scene: load, evaluate, edit, save.
 
 use std::path::PathBuf;
 use std::sync::{PoisonError, RwLock};
@@ -8,6 +8,7 @@ use pyo3::IntoPyObjectExt;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use vides::document::{self, Info, SceneDocument};
+use vides::error::FromZero;
 use vides::formats::{self, Source};
 use vides::glam::{DQuat, DVec3};
 use vides::path::Space;
@@ -21,7 +22,7 @@ use crate::document::{Document, upright};
 use crate::error::{Failure, Result};
 use crate::files::{Choices, format, format_for, losses, options};
 
-/// States that are filled at once.
+/// The number of states that are computed at once.
 const BLOCK: usize = 256;
 
 /// A scene with its info.
@@ -40,7 +41,7 @@ type NodeRow = (String, String, Option<usize>, Option<usize>);
 /// Channel, interpolation, frames, values.
 type TrackRow = (String, String, Vec<f64>, Vec<f64>);
 
-/// What does not change from frame to frame: colours, intensities, cones, visible.
+/// Colours, intensities, cones and visibility of the nodes.
 type Looks = (Vec<[f64; 3]>, Vec<f64>, Vec<[f64; 2]>, Vec<bool>);
 
 /// World matrices row by row, poses, and the looks.
@@ -70,7 +71,7 @@ impl Scene {
     }
 }
 
-/// A matrix of columns, row by row.
+/// The rows of a matrix that is stored by columns.
 fn rows(matrix: &[f64; 16]) -> [f64; 16] {
     std::array::from_fn(|at| matrix[at % 4 * 4 + at / 4])
 }
@@ -95,13 +96,13 @@ fn kind(name: &str) -> Result<Kind> {
 fn extrapolation(name: &str) -> Result<Extrapolation> {
     Extrapolation::named(name).ok_or_else(|| {
         Failure::argument(format!(
-            "what comes before and after is \"hold\", \"repeat\", \"pingpong\" or \"offset\", not \
+            "before and after must be \"hold\", \"repeat\", \"pingpong\" or \"offset\", not \
              {name:?}"
         ))
     })
 }
 
-/// What went wrong while the rest went on is an error here: Python has no functions of the host's.
+/// Makes a warning an error: Python has no host functions that may fail.
 fn told(warnings: Warnings) -> Result<()> {
     warnings
         .into_error()
@@ -115,7 +116,7 @@ impl Scene {
         Ok(SceneDocument::new(vides::scene::Scene::new(), Info::default())?.into())
     }
 
-    /// With what was lost.
+    /// Loads a scene; also returns the losses.
     #[staticmethod]
     #[pyo3(signature = (file, read_as, choices))]
     fn load(
@@ -128,7 +129,9 @@ impl Scene {
         py.detach(|| {
             let imported = formats::import(&Source::open(&file)?, from, &options)?;
             let warned = imported.document.warnings().iter();
-            let mut told: Vec<String> = warned.map(ToString::to_string).collect();
+            let mut told: Vec<String> = warned
+                .map(|warning| FromZero(warning).to_string())
+                .collect();
             told.extend(losses(&imported.report));
             Ok((imported.document.into(), told))
         })
@@ -151,7 +154,7 @@ impl Scene {
         self.read(py, |document| document.save(&file))
     }
 
-    /// Into another program's file; what is lost.
+    /// Exports to a file; returns the losses.
     #[pyo3(signature = (file, write_as, choices))]
     fn export(
         &self,
@@ -168,7 +171,7 @@ impl Scene {
         })
     }
 
-    /// The same in memory.
+    /// Exports to memory.
     #[pyo3(signature = (write_as, choices))]
     fn render(
         &self,
@@ -220,7 +223,7 @@ impl Scene {
         self.write(py, |document| document.scene.set_name(node, name))
     }
 
-    /// Changes values of a node at rest, by their names.
+    /// Changes values of a node without keys, by name.
     #[pyo3(signature = (node, name, value))]
     fn set_rest(
         &self,
@@ -261,7 +264,7 @@ impl Scene {
         Ok(self.write(py, |document| document.scene.set_node(node, &changed))?)
     }
 
-    /// A value of a node at rest, by its name; none where there is none of this name.
+    /// A value of a node without keys, by name; `None` if there is no such value.
     fn rest<'py>(
         &self,
         py: Python<'py>,
@@ -291,7 +294,7 @@ impl Scene {
         }))
     }
 
-    /// The present numbers of a channel.
+    /// The value of a channel at a frame.
     fn value(&self, py: Python<'_>, node: usize, channel: &str, frame: f64) -> Result<Vec<f64>> {
         let channel = Channel::parse(channel)?;
         self.read(py, |document| {
@@ -331,7 +334,7 @@ impl Scene {
         self.write(py, |document| document.scene.remove_track(node, &channel))
     }
 
-    /// Channel and interpolation of each track of a node, its frames and its values.
+    /// For each track of a node: channel, interpolation, frames and values.
     fn tracks(&self, py: Python<'_>, node: usize) -> Result<Vec<TrackRow>> {
         self.read(py, |document| {
             let tracks = document.scene.node(node)?.keys().tracks().iter();
@@ -371,7 +374,7 @@ impl Scene {
         self.write(py, |document| document.scene.set_path(node, follow))
     }
 
-    /// The path of a node; without its number that of the shown camera.
+    /// The path of a node, by default of the shown camera.
     #[pyo3(signature = (node=None))]
     fn path(&self, py: Python<'_>, node: Option<usize>) -> Result<Document> {
         self.read(py, |document| {
@@ -514,8 +517,8 @@ impl Scene {
         ))
     }
 
-    /// The states of a node from a frame on, a step apart, as many as the arrays have rows: poses
-    /// and world matrices row by row.
+    /// The states of a node at regular frames, one for each row of the arrays: poses and world
+    /// matrices by rows.
     fn sample(
         &self,
         py: Python<'_>,

@@ -1,4 +1,4 @@
-//! Values of properties: TOML, as files have them, and Python's.
+//! Converts values of properties between TOML, as in files, and Python.
 
 use pyo3::IntoPyObjectExt;
 use pyo3::exceptions::PyTypeError;
@@ -9,10 +9,10 @@ use toml::de::{DeTable, DeValue};
 
 use crate::error::Failure;
 
-/// Deeper than any value is.
+/// The maximum nesting depth; no value is deeper.
 const DEEPEST: usize = 16;
 
-/// What Python gives, as a file has it; nothing is the value of a new path.
+/// A Python value as in a file; `None` is the default.
 pub(crate) fn to_toml(value: &Bound<'_, PyAny>) -> PyResult<String> {
     if value.is_none() {
         return Ok(String::new());
@@ -23,7 +23,7 @@ pub(crate) fn to_toml(value: &Bound<'_, PyAny>) -> PyResult<String> {
 }
 
 fn write(value: &Bound<'_, PyAny>, out: &mut String, depth: usize) -> PyResult<()> {
-    let deep = || Failure::argument("this lies deeper than any value does");
+    let deep = || Failure::argument("the value is nested too deeply");
     if depth > DEEPEST {
         return Err(deep().into());
     }
@@ -40,7 +40,10 @@ fn write(value: &Bound<'_, PyAny>, out: &mut String, depth: usize) -> PyResult<(
         out.push_str("{ ");
         for (at, (key, value)) in table.iter().enumerate() {
             out.push_str(if at == 0 { "" } else { ", " });
-            quote(key.cast::<PyString>()?.to_cow()?.as_ref(), out);
+            let key = key
+                .cast::<PyString>()
+                .map_err(|_| PyTypeError::new_err("the keys of a table must be texts"))?;
+            quote(key.to_cow()?.as_ref(), out);
             out.push_str(" = ");
             write(&value, out, depth + 1)?;
         }
@@ -61,14 +64,14 @@ fn write(value: &Bound<'_, PyAny>, out: &mut String, depth: usize) -> PyResult<(
     } else {
         let kind = value.get_type().name()?;
         return Err(PyTypeError::new_err(format!(
-            "a number, a text, a list or a dict is wanted, not {kind}"
+            "the value must be a number, a text, a list or a dict, not {kind}"
         )));
     }
     Ok(())
 }
 
-/// A value as a file has it, for Python; empty is `None`. Lists are tuples: what is written into a
-/// copy would be lost without a word.
+/// A value of a file, for Python; an empty one is `None`. Lists become tuples, because changes to a
+/// copy would be lost silently.
 pub(crate) fn from_toml<'py>(py: Python<'py>, text: &str) -> PyResult<Bound<'py, PyAny>> {
     if text.is_empty() {
         return Ok(py.None().into_bound(py));
@@ -81,7 +84,7 @@ pub(crate) fn from_toml<'py>(py: Python<'py>, text: &str) -> PyResult<Bound<'py,
     }
 }
 
-/// A basic string of TOML.
+/// Writes a basic string of TOML.
 fn quote(text: &str, out: &mut String) {
     out.push('"');
     for sign in text.chars() {

@@ -1,5 +1,5 @@
-//! The editor's window, served by a loop of Python's (`vides/_window.py`): so that Python waits,
-//! handles its signals, and runs other threads meanwhile.
+//! The editor's window, served by a loop in Python (`vides/_window.py`), so that Python waits,
+//! handles signals and runs other threads meanwhile.
 
 use std::cell::{Cell, RefCell};
 use std::path::PathBuf;
@@ -14,24 +14,24 @@ use crate::arrays;
 use crate::document::Document;
 use crate::error::{Failure, Result};
 
-/// What Python is told, and what it answered.
+/// The window's host: calls Python and keeps what it raised.
 struct Watching {
     path: Py<Document>,
     on_view: Option<Py<PyAny>>,
-    /// What Python raised; it ends the window.
+    /// The exception that Python raised; it closes the window.
     raised: RefCell<Option<PyErr>>,
     lost: RefCell<Option<String>>,
     open: Cell<bool>,
 }
 
 impl Watching {
-    /// Gives the path what the window shows; nothing of it is unsaved work then.
+    /// Copies the window's path to the Python path, and marks it as saved.
     fn follow(&self, window: Id) {
         let shown = window::change(window, |document| {
             document.mark_saved();
             document.shown_path().map(document::Document::into_parts)
         });
-        // Without memory, or with a scene without a path, the path stays as it is.
+        // If memory is short, or a scene has no path, the path is unchanged.
         if let Some(Ok((path, info))) = shown {
             let taken = Python::attach(|py| self.path.get().follow(py, path, info));
             if let Err(failure) = taken {
@@ -123,12 +123,12 @@ impl Window {
         })
     }
 
-    /// What is readable when there is something to do.
+    /// The descriptor to watch.
     fn fileno(&self) -> Result<i32> {
         Ok(window::descriptor()?)
     }
 
-    /// Does what there is to do. False when the window is closed.
+    /// Does what is due. False once the window is closed.
     fn serve(&mut self, py: Python<'_>) -> PyResult<bool> {
         py.detach(window::dispatch);
         if let Some(raised) = self.host.raised.take() {
@@ -142,7 +142,7 @@ impl Window {
         Ok(self.host.open.get() && self.handle.is_some())
     }
 
-    /// How many milliseconds until there is something to do without any news.
+    /// Milliseconds until something is due without input.
     fn wait(&self) -> Option<f64> {
         window::wait().map(|wait| wait.as_secs_f64() * 1e3)
     }

@@ -2,13 +2,28 @@
 
 import os
 import signal
-from collections.abc import Iterator
+import time
+from collections.abc import Callable, Iterator
+from typing import TypeVar
 from pathlib import Path as File
 
 import pytest
 
 MANY = bool(os.environ.get("VIDES_MANY"))
 """Whether the tests take their time: `make check-packages`."""
+
+
+T = TypeVar("T")
+
+
+def until(ask: Callable[[], T], what: str, seconds: float = 120.0) -> T:
+    """Asks again and again until there is an answer: no test waits for a time. Long, since
+    machines may be busy."""
+    end = time.monotonic() + seconds
+    while not (answer := ask()):
+        assert time.monotonic() < end, f"waited too long for {what}"
+        time.sleep(0.01)
+    return answer
 
 
 @pytest.fixture(autouse=True, scope="session")

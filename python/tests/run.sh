@@ -37,7 +37,7 @@ environment() {
 # The tests lie in a folder of their own: nothing but the wheel can be imported as vides.
 rm -rf "$out/lies"
 mkdir -p "$out/lies"
-cp -r "$here" "$here/../examples" "$here/../pyproject.toml" "$out/lies"
+cp -r "$here" "$here/../examples" "$here/../pyproject.toml" "$here/../../docs/start/first-script.md" "$out/lies"
 
 tests() {
     place=$out/$1

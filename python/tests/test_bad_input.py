@@ -4,6 +4,7 @@ import inspect
 import os
 import pickle
 import random
+import re
 from collections.abc import Callable
 from pathlib import Path as File
 from typing import Any
@@ -104,15 +105,19 @@ def test_wrong_calls(owner: str, name: str, monkeypatch: pytest.MonkeyPatch) -> 
             elif given and not inspect.ismodule(target):
                 setattr(target, name, given[0])
         except Exception as error:
-            said(error)
+            said(error, native=owner.startswith("native"))
     assert path() == path()
 
 
-def said(error: Exception) -> None:
-    """Errors of ours are a sentence in one line."""
+def said(error: Exception, native: bool) -> None:
+    """Errors of ours are a sentence in one line, in words of Python's users."""
     if isinstance(error, vides.Error):
         assert str(error) and "\n" not in str(error) and error.kind
     assert "panicked" not in str(error)
+    if not native:
+        # The words of the layer below, which names an argument and then what is wrong with it.
+        for inner in ("is not an instance of", "cannot be cast", r"argument '\w+': ", r"vides\._"):
+            assert not re.search(inner, str(error)), error
 
 
 POSITIONS = [
@@ -196,6 +201,77 @@ def test_nothing_is_half_done() -> None:
     assert vides.Path.load(file) == path
 
 
+def test_targets_are_set_at_once_or_not_at_all() -> None:
+    """A target on point 2: no point is changed. Else all are, and one undo takes all back."""
+    path = vides.Path([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], frames=50)
+    path.points[1].orientations.append().roll = 20
+    path.points[1].orientations.append().zoom = 50
+    before = path.to_str()
+    for look_at in (path.look_at, path.points[2].look_at):
+        with pytest.raises(vides.Error, match="point 2.*target|target.*point 2") as raised:
+            look_at((1, 1, 0))
+        assert path.to_str() == before and raised.value.kind in ("argument", "range")
+    for look_at in (path.look_at, path.points[1].look_at):
+        look_at((3, 4, 5))
+        assert all(view.target == (3, 4, 5) for view in path.points[1].orientations)
+        changed = path.to_str()
+        assert path.undo() and path.to_str() == before
+        assert path.redo() and path.to_str() == changed and path.undo()
+    gone = path.points[3]
+    del path.points[3]
+    with pytest.raises(IndexError):
+        gone.look_at((3, 4, 5))
+
+
+def test_what_takes_several_values_is_one_step() -> None:
+    """Each call that changes several points or values is wholly done, and wholly taken back."""
+    wall = [[0.5, -1, -1], [0.5, 1, -1], [0.5, 0, 1]], [[0, 1, 2]]
+    changes: list[Callable[[vides.Path], object]] = [
+        lambda path: setattr(path, "positions", path.positions * 2),
+        lambda path: path.look_at((3, 4, 5)),
+        lambda path: setattr(path, "base_speeds", {"move_frames": 7, "turn_frames": 8}),
+        lambda path: setattr(path, "presets", {"0": {"tension": 0.5}, "3": {"bias": 0.5}}),
+        lambda path: path.set_limits(turning=20, speed=3),
+        lambda path: path.divide(0, 5),
+        lambda path: path.set_frames(200),
+        lambda path: path.set_space((1, 1, 1), 9, fit=True),
+        lambda path: setattr(path, "up", "z"),
+        lambda path: path.reverse(),
+        lambda path: path.tool("repeat", times=2),
+        lambda path: path.tool("turn", axis="y", angle=30),
+        lambda path: path.retime(speed=0.5, acceleration=2),
+        lambda path: path.avoid(0.2, object=wall),
+        lambda path: path.steady(1),
+        lambda path: path.fix(),
+    ]
+    for number, change in enumerate(changes):
+        path = vides.Path([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], look_at=(5, 5, 5), frames=60)
+        before = path.to_str()
+        change(path)
+        changed = path.to_str()
+        assert changed != before or number == len(changes) - 1, number
+        if changed != before:
+            assert path.undo() and path.to_str() == before, number
+            assert path.redo() and path.to_str() == changed, number
+            path.undo()
+        assert not path.undo(), number
+
+
+def test_times_that_are_no_seconds_are_refused_at_once(tmp_path: File) -> None:
+    poses = vides.Path().sample(1, 100)
+    for step in (33e6, 1e30):
+        with pytest.raises(vides.Error, match="times of the poses span .* frames") as raised:
+            vides.Path.fit(poses, np.arange(100) * step)
+        assert raised.value.kind == "limit"
+    lines = [f"{k if k < 3 else 10**9} {k} 0 0 0 0 0 40" for k in range(4)]
+    File("far.chan").write_text("\n".join(lines))
+    for load in (vides.Path.load, vides.Scene.load):
+        with pytest.raises(vides.Error, match="frames") as raised:
+            load("far.chan")
+        assert raised.value.kind == "limit"
+    assert vides.Samples.load("far.chan").frames[-1] == 1e9
+
+
 def test_the_system_refuses(tmp_path: File) -> None:
     for call in (
         lambda: vides.Path.load("missing.vid"),
@@ -248,8 +324,13 @@ COUNTS: list[tuple[Callable[[vides.Path], object], str]] = [
     (lambda path: path.divide(0, -1), "^points must lie"),
     (lambda path: path.divide(True), "^segment must be a whole"),
     (lambda path: path.insert_on_curve("x"), "^frame must be a number"),  # type: ignore[arg-type]
-    (lambda path: setattr(path.points[0], "name", 5), "^name is a text, not int"),
-    (lambda path: setattr(path, "comment", True), "^comment is a text, not bool"),
+    (lambda path: setattr(path.points[0], "name", 5), "^name must be a text, not int"),
+    (lambda path: setattr(path, "comment", True), "^comment must be a text, not bool"),
+    (lambda path: vides.Path([[0, 0, 0], [1, 0, 0]], up=(0, 0, 1)), r'^up must be "y" or "z", not \(0, 0, 1\)'),  # type: ignore[arg-type]
+    (lambda path: setattr(path, "up", [0, 0, 1]), r'^up must be "y" or "z", not \[0, 0, 1\]'),
+    (lambda path: vides.Path([[0, 0, 0], [1, 0, 0]], curve=3), "^curve must be a text, not int"),  # type: ignore[arg-type]
+    (lambda path: path.tool(1), "^name must be a text, not int"),  # type: ignore[arg-type]
+    (lambda path: path.set_space((0, 0, 0), "1"), "^half_size must be a number, not str"),  # type: ignore[arg-type]
 ]
 
 

@@ -326,7 +326,7 @@ def test_points_are_compared() -> None:
 
 def test_what_the_docstring_names_is_there() -> None:
     path = vides.Path()
-    named = (vides.Path.__doc__ or "").split("by the key that it has there:")[1].split(". A path")[0]
+    named = (vides.Path.__doc__ or "").split("the keys in ``.vid`` files:")[1].split(". Setting")[0]
     keys = re.findall("``(\\w+)``", named)
     assert len(keys) == 10
     for key in keys:

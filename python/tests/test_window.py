@@ -6,11 +6,13 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import pytest
 
 import vides
+
+from .conftest import until
 
 
 def test_without_a_display_it_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -49,18 +51,26 @@ def at(display: str, monkeypatch: pytest.MonkeyPatch) -> str:
     return display
 
 
+def window() -> str:
+    """The window, when it is there."""
+    search = ["xdotool", "search", "--onlyvisible", "--name", "VIDES"]
+    return str(until(lambda: subprocess.run(search, capture_output=True, text=True).stdout.split(), "a window")[-1])
+
+
 def press(*keys: str) -> None:
     """Keys for the window, when it is there."""
-    search = ["xdotool", "search", "--onlyvisible", "--name", "VIDES"]
-    end = time.monotonic() + 60
-    while not (found := subprocess.run(search, capture_output=True, text=True).stdout.split()):
-        assert time.monotonic() < end
-        time.sleep(0.05)
-    window = found[-1]
-    subprocess.run(["xdotool", "windowfocus", "--sync", window], check=True, timeout=30)
-    for key in keys:
-        subprocess.run(["xdotool", "key", key], check=True, timeout=30)
-        time.sleep(0.2)
+    subprocess.run(["xdotool", "windowfocus", "--sync", window(), "key", *keys], check=True, timeout=120)
+
+
+def interrupt(after: Callable[[], bool] = lambda: True) -> None:
+    """Ctrl-C, when the window is there, and this is true."""
+
+    def begin() -> None:
+        window()
+        until(after, "what is to be before Ctrl-C")
+        os.kill(os.getpid(), signal.SIGINT)
+
+    threading.Thread(target=begin, daemon=True).start()
 
 
 class Done(Exception):
@@ -97,19 +107,23 @@ def test_others_run_while_it_is_open(at: str) -> None:
 
     thread = threading.Thread(target=count)
     thread.start()
-    end = time.monotonic() + 1
 
     def on_view(samples: vides.Samples, reason: str) -> None:
         pass
 
-    threading.Timer(1.5, os.kill, [os.getpid(), signal.SIGINT]).start()
+    counts: list[int] = []
+
+    def has_counted() -> bool:
+        counts.append(counted)
+        return counted > counts[0] + 200
+
+    interrupt(has_counted)
     with pytest.raises(KeyboardInterrupt):
         vides.edit(vides.Path(), on_view)
     stop.set()
     thread.join()
-    assert time.monotonic() > end and counted > 200
     # And another one opens and closes.
-    threading.Timer(1, os.kill, [os.getpid(), signal.SIGINT]).start()
+    interrupt()
     with pytest.raises(KeyboardInterrupt):
         vides.edit()
 
@@ -122,7 +136,7 @@ print(len(path.points))
 """
     editor = subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, text=True)
     press("Insert", "ctrl+q")
-    output, _ = editor.communicate(timeout=60)
+    output, _ = editor.communicate(timeout=120)
     assert output == "3\n" and editor.returncode == 0
 
 
@@ -132,9 +146,13 @@ def test_a_lost_server_is_an_error() -> None:
     os.close(its)
     with os.fdopen(ours) as number:
         name = f":{number.readline().strip()}"
-    threading.Timer(1, server.kill).start()
+    def kill() -> None:
+        window()
+        server.kill()
+
     old = os.environ.get("DISPLAY")
     os.environ["DISPLAY"] = name
+    threading.Thread(target=kill, daemon=True).start()
     try:
         with pytest.raises(vides.Error) as caught:
             vides.edit(vides.Path())

@@ -7,15 +7,17 @@ camera pose in between.
 >>> samples.positions.shape, samples.matrices("opengl").shape
 ((250, 3), (250, 4, 4))
 
-World axes are right-handed; y or z stands upright, as ``path.up`` says. Lengths are the world's,
-angles are in degrees, zooms in mm of focal length for a picture of 36×24 mm (24: a vertical field
-of view of 53°). Points and orientations count from 0, frames from 1.
+World axes are right-handed; ``path.up`` is the up axis, y or z. Lengths are the world's, angles
+are in degrees, zooms in mm of focal length for a picture of 36×24 mm (24: a vertical field of view
+of 53°). Points and orientations count from 0, frames from 1.
 
-:class:`Path` is one flight, :class:`Samples` its poses, :class:`Scene` whatever else moves with
-it; :func:`convert` goes between the files of other programs, :func:`edit` opens the window.
+:class:`Path` is one flight, :class:`Samples` its poses, :class:`Scene` everything that moves with
+it; :func:`convert` converts files of other programs, :func:`edit` opens the window.
 """
 
-from ._error import Error
+import inspect as _inspect
+
+from ._error import Error, NoFile, NoIndex, SystemRefused
 from ._files import Format, convert, formats, options
 from ._path import Path
 from ._planned import Tour, tour
@@ -36,6 +38,8 @@ __all__ = [
     "Framed",
     "Keys",
     "Motion",
+    "NoFile",
+    "NoIndex",
     "Node",
     "Orientation",
     "Orientations",
@@ -50,6 +54,7 @@ __all__ = [
     "Section",
     "State",
     "Steadied",
+    "SystemRefused",
     "Tool",
     "Tour",
     "convert",
@@ -60,3 +65,8 @@ __all__ = [
     "tools",
     "tour",
 ]
+
+# Errors and help show a class by its public name.
+for _name in __all__:
+    if _inspect.isclass(globals()[_name]):
+        globals()[_name].__module__ = __name__

@@ -1,8 +1,9 @@
-"""Arrays as they are given: checked, and made what the engine takes."""
+"""Checks arrays and other arguments, and converts them for the engine."""
 
 from __future__ import annotations
 
 import operator
+import reprlib
 from collections.abc import Sequence
 from typing import Any, SupportsFloat, SupportsIndex, Union
 
@@ -19,10 +20,10 @@ Vector = Union[Sequence[float], npt.NDArray[np.floating]]
 
 
 def doubles(values: npt.ArrayLike, shape: tuple[int | None, ...], name: str) -> Array:
-    """Finite doubles row by row; ``None`` in the shape is any number."""
+    """Finite doubles, row by row; ``None`` in the shape allows any number."""
     if isinstance(values, np.ma.MaskedArray) and np.ma.getmaskarray(values).any():
         at = tuple(int(k) for k in np.argwhere(np.ma.getmaskarray(values))[0])
-        raise Error(f"{name}{list(at)} is masked: what is left out must be taken out, by compressed()")
+        raise Error(f"{name}{list(at)} is masked: remove masked values with compressed()")
     try:
         array = np.asarray(values)
     except ValueError as error:
@@ -44,7 +45,7 @@ def doubles(values: npt.ArrayLike, shape: tuple[int | None, ...], name: str) -> 
 
 
 def count(value: SupportsIndex, name: str) -> int:
-    """A whole number that is not negative, and no switch."""
+    """A whole number, at least 0; no bool."""
     try:
         if isinstance(value, (bool, np.bool_)):
             raise TypeError
@@ -57,13 +58,32 @@ def count(value: SupportsIndex, name: str) -> int:
 
 
 def number(value: SupportsFloat, name: str) -> float:
-    """A number that is no switch and no text."""
+    """A number; no bool and no text."""
     if isinstance(value, (bool, np.bool_, str)) or not hasattr(type(value), "__float__"):
         raise TypeError(f"{name} must be a number, not {type(value).__name__}")
     try:
         return float(value)
     except OverflowError as error:
         raise Error(f"{name}: {error}", "range") from None
+
+
+def str_of(value: object, name: str) -> str:
+    """A text."""
+    if not isinstance(value, str):
+        raise TypeError(f"{name} must be a text, not {type(value).__name__}")
+    return value
+
+
+def str_or_none(value: object, name: str) -> str | None:
+    """A text or ``None``."""
+    return None if value is None else str_of(value, name)
+
+
+def axis(value: object) -> str:
+    """The name of the up axis."""
+    if not isinstance(value, str):
+        raise TypeError(f'up must be "y" or "z", not {reprlib.repr(value)}')
+    return value
 
 
 def vector(values: Vector, name: str) -> tuple[float, float, float]:
@@ -73,14 +93,14 @@ def vector(values: Vector, name: str) -> tuple[float, float, float]:
 
 
 def frozen(values: npt.ArrayLike) -> Array:
-    """A copy that cannot be written into, since what is written would be lost without a word."""
+    """A copy that is read only: anything written into it would be lost silently."""
     array = np.array(values, dtype=np.float64)
     array.flags.writeable = False
     return array
 
 
 def corners(values: npt.ArrayLike, width: int, name: str) -> list[Any]:
-    """Indices of points, so many a row."""
+    """Indices of points, ``width`` in a row."""
     array = np.asarray(values)
     if array.size == 0:
         return []

@@ -1,4 +1,4 @@
-"""What the functions of this package raise."""
+"""The exceptions of this package."""
 
 from __future__ import annotations
 
@@ -6,16 +6,16 @@ import errno
 
 
 class Error(Exception):
-    """Something cannot be done; nothing was changed.
+    """The call failed and changed nothing.
 
-    ``str()`` of it is one sentence that names the place and the reason. Wrong types raise
-    ``TypeError``, numbers beyond a sequence ``IndexError``, unknown attributes
-    ``AttributeError``, as everywhere in Python. What the system refuses is an ``OSError`` too, a
-    missing file a ``FileNotFoundError``, a point that is no longer there an ``IndexError``.
+    Its ``str()`` is one sentence that names the place and the reason. As everywhere in Python,
+    wrong types raise ``TypeError``, indices beyond a sequence ``IndexError``, and unknown
+    attributes ``AttributeError``. An error of the system is also an ``OSError``, a missing file
+    also a ``FileNotFoundError``, a point that was removed also an ``IndexError``.
 
     ``kind`` is ``"argument"``, ``"range"``, ``"limit"`` (too many), ``"memory"``, ``"io"`` (the
-    system refused), ``"format"`` (a file's content) or ``"display"`` (no window); ``place`` is a
-    file, a point or a key, ``line`` a line of a file from 1; ``None`` where there is none.
+    system refused), ``"format"`` (a file's content) or ``"display"`` (no window). ``place`` (a
+    file, a point or a key) and ``line`` (of a file, from 1) are ``None`` if unknown.
 
     >>> path = Path()
     >>> try:
@@ -26,11 +26,10 @@ class Error(Exception):
     """
 
     kind: str
-    """``"argument"`` (makes no sense), ``"range"``, ``"limit"`` (too many), ``"memory"``, ``"io"``
-    (the system refused), ``"format"`` (a file's content) or ``"display"`` (no window)."""
+    """The kind of error, one of the names above."""
 
     place: str | None
-    """Where: a file, a point, a key, as far as it is known; ``": "`` lies between."""
+    """Where: file, point and key, as far as known, separated by ``": "``."""
 
     line: int | None
     """The line of a file, counted from 1."""
@@ -42,7 +41,7 @@ class Error(Exception):
         place: str | None = None,
         line: int | None = None,
     ) -> None:
-        # What was given may have lines; the sentence is one.
+        # Arguments in the sentence may contain line breaks.
         super().__init__(" ".join(sentence.splitlines()))
         self.kind = kind
         self.place = place
@@ -56,21 +55,21 @@ class Error(Exception):
 
 
 class SystemRefused(Error, OSError):
-    """What the system refused."""
+    """An error of the system."""
 
 
 class NoFile(SystemRefused, FileNotFoundError):
-    """A file that is not there."""
+    """A missing file."""
 
 
 class NoIndex(Error, IndexError):
-    """A point or an orientation that is not there."""
+    """A missing point or orientation."""
 
 
 def error_of(
     sentence: str, kind: str, place: str | None, line: int | None, number: int | None, no_index: bool
 ) -> Error:
-    """The error for what the engine says; ``number`` is the system's."""
+    """The exception for an error of the engine; ``number`` is the system's errno."""
     if no_index:
         return NoIndex(sentence, kind, place, line)
     if kind != "io":

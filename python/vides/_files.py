@@ -6,25 +6,26 @@ import os
 from typing import NamedTuple
 
 from . import _vides
+from ._arrays import str_or_none
 from ._error import Error
 
 class Format(NamedTuple):
     """A file format."""
 
     name: str
-    """What ``format=``, ``source_format=`` and ``target_format=`` take."""
+    """The value for ``format=``, ``source_format=`` and ``target_format=``."""
     title: str
-    """In words."""
+    """A title for people."""
     endings: tuple[str, ...]
-    """Endings of file names, without the dot."""
+    """Extensions of file names, without the dot."""
     reads: bool
-    """Whether it is read."""
+    """Whether it can be read."""
     writes: bool
-    """Whether it is written."""
+    """Whether it can be written."""
 
 
 def formats() -> list[Format]:
-    """All formats, in and out.
+    """All formats that can be read or written.
 
     >>> [format.name for format in formats() if format.reads and not format.writes]
     []
@@ -38,7 +39,7 @@ def formats() -> list[Format]:
 
 
 def options() -> dict[str, str]:
-    """The options of :func:`convert` and of every ``save`` and ``load``, with what they do.
+    """The options of :func:`convert` and of every ``save`` and ``load``, with their descriptions.
 
     >>> options()["scale"]
     "Lengths in the file for one of the path's [default: 1]"
@@ -47,7 +48,7 @@ def options() -> dict[str, str]:
 
 
 def choices(given: dict[str, object]) -> list[tuple[str, str]]:
-    """Options as the engine takes them: names and texts."""
+    """Options as pairs of name and text, for the engine."""
     return [
         (name.rstrip("_").replace("_", "-"), _text(name.rstrip("_"), value))
         for name, value in given.items()
@@ -61,7 +62,7 @@ def _text(name: str, value: object) -> str:
         return between.join(str(part) for part in value)
     if isinstance(value, bool) or not isinstance(value, (str, int, float)):
         try:
-            # Numbers of numpy.
+            # For example, a number of numpy.
             value = float(value)  # type: ignore[arg-type]
         except (TypeError, ValueError):
             kind = type(value).__name__
@@ -76,16 +77,16 @@ def convert(
     target_format: str | None = None,
     **options: object,
 ) -> list[str]:
-    """Makes another program's file of one, as the command ``vides convert``.
+    """Converts a file to the format of another program, as ``vides convert`` does.
 
-    The formats are found by content and name unless they are given (:func:`formats`); the options
-    are those of the command (:func:`options`), as ``fps=30``, ``frames=(1, 250)``,
+    By default the formats (:func:`formats`) are recognised by content and name. The options are
+    those of the command (:func:`options`), such as ``fps=30``, ``frames=(1, 250)``,
     ``size=(1920, 1080)``, ``scale=0.01``, ``up="z"``, ``as_="path"``, ``tolerance=0.01``.
 
-    Returns what the target cannot hold, a sentence each. ``target`` is replaced only when it is
-    whole; a folder only with ``target_format="colmap"``. Where a format has an upright axis of its
-    own (z: ``nerfstudio``, ``transforms``), the world is turned on writing, and stays so when the
-    file is read again.
+    Returns what the target cannot hold, a sentence each. ``target`` is replaced only when
+    everything is written; it can be a folder only with ``target_format="colmap"``. Writing a format
+    that prescribes an up axis (z: ``nerfstudio``, ``transforms``) rotates the world; reading the
+    file does not rotate it back.
 
     >>> import tempfile, pathlib
     >>> with tempfile.TemporaryDirectory() as folder:
@@ -95,15 +96,19 @@ def convert(
     ['points, speeds and holds become poses, one a frame', 'the field of view is left out']
     """
     return _vides.convert(
-        os.fspath(source), os.fspath(target), source_format, target_format, choices(options)
+        path_of(source),
+        path_of(target),
+        str_or_none(source_format, "source_format"),
+        str_or_none(target_format, "target_format"),
+        choices(options),
     )
 
 
 def path_of(file: str | os.PathLike[str]) -> str:
-    """A file's name as a text."""
+    """The name of a file as a text."""
     name = os.fspath(file)
     if not isinstance(name, str):
-        raise TypeError("a file is named by a text or a pathlib.Path, not by bytes")
+        raise TypeError("a file name must be a text or a pathlib.Path, not bytes")
     if "\0" in name:
-        raise Error("a file's name has no NUL in it")
+        raise Error("a file name must not contain NUL")
     return name

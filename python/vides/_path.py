@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _vides
-from ._arrays import Array, Vector, count, doubles, frozen, number, vector
+from ._arrays import Array, Vector, axis, count, doubles, frozen, number, str_of, str_or_none, vector
 from ._error import Error
 from ._files import choices, path_of
 from ._planned import Planned
@@ -20,22 +20,22 @@ from ._points import Points, Section, bare_keys, index_of
 from ._samples import Samples
 from ._told import SVG, Finding
 
-Curve = Literal["tcb", "cubic", "linear"]
+Curve = Literal["tcb", "centripetal", "chordal", "cubic", "linear"]
 Axis = Literal["y", "z"]
 
 
 class Path(Planned):
     """A camera path: points in space, each with one or more camera orientations.
 
-    Without arguments it is the path with which a new window begins, of two points. Points and
-    orientations count from 0, frames from 1, as they do in the window and in C.
+    Without arguments it is the path of a new window, with two points. Points and orientations count
+    from 0, frames from 1.
 
-    ``positions``, shape (n, 3) with n ≥ 2, are the points, in the world's lengths. Every camera
-    looks at ``look_at`` (3,); without it along −z, or −x where z is ``up``. ``frames`` is how many
-    poses there are in all; without it the base speeds say. The first is shown at second 0, so n
-    seconds from the first to the last take ``frames=n * fps + 1``. ``zoom`` is a focal length in mm (24: a
-    vertical field of view of 53°). ``curve`` is ``"tcb"`` (Kochanek–Bartels), ``"cubic"`` (a
-    spline with continuous second derivatives) or ``"linear"``.
+    ``positions``, shape (n, 3) with n ≥ 2, are the points, in the world's lengths. All cameras look
+    at ``look_at`` (3,), by default along −z, or −x if ``up`` is z. ``frames`` is the number of
+    poses, ``n * fps`` for a film of n seconds; by default it follows from the base speeds.
+    ``zoom`` is a focal length in mm (24: a vertical field of view of 53°). ``curve`` is ``"tcb"``
+    (Kochanek–Bartels), ``"centripetal"`` or ``"chordal"`` (the same, without loops where points are
+    close together), ``"cubic"`` (a spline with continuous second derivatives) or ``"linear"``.
 
     >>> angles = np.linspace(0, 2 * np.pi, 100, endpoint=False)
     >>> circle = np.stack([3 * np.cos(angles), np.sin(3 * angles), 3 * np.sin(angles)], axis=1)
@@ -45,10 +45,10 @@ class Path(Planned):
     >>> path
     <vides.Path: 100 points, 500 frames, closed>
 
-    What a ``.vid`` file says of the whole path is an attribute, by the key that it has there:
+    Properties of the whole path are attributes, with the names of the keys in ``.vid`` files:
     ``fps``, ``title``, ``comment``, ``closed``, ``curve``, ``orientation_mode``,
-    ``zoom_mode``, ``first_frame``, ``base_speeds``, ``presets``. A path has its frames: another
-    ``fps`` shows them faster or slower, :meth:`set_frames` brings it to a length.
+    ``zoom_mode``, ``first_frame``, ``base_speeds``, ``presets``. Setting ``fps`` keeps the number
+    of frames, so the film gets faster or slower; :meth:`set_frames` sets the number of frames.
 
     >>> path.fps = 30
     >>> path.title = "Once around"
@@ -58,8 +58,8 @@ class Path(Planned):
     100.0
     >>> path.base_speeds = {"move_frames": 250}
 
-    How fast the camera goes is said of the section that begins at a point: its ``frames``, and of
-    those ``speed_curve``, ten speeds from its start to its end, or ``ease``. Slowing down to the
+    The speed of the camera is a property of the section that begins at a point: its ``frames``,
+    and ``speed_curve``, ten speeds from its start to its end, or ``ease``. To slow down towards the
     third point:
 
     >>> path = Path([[0, 0, 0], [1, 0, 0], [2, 0, 0], [3, 0, 0]], frames=301)
@@ -73,7 +73,7 @@ class Path(Planned):
 
     _native: _vides.Document
     losses: tuple[str, ...]
-    """What was lost when it was read from another program's file."""
+    """What could not be imported from another program's file."""
 
     def __init__(
         self,
@@ -90,20 +90,20 @@ class Path(Planned):
         if positions is None:
             others = (up, closed, frames, zoom, curve, fps)
             if look_at is not None or others != ("y", False, None, 24.0, "tcb", 25.0):
-                raise Error("positions are missing: the other arguments belong to them")
+                raise Error("positions are missing: the other arguments require them")
             native = _vides.Document()
         else:
             places = doubles(positions, (None, 3), "positions")
             if len(places) < 2:
-                raise Error(f"a path leads through at least two points, not {len(places)}", "range")
+                raise Error(f"a path needs at least two points, not {len(places)}", "range")
             native = _vides.Document.through(
                 places,
                 None if look_at is None else vector(look_at, "look_at"),
-                up,
-                closed,
+                axis(up),
+                bool(closed),
                 None if frames is None else count(frames, "frames"),
                 number(zoom, "zoom"),
-                curve,
+                str_of(curve, "curve"),
                 number(fps, "fps"),
             )
         self._set(native)
@@ -127,7 +127,7 @@ class Path(Planned):
     def __getattr__(self, name: str) -> Any:
         value = super().__getattr__(name)
         if value is None:
-            # One with parts, as base_speeds and presets have.
+            # Properties with parts, such as base_speeds and presets.
             parts = [key for key, _ in self._native.properties() if key.startswith(f"{name}.")]
             if parts:
                 return {key[len(name) + 1 :]: self._native.property(key) for key in parts}
@@ -140,39 +140,39 @@ class Path(Planned):
 
     @classmethod
     def load(cls, file: str | os.PathLike[str], format: str | None = None, **options: object) -> Path:
-        """The path in a ``.vid`` file, or in another program's file.
+        """The path in a ``.vid`` file or in another program's file.
 
-        Poses become a path of few points, within ``tolerance`` (a length, 1/1000 of the diagonal
-        of their bounds unless given) and ``angle`` (degrees, 0.5). What was lost is in
-        :attr:`losses`. Of other options see :func:`options`; of scenes :class:`Scene`.
+        Poses are fitted by a path of few points, within ``tolerance`` (a length; by default 1/1000
+        of the diagonal of their bounds) and ``angle`` (degrees, 0.5). :attr:`losses` lists what
+        could not be imported. :func:`options` lists the other options; :class:`Scene` loads scenes.
         """
         name = path_of(file)
         if format in (None, "vid") and name.endswith(".vid") and not options:
             return cls._of(_vides.Document.load(name))
         given = {"as_": "path", **options}
-        scene, losses = _vides.Scene.load(name, format, choices(given))
+        scene, losses = _vides.Scene.load(name, str_or_none(format, "format"), choices(given))
         return cls._of(scene.path(), losses)
 
     @classmethod
     def from_str(cls, text: str) -> Path:
-        """The path in the text of a ``.vid`` file; :meth:`to_str` gives one.
+        """The path in the text of a ``.vid`` file, as :meth:`to_str` returns it.
 
         >>> path = Path()
         >>> Path.from_str(path.to_str()) == path
         True
         """
-        return cls._of(_vides.Document.from_text(text))
+        return cls._of(_vides.Document.from_text(str_of(text, "text")))
 
     def save(self, file: str | os.PathLike[str], format: str | None = None, **options: object) -> list[str]:
-        """Writes a ``.vid`` file, or another program's, as its name says or ``format``.
+        """Writes a ``.vid`` file or another program's, by ``format`` or by the file's name.
 
-        The file is replaced only when the new one is whole. Returns what the format cannot hold, a
-        sentence each; for options see :func:`options`. Several files of ``format="colmap"`` are
-        written into a folder.
+        The file is replaced only when everything is written. Returns what the format cannot hold, a
+        sentence each; :func:`options` lists the options. ``format="colmap"`` writes several files
+        into a folder.
 
-        The world's axes stay as they are, but for formats that have an upright axis of their own:
-        z in ``transforms.json`` (``nerfstudio``, ``transforms``). A path with y upright is turned
-        for them by 90° about x: (x, y, z) becomes (x, −z, y), and is so when it is read again.
+        The world's axes are unchanged, except for formats that prescribe an up axis: z in
+        ``transforms.json`` (``nerfstudio``, ``transforms``). A path with y up is rotated for them by
+        90° about x: (x, y, z) becomes (x, −z, y). Reading the file does not rotate it back.
 
         >>> import os, tempfile
         >>> with tempfile.TemporaryDirectory() as folder:
@@ -186,14 +186,14 @@ class Path(Planned):
         if format in (None, "vid") and name.endswith(".vid") and not options:
             self._native.save(name)
             return []
-        return self._native.scene().export(name, format, choices(options))
+        return self._native.scene().export(name, str_or_none(format, "format"), choices(options))
 
     def to_str(self) -> str:
         """The text of a ``.vid`` file."""
         return self._native.text()
 
     def copy(self) -> Path:
-        """A path of its own, without the history."""
+        """An independent copy, without the undo history."""
         return type(self)._of(self._native.copy(), self.losses)
 
     __copy__ = copy
@@ -224,7 +224,7 @@ class Path(Planned):
 
     @property
     def positions(self) -> Array:
-        """(n, 3): where the points lie; a copy that is read only. Assigning one moves all points.
+        """(n, 3): the positions of all points, a read-only copy. Assign an array to move them.
 
         >>> path = Path()
         >>> path.positions = path.positions * 2
@@ -239,46 +239,48 @@ class Path(Planned):
 
     @property
     def up(self) -> str:
-        """Which axis stands upright: ``"y"`` or ``"z"``; setting it keeps all poses."""
+        """The up axis, ``"y"`` or ``"z"``; setting it keeps all poses."""
         return self._native.space()[2]
 
     @up.setter
     def up(self, up: Axis) -> None:
-        self._native.edit("change_up", up=up)
+        self._native.edit("change_up", up=axis(up))
 
     @property
     def space(self) -> tuple[Array, float]:
-        """Centre (3,) and half the size of the movement space, a cube; see :meth:`set_space`."""
+        """Centre (3,) and half the edge of the space, a cube; see :meth:`set_space`."""
         centre, half_size, _ = self._native.space()
         return np.array(centre), half_size
 
     def set_space(self, centre: Vector, half_size: float, fit: bool = False) -> None:
-        """Where the path lies in the world; with ``fit`` it is mapped into the new space."""
-        self._native.set_space(vector(centre, "centre"), half_size, self.up, fit)
+        """Sets the cube in which the path lies; with ``fit`` the path is mapped into it."""
+        self._native.set_space(vector(centre, "centre"), number(half_size, "half_size"), self.up, bool(fit))
 
     def look_at(self, target: Vector) -> None:
-        """Lets all orientations of all points look at a place.
+        """Makes all orientations of all points look at a place, as one undo step.
 
         >>> path = Path()
         >>> path.look_at((0, 0, 0))
         >>> path.points[1].target
         (0.0, 0.0, 0.0)
         """
-        for point in self.points:
-            point.look_at(target)
+        self._native.look_at(vector(target, "target"), None)
 
     def divide(self, segment: int, points: int = 1) -> None:
-        """New points on the curve between point ``segment`` and the next, 1 to 10 of them."""
+        """Adds 1 to 10 points on the curve between point ``segment`` and the next."""
         self._native.edit(
             "divide", segment=count(segment, "segment"), points=count(points, "points")
         )
 
     def insert_on_curve(self, frame: float) -> None:
-        """A new point on the curve where the camera is at a frame; the flight stays as it is."""
+        """Adds a point on the curve where the camera is at a frame; the flight is unchanged.
+
+        The tangents that keep it unchanged are removed when their point or a neighbour moves.
+        """
         self._native.edit("insert_on_curve", frame=number(frame, "frame"))
 
     def set_frames(self, frames: int, first: int = 0, last: int = -1) -> None:
-        """Exactly so many poses from point ``first`` to point ``last``, both included.
+        """Sets the exact number of poses from point ``first`` to point ``last``, both included.
 
         >>> path = Path()
         >>> path.set_frames(101)
@@ -297,26 +299,26 @@ class Path(Planned):
 
     @property
     def frame_count(self) -> int:
-        """How many poses there are; their frames are 1 to this number."""
+        """The number of poses; their frames are 1 to this number."""
         return self._native.frame_count()
 
     @property
     def duration(self) -> float:
-        """Seconds from the first pose to the last: 300 frames at 30 a second are 9.967 s.
+        """Seconds of the film: 300 frames at 30 fps are 10 s. The last frame begins one frame earlier.
 
         >>> Path().duration
-        4.8
+        4.84
         """
-        return (self.frame_count - 1) / float(self.fps)
+        return self.frame_count / float(self.fps)
 
     @property
     def length(self) -> float:
-        """Length of the way, in the world's lengths."""
+        """Length of the path, in the world's lengths."""
         return self._native.length()
 
     @property
     def sections(self) -> list[Section]:
-        """The ways from each orientation to the next, in the order of the flight.
+        """The sections from each orientation to the next, in the order of the flight.
 
         >>> [(section.point, section.change, section.frames) for section in Path().sections]
         [(0, 'position', 120)]
@@ -325,10 +327,10 @@ class Path(Planned):
         return [Section(self, at, row) for at, row in rows]
 
     def sample(self, first: int = 1, last: int | None = None, out: Array | None = None) -> Samples:
-        """The poses of the frames ``first`` to ``last``, both included; all unless given.
+        """The poses of the frames ``first`` to ``last``, both included; by default all.
 
-        ``out`` is an array of doubles (n, 10), row by row, that is filled in place of a new one;
-        it needs as many rows as there are frames.
+        ``out`` is an array of doubles (n, 10), row by row, to fill instead of a new one; it has one
+        row for each frame.
 
         >>> path = Path()
         >>> path.sample(11, 20)
@@ -338,7 +340,7 @@ class Path(Planned):
         last = self.frame_count if last is None else operator.index(last)
         rows = last + 1 - first
         if first < 1 or rows < 0:
-            raise Error(f"frames {first} to {last} are wanted: the first is 1, and no later than the last", "range")
+            raise Error(f"frames {first} to {last}: the first must be at least 1 and at most the last", "range")
         if out is None:
             if last > self.frame_count:
                 raise Error(f"there is no frame {last}: the frames are 1 to {self.frame_count}", "range")
@@ -347,16 +349,16 @@ class Path(Planned):
             what = f"{out.dtype} {out.shape}" if isinstance(out, np.ndarray) else type(out).__name__
             raise Error(f"out must be an array of float64 of the shape ({rows}, 10), not {what}")
         elif not (out.flags.c_contiguous and out.flags.writeable):
-            raise Error("out must be writeable and lie row by row without gaps (order C)")
+            raise Error("out must be writeable and contiguous row by row (order C)")
         self._native.sample(first, out)
         return Samples._of(out, float(self.fps), np.arange(first, last + 1.0), self.up)
 
     def evaluate(
         self, frames: npt.ArrayLike | None = None, *, seconds: npt.ArrayLike | None = None
     ) -> Samples:
-        """The poses at any frames or seconds, whole or between two, in any order.
+        """The poses at any frames or seconds, in any order; frames may be fractional.
 
-        Frame 1 is shown at second 0.
+        Frame 1 begins at second 0, and the last frame ends at :attr:`duration`.
 
         >>> path = Path()
         >>> path.evaluate(1.5).positions.shape
@@ -368,6 +370,9 @@ class Path(Planned):
         """
         if seconds is not None and frames is None:
             wanted = doubles(np.atleast_1d(seconds), (None,), "seconds") * self.fps + 1.0
+            last = self.frame_count
+            # A little more than a frame, because of rounding in seconds.
+            wanted[(wanted > last) & (wanted <= last + 1.0 + 1e-9 * last)] = last
         elif frames is not None and seconds is None:
             wanted = doubles(np.atleast_1d(frames), (None,), "frames")
         else:
@@ -375,10 +380,10 @@ class Path(Planned):
         return Samples._of(self._native.poses(wanted), float(self.fps), wanted, self.up)
 
     def motion(self, frames: npt.ArrayLike) -> Array:
-        """(n, 4), how the camera moves at frames, whole or between two.
+        """(n, 4): how the camera moves at frames, which may be fractional.
 
-        Length of the way so far; way per frame; degrees per frame by which the camera turns;
-        curvature (one by the radius) of the way.
+        The columns are the distance travelled; the distance per frame; the turning in degrees per
+        frame; and the curvature (1/radius) of the path.
 
         >>> Path().motion([1, 121])[:, 0].round(6)
         array([0. , 1.2])
@@ -389,9 +394,9 @@ class Path(Planned):
     # ---- Tools --------------------------------------------------------------------------
 
     def check(self) -> list[Finding]:
-        """What will look wrong in the film: jerks, fast turns, what comes too near, and so on.
+        """Finds what will look wrong in the film: jerks, flips, collisions.
 
-        Points count from 0, in the sentences too.
+        Points count from 0, also in the sentences.
 
         >>> Path().check()
         []
@@ -399,19 +404,19 @@ class Path(Planned):
         return [Finding(*row) for row in self._native.check()[0]]
 
     def notes(self) -> list[str]:
-        """What is to be told beside :meth:`check`: what was not looked at."""
+        """Notes of :meth:`check`: what it does not check."""
         return self._native.check()[1]
 
     def fix(self) -> list[Finding]:
-        """Mends what :meth:`check` finds, as far as that helps. Returns what was mended."""
+        """Fixes what :meth:`check` finds, as far as possible. Returns what was fixed."""
         return [Finding(*row) for row in self._native.fix()]
 
     @property
     def limits(self) -> dict[str, float]:
-        """Beyond which :meth:`check` finds something, by name; ``math.inf``: it is not looked for.
+        """The limits of :meth:`check` by name, a copy; ``math.inf`` switches a kind off.
 
-        A copy; :meth:`set_limits` sets them. They are kept in the file. Lengths are half sizes of
-        the space, angles degrees, times seconds, and zooms mm.
+        :meth:`set_limits` sets them; the file keeps them. Units are half the edge of the space,
+        degrees, seconds and mm.
 
         >>> Path().limits["turning"]
         60.0
@@ -419,9 +424,9 @@ class Path(Planned):
         return dict(self._native.limits())
 
     def set_limits(self, **limits: float | None) -> None:
-        """Sets limits of :meth:`check`, within which what is planned stays, too; as one step.
+        """Sets limits of :meth:`check` and of planning, as one undo step.
 
-        ``math.inf``: there is none. ``None``: that of a new path.
+        ``math.inf`` removes a limit, ``None`` restores the default.
 
         >>> path = Path()
         >>> path.set_limits(turning=20, speed=0.5)
@@ -433,10 +438,10 @@ class Path(Planned):
         )
 
     def tool(self, name: str, path: Path | None = None, **numbers: float | str | Sequence[float]) -> None:
-        """Does what the tool of this name does, as one step; :func:`tools` lists them.
+        """Applies a tool, as one undo step; :func:`tools` lists them.
 
-        Parameters that are not given are as the window suggests them. Points that a tool takes by
-        ``first`` and ``last`` are counted from 1, as in the window.
+        Parameters have the defaults of the window. The points ``first`` and ``last`` of a tool
+        count from 1, as in the window.
 
         >>> path = Path()
         >>> path.tool("turn", axis="y", angle=90)
@@ -446,18 +451,20 @@ class Path(Planned):
         3
         """
         given = {key.rstrip("_"): number for key, number in numbers.items()}
-        self._native.tool(name, given, None if path is None else path._native)
+        if path is not None and not isinstance(path, Path):
+            raise TypeError(f"path must be a Path, not {type(path).__name__}")
+        self._native.tool(str_of(name, "name"), given, None if path is None else path._native)
 
     def reverse(self) -> None:
-        """Flies it backwards."""
+        """Reverses the path."""
         self._native.edit("reverse")
 
     def undo(self) -> bool:
-        """Takes back the last change; false if there is none."""
+        """Undoes the last change; false if there was none."""
         return self._native.undo()
 
     def redo(self) -> bool:
-        """Does again what was taken back; false if there is nothing."""
+        """Restores the last change that was undone; false if there was none."""
         return self._native.redo()
 
     @classmethod
@@ -472,13 +479,13 @@ class Path(Planned):
         up: Axis | None = None,
         robust: bool = False,
     ) -> Path:
-        """A path of few points near recorded poses.
+        """Fits a path of few points to recorded poses.
 
-        ``poses`` are samples or an array (n, 10); ``seconds`` (n,) rise, and are those of the
-        samples unless given. The path stays within ``tolerance`` of the positions (a length; 1/1000
-        of the diagonal of their bounds unless given), and within ``angle`` degrees of view, up and
-        field of view. ``robust`` leaves out poses that do not fit those around them. ``up`` is the
-        axis of the world that stands upright: that of the samples unless given, else ``"y"``.
+        ``poses`` are samples or an array (n, 10). ``seconds`` (n,) increase; the default is those of
+        the samples. The path stays within ``tolerance`` of the positions (a length; by default
+        1/1000 of the diagonal of their bounds), and within ``angle`` degrees of view, up and field
+        of view. ``robust`` ignores outliers. ``up`` is the up axis of the world; the default is that
+        of the samples, or ``"y"``.
 
         >>> path = Path()
         >>> path.points.insert(1, (0, 0.6, 0.4))
@@ -498,45 +505,47 @@ class Path(Planned):
             known = None
         times = None if seconds is None else doubles(seconds, (len(array),), "seconds")
         if len(array) < 2:
-            raise Error(f"at least two poses are wanted, not {len(array)}", "range")
+            raise Error(f"at least two poses are required, not {len(array)}", "range")
         if tolerance is None:
             tolerance = 1e-3 * float(np.linalg.norm(np.ptp(array[:, :3], axis=0)))
-        rate = 25.0 if fps is None else float(fps)
-        native, left_out = _vides.fit(array, times, rate, tolerance, angle, up or known or "y", robust)
+        rate = 25.0 if fps is None else number(fps, "fps")
+        upright = (known or "y") if up is None else axis(up)
+        near, turned = number(tolerance, "tolerance"), number(angle, "angle")
+        native, left_out = _vides.fit(array, times, rate, near, turned, upright, bool(robust))
         losses = [f"pose {at} is left out" for at in left_out]
         return cls._of(native, losses)
 
     # ---- The object ---------------------------------------------------------------------
 
     def set_object(self, file: str | os.PathLike[str] | None) -> None:
-        """Shows a mesh (OBJ, PLY, STL, glTF) with the path, and checks against it; none: nothing."""
+        """Sets the object for display and checks: a mesh (OBJ, PLY, STL, glTF); ``None`` removes it."""
         self._native.set_object(None if file is None else path_of(file))
 
     @property
     def object_points(self) -> Array:
-        """(n, 3): the points of the object that is shown with the path; a copy."""
+        """(n, 3): the points of the path's object; a copy."""
         return self._native.object_points()
 
     # ---- Pictures -----------------------------------------------------------------------
 
     def plot(self, dark: bool = False) -> SVG:
-        """The way from three sides, the views on a sphere, and charts over the frames: an SVG.
+        """An SVG with the path from three sides, the views on a sphere, and charts over the frames.
 
-        A notebook shows it; ``pathlib.Path("plot.svg").write_text(path.plot())`` keeps it. It is
+        Notebooks display it; ``pathlib.Path("plot.svg").write_text(path.plot())`` saves it. It is
         the picture of ``vides plot``, in which points count from 1.
 
         >>> Path().plot()[:4]
         '<svg'
         """
-        return SVG(self._native.svg(dark))
+        return SVG(self._native.svg(bool(dark)))
 
     def to_html(self, **options: object) -> str:
-        """A page that plays the flight in a browser, without a network; see :func:`options`."""
+        """A page that plays the flight in a browser, offline; see :func:`options`."""
         page, _ = self._native.scene().render("html", choices(options))
         return bytes(page).decode()
 
     def _repr_html_(self) -> str:
-        """The page in a frame that may run its own scripts and reach nothing else."""
+        """The page in a sandboxed frame that can run only its own scripts."""
         page = html.escape(self.to_html(), quote=True)
         return (
             f'<iframe srcdoc="{page}" sandbox="allow-scripts" title="VIDES" '

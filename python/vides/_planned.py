@@ -1,14 +1,15 @@
-"""What is planned for a path, and a path that is planned from nothing."""
+"""The planning methods of a path, and tours."""
 
 from __future__ import annotations
 
+import inspect
 import os
 from typing import TYPE_CHECKING, Literal, NamedTuple, Union
 
 import numpy.typing as npt
 
 from . import _vides
-from ._arrays import Array, Vector, corners, doubles, number, vector
+from ._arrays import Array, Vector, axis, corners, doubles, number, str_of, vector
 from ._error import Error
 from ._files import path_of
 from ._points import Keyed, index_of
@@ -19,23 +20,29 @@ if TYPE_CHECKING:
 
 Object = Union[str, "os.PathLike[str]", tuple[npt.ArrayLike, npt.ArrayLike]]
 """The file of a mesh (OBJ, PLY, STL, glTF), a ``.vid`` file with an object, or points (n, 3) and
-triangles (m, 3) of their indices; without triangles the points count."""
+triangles (m, 3) of their indices. Without triangles, the points are the object."""
 
 
 def _given(object: Object) -> str | tuple[Array, list[list[int]]]:
     if not isinstance(object, (tuple, list)):
         return path_of(object)
     if len(object) != 2:
-        raise Error(f"an object is a file, or points and triangles, not {len(object)} things")
+        raise Error(f"an object is a file, or points and triangles, not {len(object)} values")
     return doubles(object[0], (None, 3), "points"), corners(object[1], 3, "triangles")
 
 
 class Planned(Keyed):
-    """A path for which something is planned; each is one step of its history. Ctrl-C ends it."""
+    """The planning methods of a path. Each call is one undo step; Ctrl-C stops it."""
 
     __slots__ = ()
 
     _native: _vides.Document
+
+    def __init_subclass__(cls) -> None:
+        """Makes errors and help name a function by its public class."""
+        for name, function in vars(Planned).items():
+            if inspect.isfunction(function):
+                function.__qualname__ = f"{cls.__name__}.{name}"
 
     def retime(
         self,
@@ -51,14 +58,14 @@ class Planned(Keyed):
         zoom: float | None = None,
         crossing: float | None = None,
     ) -> Retimed:
-        """Computes the pace anew, from point ``first`` to point ``last``; curve and views stay.
+        """Recomputes the speed from point ``first`` to point ``last``; curve and views are kept.
 
-        As short as the limits allow, or in exactly so many ``seconds`` with the lowest peaks. It
-        begins and ends at rest, unless the path is closed. Limits that are not given are the
-        path's own (:meth:`Path.set_limits`); ``math.inf``: none. They count for a second: ``speed``, ``acceleration``
-        and ``jerk`` of the camera's place in half sizes of the space, ``turning`` and
-        ``turning_acceleration`` in degrees, ``zoom`` in mm; ``crossing`` is the least time in
-        which a thing may cross the picture's width.
+        The path becomes as fast as the limits allow, or takes exactly ``seconds``, with the lowest
+        peaks. It begins and ends at rest unless it is closed. Limits default to those of the path
+        (:meth:`Path.set_limits`); ``math.inf`` removes one. Units are seconds and, for ``speed``,
+        ``acceleration`` and ``jerk``, half the edge of the space; for ``turning`` and
+        ``turning_acceleration`` degrees; for ``zoom`` mm. ``crossing`` is the least number of
+        seconds in which anything may cross the picture's width.
 
         >>> path = Path([[-1, 0, 0], [1, 0, 0]])
         >>> path.set_space((0, 0, 0), 1)
@@ -93,11 +100,12 @@ class Planned(Keyed):
         return Retimed(took, tuple(Rest(*rest) for rest in rests))
 
     def avoid(self, clearance: float, radius: float = 0, object: Object | None = None) -> tuple[Detour, ...]:
-        """Leads the way clear of an object, between frames too. Returns where it is another.
+        """Moves the path away from an object, also between frames. Returns the parts that changed.
 
         The camera, with a sphere of ``radius`` around it, keeps the distance ``clearance``, both in
-        the world's lengths. Few points are moved or put in; frames and targets stay. ``object`` is
-        a file, or points (n, 3) and triangles (m, 3); without it, that of :meth:`set_object`.
+        the world's lengths. As few points as needed are moved or added; frames and targets are
+        kept. ``object`` is a file, or points (n, 3) and triangles (m, 3); the default is that of
+        :meth:`set_object`.
 
         >>> path = Path([[-3, 0.1, 0], [3, 0, 0]], frames=101)
         >>> wall = [[0, -1, -1], [0, 1, -1], [0, 0, 1]], [[0, 1, 2]]
@@ -119,11 +127,11 @@ class Planned(Keyed):
         by: Literal["zoom", "distance", "view"] = "zoom",
         object: Object | None = None,
     ) -> Framed:
-        """Keeps an object whole in the picture at every frame and between.
+        """Keeps the whole object in the picture, at every frame and between frames.
 
-        ``margin`` is the share of the picture's width, and of its height, that stays free at each
-        side, from 0 to below 0.5. ``by`` says what may change: the zoom, the camera's distance
-        along its view, or where it looks. ``object`` is as :meth:`avoid` has it.
+        ``margin`` is the share of the picture's width and height that remains free at each side,
+        at least 0 and less than 0.5. ``by`` is what may change: the zoom, the camera's distance
+        along its view, or the direction of the view. ``object`` is as for :meth:`avoid`.
 
         >>> path = Path([[-3, 0, 4], [3, 0, 5]], look_at=(0, 0, 0), frames=101)
         >>> ball = [[-1, 0, 0], [1, 0, 0], [0, 1, 0], [0, -1, 0]], [[0, 2, 1], [0, 1, 3]]
@@ -131,14 +139,14 @@ class Planned(Keyed):
         True
         """
         given = None if object is None else _given(object)
-        return Framed(*self._native.keep_in_picture(number(margin, "margin"), by, given))
+        return Framed(*self._native.keep_in_picture(number(margin, "margin"), str_of(by, "by"), given))
 
     def steady(self, seconds: float, within: float | None = None) -> Steadied:
-        """Takes the shaking of a hand out of a recorded flight; its first and last pose stay.
+        """Stabilises a recorded flight; its first and last pose are unchanged.
 
-        Half of a movement that takes ``seconds`` there and back stays, and hardly anything of
-        quicker ones. No place goes farther than ``within``, in the world's lengths. A closed path
-        comes back open; frames stay as many.
+        ``seconds`` is the cut-off period: motion of this period is halved, faster motion is
+        removed. ``within`` is the maximum distance that any position may move, in the world's
+        lengths. A closed path becomes open; the number of frames is unchanged.
 
         >>> path = Path([[k, 0.1 * (-1) ** k, 0] for k in range(20)], look_at=(9, 0, -9), frames=96)
         >>> told = path.steady(2)
@@ -154,28 +162,28 @@ class Planned(Keyed):
 
 
 class Tour(NamedTuple):
-    """A flight that shows an object, and what it shows. Shares are of areas, from 0 to 1."""
+    """A flight that shows an object, and how much it shows. Shares are of areas, from 0 to 1."""
 
     path: Path
-    """The flight, 25 frames a second, with the object."""
+    """The flight, at 25 fps, with the object."""
     coverage: float
-    """The share that is shown of what can be seen."""
+    """The share of the visible surface that is shown."""
     surface: float
-    """The share that is shown of the whole surface."""
+    """The share of the whole surface that is shown."""
     places: int
-    """How many places show it."""
+    """The number of views that show it."""
     distance: float
-    """How far these are from the object."""
+    """The distance of these views from the object."""
     length: float
-    """The length of the way."""
+    """The length of the path."""
     seconds: float
-    """How long it takes, a whole number of frames."""
+    """The duration, a whole number of frames."""
     left_out: float
-    """Of the whole surface, what is seen from places that were not needed."""
+    """The share of the whole surface that only views that were not needed show."""
     narrow: float
-    """What may be seen, but from no place that was tried."""
+    """The share that may be visible, but from none of the views that were tried."""
     hidden: float
-    """What cannot be seen."""
+    """The share that is not visible from anywhere."""
 
 
 def tour(
@@ -188,13 +196,14 @@ def tour(
     up: Axis = "y",
     stills: bool = False,
 ) -> Tour:
-    """A flight that shows an object for which nobody has planned one.
+    """Plans a flight that shows an object.
 
-    ``object`` is the file of a mesh, a ``.vid`` file with an object, or points (n, 3) and triangles
-    (m, 3). ``coverage`` is the share, by area, of what can be seen that is shown; ``distance``, a
-    length, how far the camera is from what it shows, found unless given. ``inside`` flies in the
-    object's free space, not around it. It is a closed round, unless it has a ``start`` (3,).
-    ``stills`` gives only the views that show it, one a frame, for pictures. Ctrl-C ends it.
+    ``object`` is a mesh file, a ``.vid`` file with an object, or points (n, 3) and triangles
+    (m, 3). ``coverage`` is the share of the visible surface, by area, to show. ``distance`` is the
+    distance of the camera from what it shows; by default it is chosen to fit. ``inside`` flies
+    inside the object, not around it. The flight is a closed round unless it has a ``start`` (3,).
+    ``stills`` returns only the views that show the object, one a frame, for pictures. Ctrl-C stops
+    it.
 
     >>> corners = [[1, 1, 1], [-1, -1, 1], [-1, 1, -1], [1, -1, -1]]
     >>> shown = tour((corners, [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]), seconds=30)
@@ -210,7 +219,7 @@ def tour(
         0.0 if distance is None else number(distance, "distance"),
         bool(inside),
         None if start is None else vector(start, "start"),
-        up,
+        axis(up),
         bool(stills),
     )
     return Tour(Path._of(native), *told)

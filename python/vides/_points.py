@@ -1,4 +1,4 @@
-"""The points of a path and their orientations: what is edited."""
+"""The points, orientations and sections of a path."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def index_of(at: SupportsIndex, count: int, what: str) -> int:
 
 
 def place_of(at: SupportsIndex, count: int) -> int:
-    """Before which of so many something is inserted, as ``list.insert`` counts."""
+    """The index before which to insert into ``count`` items, counted as by ``list.insert``."""
     number = operator.index(at)
     if not -count <= number <= count:
         raise IndexError(f"there is no place {number}: there are {count}, counted from 0")
@@ -35,7 +35,7 @@ def place_of(at: SupportsIndex, count: int) -> int:
 
 
 class Keyed:
-    """Something whose properties have names that the engine's table lists."""
+    """Attributes for the properties in the engine's table."""
 
     __slots__ = ()
 
@@ -46,9 +46,9 @@ class Keyed:
         raise NotImplementedError
 
     def __getattr__(self, name: str) -> Any:
-        """A property by its key in files, with or without its unit; ``None`` where it is not set.
+        """A property by its key in files, with or without its unit; ``None`` if it is not set.
 
-        Lists are tuples: copies, so assign a whole one.
+        Lists are copies, as tuples; assign a whole one to change it.
         """
         if name.startswith("_"):
             raise AttributeError(f"{type(self).__name__} has no {name}")
@@ -58,7 +58,7 @@ class Keyed:
             raise self._unknown(name) from None
 
     def __eq__(self, other: object) -> bool:
-        """Whether it is the same one of the same path."""
+        """Whether both are the same item of the same path."""
         return (
             type(other) is type(self)
             and isinstance(other, Keyed)
@@ -70,7 +70,7 @@ class Keyed:
         return hash((id(self._document()), self._prefix()))
 
     def __setattr__(self, name: str, value: Any) -> None:
-        """Sets a property; ``None`` gives back what a new path has."""
+        """Sets a property; ``None`` restores the default."""
         known = getattr(type(self), name, None)
         if name.startswith("_") or known is not None:
             object.__setattr__(self, name, value)
@@ -79,7 +79,7 @@ class Keyed:
 
     def _set_key(self, name: str, value: object) -> None:
         if not isinstance(value, (str, type(None))) and name in _texts():
-            raise TypeError(f"{name} is a text, not {type(value).__name__}")
+            raise TypeError(f"{name} must be a text, not {type(value).__name__}")
         try:
             self._document().set_property(self._prefix() + name, value)
         except AttributeError:
@@ -106,7 +106,7 @@ class Keyed:
 
 
 def bare_keys(*owners: str) -> list[str]:
-    """Keys of paths, points or views, without their units."""
+    """The keys of paths, points or views, without units."""
     rows = _vides.keys()
     return [re.sub("_(mm|degrees|frames)$", "", row[1]) for row in rows if row[0] in owners]
 
@@ -117,11 +117,12 @@ def _texts() -> frozenset[str]:
 
 
 class Orientation(Keyed):
-    """One camera orientation at a point: what the camera looks at, and how it goes on.
+    """One camera orientation at a point: what the camera looks at, and how it moves on.
 
-    Its properties have the keys of ``.vid`` files, with or without their unit: ``target`` or
-    ``offset`` (x, y, z), ``roll`` (degrees), ``zoom`` (mm, 1 to 2000), ``hold`` (frames),
-    ``speed_curve`` (ten numbers, 1 to 100) and so on; :func:`vides.properties` lists them.
+    Its attributes have the names of the keys in ``.vid`` files, with or without the unit:
+    ``target`` or ``offset`` (x, y, z), ``roll`` (degrees), ``zoom`` (mm, 1 to 2000), ``hold``
+    (frames), ``speed_curve`` (ten numbers, 1 to 100) and so on; :func:`vides.properties` lists
+    them.
 
     >>> path = Path()
     >>> view = path.points[0].orientations[0]
@@ -151,12 +152,12 @@ class Orientation(Keyed):
 
     @property
     def up_vector(self) -> Array:
-        """(3,): the camera's up, roll included; a unit vector perpendicular to its view."""
+        """(3,): the camera's up, including the roll; a unit vector perpendicular to its view."""
         return frozen(self._document().up_at(self._point, self._at))
 
     def make_absolute(self, absolute: bool = True) -> None:
-        """Makes the target a place of the world, or an offset from the point; the view stays."""
-        self._document().edit("set_absolute", point=self._point, at=self._at, absolute=absolute)
+        """Makes the target a place in the world, or an offset from the point; the view is kept."""
+        self._document().edit("set_absolute", point=self._point, at=self._at, absolute=bool(absolute))
 
     def __repr__(self) -> str:
         values = f"zoom {self.zoom:g}, roll {self.roll:g}"
@@ -164,7 +165,7 @@ class Orientation(Keyed):
 
 
 class _Sequence(Sequence[_Item]):
-    """Counted from 0, from the end below 0; slices give lists."""
+    """Counts from 0, negative indices from the end; slices return lists."""
 
     __slots__ = ()
 
@@ -189,7 +190,7 @@ class _Sequence(Sequence[_Item]):
 
 
 class Orientations(_Sequence[Orientation]):
-    """The orientations of a point in the order in which the camera takes them; at least one."""
+    """The orientations of a point, at least one, in the order in which the camera takes them."""
 
     __slots__ = ("_owner", "_point")
 
@@ -207,8 +208,8 @@ class Orientations(_Sequence[Orientation]):
         return "orientation"
 
     def insert(self, at: int) -> Orientation:
-        """A new orientation before number ``at``: a copy of the one before it. Below 0 counts from
-        the end, as in ``list.insert``: −1 is before the last.
+        """Inserts an orientation before index ``at``, a copy of the one before it. As in
+        ``list.insert``, −1 inserts before the last.
 
         >>> path = Path()
         >>> path.points[0].orientations.append().roll = 90
@@ -220,7 +221,7 @@ class Orientations(_Sequence[Orientation]):
         return Orientation(self._owner, self._point, at)
 
     def append(self) -> Orientation:
-        """A new orientation behind the others: a copy of the last one."""
+        """Appends an orientation, a copy of the last one."""
         return self.insert(len(self))
 
     def __delitem__(self, at: int) -> None:
@@ -232,13 +233,14 @@ class Orientations(_Sequence[Orientation]):
 
 
 class Point(Keyed):
-    """A support point: the camera passes through it.
+    """A point: the camera passes through it.
 
-    It is the point of this number: after one before it was removed, it is another.
+    It refers to the point by its index, so after an earlier point is removed it refers to the next
+    one.
 
-    The properties of its first orientation are its own, too: ``point.zoom = 30``. Beside them it
-    has ``position``, ``name``, ``preset`` (0 to 9) or ``own`` (``{"tension": 0.5}``) for the shape
-    of the curve, and ``tangents``.
+    The properties of its first orientation are also its own: ``point.zoom = 30``. It also has
+    ``position``, ``name``, ``preset`` (0 to 9) or ``own`` (``{"tension": 0.5}``) for the shape of
+    the curve, and ``tangents``.
 
     >>> path = Path()
     >>> path.points[0].position = (-1, 0, 1)
@@ -265,12 +267,12 @@ class Point(Keyed):
 
     @property
     def index(self) -> int:
-        """Its number, counted from 0."""
+        """Its index, from 0."""
         return self._at
 
     @property
     def position(self) -> Array:
-        """(3,): where it lies; a copy that is read only, so assign a whole position."""
+        """(3,): its position, a read-only copy; assign a whole position to move the point."""
         return frozen(self._document().position(self._at))
 
     @position.setter
@@ -283,10 +285,8 @@ class Point(Keyed):
         return Orientations(self._owner, self._at)
 
     def look_at(self, target: Vector) -> None:
-        """Lets all its orientations look at a place of the world."""
-        place = list(vector(target, "target"))
-        for orientation in self.orientations:
-            orientation.target = place
+        """Makes all its orientations look at a place in the world, as one undo step."""
+        self._document().look_at(vector(target, "target"), self._at)
 
     def __repr__(self) -> str:
         x, y, z = self.position
@@ -319,21 +319,21 @@ class Points(_Sequence[Point]):
         return "point"
 
     def insert(self, at: int, position: Vector) -> Point:
-        """A new point before number ``at``; all but its name is as at the one before it. Below 0
-        counts from the end, as in ``list.insert``: −1 is before the last."""
+        """Inserts a point before index ``at``; everything else except the name is copied from the
+        point before it. As in ``list.insert``, −1 inserts before the last."""
         at = place_of(at, len(self))
         self._owner._native.edit("insert_point", at=at, position=vector(position, "position"))
         return Point(self._owner, at)
 
     def append(self, position: Vector) -> Point:
-        """A new point behind the last one."""
+        """Appends a point."""
         return self.insert(len(self), position)
 
     def __delitem__(self, at: int) -> None:
         self._owner._native.edit("remove_point", at=index_of(at, len(self), "point"))
 
     def move(self, source: int, to: int) -> None:
-        """Gives a point another number; those between move up or down by one."""
+        """Moves a point to another index; those between move up or down by one."""
         count = len(self)
         self._owner._native.edit(
             "move_point", source=index_of(source, count, "point"), to=index_of(to, count, "point")
@@ -344,10 +344,11 @@ class Points(_Sequence[Point]):
 
 
 class Section(Keyed):
-    """The way from one orientation to the next, at one point or on to the next point.
+    """The part of a path from one orientation to the next, at one point or on to the next point.
 
-    What it says is as it was when it was asked for. Its pace is a property of the orientation with
-    which it begins, and so of it: ``section.speed_curve = …``, ``section.ease = …``.
+    It is a snapshot of the path at the time of the call. Its speed profile is a property of the
+    orientation with which it begins, and can be set here: ``section.speed_curve = …``,
+    ``section.ease = …``.
 
     >>> from vides import Path
     >>> section = Path([[0, 0, 0], [1, 0, 0], [1, 1, 0]]).sections[1]
@@ -395,14 +396,14 @@ class Section(Keyed):
 
     @property
     def amount(self) -> float:
-        """By how much, in units of its base speed: half sizes, half turns, …"""
+        """By how much, in units of its base speed: half the edge of the space, half turns, …"""
         return self._row[3]
 
     @property
     def frames(self) -> int:
-        """How many frames it takes; 0 if nothing changes.
+        """The number of frames; 0 if nothing changes.
 
-        Assigning a number keeps it at that, 0 lets its length and speeds say again.
+        Assign a number to fix it, or 0 to compute it from length and speeds again.
         """
         return self._row[4]
 
@@ -413,12 +414,12 @@ class Section(Keyed):
 
     @property
     def first_frame(self) -> int:
-        """The first frame behind the orientation with which it begins."""
+        """The first frame after the orientation with which it begins."""
         return self._row[5]
 
     @property
     def length(self) -> float:
-        """Length of the way, in the world's lengths."""
+        """Its length, in the world's lengths."""
         return self._row[6]
 
     def __repr__(self) -> str:

@@ -11,14 +11,14 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _vides
-from ._arrays import Array, doubles
+from ._arrays import Array, doubles, str_or_none
 from ._error import Error
-from ._files import choices
+from ._files import choices, path_of
 
 Convention = Literal["opengl", "opencv", "ros", "vides"]
-"""What the axes of a camera mean; see :meth:`Samples.matrices`."""
+"""The meaning of a camera's axes; see :meth:`Samples.matrices`."""
 
-# Columns of VIDES' camera (left, up, forward) that are x, y, z of the convention, and their signs.
+# For x, y, z of the convention: the column of VIDES' camera (left, up, forward), and its sign.
 _AXES: dict[str, tuple[tuple[int, int, int], tuple[int, int, int]]] = {
     "vides": ((0, 1, 2), (1, 1, 1)),
     "opengl": ((0, 1, 2), (-1, 1, -1)),
@@ -28,12 +28,12 @@ _AXES: dict[str, tuple[tuple[int, int, int], tuple[int, int, int]]] = {
 
 
 class Samples:
-    """Camera poses in one array of doubles, shape (n, 10): C's ``V_POSE``.
+    """Camera poses in one array of doubles, shape (n, 10), as C's ``V_POSE``.
 
     ``positions``, ``view``, ``up`` and ``zoom`` are views of :attr:`array`: they copy nothing, and
-    what is written into them is written into it. ``numpy.asarray(samples)`` is the array.
-    ``frames`` (n,) are their numbers, ``fps`` frames per second, ``world_up`` is the upright axis of
-    the world, ``"y"`` or ``"z"``, or ``None`` where a file does not say.
+    writing into them writes into the array. ``numpy.asarray(samples)`` is the array.
+    ``frames`` (n,) are the frame numbers, ``fps`` is the frame rate, ``world_up`` the up axis of the
+    world, ``"y"`` or ``"z"``, or ``None`` if unknown.
 
     >>> samples = Path().sample()
     >>> len(samples), samples.array.shape, samples.array.dtype
@@ -45,8 +45,8 @@ class Samples:
     >>> float(samples[10:20].frames[0])
     11.0
 
-    Poses are saved as the path that they are on, ``Path.fit(samples).save("flight.csv")``, or as
-    they are, ``numpy.savetxt("poses.txt", samples.array)``.
+    To save poses, fit a path and save it, ``Path.fit(samples).save("flight.csv")``, or save the
+    array, ``numpy.savetxt("poses.txt", samples.array)``.
     """
 
     __slots__ = ("array", "fps", "frames", "world_up")
@@ -58,27 +58,27 @@ class Samples:
     """Frames per second."""
 
     frames: Array
-    """(n,): the number of each frame; the first of a path is 1."""
+    """(n,): the frame number of each pose; the first of a path is 1."""
 
     world_up: str | None
-    """Which axis of the world stands upright, ``"y"`` or ``"z"``, as the path or the file says:
-    files of a format with an axis of its own (``transforms.json``) keep it. ``None``: unknown."""
+    """The up axis of the world, ``"y"`` or ``"z"``: that of the path or the file, or the one that the
+    file's format prescribes (``transforms.json``). ``None`` if unknown."""
 
     def __init__(
         self, array: npt.ArrayLike, fps: float = 25.0, frames: npt.ArrayLike | None = None
     ) -> None:
-        """Poses of an array of shape (n, 10), which is not copied if it is one of doubles.
+        """Poses from an array of shape (n, 10); an array of doubles is shared, not copied.
 
-        ``frames`` are 1, 2, … unless given. View and up must be unit vectors, to a thousandth, and
-        perpendicular; the zoom lies between 1 and 2000.
+        ``frames`` are 1, 2, … by default. View and up must be perpendicular unit vectors, to a
+        thousandth; the zoom must be from 1 to 2000.
 
         >>> Samples([[0, 0, 0, 0, 0, -1, 0, 1, 0, -3]])
         Traceback (most recent call last):
-        vides._error.Error: poses[0]: zoom must lie between 1 and 2000, not -3
+        vides.Error: poses[0]: zoom must lie between 1 and 2000, not -3
         """
         checked = doubles(array, (None, 10), "poses")
         _check(checked)
-        # Strided arrays are shared as they are.
+        # Strided arrays are shared, too.
         plain = type(array) is np.ndarray and array.dtype == np.float64
         self.array = array if plain and isinstance(array, np.ndarray) else checked
         if not (isinstance(fps, (int, float, np.number)) and 0 < fps <= 100_000):
@@ -92,7 +92,7 @@ class Samples:
 
     @classmethod
     def _of(cls, array: Array, fps: float, frames: Array, world_up: str | None) -> Samples:
-        """What the engine gives, not looked at again."""
+        """Poses from the engine, which are not checked again."""
         made = cls.__new__(cls)
         made.array, made.fps, made.frames, made.world_up = array, fps, frames, world_up
         return made
@@ -101,13 +101,13 @@ class Samples:
     def load(cls, file: str | os.PathLike[str], format: str | None = None, **options: object) -> Samples:
         """The poses in a file: TUM, KITTI, COLMAP, ``transforms.json``, CSV and others.
 
-        ``format`` is a name of :func:`formats`, else it is found by the content; ``options`` are
-        those of :func:`convert`. Where the file has no frames of its own but seconds,
-        :attr:`frames` are made of them, from 1 on; :attr:`fps` is the file's, or follows from its
-        seconds. The axes of the world are the file's: ``transforms.json`` has z upright, whatever
-        was written into it; :attr:`world_up` says so.
+        ``format`` is a name of :func:`formats`; by default the content decides. ``options`` are
+        those of :func:`convert`. If the file has seconds but no frame numbers, :attr:`frames` are
+        computed from them, starting at 1; :attr:`fps` is the file's, or follows from its seconds.
+        The world's axes are those of the file, and :attr:`world_up` is its up axis:
+        ``transforms.json`` always has z up.
         """
-        array, frames, seconds, fps, up, _ = _vides.recording(os.fspath(file), format, choices(options))
+        array, frames, seconds, fps, up, _ = _vides.recording(path_of(file), str_or_none(format, "format"), choices(options))
         rate = 25.0 if fps is None else fps
         if frames is None and seconds is not None and len(seconds) > 0:
             frames = (seconds - seconds[0]) * rate + 1.0
@@ -124,9 +124,9 @@ class Samples:
         fps: float = 25.0,
         convention: Convention = "vides",
     ) -> Samples:
-        """Poses of positions (n, 3), quaternions (n, 4) w x y z and zooms (n,) or one, in mm.
+        """Poses from positions (n, 3), quaternions (n, 4) w x y z and zooms in mm, (n,) or one.
 
-        The quaternions turn a camera of the convention into the world.
+        The quaternions rotate from camera axes of the convention to the world.
 
         >>> samples = Path().sample()
         >>> again = Samples.of(samples.positions, samples.quaternions, samples.zoom)
@@ -137,7 +137,7 @@ class Samples:
         turns = doubles(quaternions, (len(places), 4), "quaternions")
         axes, signs = _convention(convention)
         zooms = np.broadcast_to(doubles(np.atleast_1d(zoom), (None,), "zoom"), (len(places),))
-        # From VIDES' camera to the convention's: its inverse turns the quaternion.
+        # From VIDES' camera to the convention's; the inverse is applied to the quaternions.
         matrix = np.zeros((3, 3))
         for column, (axis, sign) in enumerate(zip(axes, signs)):
             matrix[axis, column] = sign
@@ -146,22 +146,22 @@ class Samples:
 
     @property
     def positions(self) -> Array:
-        """(n, 3), in the world's lengths: a view."""
+        """(n, 3), in the world's lengths; a view of the array."""
         return self.array[:, 0:3]
 
     @property
     def view(self) -> Array:
-        """(n, 3), unit vectors along which the camera looks: a view."""
+        """(n, 3), unit vectors along which the camera looks; a view of the array."""
         return self.array[:, 3:6]
 
     @property
     def up(self) -> Array:
-        """(n, 3), unit vectors perpendicular to :attr:`view`, upwards in the picture: a view."""
+        """(n, 3), unit vectors perpendicular to :attr:`view`, up in the picture; a view of the array."""
         return self.array[:, 6:9]
 
     @property
     def zoom(self) -> Array:
-        """(n,), focal lengths in mm for a picture of 36×24 mm, 1 to 2000: a view."""
+        """(n,), focal lengths in mm for a picture of 36×24 mm, 1 to 2000; a view of the array."""
         return self.array[:, 9]
 
     @property
@@ -175,7 +175,7 @@ class Samples:
 
     @property
     def seconds(self) -> Array:
-        """(n,), when each is shown, the first frame of the path at 0.
+        """(n,), the time of each pose; the first frame of the path is at 0.
 
         >>> Path().sample().seconds[:3]
         array([0.  , 0.04, 0.08])
@@ -184,9 +184,9 @@ class Samples:
 
     @property
     def quaternions(self) -> Array:
-        """(n, 4), w x y z, as in C: takes (0, 0, 1) to the view and (0, 1, 0) to the up.
+        """(n, 4), w x y z, as in C: they rotate (0, 0, 1) to the view and (0, 1, 0) to the up.
 
-        The camera looks along its own +z, y is up, x is left. Neighbours may differ in sign.
+        In camera coordinates, +z is the view, +y is up, +x is left. Neighbours may differ in sign.
         """
         return _vides.quaternions(np.ascontiguousarray(self.array))
 
@@ -202,7 +202,7 @@ class Samples:
         ``vides``     left     up     forward    this package's quaternions
         ============  =======  =====  =========  ========================================
 
-        ``numpy.linalg.inv`` of it is world to camera.
+        ``numpy.linalg.inv`` of these is world to camera.
 
         >>> matrix = Path().sample().matrices("opencv")[0]
         >>> matrix[:3, 2]  # looks along -z
@@ -211,12 +211,7 @@ class Samples:
         array([-0.6,  0.2,  0.8])
         """
         axes, signs = _convention(convention)
-        own = np.stack([np.cross(self.up, self.view), self.up, self.view], axis=-1)
-        matrices = np.zeros((len(self), 4, 4))
-        matrices[:, :3, :3] = own[:, :, axes] * np.array(signs, dtype=np.float64)
-        matrices[:, :3, 3] = self.positions
-        matrices[:, 3, 3] = 1.0
-        return matrices
+        return _vides.matrices(np.ascontiguousarray(self.array), axes, signs)
 
     def __len__(self) -> int:
         return len(self.array)
@@ -227,7 +222,7 @@ class Samples:
     def __getitem__(self, index: int) -> Array: ...
 
     def __getitem__(self, index: int | slice) -> Samples | Array:
-        """A row of ten numbers; of a slice samples that share the array."""
+        """A row of ten numbers; for a slice, samples that share the array."""
         if isinstance(index, slice):
             return Samples._of(self.array[index], self.fps, self.frames[index], self.world_up)
         row: Array = self.array[operator.index(index)]
@@ -242,7 +237,7 @@ class Samples:
         return np.asarray(self.array, dtype=dtype)
 
     def __eq__(self, other: object) -> bool:
-        """Whether poses, frames and rate are the same, number by number."""
+        """Whether poses, frames and frame rate are equal, number by number."""
         if not isinstance(other, Samples):
             return NotImplemented
         return (
@@ -261,7 +256,7 @@ class Samples:
 
 
 def _check(poses: Array) -> None:
-    """Fails for the first pose that no camera has."""
+    """Fails with the first pose that is not valid."""
     view, up, zoom = poses[:, 3:6], poses[:, 6:9], poses[:, 9]
     for name, vectors in (("view", view), ("up", up)):
         lengths = np.linalg.norm(vectors, axis=1)
@@ -281,7 +276,7 @@ def _convention(name: str) -> tuple[tuple[int, int, int], tuple[int, int, int]]:
 
 
 def _quaternion(matrix: Array) -> Array:
-    """Of a matrix that permutes the axes."""
+    """The quaternion of a matrix that permutes axes."""
     columns = _vides.quaternions(
         np.concatenate([np.zeros(3), matrix[:, 2], matrix[:, 1], [24.0]])[np.newaxis]
     )

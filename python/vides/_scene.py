@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _vides
-from ._arrays import Array, Vector, corners, doubles, frozen, vector
+from ._arrays import Array, Vector, axis, corners, doubles, frozen, number, str_of, str_or_none, vector
 from ._error import Error
 from ._files import choices, path_of
 from ._path import Axis, Path
@@ -19,71 +19,71 @@ from ._samples import Samples
 Extrapolation = Literal["hold", "repeat", "pingpong", "offset"]
 
 _BLIND = ("group", "object")
-"""Kinds of nodes that look nowhere."""
+"""Kinds of nodes without a viewing direction."""
 
 
 class Keys(NamedTuple):
     """The keys of one channel of a node."""
 
     channel: str
-    """What they move: ``"position"``, ``"rotation"``, …"""
+    """The channel: ``"position"``, ``"rotation"``, …"""
     interpolation: str
-    """How it goes from key to key."""
+    """The interpolation between keys."""
     frames: Array
-    """(k,): the keys' frames."""
+    """(k,): the frames of the keys."""
     values: Array
-    """(k, m): the keys' numbers."""
+    """(k, m): the values of the keys."""
 
 
 class State(NamedTuple):
     """A node at a frame.
 
-    ``matrix`` (4, 4) leads from its coordinates into the world's, for column vectors. In a camera's
-    own coordinates x is left, y up and z *forward*: the convention ``"vides"`` of
-    :meth:`Samples.matrices`, not OpenGL's; OpenGL's are ``scene.sample(…).poses.matrices("opengl")``.
-    ``pose`` (10,), of cameras and lights, is as a row of :class:`Samples`, of others NaN.
-    ``visible`` is whether it and all that it is in are visible; ``colour`` (linear red, green, blue)
-    is of lights and objects, ``intensity`` and ``cone`` (half angles in degrees) of lights.
+    ``matrix`` (4, 4) is from node to world coordinates, for column vectors. In a camera's
+    coordinates x is left, y up and z *forward*, the convention ``"vides"`` of
+    :meth:`Samples.matrices`; for OpenGL's use ``scene.sample(…).poses.matrices("opengl")``.
+    ``pose`` (10,) of cameras and lights is a row as in :class:`Samples`; of other nodes it is NaN.
+    ``visible`` is whether the node and all its parents are visible. Lights and objects have a
+    ``colour`` (linear red, green, blue), lights ``intensity`` and ``cone`` (half angles in degrees).
     """
 
     matrix: Array
-    """(4, 4): from the node's coordinates into the world's; a camera's z is forward."""
+    """(4, 4): from node to world coordinates; a camera's z is forward."""
     pose: Array
-    """(10,): of cameras and lights, as a row of :class:`Samples`; of others NaN."""
+    """(10,): for cameras and lights a row as in :class:`Samples`; otherwise NaN."""
     visible: bool
-    """Whether it and all that it is in are visible."""
+    """Whether the node and all its parents are visible."""
     colour: tuple[float, float, float]
-    """Of lights and objects: linear red, green, blue."""
+    """For lights and objects: linear red, green, blue."""
     intensity: float
-    """Of lights."""
+    """For lights."""
     cone: tuple[float, float]
-    """Of lights: half angles in degrees, inner and outer."""
+    """For lights: half angles in degrees, inner and outer."""
 
 
 class Motion(NamedTuple):
     """A node at several frames.
 
-    ``frames`` is (n,). ``matrices`` (n, 4, 4) lead from its coordinates into the world's, for column
-    vectors: in a camera's own x is left, y up and z *forward*, the convention ``"vides"``, not
-    OpenGL's, which is the default of ``poses.matrices()``. ``poses`` are :class:`Samples`, NaN where
-    it is neither camera nor light.
+    ``frames`` is (n,). ``matrices`` (n, 4, 4) are from node to world coordinates, for column
+    vectors. In a camera's coordinates x is left, y up and z *forward*, the convention ``"vides"``;
+    the default of ``poses.matrices()`` is OpenGL's. ``poses`` are :class:`Samples`, NaN unless the
+    node is a camera or a light.
     """
 
     frames: Array
     """(n,)."""
     matrices: Array
-    """(n, 4, 4): from the node's coordinates into the world's; a camera's z is forward."""
+    """(n, 4, 4): from node to world coordinates; a camera's z is forward."""
     poses: Samples
-    """Of a camera or light; of others NaN."""
+    """For a camera or light; otherwise NaN."""
 
 
 class Node:
     """A node of a scene, found by its name.
 
-    Values at rest are attributes: ``position`` (3,), ``rotation`` (4,) w x y z, ``scale`` (3,),
-    ``pivot`` (3,), ``visible``; of cameras ``zoom`` (mm), ``roll`` (degrees), ``near`` and
+    Its values without keys are attributes: ``position`` (3,), ``rotation`` (4,) w x y z, ``scale``
+    (3,), ``pivot`` (3,), ``visible``; of cameras ``zoom`` (mm), ``roll`` (degrees), ``near`` and
     ``far``; of lights and objects ``colour`` (linear red, green, blue); of lights ``intensity``
-    and ``cone`` (degrees). ``aim`` and ``parent`` are names of other nodes. Keys move them.
+    and ``cone`` (degrees). ``aim`` and ``parent`` are names of other nodes.
 
     >>> scene = Scene()
     >>> ball = scene.add("ball", "object")
@@ -109,12 +109,12 @@ class Node:
 
     @property
     def name(self) -> str:
-        """Its name; one that is not taken may be assigned."""
+        """Its name; assign an unused one to rename it."""
         return self._name
 
     @name.setter
     def name(self, name: str) -> None:
-        self._owner._native.rename(self._at, name)
+        self._owner._native.rename(self._at, str_of(name, "name"))
         object.__setattr__(self, "_name", name)
 
     @property
@@ -124,30 +124,30 @@ class Node:
 
     @property
     def parent(self) -> str | None:
-        """The node that it is in; it stays where it is in the world when that changes."""
+        """The name of its parent; assigning one keeps the node's place in the world."""
         return self._name_of(self._owner._native.nodes()[self._at][2])
 
     @parent.setter
     def parent(self, name: str | None) -> None:
-        self._set("parent", None if name is None else self._owner._native.find(name))
+        self._set("parent", self._owner._find(name, "parent"))
 
     @property
     def aim(self) -> str | None:
-        """The node at which a camera or light looks."""
+        """The name of the node at which a camera or light looks."""
         return self._name_of(self._owner._native.nodes()[self._at][3])
 
     @aim.setter
     def aim(self, name: str | None) -> None:
-        self._set("aim", None if name is None else self._owner._native.find(name))
+        self._set("aim", self._owner._find(name, "aim"))
 
     def _name_of(self, at: int | None) -> str | None:
         return None if at is None else self._owner._native.nodes()[at][0]
 
     def _set(self, name: str, value: object) -> None:
-        self._owner._native.set_rest(self._at, name, value)
+        self._owner._native.set_rest(self._at, str_of(name, "name"), value)
 
     def __getattr__(self, name: str) -> Any:
-        """A value at rest; three and more numbers are an array that is read only."""
+        """A value without keys; three or more numbers are a read-only array."""
         if name.startswith("_"):
             raise AttributeError(f"Node has no {name}", name=name, obj=self)
         value = self._owner._native.rest(self._at, name)
@@ -166,8 +166,8 @@ class Node:
         self._set(name, value)
 
     def value(self, channel: str, frame: float) -> Array:
-        """(m,): the numbers of a channel at a frame, with or without keys."""
-        return np.array(self._owner._native.value(self._at, channel, frame))
+        """(m,): the value of a channel at a frame, with or without keys."""
+        return np.array(self._owner._native.value(self._at, str_of(channel, "channel"), number(frame, "frame")))
 
     def set_keys(
         self,
@@ -180,15 +180,15 @@ class Node:
         before: Extrapolation = "hold",
         after: Extrapolation = "hold",
     ) -> None:
-        """Moves a channel by keys, in place of those that it has.
+        """Sets the keys of a channel, replacing those that it has.
 
-        ``frames`` (k,) rise, ``values`` are (k, m), or (k,) where m is 1: of ``"position"`` and
-        ``"scale"`` 3, of ``"rotation"`` 4 (w x y z), of ``"zoom"``, ``"roll"``, ``"visible"``,
-        ``"intensity"``, ``"aim_weight"`` 1, of ``"colour"`` 3, of ``"cone"`` 2, of ``"weights"``
-        one a shape. ``interpolation`` is ``"step"``, ``"linear"``, ``"cubic"``, ``"hermite"``
-        (``shape``: tangents before and after each key, per frame), ``"tcb"`` (``shape``: tension,
-        continuity, bias of each key) and others; ``before`` and ``after`` say what is shown beyond
-        the keys.
+        ``frames`` (k,) increase; ``values`` are (k, m), or (k,) if m is 1. m is 3 for ``"position"``,
+        ``"scale"`` and ``"colour"``, 4 for ``"rotation"`` (w x y z), 2 for ``"cone"``, the number of
+        shapes for ``"weights"``, and 1 for ``"zoom"``, ``"roll"``, ``"visible"``, ``"intensity"``
+        and ``"aim_weight"``. ``interpolation`` is ``"step"``, ``"linear"``, ``"cubic"``,
+        ``"hermite"`` (``shape``: tangents before and after each key, per frame), ``"tcb"``
+        (``shape``: tension, continuity, bias of each key) and others. ``before`` and ``after``
+        define the values beyond the keys.
         """
         at = doubles(frames, (None,), "frames")
         array = np.asanyarray(values)
@@ -197,12 +197,19 @@ class Node:
         numbers = doubles(array, (len(at), None), "values")
         more = doubles(np.asarray(shape, dtype=np.float64).ravel(), (None,), "shape")
         self._owner._native.set_keys(
-            self._at, channel, interpolation, at, numbers, more, before, after
+            self._at,
+            str_of(channel, "channel"),
+            str_of(interpolation, "interpolation"),
+            at,
+            numbers,
+            more,
+            str_of(before, "before"),
+            str_of(after, "after"),
         )
 
     def remove_keys(self, channel: str) -> None:
-        """Lets a channel rest."""
-        self._owner._native.remove_keys(self._at, channel)
+        """Removes the keys of a channel."""
+        self._owner._native.remove_keys(self._at, str_of(channel, "channel"))
 
     @property
     def keys(self) -> list[Keys]:
@@ -214,7 +221,7 @@ class Node:
 
     @property
     def path(self) -> Path | None:
-        """The path that it follows; a copy. See :meth:`follow`."""
+        """The path that it follows, a copy; ``None`` if it follows none. See :meth:`follow`."""
         try:
             return Path._of(self._owner._native.path(self._at))
         except Error as error:
@@ -225,9 +232,12 @@ class Node:
     def follow(
         self, path: Path | None, start_frame: float = 1.0, beyond: Extrapolation = "hold"
     ) -> None:
-        """Follows a path from a frame on; ``beyond`` says what is shown before and after it."""
+        """Follows a path from a frame on; ``beyond`` is what happens before and after it."""
+        if path is not None and not isinstance(path, Path):
+            raise TypeError(f"path must be a Path, not {type(path).__name__}")
         native = None if path is None else path._native
-        self._owner._native.set_path(self._at, native, start_frame, beyond)
+        start = number(start_frame, "start_frame")
+        self._owner._native.set_path(self._at, native, start, str_of(beyond, "beyond"))
 
     def set_mesh(
         self,
@@ -244,7 +254,7 @@ class Node:
         )
 
     def load_mesh(self, file: str | os.PathLike[str]) -> None:
-        """Gives an object the mesh of an OBJ, PLY, STL or glTF file, whose name is saved."""
+        """Gives an object the mesh of an OBJ, PLY, STL or glTF file; saving keeps the file's name."""
         self._owner._native.load_mesh(self._at, path_of(file))
 
     @property
@@ -254,7 +264,7 @@ class Node:
 
     def vertices(self, frame: float) -> Array:
         """(n, 3): an object's points at a frame, morphed and deformed, in its own coordinates."""
-        return self._owner._native.vertices(self._at, frame)
+        return self._owner._native.vertices(self._at, number(frame, "frame"))
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Node):
@@ -272,7 +282,7 @@ class Node:
 
 
 class Scene(Mapping[str, Node]):
-    """A scene: nodes by name, each with a place, keys or a path, in a tree.
+    """A scene: a tree of named nodes, each with a position, keys or a path.
 
     >>> scene = Scene()
     >>> camera = scene.add("camera", "camera")
@@ -287,7 +297,7 @@ class Scene(Mapping[str, Node]):
 
     _native: _vides.Scene
     losses: tuple[str, ...]
-    """What was lost when it was read, warnings of its meshes too."""
+    """What could not be imported, including warnings about meshes."""
 
     def __init__(self) -> None:
         self._native = _vides.Scene()
@@ -301,36 +311,39 @@ class Scene(Mapping[str, Node]):
 
     @classmethod
     def of_path(cls, path: Path) -> Scene:
-        """One camera on a path."""
+        """A scene with one camera that follows a path."""
+        if not isinstance(path, Path):
+            raise TypeError(f"path must be a Path, not {type(path).__name__}")
         return cls._of(path._native.scene())
 
     @classmethod
     def load(cls, file: str | os.PathLike[str], format: str | None = None, **options: object) -> Scene:
         """The scene in a ``.vid`` file or another program's; see :func:`options`."""
-        return cls._of(*_vides.Scene.load(path_of(file), format, choices(options)))
+        of = str_or_none(format, "format")
+        return cls._of(*_vides.Scene.load(path_of(file), of, choices(options)))
 
     @classmethod
     def from_str(cls, text: str) -> Scene:
-        """The scene in the text of a ``.vid`` file; mesh files that it names are not read."""
-        return cls._of(_vides.Scene.from_text(text))
+        """The scene in the text of a ``.vid`` file; mesh files named in it are not read."""
+        return cls._of(_vides.Scene.from_text(str_of(text, "text")))
 
     def to_str(self) -> str:
         """The text of a ``.vid`` file."""
         return self._native.text()
 
     def save(self, file: str | os.PathLike[str], format: str | None = None, **options: object) -> list[str]:
-        """Writes a ``.vid`` file or another program's; returns what that cannot hold.
+        """Writes a ``.vid`` file or another program's; returns what the format cannot hold.
 
-        The world is turned where a format has an upright axis of its own: see :meth:`Path.save`.
+        Formats that prescribe an up axis rotate the world: see :meth:`Path.save`.
         """
         name = path_of(file)
         if format in (None, "vid") and name.endswith(".vid") and not options:
             self._native.save(name)
             return []
-        return self._native.export(name, format, choices(options))
+        return self._native.export(name, str_or_none(format, "format"), choices(options))
 
     def copy(self) -> Scene:
-        """A scene of its own."""
+        """An independent copy."""
         return type(self)._of(self._native.copy(), self.losses)
 
     __copy__ = copy
@@ -342,10 +355,14 @@ class Scene(Mapping[str, Node]):
         return type(self).from_str, (self.to_str(),)
 
     def add(self, name: str, kind: str = "group", parent: str | None = None) -> Node:
-        """A new node: ``"group"``, ``"object"``, ``"camera"``, or a light: ``"directional"``,
+        """Adds a node: ``"group"``, ``"object"``, ``"camera"``, or a light: ``"directional"``,
         ``"point"`` or ``"spot"``."""
-        self._native.add(name, kind, None if parent is None else self._native.find(parent))
+        self._native.add(str_of(name, "name"), str_of(kind, "kind"), self._find(parent, "parent"))
         return Node(self, name)
+
+    def _find(self, name: str | None, what: str) -> int | None:
+        """The index of the node with this name; ``None`` for ``None``."""
+        return None if name is None else self._native.find(str_of(name, what))
 
     def __delitem__(self, name: str) -> None:
         self._native.remove(self[name]._at)
@@ -363,21 +380,24 @@ class Scene(Mapping[str, Node]):
 
     @property
     def camera(self) -> str | None:
-        """The camera that is shown; assigning ``None`` leaves the choice to the scene."""
+        """The name of the shown camera; with ``None`` the scene chooses one."""
         at = self._native.camera
         return None if at is None else self._native.nodes()[at][0]
 
     @camera.setter
     def camera(self, name: str | None) -> None:
-        self._native.camera = None if name is None else self._native.find(name)
+        self._native.camera = self._find(name, "camera")
 
     @property
     def frame_range(self) -> tuple[float, float]:
-        """The first and the last frame; assigning ``None`` leaves them to what moves."""
+        """The first and the last frame; assign ``None`` to compute them from what moves."""
         return self._native.range
 
     @frame_range.setter
     def frame_range(self, frames: tuple[float, float] | None) -> None:
+        if frames is not None:
+            first, last = frames
+            frames = number(first, "frame_range[0]"), number(last, "frame_range[1]")
         self._native.range = frames
 
     @property
@@ -387,26 +407,25 @@ class Scene(Mapping[str, Node]):
 
     @fps.setter
     def fps(self, fps: float) -> None:
-        self._native.fps = fps
+        self._native.fps = number(fps, "fps")
 
     @property
     def up(self) -> str:
-        """Which axis stands upright: ``"y"`` or ``"z"``."""
+        """The up axis, ``"y"`` or ``"z"``."""
         return self._native.space()[2]
 
     def set_space(self, centre: Vector, half_size: float, up: Axis = "y") -> None:
-        """Where the scene lies in the world: a cube."""
-        self._native.set_space(vector(centre, "centre"), half_size, up)
+        """Sets the cube in which the scene lies."""
+        self._native.set_space(vector(centre, "centre"), number(half_size, "half_size"), axis(up))
 
     def evaluate(self, frame: float) -> dict[str, State]:
-        """All nodes at a frame, by their names. In a camera's matrix z is forward: see
-        :class:`State`.
+        """All nodes at a frame, by name. In a camera's matrix z is forward: see :class:`State`.
 
         >>> scene = Scene.of_path(Path())
         >>> scene.evaluate(1)["camera"].pose[:3]
         array([-0.6,  0.2,  0.8])
         """
-        matrices, poses, (colours, intensities, cones, visible) = self._native.states(frame)
+        matrices, poses, (colours, intensities, cones, visible) = self._native.states(number(frame, "frame"))
         for at, node in enumerate(self._native.nodes()):
             if node[1] in _BLIND:
                 poses[at] = np.nan
@@ -429,10 +448,10 @@ class Scene(Mapping[str, Node]):
         last: float | None = None,
         step: float = 1.0,
     ) -> Motion:
-        """A node, unless given the shown camera, from frame ``first`` to ``last``, both included.
+        """A node from frame ``first`` to ``last``, both included; by default the shown camera.
 
-        The matrices of a camera have z forward (convention ``"vides"``); of its poses
-        :meth:`Samples.matrices` makes those of OpenGL, OpenCV and ROS.
+        The matrices of a camera have z forward (convention ``"vides"``); :meth:`Samples.matrices`
+        of its poses returns those of OpenGL, OpenCV and ROS.
 
         >>> motion = Scene.of_path(Path()).sample()
         >>> bool(abs(motion.matrices - motion.poses.matrices("vides")).max() < 1e-12)
@@ -443,15 +462,16 @@ class Scene(Mapping[str, Node]):
         name = self.camera if node is None else node
         if name is None:
             raise Error("this scene has no camera: name a node")
-        at = self._native.find(name)
+        at = self._native.find(str_of(name, "node"))
         start, end = self.frame_range
-        start = start if first is None else float(first)
-        end = end if last is None else float(last)
+        start = start if first is None else number(first, "first")
+        end = end if last is None else number(last, "last")
+        step = number(step, "step")
         if not (np.isfinite([start, end, step]).all() and step > 0 and start <= end):
-            raise Error(f"frames {start:g} to {end:g} in steps of {step:g} are wanted: they must rise", "range")
+            raise Error(f"frames {start:g} to {end:g} in steps of {step:g}: they must increase", "range")
         many = (end - start) / step
         if many >= 1e7:
-            raise Error("more than 10000000 frames are wanted", "limit")
+            raise Error("more than 10000000 frames", "limit")
         count = int(np.floor(many + 1e-9)) + 1
         poses, matrices = np.empty((count, 10)), np.empty((count, 16))
         self._native.sample(at, start, step, poses, matrices)
@@ -462,7 +482,7 @@ class Scene(Mapping[str, Node]):
         return Motion(frames, matrices.reshape(count, 4, 4), samples)
 
     def path(self) -> Path:
-        """The path that the shown camera follows; a copy."""
+        """The path that the shown camera follows, a copy."""
         return Path._of(self._native.path())
 
     def __eq__(self, other: object) -> bool:

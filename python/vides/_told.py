@@ -1,4 +1,4 @@
-"""What a path tells of itself, and what there is to be used with it."""
+"""The results of the methods of a path, and lists of tools and properties."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ class Finding(NamedTuple):
     """Something that will look wrong in the film."""
 
     kind: str
-    """A name, as in ``vides check``."""
+    """The kind, as in ``vides check``."""
     first_frame: float
     """The first frame, from 1."""
     last_frame: float
@@ -20,13 +20,13 @@ class Finding(NamedTuple):
     point: int
     """The point at which the section begins."""
     orientation: int
-    """The orientation of that point with which it begins."""
+    """The orientation of that point with which the section begins."""
     value: float
     """The worst value."""
     limit: float
     """The limit."""
     text: str
-    """The finding in a sentence."""
+    """The finding as a sentence."""
     remedy: str
     """What helps."""
 
@@ -35,13 +35,13 @@ class Tool(NamedTuple):
     """A tool of :meth:`Path.tool`."""
 
     name: str
-    """What :meth:`Path.tool` takes."""
+    """The name for :meth:`Path.tool`."""
     does: str
     """What it does."""
     wants_path: bool
     """Whether it takes another path."""
     parameters: dict[str, str]
-    """What it takes by name, and what that is."""
+    """Its parameters by name, with descriptions."""
 
 
 def tools() -> list[Tool]:
@@ -66,23 +66,23 @@ class Property(NamedTuple):
     """A property of a path, a point, an orientation or a node."""
 
     owner: str
-    """What has it: ``"path"``, ``"point"``, ``"view"``, an orientation, or ``"node"``."""
+    """What has it: ``"path"``, ``"point"``, ``"view"`` (an orientation) or ``"node"``."""
     key: str
-    """Its key in files; its unit at the end may be left out."""
+    """Its key in files; the unit at the end may be left out."""
     does: str
     """What it is for."""
     kind: str
-    """What its values are."""
+    """The type of its values."""
     unit: str
-    """What its numbers count."""
+    """The unit of its numbers."""
     range: tuple[float, float] | None
-    """The least and the greatest, if they are fixed."""
+    """The least and the greatest value, if they are fixed."""
     new: str
-    """What a new one has, as files write it; empty if nothing is set."""
+    """The default as in files; empty if there is none."""
 
 
 def properties() -> list[Property]:
-    """What there is to be set by its name, as the engine's table has it.
+    """All properties that can be set by name.
 
     >>> [(row.owner, row.unit, row.range) for row in properties() if row.key == "zoom_mm"]
     [('view', 'mm', (1.0, 2000.0)), ('node', 'mm', (1.0, 2000.0))]
@@ -91,64 +91,64 @@ def properties() -> list[Property]:
 
 
 class Rest(NamedTuple):
-    """Where a pace that :meth:`Path.retime` computed rests, since curve or view has a kink there."""
+    """Where the camera rests after :meth:`Path.retime`, because curve or view has a kink there."""
 
     point: int
     """The point."""
     orientation: int
     """Its orientation."""
     limit: str
-    """What does not allow to pass it: ``"acceleration"`` or ``"turning-acceleration"``."""
+    """The limit that requires it: ``"acceleration"`` or ``"turning-acceleration"``."""
 
 
 class Retimed(NamedTuple):
-    """What :meth:`Path.retime` did."""
+    """The result of :meth:`Path.retime`."""
 
     seconds: float
-    """How long the points take now, holds included."""
+    """The new duration of the points, including holds."""
     rests: tuple[Rest, ...]
-    """Where the pace rests though nobody asked for it."""
+    """Where the camera rests because of a kink."""
 
 
 class Detour(NamedTuple):
-    """A part of a path that :meth:`Path.avoid` made another way."""
+    """A part of a path that :meth:`Path.avoid` changed."""
 
     first: int
-    """The point of the new path from which the way is new."""
+    """The point of the new path at which it begins."""
     last: int
-    """The point where it is the old one again."""
+    """The point of the new path at which it ends."""
     moved: int
-    """Points that were moved."""
+    """The number of moved points."""
     inserted: int
-    """Points that were put in."""
+    """The number of inserted points."""
     furthest: float
-    """The farthest that any of these is from where the way was."""
+    """The greatest distance of these points from the path before."""
 
 
 class Framed(NamedTuple):
-    """What :meth:`Path.keep_in_picture` did."""
+    """The result of :meth:`Path.keep_in_picture`."""
 
     added: int
-    """Points that were added to the curve."""
+    """The number of points added to the curve."""
     tightest: float
-    """The greatest share of the room within the margin that the object takes: at most 1."""
+    """The greatest share of the room within the margin that the object takes, at most 1."""
     loosest: float
     """The least share."""
 
 
 class Steadied(NamedTuple):
-    """What :meth:`Path.steady` did."""
+    """The result of :meth:`Path.steady`."""
 
     furthest: float
-    """How far a place went at most, in the world's lengths."""
+    """The maximum distance that a position moved, in the world's lengths."""
     turned: float
-    """Degrees that a view turned at most."""
+    """The maximum angle that a view turned, in degrees."""
 
 
 class SVG(str):
-    """A picture as SVG text, which a notebook shows.
+    """A picture as SVG text; notebooks display it.
 
-    ``pathlib.Path("plot.svg").write_text(picture)`` keeps it.
+    ``pathlib.Path("plot.svg").write_text(picture)`` saves it.
     """
 
     __slots__ = ()

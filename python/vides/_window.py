@@ -9,15 +9,16 @@ from collections.abc import Callable
 import numpy as np
 
 from . import _vides
+from ._arrays import str_or_none
 from ._files import path_of
 from ._path import Path
 from ._samples import Samples
 
 OnView = Callable[[Samples, str], object]
-"""Called with one pose, its frame in ``frames``, and why: ``"edited"``, ``"scrubbed"``,
+"""Called with one pose, its frame in ``frames``, and the reason: ``"edited"``, ``"scrubbed"``,
 ``"played"``, ``"selected"``, or ``"rested"`` when nothing moves any more."""
 
-# Signals that another thread gets are looked for so often, in milliseconds.
+# How often to check for signals that another thread received, in milliseconds.
 _SOMETIMES = 100.0
 
 
@@ -27,15 +28,15 @@ def edit(
     *,
     title: str | None = None,
 ) -> Path:
-    """Opens the editor's window, and returns when it is closed: the path, as it was left.
+    """Opens the editor's window, and returns the path when the window is closed.
 
-    ``path`` is a path, which follows what the user does step by step (``path.undo()`` takes a step
-    back), or a ``.vid`` file that is read first; without one it is a new path. ``on_view`` is called
-    with the camera whenever the picture changes, at most sixty times a second; what it raises
-    closes the window and is raised here.
+    ``path`` is a path, which follows each of the user's steps (``path.undo()`` undoes one), or a
+    ``.vid`` file to read; the default is a new path. ``on_view`` is called with the camera whenever
+    the picture changes, at most sixty times a second. An exception in it closes the window and is
+    raised here.
 
-    Other threads run meanwhile; Ctrl-C closes the window. Where there is no display it raises
-    :class:`Error`, of the kind ``"display"``.
+    Other threads run meanwhile; Ctrl-C closes the window. Without a display it raises
+    :class:`Error` of the kind ``"display"``.
     """
     file: str | None = None
     if path is None:
@@ -51,7 +52,7 @@ def edit(
         if on_view is not None:
             on_view(Samples._of(row, fps, np.array([frame]), up), reason)
 
-    window = _vides.Window(path._native, None if on_view is None else view, file, title)
+    window = _vides.Window(path._native, None if on_view is None else view, file, str_or_none(title, "title"))
     try:
         poll = select.poll()
         poll.register(window.fileno(), select.POLLIN)

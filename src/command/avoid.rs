@@ -16,7 +16,7 @@ pub(super) struct Arguments {
     /// The path; - is standard input
     #[arg(value_name = "FILE.vid")]
     file: PathBuf,
-    /// The least distance from the object, in the path's units
+    /// Minimum distance from the object, in the path's unit
     #[arg(long, value_name = "LENGTH", allow_negative_numbers = true)]
     clearance: f64,
     /// The radius of a sphere around the camera that keeps it
@@ -27,7 +27,7 @@ pub(super) struct Arguments {
         allow_negative_numbers = true
     )]
     around: f64,
-    /// The object in place of the path's: a mesh (.obj, .ply, .stl, .gltf, .glb),
+    /// Replaces the path's object: a mesh (.obj, .ply, .stl, .gltf, .glb)
     /// or the object of a .vid file
     #[arg(long, value_name = "FILE")]
     object: Option<PathBuf>,

@@ -4,33 +4,35 @@ use std::fmt::Write;
 use std::path::PathBuf;
 
 use clap::Args;
-use vides::document::{Document, Edit, Note};
+use vides::document::{Document, Edit, Note, may_replace};
 use vides::tools::check::{Finding, FindingKind, Limits, OFF};
 
-use super::failure::{Failure, complain, print};
+use super::failure::{Failure, complain, json as json_text, lines, print};
 use super::input;
+use super::output::{is_standard_output, write_document};
+use super::progress::progress;
 use super::table::{Align, Table};
 
 #[derive(Args)]
 pub(super) struct Arguments {
-    /// The path, or a scene: the path of the camera that is shown; - is standard input
+    /// The path, or a scene, for its shown camera; - is standard input
     #[arg(value_name = "FILE.vid")]
     file: PathBuf,
-    /// The object in place of the path's: a mesh (.obj, .ply, .stl, .gltf, .glb),
+    /// Replaces the path's object: a mesh (.obj, .ply, .stl, .gltf, .glb)
     /// or the object of a .vid file
     #[arg(long, value_name = "FILE")]
     object: Option<PathBuf>,
-    /// Another limit than the file's, as turning=90; turning=off does not look for it
+    /// Overrides a limit of the file, as in turning=90; turning=off disables that check
     #[arg(long, value_name = "KIND=LIMIT", value_parser = limit)]
     limit: Vec<(FindingKind, f64)>,
-    /// Does what helps as long as something gets better, writes the path to
-    /// --output and tells what was fixed and what is left
+    /// Applies fixes while they help, writes the path to --output, and reports what
+    /// was fixed and what remains
     #[arg(long, requires = "output")]
     fix: bool,
-    /// Where --fix writes the path
+    /// The file that --fix writes
     #[arg(short, long, value_name = "OUT.vid", requires = "fix")]
     output: Option<PathBuf>,
-    /// Writes the findings and notes as an array of objects
+    /// Prints the findings and notes as a JSON array
     #[arg(long)]
     json: bool,
 }
@@ -65,7 +67,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let clearance = document.clearance(object.as_ref()).map_err(at_file)?;
     let mut fixed = Vec::new();
     let found = match &arguments.output {
-        Some(output) if input::is_standard_stream(output) => {
+        Some(output) if is_standard_output(output) => {
             return Err(Failure::Usage(
                 "--fix needs a file for --output, and not -".to_owned(),
             ));
@@ -73,22 +75,23 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         Some(_) => document.fix(
             clearance.as_ref(),
             &mut |finding| fixed.push(*finding),
-            &mut |_, _| true,
+            &mut progress("findings"),
         ),
-        None => document.check_against(clearance.as_ref()),
+        None => document.check_against(clearance.as_ref(), &mut progress("frames")),
     };
     let found = found.map_err(at_file)?;
     let notes = document
         .notes(clearance.as_ref(), object.is_none())
         .map_err(at_file)?;
     if let Some(output) = &arguments.output {
-        document.save(output)?;
+        may_replace(&arguments.file);
+        write_document(output, &document)?;
         if fixed.is_empty() && !found.is_empty() {
             complain("nothing was fixed: for what is found there is no cure that lessens it");
         }
     }
     print(&if arguments.json {
-        json(&document, &fixed, &found, &notes)
+        json_text(&json(&document, &fixed, &found, &notes))
     } else {
         let told = fixed.iter().map(|finding| {
             let frames = frames(&document, finding);
@@ -97,7 +100,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
                 finding.kind.name()
             )
         });
-        told.collect::<String>() + &text(&document, &found, &notes)
+        lines(&(told.collect::<String>() + &text(&document, &found, &notes)))
     })?;
     if found.is_empty() {
         Ok(())

@@ -6,22 +6,23 @@ use clap::{Arg, ArgMatches, Args, Command, FromArgMatches};
 use vides::formats::{self, As, Format, Holds, OPTIONS, Options, Report};
 
 use super::failure::{Failure, complain, one_line};
+use super::output::is_standard_output;
 use super::sample::write_out;
 use super::{input, scene};
 
 #[derive(Args)]
 #[command(after_help = after_help())]
 pub(super) struct Arguments {
-    /// The file that is read, or a folder of files; - is standard input
+    /// The input file or folder; - is standard input
     #[arg(value_name = "IN")]
     from_file: PathBuf,
-    /// The file that is written, or a folder; - is standard output
+    /// The output file or folder; - is standard output
     #[arg(value_name = "OUT")]
     to_file: PathBuf,
-    /// The format of IN [default: as its content shows]
+    /// The format of IN [default: detected from its content]
     #[arg(long, value_name = "FORMAT")]
     from: Option<String>,
-    /// The format of OUT [default: as its name says]
+    /// The format of OUT [default: from its name]
     #[arg(long, value_name = "FORMAT")]
     to: Option<String>,
     /// A function of the type V_INTERPOLATE for the interpolation "host:NAME" of a scene's tracks
@@ -87,13 +88,7 @@ fn after_help() -> String {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let (file, out) = (&arguments.from_file, &arguments.to_file);
-    let streams = [file, out].map(|file| input::is_standard_stream(file));
-    if streams == [false; 2] && input::is_same_file(file, out) {
-        return Err(Failure::Usage(format!(
-            "{}: the file would be replaced by what is made of it",
-            out.display()
-        )));
-    }
+    let to_standard_output = is_standard_output(out);
     let named = |name: &Option<String>| -> Result<_, Failure> {
         let format = name.as_deref().map(formats::by_name).transpose();
         format.map_err(|error| Failure::Usage(error.to_string()))
@@ -101,7 +96,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let (from, to) = (named(&arguments.from)?, named(&arguments.to)?);
     let to = match to {
         Some(to) => to,
-        None if streams[1] => {
+        None if to_standard_output => {
             let reason = "standard output has no name that tells a format: give --to";
             return Err(Failure::Usage(reason.to_owned()));
         }
@@ -119,12 +114,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let source = input::source(file)?;
     let imported = formats::import(&source, from, options)?;
     let name = &source.name;
-    for warning in imported.document.warnings() {
-        complain(&one_line(&format!("{name}: {warning}")));
-    }
+    input::warn(name, imported.document.warnings());
     tell(name, &imported.report);
     let report = write_out(&imported.document, name, out, to, options)?;
-    let out = if streams[1] {
+    let out = if to_standard_output {
         "standard output".to_owned()
     } else {
         out.display().to_string()

@@ -3,6 +3,7 @@
 use std::io::{self, Write};
 
 use vides::error::{EngineError, reason};
+use vides::property::steers;
 
 /// Why the command ends early or not with success.
 pub(super) enum Failure {
@@ -24,13 +25,19 @@ impl From<EngineError> for Failure {
 
 impl From<vides::Error> for Failure {
     fn from(error: vides::Error) -> Self {
-        Self::Input(error.to_string())
+        match error.is_input() {
+            true => Self::Usage(error.to_string()),
+            false => Self::Input(error.to_string()),
+        }
     }
 }
 
 impl From<vides::formats::Error> for Failure {
     fn from(error: vides::formats::Error) -> Self {
-        Self::Input(error.to_string())
+        match error {
+            vides::formats::Error::Document(error) => error.into(),
+            other => Self::Input(other.to_string()),
+        }
     }
 }
 
@@ -40,9 +47,9 @@ impl From<vides::window::Error> for Failure {
     }
 }
 
-pub(super) fn print(text: &str) -> Result<(), Failure> {
+pub(super) fn print(text: impl AsRef<[u8]>) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
-    out.write_all(text.as_bytes())
+    out.write_all(text.as_ref())
         .and_then(|()| out.flush())
         .map_err(|error| output_failed(&error))
 }
@@ -57,19 +64,37 @@ pub(super) fn output_failed(error: &io::Error) -> Failure {
 
 /// Nobody could be told of a failing standard error.
 pub(super) fn complain(message: &str) {
-    let _ = writeln!(io::stderr(), "vides: {message}");
+    let _ = writeln!(io::stderr(), "vides: {}", lines(message));
 }
 
-/// A text for one line of a terminal: control characters are replaced.
+/// A text for one line of a terminal: what would steer it is replaced.
 pub(super) fn one_line(text: &str) -> String {
-    let show = |c: char| {
-        if c.is_control() {
-            char::REPLACEMENT_CHARACTER
-        } else {
-            c
-        }
+    visible(text, steers)
+}
+
+/// A text of several lines for a terminal.
+pub(super) fn lines(text: &str) -> String {
+    visible(text, |c| c != '\n' && steers(c))
+}
+
+fn visible(text: &str, hidden: impl Fn(char) -> bool) -> String {
+    let show = |c: char| match hidden(c) {
+        true => char::REPLACEMENT_CHARACTER,
+        false => c,
     };
     text.chars().map(show).collect()
+}
+
+/// A text in JSON, all of whose structure is ASCII.
+pub(super) fn json(text: &str) -> String {
+    let mut json = String::new();
+    for c in text.chars() {
+        match c != '\n' && steers(c) {
+            true => json.push_str(&format!("\\u{:04x}", u32::from(c))),
+            false => json.push(c),
+        }
+    }
+    json
 }
 
 #[cfg(test)]
@@ -82,5 +107,10 @@ mod tests {
             one_line("point \u{1b}[2J\n3 – ü"),
             "point \u{fffd}[2J\u{fffd}3 – ü"
         );
+        assert_eq!(
+            one_line("a\u{202e}b\u{2066}c\u{2028}d"),
+            "a\u{fffd}b\u{fffd}c\u{fffd}d"
+        );
+        assert_eq!(lines("a\u{202e}\nb\t"), "a\u{fffd}\nb\u{fffd}");
     }
 }

@@ -16,33 +16,33 @@ use super::progress::progress;
 
 #[derive(Args)]
 pub(super) struct Arguments {
-    /// The poses, as `vides sample` writes them: ten numbers a line, with or without the
-    /// frame's number before and seconds behind (the frame tells the time, at --fps);
+    /// The poses, as `vides sample` writes them: ten numbers per line, optionally with the
+    /// frame number before and the seconds after (the frame gives the time, at --fps);
     /// - is standard input
     #[arg(value_name = "POSES")]
     file: PathBuf,
-    /// How far a position may be from its pose
+    /// Maximum distance of a position from its pose
     #[arg(long, value_name = "LENGTH", default_value_t = 0.01)]
     tolerance: f64,
-    /// How far view, up and field of view may be from theirs
+    /// Maximum deviation of view, up and field of view, in degrees
     #[arg(long, value_name = "DEGREES", default_value_t = 0.5)]
     angle: f64,
-    /// Frames in a second [default: the file's, or as many as it has poses in one, else 25]
+    /// Frames per second [default: the file's, else its poses per second, else 25]
     #[arg(long, value_name = "NUMBER")]
     fps: Option<f64>,
-    /// The object that is shown with the path: a mesh (.obj, .ply, .stl, .gltf, .glb),
+    /// The object to show with the path: a mesh (.obj, .ply, .stl, .gltf, .glb),
     /// or the object of a .vid file
     #[arg(long, value_name = "FILE")]
     object: Option<PathBuf>,
-    /// Which axis stands upright
+    /// The up axis
     #[arg(long, value_name = "AXIS", value_parser = up(), default_value = "y")]
     up: Up,
-    /// The space of the path: its centre and half its size; else the smallest
-    /// round the positions, with a tenth to spare
+    /// The space of the path: its centre and half its size [default: fits the positions,
+    /// with a margin of a tenth]
     #[arg(long, value_name = "X,Y,Z,HALF", value_parser = cube, allow_hyphen_values = true)]
     space: Option<Space>,
-    /// Leaves out poses that are off by more than the tolerance from what those
-    /// around them say, and tells how many
+    /// Ignores outliers: poses that differ from their neighbours by more than the
+    /// tolerance; reports how many
     #[arg(long)]
     robust: bool,
     #[command(flatten)]

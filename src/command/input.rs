@@ -2,11 +2,11 @@
 
 use std::fs::{self, File, Metadata};
 use std::io::{self, Read};
-use std::os::unix::fs::{FileTypeExt, MetadataExt};
+use std::os::unix::fs::FileTypeExt;
 use std::path::Path;
 
 use vides::document::mesh::Format;
-use vides::document::{Document, Object, SceneDocument, load_object};
+use vides::document::{Document, Object, SceneDocument, inside, load_object, note_input};
 use vides::error::reason;
 use vides::formats::{Source, formats};
 use vides::limits::MAX_FILE_BYTES;
@@ -16,7 +16,28 @@ use super::failure::{Failure, complain, one_line};
 pub(super) fn load(file: &Path) -> Result<Document, Failure> {
     match stream(file)? {
         Some(mut stream) => Ok(Document::load_from(&mut stream, &name(file))?),
-        None => Document::load(file).map_err(|error| refused(file, &error)),
+        None => {
+            let document = Document::load(file).map_err(|error| refused(file, &error))?;
+            warn(&name(file), not_read(file, &document).as_slice());
+            Ok(document)
+        }
+    }
+}
+
+/// Why the object of a path was not read, if that was not allowed.
+fn not_read(file: &Path, document: &Document) -> Option<vides::Error> {
+    let object = &document.info().object;
+    let source = object.source().filter(|_| object.is_empty())?;
+    inside(file.parent()?, &source.file).err()
+}
+
+/// Tells what was wrong with the meshes that a file names.
+pub(super) fn warn(name: &str, warnings: &[vides::Error]) {
+    for warning in warnings {
+        complain(&one_line(&format!("{name}: {warning}")));
+    }
+    if warnings.iter().any(|warning| warning.outside().is_some()) {
+        complain(&one_line(&format!("{name}: with --trust it is read")));
     }
 }
 
@@ -70,9 +91,7 @@ pub(super) fn load_whole(file: &Path) -> Result<Document, Failure> {
         Some(mut stream) => Document::load_scene_from(&mut stream, &name)?,
         None => Document::load_scene(file).map_err(|error| refused(file, &error))?,
     };
-    for warning in warnings {
-        complain(&one_line(&format!("{name}: {warning}")));
-    }
+    warn(&name, &warnings);
     Ok(document)
 }
 
@@ -105,9 +124,7 @@ pub(super) fn load_scene(file: &Path) -> Result<SceneDocument, Failure> {
         Some(mut stream) => SceneDocument::load_from(&mut stream, &name(file))?,
         None => SceneDocument::load(file).map_err(|error| refused(file, &error))?,
     };
-    for warning in document.warnings() {
-        complain(&one_line(&format!("{}: {warning}", name(file))));
-    }
+    warn(&name(file), document.warnings());
     Ok(document)
 }
 
@@ -115,6 +132,10 @@ pub(super) fn load_scene(file: &Path) -> Result<SceneDocument, Failure> {
 /// a window must not block on one.
 fn stream(file: &Path) -> Result<Option<Box<dyn Read>>, Failure> {
     if is_standard_stream(file) {
+        // A file behind it is an input as others are.
+        if let Ok(metadata) = fs::metadata("/proc/self/fd/0") {
+            note_input(&metadata, "standard input");
+        }
         return Ok(Some(Box::new(io::stdin().lock())));
     }
     if fs::metadata(file).is_ok_and(|metadata| is_stream(&metadata)) {
@@ -142,12 +163,4 @@ pub(super) fn is_standard_stream(file: &Path) -> bool {
 /// Whether it can only be read or written in sequence: a pipe, a terminal, `/dev/null`.
 pub(super) fn is_stream(metadata: &Metadata) -> bool {
     metadata.file_type().is_fifo() || metadata.file_type().is_char_device()
-}
-
-/// Whether both names lead to the same regular file.
-pub(super) fn is_same_file(a: &Path, b: &Path) -> bool {
-    match (fs::metadata(a), fs::metadata(b)) {
-        (Ok(a), Ok(b)) => a.is_file() && (a.dev(), a.ino()) == (b.dev(), b.ino()),
-        _ => false,
-    }
 }

@@ -25,6 +25,7 @@ mod properties;
 mod retime;
 mod sample;
 mod scene;
+mod signals;
 mod steady;
 mod table;
 mod tools;
@@ -35,10 +36,11 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
+use vides::document::{protect_inputs, trusting};
 
 use self::failure::{Failure, complain, one_line, print};
 
-/// Plans camera paths: a few support points with views become every camera pose between them.
+/// Plans camera paths: computes every camera pose between a few points.
 #[derive(Parser)]
 #[command(
     name = "vides",
@@ -49,58 +51,60 @@ use self::failure::{Failure, complain, one_line, print};
     after_help = "Exit status: 0 done, 1 bad input, 2 bad usage, 3 findings of a check."
 )]
 struct Cli {
+    /// Also reads meshes and buffers that an input file names outside its folder
+    #[arg(long, global = true)]
+    trust: bool,
     #[command(subcommand)]
     command: Command,
 }
 
 #[derive(Subcommand)]
 enum Command {
-    /// Opens the editor in a window
+    /// Opens the editor window
     Edit {
-        /// The path; one that does not exist yet is a new one of that name
+        /// The path; a file that does not exist is created on saving
         #[arg(value_name = "FILE.vid")]
         file: Option<PathBuf>,
 
-        /// A mesh or a point cloud (.obj, .ply, .stl, .gltf, .glb) to be shown as the object;
-        /// a new path lies in a space around it
+        /// A mesh or point cloud (.obj, .ply, .stl, .gltf, .glb) to show as the object;
+        /// a new path gets a space that fits it
         #[arg(long, value_name = "MESH")]
         object: Option<PathBuf>,
     },
     /// Writes every camera pose of a path
     Sample(sample::Arguments),
-    /// Writes a path or scene in the format of another program, and back
+    /// Converts a path or scene to or from the format of another program
     Convert(convert::Arguments),
-    /// Shows points, sections, lengths, frames and seconds of a path; of a
-    /// scene its nodes and what moves them
+    /// Shows the points, sections, lengths, frames and seconds of a path, or the nodes of a scene
     Info {
         /// The path; - is standard input
         #[arg(value_name = "FILE.vid")]
         file: PathBuf,
-        /// Writes one object, with all digits
+        /// Prints one JSON object, with all digits
         #[arg(long)]
         json: bool,
     },
-    /// Writes properties of a path by their names
+    /// Prints properties of a path by name
     Get(properties::Get),
-    /// Sets properties of a path by their names
+    /// Sets properties of a path by name
     Set(properties::Set),
-    /// Makes a path of few points of recorded poses
+    /// Fits a path with few points to recorded poses
     Fit(fit::Arguments),
-    /// Tells what will look wrong in a film
+    /// Finds what will look wrong: jerks, flips, collisions
     Check(check::Arguments),
-    /// Draws a path, its views and what changes over its frames
+    /// Draws a path, its views, and charts over its frames
     Plot(plot::Arguments),
-    /// Computes the pace of a path anew, within limits
+    /// Sets the speed along a path within limits
     Retime(retime::Arguments),
-    /// Takes the shaking of a hand out of a recorded flight
+    /// Stabilises a recorded flight
     Steady(steady::Arguments),
-    /// Leads the way of a path clear of an object
+    /// Moves a path away from an object
     Avoid(avoid::Arguments),
-    /// Keeps an object whole in the picture, as large as a margin allows
+    /// Keeps an object in the picture, as large as a margin allows
     Picture(picture::Arguments),
-    /// Makes a flight that shows an object
+    /// Plans a flight around an object
     Tour(tour::Arguments),
-    /// Makes a path by a ready-made move
+    /// Makes a path from a standard camera move
     Move(moves::Arguments),
     #[command(flatten)]
     Tool(tools::Tool),
@@ -111,27 +115,41 @@ pub(crate) fn run() -> ExitCode {
         Ok(cli) => cli,
         Err(error) if error.use_stderr() => return complain_of_usage(&error),
         // --help and --version
-        Err(error) => return conclude(print(&error.render().to_string())),
+        Err(error) => return conclude(print(error.render().to_string())),
     };
+    signals::survive_size_limit();
     progress::watch_meshes();
-    conclude(match cli.command {
-        Command::Edit { file, object } => edit::run(file.as_deref(), object.as_deref()),
-        Command::Sample(arguments) => sample::run(&arguments),
-        Command::Convert(arguments) => convert::run(&arguments),
-        Command::Info { file, json } => info::run(&file, json),
-        Command::Get(arguments) => properties::get(&arguments),
-        Command::Set(arguments) => properties::set(&arguments),
-        Command::Fit(arguments) => fit::run(&arguments),
-        Command::Check(arguments) => check::run(&arguments),
-        Command::Plot(arguments) => plot::run(&arguments),
-        Command::Retime(arguments) => retime::run(&arguments),
-        Command::Steady(arguments) => steady::run(&arguments),
-        Command::Avoid(arguments) => avoid::run(&arguments),
-        Command::Picture(arguments) => picture::run(&arguments),
-        Command::Tour(arguments) => tour::run(&arguments),
-        Command::Move(arguments) => moves::run(&arguments),
-        Command::Tool(tool) => tools::run(&tool),
+    // The editor saves over what it has opened.
+    if !matches!(cli.command, Command::Edit { .. }) {
+        protect_inputs();
+    }
+    conclude(match cli.trust {
+        true => trusting(|| cli.command.run()),
+        false => cli.command.run(),
     })
+}
+
+impl Command {
+    fn run(self) -> Result<(), Failure> {
+        match self {
+            Self::Edit { file, object } => edit::run(file.as_deref(), object.as_deref()),
+            Self::Sample(arguments) => sample::run(&arguments),
+            Self::Convert(arguments) => convert::run(&arguments),
+            Self::Info { file, json } => info::run(&file, json),
+            Self::Get(arguments) => properties::get(&arguments),
+            Self::Set(arguments) => properties::set(&arguments),
+            Self::Fit(arguments) => fit::run(&arguments),
+            Self::Check(arguments) => check::run(&arguments),
+            Self::Plot(arguments) => plot::run(&arguments),
+            Self::Retime(arguments) => retime::run(&arguments),
+            Self::Steady(arguments) => steady::run(&arguments),
+            Self::Avoid(arguments) => avoid::run(&arguments),
+            Self::Picture(arguments) => picture::run(&arguments),
+            Self::Tour(arguments) => tour::run(&arguments),
+            Self::Move(arguments) => moves::run(&arguments),
+            Self::Tool(tool) => tools::run(&tool),
+        }
+    }
 }
 
 fn conclude(result: Result<(), Failure>) -> ExitCode {

@@ -1,9 +1,11 @@
-//! Where a tool's path is written.
+//! Where outputs are written: standard output, a pipe or a device, a file.
 
+use std::fs::{self, File, OpenOptions};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 
 use clap::Args;
-use vides::document::{Document, Edit};
+use vides::document::{Document, Edit, may_replace, save};
 
 use super::failure::{Failure, print};
 use super::input;
@@ -11,9 +13,63 @@ use super::input;
 /// Where the path goes that is made.
 #[derive(Args)]
 pub(super) struct Output {
-    /// Where the path goes; - is standard output
+    /// The output file; - is standard output
     #[arg(short, long, value_name = "OUT.vid", default_value = "-")]
     output: PathBuf,
+}
+
+/// What stands behind the name of an output.
+pub(super) enum Sink {
+    Standard,
+    /// A pipe or a device, which cannot be replaced as a file is.
+    Stream(File),
+    File,
+}
+
+impl Sink {
+    pub(super) fn of(out: &Path) -> Result<Self, Failure> {
+        if is_standard_output(out) {
+            return Ok(Self::Standard);
+        }
+        if is_file(out) {
+            return Ok(Self::File);
+        }
+        let opened = OpenOptions::new().write(true).open(out);
+        opened.map(Self::Stream).map_err(|error| failed(out, error))
+    }
+}
+
+/// Whether the name means standard output, so that what stands there is written on and not replaced.
+pub(super) fn is_standard_output(out: &Path) -> bool {
+    let names = ["-", "/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"];
+    names.iter().any(|name| out.as_os_str() == *name)
+}
+
+/// Whether the name means a file, there or not.
+pub(super) fn is_file(out: &Path) -> bool {
+    !is_standard_output(out) && !fs::metadata(out).is_ok_and(|metadata| input::is_stream(&metadata))
+}
+
+pub(super) fn failed(out: &Path, source: std::io::Error) -> Failure {
+    let place = out.display().to_string();
+    vides::Error::Io { place, source }.into()
+}
+
+/// Writes all of an output.
+pub(super) fn write(out: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    match Sink::of(out)? {
+        Sink::Standard => print(bytes),
+        Sink::Stream(mut stream) => stream.write_all(bytes).map_err(|error| failed(out, error)),
+        Sink::File => Ok(save::save(out, bytes)?),
+    }
+}
+
+/// Writes a document; meshes beside a file are named relative to it.
+pub(super) fn write_document(out: &Path, document: &Document) -> Result<(), Failure> {
+    match is_file(out) {
+        true => Ok(document.save(out)?),
+        false => write(out, document.to_toml()?.as_bytes()),
+    }
 }
 
 impl Output {
@@ -22,10 +78,7 @@ impl Output {
     }
 
     pub(super) fn write(&self, document: &Document) -> Result<(), Failure> {
-        if input::is_standard_stream(&self.output) {
-            return print(&document.to_toml()?);
-        }
-        Ok(document.save(&self.output)?)
+        write_document(&self.output, document)
     }
 
     /// Applies an edit to a file's path and writes the result.
@@ -33,6 +86,7 @@ impl Output {
         self.applied(input::load(file)?, file, edit)
     }
 
+    /// The same of a document that was read from the file, which may be edited in place.
     pub(super) fn applied(
         &self,
         document: Document,
@@ -43,6 +97,7 @@ impl Output {
         document
             .apply(edit)
             .map_err(|error| Failure::from(error.at(input::name(file))))?;
+        may_replace(file);
         self.write(&document)
     }
 }

@@ -18,17 +18,17 @@ use super::progress::progress;
 
 #[derive(Args)]
 pub(super) struct Arguments {
-    /// The path, or a scene: the path of the camera that is shown; - is standard input
+    /// The path, or a scene, for its shown camera; - is standard input
     #[arg(value_name = "FILE.vid")]
     file: PathBuf,
-    /// The object in place of the path's: a mesh (.obj, .ply, .stl, .gltf, .glb),
+    /// Replaces the path's object: a mesh (.obj, .ply, .stl, .gltf, .glb)
     /// or the object of a .vid file
     #[arg(long, value_name = "FILE", conflicts_with_all = ["node", "box"])]
     object: Option<PathBuf>,
-    /// One object of the scene alone
+    /// Only this object of the scene
     #[arg(long, value_name = "NAME", conflicts_with = "box")]
     node: Option<String>,
-    /// A box in place of an object: two opposite corners
+    /// A box instead of an object: two opposite corners
     #[arg(
         long,
         value_name = "X,Y,Z,X,Y,Z",
@@ -36,14 +36,14 @@ pub(super) struct Arguments {
         allow_hyphen_values = true
     )]
     r#box: Option<Vec<f64>>,
-    /// The share of the picture's width and height that stays free at each side
+    /// Free margin on each side, as a share of the picture's width and height
     #[arg(long, value_name = "SHARE", default_value_t = DEFAULT_MARGIN)]
     margin: f64,
-    /// By what the object is kept in the picture
+    /// What to change to keep the object in the picture
     #[arg(long, default_value = "zoom", value_parser = PossibleValuesParser::new(What::NAMES))]
     what: String,
-    /// Another limit than the file's, as zoom=10; zoom=off: none. Those that count: zoom, for
-    /// a distance speed and acceleration
+    /// Overrides a limit of the file, as in zoom=10; zoom=off removes it. Used here: zoom; for
+    /// --what distance, speed and acceleration
     #[arg(long, value_name = "KIND=LIMIT", value_parser = limit)]
     limit: Vec<(FindingKind, f64)>,
     #[command(flatten)]

@@ -18,17 +18,17 @@ pub(super) struct Arguments {
     /// The path; - is standard input
     #[arg(value_name = "FILE.vid")]
     file: PathBuf,
-    /// Another limit than the file's, as turning=90; turning=off: none. Those that count: speed,
+    /// Overrides a limit of the file, as in turning=90; turning=off removes it. Used here: speed,
     /// acceleration, jerk, turning, turning-acceleration, zoom, crossing
     #[arg(long, value_name = "KIND=LIMIT", value_parser = limit)]
     limit: Vec<(FindingKind, f64)>,
-    /// The point where it begins; the rest stays as it is
+    /// The first point; sections before it are unchanged
     #[arg(long, value_name = "POINT")]
     from: Option<usize>,
-    /// The point where it ends
+    /// The last point; sections after it are unchanged
     #[arg(long, value_name = "POINT")]
     to: Option<usize>,
-    /// Exactly so long, with the lowest peaks; else as short as the limits allow
+    /// Exact duration, with the lowest peaks [default: as short as the limits allow]
     #[arg(long, value_name = "SECONDS")]
     seconds: Option<f64>,
     #[command(flatten)]

@@ -1,6 +1,5 @@
 //! `vides sample`: writes every pose of a path.
 
-use std::fs::{self, OpenOptions};
 use std::io::{self, BufWriter, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 
@@ -9,6 +8,7 @@ use vides::document::{At, Document, Edit, SceneDocument};
 use vides::formats::{self, Flight, MAX_DECIMALS, Options, Report, export, export_to};
 
 use super::failure::{Failure, output_failed};
+use super::output::{self, Sink};
 use super::progress::Bar;
 use super::{input, scene};
 
@@ -18,12 +18,12 @@ pub(super) struct Arguments {
     #[arg(value_name = "FILE.vid")]
     file: PathBuf,
 
-    /// Where the poses go; - is standard output. A file appears when all of
-    /// it is written, and is wholly the old one until then
+    /// The output file; - is standard output. An existing file is replaced only when
+    /// everything is written
     #[arg(short, long, value_name = "OUT", default_value = "-")]
     output: PathBuf,
 
-    /// How the poses are written
+    /// The output format
     #[arg(long, value_enum, default_value_t)]
     format: Format,
 
@@ -31,8 +31,8 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "NUMBER", value_parser = decimals, allow_negative_numbers = true)]
     digits: Option<usize>,
 
-    /// A node of a scene, at each of the scene's frames: cameras and lights as
-    /// poses, others as matrices (16 numbers, column by column)
+    /// A node of a scene, at every frame: cameras and lights as poses, others as
+    /// matrices (16 numbers, column by column)
     #[arg(long, value_name = "NAME")]
     node: Option<String>,
 
@@ -46,10 +46,10 @@ pub(super) struct Arguments {
 
 #[derive(Clone, Copy, Default, ValueEnum)]
 enum Format {
-    /// Ten numbers a line, four decimals: VRP, VPN, VUP (x y z each) and zoom
+    /// Ten numbers per line, four decimals: VRP, VPN, VUP (x y z each) and zoom
     #[default]
     Ascii,
-    /// A header, then the frame's number, the ten numbers and the seconds, all digits
+    /// A header, then frame number, ten numbers and seconds, all digits
     Csv,
     /// Title, frames per second and the poses, all digits
     Json,
@@ -82,7 +82,7 @@ impl Arguments {
 #[derive(Args)]
 #[command(next_help_heading = "Base speeds, instead of the file's; each > 0")]
 struct Speeds {
-    /// Frames for a way of half the space's size at speed 50
+    /// Frames per half size of the space at speed 50
     #[arg(long, value_name = "FRAMES", value_parser = base_speed, allow_negative_numbers = true)]
     move_frames: Option<f64>,
 
@@ -136,13 +136,6 @@ impl Speeds {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let (file, out) = (&arguments.file, &arguments.output);
-    let to_standard_output = input::is_standard_stream(out);
-    if !input::is_standard_stream(file) && !to_standard_output && input::is_same_file(file, out) {
-        return Err(Failure::Usage(format!(
-            "{}: the poses would overwrite the path that they come from",
-            out.display()
-        )));
-    }
     let format = arguments.format()?;
     for interpolation in &arguments.interpolation {
         scene::register(interpolation)?;
@@ -179,7 +172,8 @@ pub(super) fn write_out(
 ) -> Result<Report, Failure> {
     let named = |error: formats::Error| Failure::from(error.at(name));
     Flight::new(document, options, format, &mut |_, _| {}).map_err(named)?;
-    let to_standard_output = input::is_standard_stream(out);
+    let sink = Sink::of(out)?;
+    let to_standard_output = matches!(sink, Sink::Standard);
     // Poses printed on a terminal are progress enough.
     let shown = io::stderr().is_terminal() && !(to_standard_output && io::stdout().is_terminal());
     let mut bar = shown.then(|| Bar::new(io::stderr(), Some("frames")));
@@ -188,29 +182,16 @@ pub(super) fn write_out(
             bar.update(done, all);
         }
     };
-    if to_standard_output {
+    let mut stream: Box<dyn Write> = match sink {
         // Locked once, and without the line buffering of standard output.
-        let mut stream = BufWriter::with_capacity(BUFFER, io::stdout().lock());
-        let report = export_to(document, &mut stream, format, options, &mut progress);
-        let report = report.map_err(|error| match error {
-            formats::Error::Document(vides::Error::Io { source, .. }) => output_failed(&source),
-            other => named(other),
-        })?;
-        stream.flush().map_err(|error| output_failed(&error))?;
-        return Ok(report);
-    }
-    if !fs::metadata(out).is_ok_and(|metadata| input::is_stream(&metadata)) {
-        return export(document, out, format, options, &mut progress).map_err(named);
-    }
-    // A pipe or a device, which cannot be replaced like a file.
-    let failed = |source| {
-        Failure::from(vides::Error::Io {
-            place: out.display().to_string(),
-            source,
-        })
+        Sink::Standard => Box::new(BufWriter::with_capacity(BUFFER, io::stdout().lock())),
+        Sink::Stream(stream) => Box::new(BufWriter::with_capacity(BUFFER, stream)),
+        Sink::File => return export(document, out, format, options, &mut progress).map_err(named),
     };
-    let opened = OpenOptions::new().write(true).open(out).map_err(failed)?;
-    let mut stream = BufWriter::with_capacity(BUFFER, opened);
+    let failed = |source| match to_standard_output {
+        true => output_failed(&source),
+        false => output::failed(out, source),
+    };
     let report = export_to(document, &mut stream, format, options, &mut progress);
     let report = report.map_err(|error| match error {
         formats::Error::Document(vides::Error::Io { source, .. }) => failed(source),

@@ -69,7 +69,7 @@ pub(super) fn tables(file: &Path, document: &SceneDocument) -> String {
     text
 }
 
-fn nodes(nodes: &[Node], seen: &dyn Fn(f64) -> f64) -> Table {
+fn nodes(nodes: &[Arc<Node>], seen: &dyn Fn(f64) -> f64) -> Table {
     let mut table = Table::new(&[
         ("Name", Align::Left),
         ("Kind", Align::Left),
@@ -121,7 +121,7 @@ fn nodes(nodes: &[Node], seen: &dyn Fn(f64) -> f64) -> Table {
     table
 }
 
-fn tracks(nodes: &[Node], seen: &dyn Fn(f64) -> f64) -> Table {
+fn tracks(nodes: &[Arc<Node>], seen: &dyn Fn(f64) -> f64) -> Table {
     let mut table = Table::new(&[
         ("Node", Align::Left),
         ("Channel", Align::Left),

@@ -16,11 +16,10 @@ pub(super) struct Arguments {
     /// The path; - is standard input
     #[arg(value_name = "FILE.vid")]
     file: PathBuf,
-    /// Half of a movement that takes so long there and back stays, and hardly anything of quicker
-    /// ones
+    /// Cut-off period: motion of this period is halved, faster motion is removed
     #[arg(long, value_name = "SECONDS")]
     seconds: f64,
-    /// No place goes farther than so
+    /// Maximum distance any position may move
     #[arg(long, value_name = "LENGTH")]
     within: Option<f64>,
     #[command(flatten)]

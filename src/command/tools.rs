@@ -19,13 +19,13 @@ use super::{input, moves};
 pub(super) enum Tool {
     /// Moves, turns, scales or mirrors points of a path
     Transform(Transform),
-    /// Tapers, twists, bends or freely deforms points of a path
+    /// Tapers, twists, bends or free-form deforms points of a path
     Deform(Deform),
-    /// Writes a range of points as a path of its own
+    /// Extracts a range of points as a new path
     Extract(Extract),
-    /// Puts a path into another one
+    /// Inserts a path into another
     Insert(Insert),
-    /// Turns the way of a path round
+    /// Reverses a path
     Reverse {
         /// The path; - is standard input
         #[arg(value_name = "FILE.vid")]
@@ -33,37 +33,37 @@ pub(super) enum Tool {
         #[command(flatten)]
         output: Output,
     },
-    /// Lets a path go its way several times
+    /// Repeats a path
     Repeat {
         /// The path; - is standard input
         #[arg(value_name = "FILE.vid")]
         file: PathBuf,
-        /// How often
+        /// The number of times
         #[arg(value_name = "TIMES")]
         times: usize,
         #[command(flatten)]
         output: Output,
     },
-    /// Brings a path, or points of it, to a number of frames
+    /// Sets the number of frames of a path, or of part of it
     Frames {
         /// The path; - is standard input
         #[arg(value_name = "FILE.vid")]
         file: PathBuf,
-        /// How many, the first and the last with them; or seconds, as 10s
+        /// The number of frames, including the first and last; or seconds: 10s
         #[arg(value_name = "COUNT", value_parser = length)]
         count: Length,
-        /// The points, as 2-5; all unless told
+        /// The points, as in 2-5 [default: all]
         #[arg(long, value_name = "POINTS", value_parser = range)]
         points: Option<Range>,
         #[command(flatten)]
         output: Output,
     },
-    /// Mixes paths by weights that sum to 1
+    /// Blends paths by weights that sum to 1
     Blend {
         /// The paths
         #[arg(value_name = "FILE.vid", required = true, num_args = 2..)]
         files: Vec<PathBuf>,
-        /// A weight for each path; without it all have the same
+        /// A weight for each path [default: equal weights]
         #[arg(long, value_name = "NUMBERS", value_parser = list, allow_hyphen_values = true)]
         weights: Option<Numbers>,
         #[command(flatten)]
@@ -168,28 +168,28 @@ pub(super) struct Transform {
     /// The path; - is standard input
     #[arg(value_name = "FILE.vid")]
     file: PathBuf,
-    /// The points, as 3 or 2-5; all unless told
+    /// The points, as in 3 or 2-5 [default: all]
     #[arg(long, value_name = "POINTS", value_parser = range)]
     points: Option<Range>,
-    /// Moves by this, after all else
+    /// Moves by this vector, last
     #[arg(long = "move", value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true)]
     by: Option<DVec3>,
-    /// Turns by so many degrees about --axis
+    /// Turns by this many degrees about --axis
     #[arg(long, value_name = "DEGREES", allow_hyphen_values = true)]
     turn: Option<f64>,
     /// The axis of --turn
     #[arg(long, value_enum, default_value_t)]
     axis: Axis,
-    /// Scales by this
+    /// Scales by this factor
     #[arg(long, value_name = "FACTOR", allow_hyphen_values = true)]
     scale: Option<f64>,
     /// Mirrors along this axis
     #[arg(long, value_enum)]
     mirror: Option<Axis>,
-    /// What stays where it is; the middle of the points unless told
+    /// The fixed point [default: the middle of the points]
     #[arg(long, value_name = "X,Y,Z", value_parser = vector, allow_hyphen_values = true)]
     about: Option<DVec3>,
-    /// What the cameras see goes along
+    /// Transforms the targets too
     #[arg(long)]
     with_targets: bool,
     #[command(flatten)]
@@ -204,16 +204,16 @@ pub(super) struct Deform {
     /// taper, twist, bend or free-form
     #[arg(value_name = "KIND")]
     kind: String,
-    /// Its numbers: an axis (0, 1, 2) and what vides(1) says
+    /// Its numbers: an axis (0, 1, 2), then those listed in vides(1)
     #[arg(value_name = "NUMBER", allow_negative_numbers = true)]
     numbers: Vec<f64>,
-    /// The points, as 3 or 2-5; all unless told
+    /// The points, as in 3 or 2-5 [default: all]
     #[arg(long, value_name = "POINTS", value_parser = range)]
     points: Option<Range>,
-    /// Least x,y,z and greatest x,y,z of the box; that of the points unless told
+    /// The box: least x,y,z, then greatest x,y,z [default: the bounds of the points]
     #[arg(long = "box", value_name = "NUMBERS", value_parser = list, allow_hyphen_values = true)]
     bounds: Option<Numbers>,
-    /// The targets are deformed too
+    /// Deforms the targets too
     #[arg(long)]
     with_targets: bool,
     #[command(flatten)]
@@ -225,7 +225,7 @@ pub(super) struct Extract {
     /// The path; - is standard input
     #[arg(value_name = "FILE.vid")]
     file: PathBuf,
-    /// The points, as 2-5; on a closed path as 5-2 too
+    /// The points, as in 2-5; on a closed path also 5-2
     #[arg(long, value_name = "POINTS", value_parser = range)]
     points: Range,
     #[command(flatten)]
@@ -237,16 +237,16 @@ pub(super) struct Insert {
     /// The path; - is standard input
     #[arg(value_name = "FILE.vid")]
     file: PathBuf,
-    /// The path that is put in
+    /// The path to insert
     #[arg(value_name = "BLOCK.vid")]
     block: PathBuf,
-    /// The point behind which it is put; the last one unless told
+    /// The point to insert it after [default: the last]
     #[arg(long, value_name = "POINT")]
     at: Option<usize>,
-    /// How it is brought to its place
+    /// How it is placed
     #[arg(long, value_enum, default_value_t)]
     fit: FitName,
-    /// Its absolute targets stay where they are
+    /// Keeps its absolute targets in place
     #[arg(long)]
     keep_targets: bool,
     #[command(flatten)]
@@ -255,14 +255,14 @@ pub(super) struct Insert {
 
 #[derive(Clone, Copy, Default, ValueEnum)]
 enum FitName {
-    /// As it lies
+    /// Unchanged
     None,
-    /// Moved, so that it begins where the path is
+    /// Moved to begin at the point
     #[default]
     Move,
-    /// Turned too, in the direction of travel
+    /// Also turned into the direction of travel
     Turn,
-    /// Moved, turned and scaled, so that it ends at the next point
+    /// Moved, turned and scaled to end at the next point
     Scale,
 }
 

@@ -18,7 +18,7 @@ pub(super) struct Arguments {
     /// The object: a mesh (.obj, .ply, .stl, .gltf, .glb), or the object of a .vid file
     #[arg(value_name = "OBJECT")]
     object: PathBuf,
-    /// How long the flight takes
+    /// Duration of the flight
     #[arg(
         long,
         value_name = "SECONDS",
@@ -26,7 +26,7 @@ pub(super) struct Arguments {
         allow_negative_numbers = true
     )]
     seconds: f64,
-    /// The share of the surface that can be seen, by area, that is shown
+    /// Share of the visible surface, by area, to show
     #[arg(
         long,
         value_name = "SHARE",
@@ -34,20 +34,20 @@ pub(super) struct Arguments {
         allow_negative_numbers = true
     )]
     coverage: f64,
-    /// How far the camera is from what it shows [default: found, so that the whole object is in
+    /// Distance of the camera from what it shows [default: one that has the whole object in
     /// the picture]
     #[arg(long, value_name = "LENGTH", allow_negative_numbers = true)]
     distance: Option<f64>,
-    /// Flies in the object's free space, not around it
+    /// Flies inside the object, not around it
     #[arg(long)]
     inside: bool,
-    /// Where the flight begins; else it is a closed round
+    /// Where the flight begins [default: a closed round]
     #[arg(long, value_name = "X,Y,Z", value_parser = place, allow_hyphen_values = true)]
     start: Option<[f64; 3]>,
-    /// Which axis stands upright
+    /// The up axis
     #[arg(long, value_name = "AXIS", value_parser = up(), default_value = "y")]
     up: Up,
-    /// Only the views that show it, one a frame, for pictures; no flight
+    /// Only the views that cover it, one per frame, for photographs; no flight
     #[arg(long, conflicts_with = "seconds")]
     stills: bool,
     #[command(flatten)]

@@ -20,7 +20,7 @@ impl Returned for c_int {
 }
 
 impl Returned for f64 {
-    /// NaN, which no result is; [`super::status::v_last_error`] says why.
+    /// NaN, which no result is; [`super::status::v_last_error`] returns the reason.
     fn failed(_: c_int) -> Self {
         Self::NAN
     }
@@ -61,7 +61,7 @@ mod tests {
     use std::ffi::CStr;
 
     fn last() -> &'static str {
-        // SAFETY: v_last_error always gives a text ended by zero.
+        // SAFETY: v_last_error always gives a zero-terminated text.
         let text = unsafe { CStr::from_ptr(v_last_error()) };
         text.to_str().expect("valid UTF-8")
     }

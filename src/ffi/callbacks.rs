@@ -6,8 +6,9 @@ use std::ptr;
 
 use super::editor;
 use super::types::{
-    V_EDITOR, V_EDITOR_OPTIONS, V_POSE, V_VIEW_EDITED, V_VIEW_PLAYED, V_VIEW_RESTED,
-    V_VIEW_SCRUBBED, V_VIEW_SELECTED,
+    V_EDITOR, V_EDITOR_OPTIONS, V_GONE_BY_USER, V_GONE_DESTROYED, V_GONE_DISPLAY, V_GONE_FAULT,
+    V_GONE_WITH_ALL, V_POSE, V_VIEW_EDITED, V_VIEW_PLAYED, V_VIEW_RESTED, V_VIEW_SCRUBBED,
+    V_VIEW_SELECTED,
 };
 use crate::document::Poses;
 use crate::error::{Result, complain, vec_with_room};
@@ -158,6 +159,33 @@ impl Host for Callbacks {
 
     fn closed(&self, _: Id, why: Gone) {
         editor::closed(self.handle.get(), why);
+    }
+
+    fn gone(&self, _: Id, why: Gone) {
+        let (Some(on_gone), Some(reason)) = (self.on.on_gone, gone_for_c(why)) else {
+            return;
+        };
+        let (handle, user) = (self.handle.get(), self.on.user);
+        // SAFETY: the host's function.
+        unsafe {
+            enter!("on_gone", on_gone(
+                handle => *mut V_EDITOR,
+                reason => c_int,
+                user => *mut c_void,
+            ) -> ());
+        }
+    }
+}
+
+/// The reason for C; `None` if no callback may run.
+fn gone_for_c(why: Gone) -> Option<c_int> {
+    match why {
+        Gone::ByUser => Some(V_GONE_BY_USER),
+        Gone::WithAll => Some(V_GONE_WITH_ALL),
+        Gone::FromOutside => Some(V_GONE_DESTROYED),
+        Gone::Screen => Some(V_GONE_DISPLAY),
+        Gone::Fault => Some(V_GONE_FAULT),
+        Gone::Thread => None,
     }
 }
 

@@ -6,6 +6,7 @@ use std::ptr;
 use super::border::border;
 use super::path::{edit_by, insert_new, read};
 use super::pointers::{ArrayOut, Out, count, optional, read_growing, slice, text};
+use super::progress::watched;
 use super::scene_tracks::mesh;
 use super::scene_types::V_MESH;
 use super::space::{checked, up_from_c};
@@ -59,6 +60,7 @@ const NAMES: [&CStr; COUNT] = [
     c"jerk",
     c"speed",
     c"crossing",
+    c"backwards",
 ];
 
 fn finding(found: &Finding) -> Answer<V_FINDING> {
@@ -79,14 +81,15 @@ fn finding(found: &Finding) -> Answer<V_FINDING> {
 /// tolerance, each view, up and field of view within angle degrees, at its time, and as
 /// smoothly as they do. Noise of up to half of that is taken out.
 ///
-/// seconds  when each pose was taken, increasing; NULL: one a frame
+/// seconds  when each pose was taken, increasing; NULL: one a frame. Poses that span
+///     more than 100,000,000 frames, as those in nanoseconds do, are V_ERR_LIMIT
 /// count    at least three
 /// fps      frames in a second of the path
 /// The space is the smallest round the positions, with a tenth to spare, and V_UP_Y.
 /// *path is the caller's, to be freed with v_path_free().
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT (poses that are no
 /// path: all the same, a number that is not finite, a view without direction),
-/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_fit_poses(
     poses: *const V_POSE,
@@ -108,7 +111,7 @@ pub unsafe extern "C" fn v_path_fit_poses(
 ///     smallest round the positions, as with NULL
 /// *path is the caller's, to be freed with v_path_free().
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_fit_poses_in_space(
     poses: *const V_POSE,
@@ -139,7 +142,7 @@ pub unsafe extern "C" fn v_path_fit_poses_in_space(
 /// v_last_warning() then says how many and which is the first, "" if none is.
 /// *path is the caller's, to be freed with v_path_free().
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_fit_poses_robust(
     poses: *const V_POSE,
@@ -211,7 +214,7 @@ unsafe fn fitted(
     let seconds = optional(seconds, |seconds| unsafe {
         slice(seconds, count, "seconds")
     })?;
-    Ok(fit(poses, seconds, fps, options, &mut |_, _| true)?)
+    watched(|go_on| Ok(fit(poses, seconds, fps, options, go_on)?))
 }
 
 /// Looks for what will look wrong in the film. Of each kind there is one finding for
@@ -241,6 +244,13 @@ unsafe fn fitted(
 /// "crossing"      seconds in which what is in the middle of the picture, as far away as
 ///                 the target (or the middle of the space), would cross it; below the
 ///                 limit (off unless one is set)
+/// "backwards"     the way goes back although the points lead on, in half sizes (0.001):
+///                 a "centripetal" curve does not, see v_path_set_curve()
+///
+/// A hold between sections without an ease, and a turn on the spot between such sections,
+/// begin and end at once: that is a "speed-jump", an "acceleration" or a
+/// "turning-acceleration" only if the limit of that kind is not the one above.
+/// An object is asked three times for each frame, as v_path_avoid() does.
 ///
 /// object  what the camera must not come near to, in the coordinates of the path;
 ///     NULL: the path's own object with its faces, if it has one
@@ -252,7 +262,7 @@ unsafe fn fitted(
 /// a parent adds to the camera).
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
 /// V_ERR_ARGUMENT (an object without geometry), V_ERR_RANGE, V_ERR_LIMIT,
-/// V_ERR_MEMORY.
+/// V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_check(
     path: *const V_PATH,
@@ -269,7 +279,8 @@ pub unsafe extern "C" fn v_path_check(
         let (found, notes) = read(path, |document| {
             let clearance = document.clearance(object.as_ref())?;
             let notes = document.notes(clearance.as_ref(), object.is_none())?;
-            Ok((document.check_against(clearance.as_ref())?, notes))
+            let found = watched(|go_on| Ok(document.check_against(clearance.as_ref(), go_on)?))?;
+            Ok((found, notes))
         })?;
         notes
             .iter()

@@ -46,7 +46,7 @@ pub(super) fn between(value: f64, end: f64, name: &'static str) -> Answer<f64> {
 
 /// ==== The curve ====
 ///
-/// The length of the whole curve, in the units of the positions.
+/// Gets the length of the whole curve, in the units of the positions.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_length(path: *const V_PATH, length: *mut f64) -> c_int {
@@ -58,10 +58,9 @@ pub unsafe extern "C" fn v_path_length(path: *const V_PATH, length: *mut f64) ->
     })
 }
 
-/// The length of one segment. Segment n leads from support point n to the next;
-/// a closed path has one more, from the last to the first.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
-/// V_ERR_MEMORY.
+/// Gets the length of a segment. Segment n leads from point n to the next; a closed
+/// path has one more, from the last point to the first.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_segment_length(
     path: *const V_PATH,
@@ -79,8 +78,8 @@ pub unsafe extern "C" fn v_path_segment_length(
     })
 }
 
-/// The point of a segment at t from 0 to 1, the parameter of the spline itself
-/// (not of the length).
+/// Gets the position on a segment at t from 0 to 1, the parameter of the spline (not of
+/// its length).
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
 /// V_ERR_RANGE, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[xyz; 3]]
@@ -100,8 +99,8 @@ pub unsafe extern "C" fn v_path_curve_point(
     })
 }
 
-/// The point of a segment at the length s from its start, 0 to the segment's
-/// length.
+/// Gets the position on a segment at the distance s from its start, measured along the
+/// curve, from 0 to the length of the segment.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
 /// V_ERR_RANGE, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[xyz; 3]]

@@ -14,7 +14,7 @@ use super::host_loop;
 use super::object::wireframe;
 use super::path::{insert, read};
 use super::pointers::{
-    Growing, Out, bytes, file_name, init, optional, optional_text, read_growing,
+    Growing, Out, bytes, file_name, init, optional, optional_text, read_growing, read_optional,
 };
 use super::settings::positive;
 use super::space::up_from_c;
@@ -26,7 +26,7 @@ use crate::document::{At, Document, Edit, Info};
 use crate::editor::{self, Language};
 use crate::error::{Refused, Result};
 use crate::instance::{self, Gone, Id};
-use crate::path::{BaseFrames, Space};
+use crate::path::{BaseFrames, Pose, Space};
 
 /// All windows that C holds.
 static EDITORS: Handles<Opened, V_EDITOR> = Handles::new(KIND_EDITOR);
@@ -38,7 +38,7 @@ pub(super) struct Opened {
     thread: usize,
     /// The host has set the base speeds.
     pub(super) fixed_speeds: bool,
-    /// Why the window is gone, unless the host has closed it.
+    /// Why the window is gone, unless `v_editor_close` closed it.
     gone: OnceLock<Gone>,
 }
 
@@ -47,6 +47,7 @@ pub(super) const CLOSED: Failure = Failure::Border(V_ERR_CLOSED, "the window has
 fn gone(why: Gone) -> Failure {
     let sentence = match why {
         Gone::ByUser => "the user has closed the window",
+        Gone::WithAll => "the window was closed by v_editors_close()",
         Gone::Screen => "the window is gone: its X server went away or refused to go on",
         Gone::FromOutside => "the window is gone: it was destroyed, or put out of its parent",
         Gone::Fault => "the window is gone: a fault inside the library closed it",
@@ -58,7 +59,7 @@ fn gone(why: Gone) -> Failure {
 const OTHER_THREAD: Failure =
     Failure::Border(V_ERR_HANDLE, "this window belongs to another thread");
 
-/// Notes why the window of a handle is gone.
+/// Records why the window of a handle is gone.
 pub(super) fn closed(editor: *const V_EDITOR, why: Gone) {
     if let Ok(opened) = EDITORS.get(editor) {
         let _ = opened.gone.set(why);
@@ -82,10 +83,10 @@ pub(super) fn opened(editor: *const V_EDITOR) -> Answer<TryArc<Opened>> {
 
 /// ==== Opening and closing windows ====
 ///
-/// The options' defaults: size, space_up V_UP_Y, and everything else NULL or 0. NULL
-/// does nothing but set v_last_error(). In C a macro of this name hands the struct's size
-/// on to v_editor_options_init_sized(); the function itself, for other languages
-/// (ctypes, JNI, bindgen), fills in all that version 1.0 has: the whole struct.
+/// Fills in the default options: size, space_up V_UP_Y, and everything else NULL or 0.
+/// NULL only sets v_last_error(). In C, a macro of this name passes the struct's size
+/// to v_editor_options_init_sized(). The function itself, for other languages (ctypes,
+/// JNI, bindgen), fills in the whole struct of version 1.0.
 /// Any thread; from callbacks too.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_options_init(options: *mut V_EDITOR_OPTIONS) {
@@ -102,14 +103,15 @@ pub unsafe extern "C" fn v_editor_options_init(options: *mut V_EDITOR_OPTIONS) {
     });
 }
 
-/// As v_editor_options_init(), for a struct that is size bytes long. One shorter than
-/// in version 1.0 stays as it is, and v_last_error() says so. What is behind the fields
-/// that the library knows is not touched, and size is set to what was filled in.
+/// Like v_editor_options_init(), for a struct of size bytes. Sets size to what was
+/// filled in and leaves bytes after the fields that the library knows unchanged. A
+/// struct shorter than in version 1.0 is left unchanged, and v_last_error() returns the
+/// reason.
 /// Any thread; from callbacks too.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_options_init_sized(options: *mut V_EDITOR_OPTIONS, size: usize) {
     border((), || {
-        // SAFETY: room for so much of the options, as the header says.
+        // SAFETY: room for that much of the options, as the header says.
         unsafe { init(options, V_EDITOR_OPTIONS::DEFAULTS, size, "options") }
     });
 }
@@ -147,23 +149,23 @@ unsafe impl Growing for V_EDITOR_OPTIONS {
         application: ptr::null(),
         hand_over_saves: 0,
         on_frame: None,
+        view: ptr::null(),
+        on_gone: None,
     };
 }
 
-/// Opens an editor window and returns at once; how it is served then, see
-/// v_fd(). options may be NULL for the defaults. *editor is the caller's, to be
-/// freed with v_editor_close().
+/// Opens an editor window and returns at once; see v_fd() for how your program serves
+/// it. options may be NULL for the defaults. Free *editor with v_editor_close().
 ///
-/// The callbacks run on the thread that opened the window, inside the
-/// host's event loop, and may call any function of the library. They may come
-/// while the host is in a modal dialog of its own, whose loop serves the window,
-/// too. They return to their caller: no longjmp() and no exception may leave them. An exception that
-/// does ends the program, after a line on standard error that names the callback.
-/// The window belongs to this thread and is closed when it ends, which a line on
-/// standard error says.
-/// The thread that runs the event loop; from callbacks too. V_ERR_NULL,
-/// V_ERR_SIZE, V_ERR_HANDLE (of path), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_IO and
-/// V_ERR_FORMAT (of file), V_ERR_DISPLAY, V_ERR_LIMIT, V_ERR_MEMORY.
+/// The callbacks run on the thread that opened the window, in your event loop, and may
+/// call any function of the library. They may run while your program shows a modal
+/// dialog, since the dialog's loop serves the window too. They must return to their
+/// caller: no longjmp() and no exception may leave them. An exception that does ends
+/// the program, after a line on standard error that names the callback. When the thread
+/// ends, its window is closed, and a line on standard error reports it.
+/// The thread that runs the event loop; from callbacks too. V_ERR_NULL, V_ERR_SIZE,
+/// V_ERR_HANDLE (of path), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_IO and V_ERR_FORMAT (of
+/// file), V_ERR_DISPLAY, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_open(
     options: *const V_EDITOR_OPTIONS,
@@ -239,6 +241,7 @@ unsafe fn begin(options: &V_EDITOR_OPTIONS) -> Answer<Beginning> {
                 name: host_name,
                 captures: options.on_capture.is_some(),
                 fills_pane: options.on_pane.is_some(),
+                keeps_view: !options.view.is_null(),
             },
         },
         warnings,
@@ -257,7 +260,7 @@ fn document_of(
 ) -> Answer<Document> {
     match (file, path.is_null()) {
         (Some(_), false) => Err(Failure::argument(
-            "options->file and options->path are both given: a window starts with one of them",
+            "options->file and options->path are both given: a window starts with only one",
         )),
         (None, true) => Ok(Document::try_new()?),
         (None, false) => read(path, |document| Ok(document.try_clone()?))
@@ -280,7 +283,8 @@ fn language_of(name: &[u8]) -> Answer<Language> {
     }
 }
 
-/// Gives the document the options' space, object and base speeds. Whether there are speeds.
+/// Gives the document the options' space, object and base speeds, and a new path its first view.
+/// Whether there are speeds.
 ///
 /// # Safety
 /// As for [`begin`].
@@ -326,10 +330,18 @@ unsafe fn configure(document: &mut Document, options: &V_EDITOR_OPTIONS) -> Answ
     if !unset && document.edits_path() {
         document.apply(Edit::set(At::Path, "base_speeds", speeds))?;
     }
+    // SAFETY: as required of the caller.
+    let view = unsafe { read_optional(options.view, "options->view") }?.map(Pose::from);
+    match view {
+        Some(view) if fit => editor::begin_at(document, &view)?,
+        Some(view) => editor::check_view(document, &view)?,
+        None if fit => document.look_at_object()?,
+        None => {}
+    }
     Ok(!unset)
 }
 
-/// An X window of the host's; 0 is none.
+/// Converts an X window of the host's; 0 is `None`.
 fn x_window(given: c_ulong, name: &'static str) -> Answer<Option<u32>> {
     let id = u32::try_from(given).map_err(|_| Failure::NoWindow { name, given })?;
     Ok((id != 0).then_some(id))
@@ -375,10 +387,12 @@ fn open(editor: Beginning, host: Callbacks) -> Answer<*mut V_EDITOR> {
     handle
 }
 
-/// Closes a window without asking anybody, and frees its handle. From within
-/// its own callbacks it closes when they have returned. NULL is no error.
-/// The thread that opened it, or any once the window is gone; from callbacks
-/// too. V_ERR_HANDLE.
+/// Closes a window without asking, and frees its handle. Inside the window's own
+/// callbacks it closes when they have returned. on_gone is not called. Work that
+/// v_editor_is_modified() reports is offered at the next start of the program, unless
+/// you called v_editor_mark_saved() before. NULL is ignored.
+/// The thread that opened it, or any once the window is gone; from callbacks too.
+/// V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_close(editor: *mut V_EDITOR) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -389,7 +403,7 @@ pub unsafe extern "C" fn v_editor_close(editor: *mut V_EDITOR) -> c_int {
             Ok(found) => {
                 EDITORS.remove(editor)?;
                 instance::close(found.window);
-                // Failed calls within the host's on_pane are no failure of this one.
+                // Failed calls in the host's on_pane are not failures of this one.
                 clear_last_error();
             }
             Err(Failure::Border(V_ERR_CLOSED, _)) => {
@@ -401,11 +415,11 @@ pub unsafe extern "C" fn v_editor_close(editor: *mut V_EDITOR) -> c_int {
     })
 }
 
-/// A copy of the path as it is in the window now; of a scene that of the camera that is
-/// shown (v_scene_get_camera()). *path is the caller's, to be freed with v_path_free().
-/// The thread that opened the window; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no camera, or it follows no path),
-/// V_ERR_MEMORY, V_ERR_LIMIT.
+/// Gets a copy of the path in a window; in a scene, that of the camera shown
+/// (v_scene_get_camera()). Free *path with v_path_free().
+/// The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
+/// V_ERR_CLOSED, V_ERR_ARGUMENT (no camera, or it follows no path), V_ERR_MEMORY,
+/// V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_get_path(
     editor: *const V_EDITOR,
@@ -421,14 +435,13 @@ pub unsafe extern "C" fn v_editor_get_path(
     })
 }
 
-/// Shows another path in a window, in one step that the user can take back.
-/// path is copied, with its space, title, comment and so on; its object, too, if it
-/// has one. Base speeds that were given when the window was opened stay. In a
-/// scene it takes the place of the path of the camera that is shown, which is
-/// edited then.
-/// The thread that opened the window; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no camera, or it follows no path),
-/// V_ERR_MEMORY.
+/// Replaces the path in a window, in one step that the user can undo. The path is
+/// copied with its space, title, comment and so on, and with its object if it has one.
+/// Base speeds given when the window was opened are kept. In a scene it replaces the
+/// path of the camera shown, which is then edited. The playhead stays at its frame if
+/// the path has that frame; otherwise it goes to the current point.
+/// The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
+/// V_ERR_CLOSED, V_ERR_ARGUMENT (no camera, or it follows no path), V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_set_path(editor: *mut V_EDITOR, path: *const V_PATH) -> c_int {
     border(V_ERR_INTERNAL, || {

@@ -13,8 +13,8 @@ use crate::document::{At, Document, Edit, SceneDocument};
 use crate::error::Result;
 use crate::instance;
 
-/// A copy of the scene as it is in the window now; of a path alone that of a camera on
-/// it. *scene is the caller's, to be freed with v_scene_free().
+/// Gets a copy of the scene in a window; if the window has only a path, a scene with a
+/// camera on it. Free *scene with v_scene_free().
 /// The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
 /// V_ERR_CLOSED, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
@@ -32,14 +32,16 @@ pub unsafe extern "C" fn v_editor_get_scene(
     })
 }
 
-/// Shows another scene in a window, in one step that the user can take back. scene is
-/// copied, with its space, title, comment and so on; its wireframe object, too, if it has
-/// one. The space of the options is that of what the window began with.
-/// The path that is edited stays so where its node is there under its name and follows
-/// one; else that of the camera that is shown is edited then, if it has one, with the base
-/// speeds that were given when the window was opened. One camera on a path and nothing
-/// else is that path. A drag of the user's ends where it has come to. The playhead stays
-/// at its frame, if the scene has that. A scene like the one before is a step, too.
+/// Replaces the scene in a window, in one step that the user can undo, even if the
+/// scene is equal to the old one. The scene is copied with its space, title, comment
+/// and so on, and with its wireframe object if it has one. The space given in the
+/// options applies only to what the window began with.
+///
+/// The path that is edited remains the one edited if the new scene has a node of the
+/// same name that follows a path. Otherwise the path of the camera shown, if it has
+/// one, is edited, with the base speeds given when the window was opened. A scene with
+/// nothing but one camera on a path is treated as that path. A drag in progress ends
+/// where it is. The playhead stays at its frame if the scene has that frame.
 /// The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
 /// V_ERR_CLOSED, V_ERR_BUSY, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]

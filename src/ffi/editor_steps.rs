@@ -27,32 +27,32 @@ fn travel(
 
 /// ==== Steps of a window ====
 ///
-/// Takes back the last step of a window, as the user does by Ctrl-Z. A window keeps the last
-/// 10,000 steps, and of what they have changed 256 MiB.
-/// The thread that opened the window; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (there is none).
+/// Undoes the last step of a window, like Ctrl-Z. A window keeps the last 10,000 steps,
+/// and at most 256 MiB of what they changed.
+/// The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
+/// V_ERR_CLOSED, V_ERR_ARGUMENT (nothing to undo).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_undo(editor: *mut V_EDITOR) -> c_int {
     border(V_ERR_INTERNAL, || {
-        travel(editor, Document::undo, "there is no step to take back")
+        travel(editor, Document::undo, "there is nothing to undo")
     })
 }
 
-/// Does again what was taken back last, as the user does by Ctrl-Y.
-/// The thread that opened the window; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (there is none).
+/// Redoes the step that was undone last, like Ctrl-Y.
+/// The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
+/// V_ERR_CLOSED, V_ERR_ARGUMENT (nothing to redo).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_redo(editor: *mut V_EDITOR) -> c_int {
     border(V_ERR_INTERNAL, || {
-        travel(editor, Document::redo, "there is no step to do again")
+        travel(editor, Document::redo, "there is nothing to redo")
     })
 }
 
-/// Begins what the user can take back at once: all that is changed in a window, by whomever,
-/// until v_editor_end_step(). One that was begun before is forgotten; another document in the
-/// window ends it.
-/// The thread that opened the window; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_CLOSED.
+/// Begins a group of changes that the user undoes as one step: all changes in a window
+/// until v_editor_end_step(), yours and the user's. It replaces a group begun before;
+/// loading another document in the window ends it.
+/// The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
+/// V_ERR_CLOSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_begin_step(editor: *mut V_EDITOR) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -62,22 +62,22 @@ pub unsafe extern "C" fn v_editor_begin_step(editor: *mut V_EDITOR) -> c_int {
     })
 }
 
-/// Ends what v_editor_begin_step() has begun; without that it does nothing.
-/// The thread that opened the window; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_MEMORY (the steps stay apart).
+/// Ends the group begun by v_editor_begin_step(); does nothing without one.
+/// The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
+/// V_ERR_CLOSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_end_step(editor: *mut V_EDITOR) -> c_int {
     border(V_ERR_INTERNAL, || {
         let window = opened(editor)?.window;
-        instance::change(window, Document::join_steps).ok_or(CLOSED)??;
+        instance::change(window, Document::join_steps).ok_or(CLOSED)?;
         Ok(V_OK)
     })
 }
 
-/// The point that is current and its orientation, both counted from 0, see
-/// v_editor_select(). Each result may be NULL.
-/// The thread that opened the window; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no path of its scene is edited).
+/// Gets the current point and orientation, both counted from 0, see v_editor_select().
+/// Any result may be NULL.
+/// The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
+/// V_ERR_CLOSED, V_ERR_ARGUMENT (no path of its scene is edited).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_get_selection(
     editor: *const V_EDITOR,
@@ -105,9 +105,9 @@ pub unsafe extern "C" fn v_editor_get_selection(
     })
 }
 
-/// Whether a window plays the flight, see v_editor_play(): *playing is 1 or 0.
-/// The thread that opened the window; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_CLOSED.
+/// Gets whether a window is playing, see v_editor_play(): *playing is 1 or 0.
+/// The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
+/// V_ERR_CLOSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_is_playing(
     editor: *const V_EDITOR,

@@ -1,30 +1,33 @@
 //! Scenes in files of other programs.
 
 use std::ffi::{c_char, c_int};
+use std::fmt;
 
 use super::border::border;
 use super::pointers::{Out, file_name, optional_text};
 use super::scene_handles::{self, insert};
 use super::scene_types::V_SCENE;
 use super::status::{Answer, V_ERR_INTERNAL, V_OK, add_last_warning, clear_last_warning};
-use crate::formats::{self, Format, Options, Report, Source};
+use crate::formats::{self, Format, Loss, Options, Report, Source};
 
-/// Writes a scene in the format of another program: gltf, glb, usda, blender,
-/// paraview, vtk, nerfstudio, transforms, cameras, tum, kitti, colmap (a folder), osg, chan,
-/// html, ascii, csv, json or vid; format NULL: the one that the file's name tells. options are
-/// lines name=value ("fps=30\nnode=camera"), NULL: none; the names are node, frames, fps, start,
-/// size, up, scale, as, tolerance, angle, compact, digits and rotation-order, as `vides convert
-/// --help` explains them; of two alike the last counts, and one that a format has no use for is
-/// ignored. Each file is afterwards wholly the old or wholly the new one; a missing folder is made
-/// only for colmap, in one that is there.
+/// Writes a scene in another program's format. Each file is replaced atomically. A
+/// missing folder is created only for colmap, inside an existing one.
 ///
-/// What the format cannot hold is left out: the answer is V_OK, and v_last_warning()
-/// tells, a line each, "" if nothing is.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY, V_ERR_ARGUMENT (format,
-/// options, no such node, a host interpolation that fails), V_ERR_RANGE (frames, fps), V_ERR_FORMAT
-/// (a folder that holds what would be read first), V_ERR_IO, V_ERR_LIMIT, V_ERR_MEMORY.
-/// Memory that runs out while a file is opened or written may end the program; the old file
-/// stays.
+/// format   gltf, glb, usda, blender, paraview, vtk, nerfstudio, transforms, cameras,
+///     tum, kitti, colmap (a folder), osg, chan, html, ascii, csv, json or vid; NULL:
+///     by the name of the file
+/// options  lines of name=value ("fps=30\nnode=camera"); NULL: none. The names are
+///     node, frames, fps, start, size, up, scale, as, tolerance, angle, compact, digits
+///     and rotation-order; `vides convert --help` explains them. The last of duplicates
+///     counts; names that a format does not use are ignored
+///
+/// What the format cannot hold is left out. The call then still returns V_OK, and
+/// v_last_warning() lists the losses, one per line; "" if there are none.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY, V_ERR_ARGUMENT
+/// (format, options, no such node, a host interpolation that fails), V_ERR_RANGE
+/// (frames, fps), V_ERR_FORMAT (a folder that holds what would be read first),
+/// V_ERR_IO, V_ERR_LIMIT, V_ERR_MEMORY. If memory runs out while a file is opened or
+/// written, the program may end; the old file is kept.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_export(
     scene: *const V_SCENE,
@@ -34,7 +37,7 @@ pub unsafe extern "C" fn v_scene_export(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         clear_last_warning();
-        // SAFETY: texts ended by zero, or NULL where it may be, as the header says.
+        // SAFETY: zero-terminated texts, or NULL where it may be, as the header says.
         let (file, (format, options)) =
             unsafe { (file_name(file, "file")?, choices(format, options)?) };
         let format = match format {
@@ -49,18 +52,21 @@ pub unsafe extern "C" fn v_scene_export(
     })
 }
 
-/// Reads the file of another program, or a folder of COLMAP's, as a scene: one of gltf, glb,
-/// usda, nerfstudio, transforms, cameras, tum, kitti, colmap, osg, chan, paraview (what
-/// v_scene_export() wrote; nothing is run), ascii, csv, json and vid; format NULL: the one that
-/// the content shows. options as of v_scene_export(). Poses become a path of few points, fitted,
-/// or with "as=keys", or fewer than three, a camera with a key for each. *scene is the caller's, to be freed
-/// with v_scene_free().
+/// Reads another program's file, or a COLMAP folder, as a scene. Poses become a path
+/// fitted with few points; with "as=keys", or fewer than three poses, they become a
+/// camera with one key each. Free *scene with v_scene_free().
 ///
-/// What is not taken, and how well a path fits, is told by v_last_warning() beside V_OK, a line
-/// each, "" if there is nothing to tell.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT (format, options), V_ERR_IO,
-/// V_ERR_FORMAT (with place and reason in v_last_error()), V_ERR_RANGE, V_ERR_LIMIT,
-/// V_ERR_MEMORY. Memory that runs out while the file is parsed may end the program.
+/// format   gltf, glb, usda, nerfstudio, transforms, cameras, tum, kitti, colmap, osg,
+///     chan, paraview (as v_scene_export() writes it; no code is run), ascii, csv, json
+///     or vid; NULL: by the content
+/// options  as for v_scene_export()
+///
+/// The call returns V_OK even if parts of the file are ignored. v_last_warning() lists
+/// them, and how well a path fits, one per line; "" if there is nothing to report.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT (format, options),
+/// V_ERR_IO, V_ERR_FORMAT (with place and reason in v_last_error()), V_ERR_RANGE,
+/// V_ERR_LIMIT, V_ERR_MEMORY. If memory runs out while the file is parsed, the program
+/// may end.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_import(
     file: *const c_char,
@@ -71,7 +77,7 @@ pub unsafe extern "C" fn v_scene_import(
     border(V_ERR_INTERNAL, || {
         clear_last_warning();
         let out = Out::new(scene, "scene")?;
-        // SAFETY: texts ended by zero, or NULL where it may be, as the header says.
+        // SAFETY: zero-terminated texts, or NULL where it may be, as the header says.
         let (file, (format, options)) =
             unsafe { (file_name(file, "file")?, choices(format, options)?) };
         let imported = formats::import(&Source::open(file)?, format, &options)?;
@@ -99,10 +105,23 @@ unsafe fn choices(
     Ok((format, Options::parse(options.as_deref().unwrap_or(""))?))
 }
 
-/// A line for each loss, and for each mesh with which something is wrong.
+/// Writes a line for each loss and each mesh with a problem.
 fn tell(report: &Report, meshes: &[crate::Error]) {
     clear_last_warning();
-    let losses = report.losses().iter().map(|loss| format!("{loss}."));
-    let lines = losses.chain(meshes.iter().map(|warning| format!("{warning}.")));
-    add_last_warning(format_args!("{}", lines.collect::<Vec<_>>().join("\n")));
+    add_last_warning(format_args!("{}", Lines(report.losses(), meshes)));
+}
+
+/// Formatted only when the warning is written, which counts from 0 as C does.
+struct Lines<'a>(&'a [Loss], &'a [crate::Error]);
+
+impl fmt::Display for Lines<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let losses = self.0.iter().map(|loss| loss as &dyn fmt::Display);
+        let meshes = self.1.iter().map(|warning| warning as &dyn fmt::Display);
+        for (at, line) in losses.chain(meshes).enumerate() {
+            let end = if at == 0 { "" } else { "\n" };
+            write!(f, "{end}{line}.")?;
+        }
+        Ok(())
+    }
 }

@@ -33,7 +33,8 @@ const GENERATION_SHIFT: u32 = SLOT_SHIFT + SLOT_BITS;
 const MAX_SLOTS: usize = 1 << SLOT_BITS;
 const LAST_GENERATION: usize = (1 << GENERATION_BITS) - 1;
 
-/// What a parameter with a handle of this kind is called, unless its function says otherwise.
+/// The name of a parameter with a handle of this kind, unless its function gives
+/// another.
 const NAMES: [&str; 4] = ["", "path", "editor", "scene"];
 
 /// The kind of `V_PATH *`.
@@ -52,8 +53,8 @@ pub(super) struct Handles<T, C> {
 
 struct Table<T> {
     slots: Vec<Slot<T>>,
-    /// The first empty slot; the others are chained through `next_empty`, so that freeing a handle
-    /// needs no memory.
+    /// The first empty slot; the rest are chained through `next_empty`, so that freeing
+    /// a handle needs no memory.
     empty: Option<usize>,
 }
 

@@ -31,17 +31,17 @@ fn tell(lost: Option<&Lost>) {
 
 /// ==== The host's event loop ====
 ///
-/// A host with an Xt or Motif main loop needs none of these: its windows are
-/// served by it, also where it asks XtAppPending() first, unless it takes
-/// XtIMXEvent only. Any other host, also one with Xt under a select() of its own,
-/// watches one descriptor among its own, or calls v_main_loop(). All of them
-/// concern the windows that the calling thread has opened. A host that does
-/// nothing of the kind finds a hint on standard error.
+/// Returns the descriptor to watch with select(), poll() or the like; when it is
+/// readable, call v_dispatch(). It remains the same and open as long as the thread
+/// lives, with and without windows. It belongs to the library: never read or close it.
+/// Returns -1 if the system has no more descriptors; v_last_error() returns the reason.
 ///
-/// The descriptor to be watched with select(), poll() or the like: when it is
-/// readable, call v_dispatch(). It stays the same and open as long as the
-/// thread lives, with and without windows; it is the library's: never read or
-/// close it. -1 if the system gives no more descriptors; v_last_error() tells.
+/// A program with an Xt or Motif main loop needs none of these functions: Xt serves its
+/// windows, even if the program calls XtAppPending() first, unless it processes
+/// XtIMXEvent only. Any other program, including one that runs Xt under its own
+/// select(), watches this descriptor or calls v_main_loop(). Each function concerns the
+/// windows that the calling thread opened. If no loop serves a window, a hint appears
+/// on standard error.
 /// The thread that opens the windows; from callbacks too.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_fd() -> c_int {
@@ -53,10 +53,9 @@ pub extern "C" fn v_fd() -> c_int {
     })
 }
 
-/// Milliseconds until v_dispatch() has something to do even if nobody touches
-/// a window: the longest time to wait for the descriptor; -1 if there is no
-/// limit. Who waits for v_fd() alone misses nothing, since it becomes readable
-/// at that time.
+/// Returns the longest time in milliseconds to wait for the descriptor before
+/// v_dispatch() has something to do, even without input; -1 if there is no limit. You
+/// may also wait for v_fd() alone, which becomes readable at that time.
 /// The thread that opens the windows; from callbacks too.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_timeout() -> c_int {
@@ -70,10 +69,10 @@ pub extern "C" fn v_timeout() -> c_int {
     })
 }
 
-/// Does everything that there is to do for the windows at the moment, and
-/// never waits. Callbacks run within it. How many windows are open; one that was
-/// destroyed, or whose X server went away, is not among them, and v_last_error() tells.
-/// From within a callback it serves all windows but those whose callbacks run.
+/// Does all pending work for the windows and never waits; callbacks run inside it.
+/// Returns the number of open windows. A window that was destroyed, or whose X server
+/// went away, is not counted; v_last_error() returns the reason. Inside a callback it
+/// serves all windows except those whose callbacks are running.
 /// The thread that opens the windows; from callbacks too.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_dispatch() -> c_int {
@@ -86,11 +85,11 @@ pub extern "C" fn v_dispatch() -> c_int {
     })
 }
 
-/// Serves the windows until the last one is closed, and sleeps in between; for
-/// a host that does nothing else meanwhile. Returns at once without windows.
-/// The thread that opens the windows. V_ERR_BUSY from within a callback;
-/// V_ERR_DISPLAY if a window was destroyed or its X server went away, when the others
-/// are closed, too; V_ERR_LIMIT without descriptors.
+/// Serves the windows until the last one is closed, sleeping in between; for programs
+/// that do nothing else meanwhile. Returns at once if there are no windows.
+/// The thread that opens the windows. V_ERR_BUSY inside a callback; V_ERR_DISPLAY if a
+/// window was destroyed or its X server went away, once the others are closed too;
+/// V_ERR_LIMIT without descriptors.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_main_loop() -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -111,12 +110,11 @@ pub extern "C" fn v_main_loop() -> c_int {
     })
 }
 
-/// Has the windows of this thread served by an Xt application context, an
-/// XtAppContext that this thread runs. Only needed by a host that makes its
-/// context after it has opened a window: v_haupt() and v_editor_open() find all
-/// contexts that are there.
-/// The thread that opens the windows; from callbacks too. V_ERR_NULL,
-/// V_ERR_ARGUMENT (no Xt in this program, or no such context), V_ERR_LIMIT.
+/// Lets an Xt application context, an XtAppContext run by this thread, serve the
+/// thread's windows. Needed only if your program creates its context after opening a
+/// window: v_haupt() and v_editor_open() find all existing contexts.
+/// The thread that opens the windows; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT
+/// (no Xt in this program, or no such context), V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_set_app_context(app_context: *mut c_void) -> c_int {
     border(V_ERR_INTERNAL, || {

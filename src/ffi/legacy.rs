@@ -23,38 +23,36 @@ type Ende = unsafe extern "C" fn() -> c_int;
 
 /// ==== The interface of 1994 ====
 ///
-/// Opens an editor window for a camera path and returns at once; the window
-/// then works side by side with the host, in the host's own event loop. Every
-/// call opens another window, independent of all others. A host with an Xt or
-/// Motif main loop has nothing more to do; for any other see v_fd() and
-/// v_main_loop().
+/// Opens an editor window for a camera path and returns at once. The window then works
+/// beside your program, in its event loop. Each call opens another, independent window,
+/// on the display that the program's Xt opened last; without Xt, on the environment's
+/// DISPLAY. A program with an Xt or Motif main loop needs nothing more; others see
+/// v_fd() and v_main_loop(). Work that is not handed over or saved when the program
+/// ends is offered at its next start; for your own Quit see v_editors_close().
 ///
-/// move_speed, orient_speed, zoom_speed, winkel_speed  poses at speed 50 for a
-///     way of length 1, for turning by 180 degrees, for the zoom from 1 to
-///     100, for rolling by 90 degrees; finite and > 0, else 100 is taken. They
-///     stand in this window: those of a file that is loaded are ignored
-/// interpol_liste  first element of the list that takes the poses, see
-///     V_KAMERAPAR; the host's, must outlive the window; may be NULL. Its
-///     number is read anew at each hand-over: < 0 says that there are no data
-///     (any more). The same element may be given to several windows
-/// anzahl_objekt, objekt  points of an object to be shown; copied during the
-///     call; NULL or a number <= 0 for none
-/// rueck  called when the user hands over poses, with the list and its count;
-///     may be NULL. The list is not touched again before the next hand-over.
-///     With interpol_liste NULL its elements are VIDES's and valid until rueck
-///     returns
-/// ende   called before the user closes the window; 0 keeps it open; may be
+/// move_speed, orient_speed, zoom_speed, winkel_speed  number of poses at speed 50 for
+///     moving by a length of 1, for turning by 180 degrees, for zooming from 1 to 100,
+///     for rolling by 90 degrees. Each is finite and > 0; otherwise 100 is used. They
+///     are fixed in this window: those of a file that is loaded are ignored
+/// interpol_liste  first element of the list that receives the poses, see V_KAMERAPAR.
+///     It is yours and must outlive the window; may be NULL. Its number is read at each
+///     hand-over: < 0 means that there is no data (any more). Several windows may share
+///     an element
+/// anzahl_objekt, objekt  points of an object to show, copied during the call; NULL or
+///     a number <= 0 for none. The new path looks at it
+/// rueck  called when the user hands over poses, with the list and its count; may be
+///     NULL. The list is not changed until the next hand-over. If interpol_liste is
+///     NULL, the elements belong to VIDES and are valid until rueck returns
+/// ende   called before the user closes the window; returning 0 keeps it open; may be
 ///     NULL
 ///
-/// rueck and ende run on the thread that called v_haupt(), inside the host's
-/// event loop, and may call any function of the library. They may come while the
-/// host is in a modal dialog of its own, whose loop serves the window, too. They
-/// return to their caller: no longjmp() and no exception may leave them. An exception that does
-/// ends the program, after a line on standard error that names the callback.
-/// What is wrong with the arguments, or that no window can be opened, is said
-/// in one line on standard error, which begins "vides:", by v_last_error(), and
-/// in the window if there is one. The window belongs to this thread and is
-/// closed when it ends, which such a line says, too.
+/// rueck and ende run on the thread that called v_haupt(). The rules of v_editor_open()
+/// for callbacks apply to them.
+///
+/// Wrong arguments, or a window that cannot be opened, are reported in one line on
+/// standard error that begins with "vides:", by v_last_error(), and in the window if
+/// there is one. When the thread ends, its window is closed, and such a line reports
+/// it.
 /// From the thread that runs the event loop; from callbacks too.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_haupt(
@@ -101,7 +99,8 @@ fn open(
     let shown = object.and_then(|object| {
         let mut info = document.info().clone();
         info.object = object;
-        Ok(document.apply(Edit::SetInfo(Box::new(info)))?)
+        document.apply(Edit::SetInfo(Box::new(info)))?;
+        Ok(document.look_at_object()?)
     });
     if let Err(failure) = shown {
         warnings.add(match failure {
@@ -247,11 +246,10 @@ fn report(warnings: &Warnings) {
     }
 }
 
-/// Frees all elements of a list but the first, which is the host's, and sets
-/// the first one's number to -1 (no data). Only a list that VIDES made and that
-/// is still linked and numbered as it was made is freed: otherwise nothing is
-/// changed, and v_last_error() tells. A list without data (number < 0) and NULL
-/// are no error; nothing happens.
+/// Frees all elements of a list except the first, which is yours, and sets the number
+/// of the first to -1 (no data). It frees only a list that VIDES made and whose links
+/// and numbers are unchanged; otherwise it changes nothing, and v_last_error() returns
+/// the reason. It ignores NULL and lists without data (number < 0).
 /// Any thread, if no other uses the list meanwhile; from callbacks too.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_free_liste(first: *mut V_KAMERAPAR) {

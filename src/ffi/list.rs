@@ -153,7 +153,8 @@ fn narrowed([x, y, z]: [f64; 3]) -> V_POS {
     }
 }
 
-/// Rounds half up, without a call of libm, exact for a zoom; hosts of 1994 know none beyond 100.
+/// Rounds half up, without a call of libm, exact for a zoom. Lists of 1994 have none
+/// above 100.
 #[inline]
 fn rounded(zoom: f64) -> c_int {
     (zoom.min(MAX_LIST_ZOOM) + 0.5) as c_int

@@ -11,7 +11,7 @@ use super::scene_types::V_MESH;
 use super::status::{Answer, Failure, V_ERR_BUSY, V_ERR_INTERNAL, V_ERR_REFUSED, V_OK};
 use super::types::{V_EDITOR, V_POSE};
 use crate::editor::Editor;
-use crate::instance;
+use crate::instance::{self, Closing};
 use crate::path::Pose;
 
 impl From<V_POSE> for Pose {
@@ -36,14 +36,13 @@ fn command(
 
 /// ==== The window and the host's own picture ====
 ///
-/// Shows the host's camera in a window, as a ghost in the movement space that the
-/// user can take over into the path. NULL: no more. vpn and vup may have any length
-/// but 0.
+/// Shows your program's camera in a window, as a ghost in the space, which the user can
+/// add to the path as a point. NULL hides it. vpn and vup may have any length but 0.
 ///
-/// What a callback changes by these functions or by v_editor_set_path(), that
-/// callbacks are not called for.
-/// The thread that opened the window; from callbacks too. V_ERR_HANDLE,
-/// V_ERR_CLOSED, V_ERR_NULL (editor), V_ERR_ARGUMENT, V_ERR_RANGE.
+/// Changes that a callback makes with the functions of this section or with
+/// v_editor_set_path() do not cause further callbacks.
+/// The thread that opened the window; from callbacks too. V_ERR_HANDLE, V_ERR_CLOSED,
+/// V_ERR_NULL (editor), V_ERR_ARGUMENT, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_set_view(editor: *mut V_EDITOR, pose: *const V_POSE) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -53,11 +52,11 @@ pub unsafe extern "C" fn v_editor_set_view(editor: *mut V_EDITOR, pose: *const V
     })
 }
 
-/// The frame at the playhead, from 1: v_path_pose() of it is what the camera there
-/// sees. It lies between two frames where the user has gone there. In a scene it is
-/// the scene's frame, as v_scene_evaluate() takes it.
-/// The thread that opened the window; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_MEMORY, V_ERR_LIMIT.
+/// Gets the frame at the playhead, counted from 1; v_path_pose() gets the camera there.
+/// It may lie between two whole frames. In a scene it is a frame of the scene, as for
+/// v_scene_evaluate().
+/// The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
+/// V_ERR_CLOSED, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_get_frame(
     editor: *const V_EDITOR,
@@ -72,12 +71,12 @@ pub unsafe extern "C" fn v_editor_get_frame(
     })
 }
 
-/// The playhead goes to a frame, from 1 to v_path_frame_count(), also between two,
-/// and stays there. The orientation from which the camera comes there is current
-/// then. In a scene it is a frame of the scene, any from the first to the last one
-/// of v_scene_frame_range(), whatever is selected.
-/// The thread that opened the window; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
+/// Moves the playhead to a frame, from 1 to v_path_frame_count(), which may lie between
+/// two whole frames. The orientation that the camera comes from becomes current. In a
+/// scene it is a frame of the scene, within v_scene_frame_range(), whatever is
+/// selected.
+/// The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
+/// V_ERR_CLOSED, V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_set_frame(editor: *mut V_EDITOR, frame: c_double) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -85,11 +84,11 @@ pub unsafe extern "C" fn v_editor_set_frame(editor: *mut V_EDITOR, frame: c_doub
     })
 }
 
-/// Plays the flight from the playhead on, at the end from the beginning; play 0:
-/// no more. It begins when the window is served next, and goes on whether or not
-/// that is seen.
-/// The thread that opened the window; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_CLOSED.
+/// Plays the flight from the playhead, or from the beginning if that is at the end;
+/// play 0 stops. It starts when the window is next served, and continues whether or not
+/// the window is visible.
+/// The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
+/// V_ERR_CLOSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_play(editor: *mut V_EDITOR, play: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -115,11 +114,11 @@ pub unsafe extern "C" fn v_editor_select(
     })
 }
 
-/// Shows another object, copied, in one step that the user can take back. NULL:
-/// none.
+/// Replaces the object shown, in one step that the user can undo. The mesh is copied;
+/// NULL removes the object.
 /// The thread that opened the window; from callbacks too. V_ERR_NULL (editor),
-/// V_ERR_SIZE, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT, V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_SIZE, V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT,
+/// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_set_object(
     editor: *mut V_EDITOR,
@@ -132,8 +131,8 @@ pub unsafe extern "C" fn v_editor_set_object(
     })
 }
 
-/// Sets what follows "VIDES" in the window's title, UTF-8, one line (control
-/// characters are shown as spaces); NULL: the file's name.
+/// Sets the text after "VIDES" in the window's title: UTF-8, one line (control
+/// characters are shown as spaces); NULL: the name of the file.
 /// The thread that opened the window; from callbacks too. V_ERR_NULL (editor),
 /// V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
@@ -148,9 +147,9 @@ pub unsafe extern "C" fn v_editor_set_title(editor: *mut V_EDITOR, title: *const
     })
 }
 
-/// Whether there is work in a window that would be lost with it: *modified is 1 or 0.
-/// The thread that opened the window; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_CLOSED.
+/// Gets whether closing a window would lose work: *modified is 1 or 0.
+/// The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
+/// V_ERR_CLOSED.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_is_modified(
     editor: *const V_EDITOR,
@@ -165,9 +164,24 @@ pub unsafe extern "C" fn v_editor_is_modified(
     })
 }
 
-/// Saves the path of a window as a .vid file, whatever is there, which the window
-/// edits from then on. NULL: its own file, unless another program has changed that
-/// meanwhile.
+/// Marks the contents of a window as saved, after your program has kept them, for
+/// example from v_editor_get_path(). They count as saved until the next change and are
+/// not offered at the next start.
+/// The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
+/// V_ERR_CLOSED.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_editor_mark_saved(editor: *mut V_EDITOR) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        command(editor, |editor| {
+            editor.mark_saved();
+            Ok(())
+        })
+    })
+}
+
+/// Saves the contents of a window to a .vid file, replacing an existing one; the window
+/// edits that file from then on. NULL: its own file, unless another program has changed
+/// it meanwhile.
 /// The thread that opened the window; from callbacks too. V_ERR_NULL (editor),
 /// V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_ARGUMENT (no file yet, or changed by others),
 /// V_ERR_IO, V_ERR_MEMORY.
@@ -180,9 +194,9 @@ pub unsafe extern "C" fn v_editor_save(editor: *mut V_EDITOR, file: *const c_cha
     })
 }
 
-/// Brings a window before all others, if the desktop lets it.
-/// The thread that opened the window; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_CLOSED, V_ERR_DISPLAY.
+/// Raises a window above all others, if the desktop allows it.
+/// The thread that opened the window; from callbacks too. V_ERR_NULL, V_ERR_HANDLE,
+/// V_ERR_CLOSED, V_ERR_DISPLAY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_editor_raise(editor: *mut V_EDITOR) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -192,28 +206,40 @@ pub unsafe extern "C" fn v_editor_raise(editor: *mut V_EDITOR) -> c_int {
     })
 }
 
-/// Closes all windows of this thread, those of v_haupt(), too: for the host's own
-/// Quit. ask not 0: each window asks about unsaved work, then on_close or ende, one
-/// after the other; all are served until the last is closed or somebody says no.
-/// Handles are freed by v_editor_close() nevertheless.
+/// Closes all windows that this thread has open, including those of v_haupt(), for your
+/// program's Quit. Windows opened meanwhile stay open. Handles must still be freed with
+/// v_editor_close().
+///
+/// ask  0: closes without asking; unsaved work is offered at the next start. Otherwise
+///     each window in turn asks about unsaved work and then calls on_close or ende,
+///     until all are closed or one refuses; meanwhile all are served
+///
+/// While a window asks, the call also handles the events, timers and inputs of a
+/// program with Xt, in the context that this thread ran last; no longjmp() and no
+/// exception may leave their callbacks. A second call meanwhile raises the window that
+/// asks and fails with V_ERR_BUSY.
 /// The thread that opens the windows. V_ERR_REFUSED (the windows before that one are
-/// closed), V_ERR_BUSY from within a callback, V_ERR_DISPLAY, V_ERR_LIMIT without
-/// descriptors.
+/// closed), V_ERR_BUSY from within a callback or while an earlier call asks,
+/// V_ERR_DISPLAY, V_ERR_LIMIT without descriptors.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_editors_close(ask: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
         if instance::within_a_call() {
             return Err(Failure::Border(
                 V_ERR_BUSY,
-                "the windows cannot be closed all at once within a callback",
+                "v_editors_close() cannot be called within a callback",
             ));
         }
-        if instance::close_all(ask != 0)? {
-            return Ok(V_OK);
+        match instance::close_all(ask != 0)? {
+            Closing::Done => Ok(V_OK),
+            Closing::Refused => Err(Failure::Border(
+                V_ERR_REFUSED,
+                "the user, on_close or ende refused to close a window",
+            )),
+            Closing::Asking => Err(Failure::Border(
+                V_ERR_BUSY,
+                "the windows are being closed already: one is asking its user",
+            )),
         }
-        Err(Failure::Border(
-            V_ERR_REFUSED,
-            "a user, on_close or ende keeps a window open",
-        ))
     })
 }

@@ -44,6 +44,7 @@ mod planning;
 mod pointers;
 mod points;
 mod poses;
+mod progress;
 mod properties;
 mod quaternions;
 mod scene;

@@ -17,7 +17,7 @@ use crate::limits;
 use crate::path::BaseFrames;
 use crate::scene::Mesh;
 
-/// Replaces an invalid speed; from the thesis's example.
+/// Replaces an invalid speed; from the example of the thesis.
 const USUAL_SPEED: f64 = 100.0;
 
 /// Copies the host's object, empty without points. Warns if the numbers are not 1, 2, 3 …; the
@@ -74,7 +74,7 @@ thread_local! {
     static SHOWN: RefCell<(Object, Mesh)> = RefCell::default();
 }
 
-/// An object for C, kept until this thread asks for the next one.
+/// An object for C, kept until this thread requests the next one.
 pub(super) fn thread_mesh(object: Object) -> Answer<V_MESH> {
     let made = if object.mesh().is_some() {
         Mesh::default()
@@ -99,7 +99,7 @@ fn as_drawn(object: &Object) -> Answer<Mesh> {
             let next = object.get(at as usize + 1);
             match point.draw {
                 true => lines.push([before, at]),
-                // Among lines a point alone is one of no length.
+                // A single point becomes a line of length 0.
                 false if next.is_none_or(|next| !next.draw) => lines.push([at, at]),
                 false => {}
             }
@@ -133,7 +133,7 @@ pub(super) fn to_c(mesh: &Mesh) -> V_MESH {
     }
 }
 
-// Three numbers a point.
+// Three numbers per point.
 const _: () = assert!(size_of::<DVec3>() == 24 && align_of::<DVec3>() == align_of::<f64>());
 
 /// The host's base speeds: move, orient, zoom, winkel (roll). Invalid ones are replaced, with a

@@ -93,7 +93,7 @@ fn change(
     })
 }
 
-/// Changes what an orientation owns beyond the plain rules.
+/// Changes the overrides of an orientation.
 pub(super) fn change_own(
     path: *mut V_PATH,
     point: c_int,
@@ -131,9 +131,9 @@ unsafe fn read_orientation(o: *const V_ORIENTATION) -> Answer<Orientation> {
 
 /// ==== Orientations ====
 ///
-/// Fills in an orientation: size, looking along (0, 0, -1) (relative, target
-/// (0, 0, -0.4)), roll 0, zoom 24, tension, continuity and bias 0, all speeds
-/// 50, hold 0. NULL does nothing but set v_last_error().
+/// Fills in an orientation: size, viewing direction (0, 0, -1) (relative, target (0, 0,
+/// -0.4)), roll 0, zoom 24, tension, continuity and bias 0, all speeds 50, hold 0. NULL
+/// only sets v_last_error().
 /// Any thread; from callbacks too.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_orientation_init(o: *mut V_ORIENTATION) {
@@ -143,9 +143,9 @@ pub unsafe extern "C" fn v_orientation_init(o: *mut V_ORIENTATION) {
     });
 }
 
-/// How many orientations a support point has, 1 to 10. They are counted from
-/// 0 and taken in this order: the camera comes in the first one, turns from
-/// one to the next, and leaves in the last one.
+/// Gets the number of orientations of a point, 1 to 10. They count from 0, in the order
+/// in which the camera takes them: it arrives in the first, turns from one to the next,
+/// and leaves in the last.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_orientation_count(
@@ -163,12 +163,11 @@ pub unsafe extern "C" fn v_path_orientation_count(
     })
 }
 
-/// Inserts an orientation before the one that is number at now; at = their
-/// number appends. o is copied; NULL copies the orientation before, at 0 the
-/// one that was the first.
-/// Any thread; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT,
-/// V_ERR_MEMORY.
+/// Inserts an orientation before the one at index at; if at is their number, appends
+/// it. o is copied; NULL copies the orientation before the new one, or the first one if
+/// at is 0.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+/// V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_insert_orientation(
     path: *mut V_PATH,
@@ -191,9 +190,8 @@ pub unsafe extern "C" fn v_path_insert_orientation(
     })
 }
 
-/// Removes an orientation. One always remains.
-/// Any thread; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_RANGE.
+/// Removes an orientation. The only one of a point cannot be removed.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_remove_orientation(
     path: *mut V_PATH,
@@ -206,11 +204,10 @@ pub unsafe extern "C" fn v_path_remove_orientation(
     })
 }
 
-/// Changes all values of an orientation; o is copied. What an orientation may
-/// have besides (ease, given distance, fixed frames, a view along the way)
-/// stays.
-/// Any thread; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_SIZE.
+/// Sets all values of an orientation; o is copied. Settings that V_ORIENTATION does not
+/// have (ease, distance curve, fixed frames, looking ahead) are unchanged.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+/// V_ERR_RANGE, V_ERR_SIZE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_orientation(
     path: *mut V_PATH,
@@ -222,7 +219,7 @@ pub unsafe extern "C" fn v_path_set_orientation(
         // SAFETY: a struct as its size says, as the header demands.
         let mut values = unsafe { read_orientation(o) }?;
         change(path, point, at, |old| {
-            // What C's struct lacks stays.
+            // Keep what C's struct does not have.
             values.own = std::mem::take(&mut old.own);
             *old = values;
             Ok(())
@@ -230,10 +227,9 @@ pub unsafe extern "C" fn v_path_set_orientation(
     })
 }
 
-/// The values of an orientation. o->size must be set before, for instance by
+/// Gets the values of an orientation. Set o->size before, for example with
 /// v_orientation_init().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
-/// V_ERR_SIZE.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_SIZE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_orientation(
     path: *const V_PATH,
@@ -250,10 +246,9 @@ pub unsafe extern "C" fn v_path_get_orientation(
     })
 }
 
-/// Makes the target of an orientation absolute (not 0) or relative (0); the
-/// view stays as it is.
-/// Any thread; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_RANGE.
+/// Makes the target of an orientation absolute (not 0) or relative (0). The view does
+/// not change.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_absolute(
     path: *mut V_PATH,
@@ -274,16 +269,15 @@ pub unsafe extern "C" fn v_path_set_absolute(
     })
 }
 
-/// Lets an orientation look along the way, and no longer at its target. A
-/// section between two orientations that look equally far ahead and have the same
-/// up follows its way exactly.
+/// Makes an orientation look ahead along the path instead of at its target. In a
+/// section between two orientations with the same distance and the same up, the camera
+/// looks ahead throughout.
 ///
-/// distance  0: along the tangent; greater: at the place so far ahead on the
-///     curve, behind the end of which it looks on straight; less: no longer
-///     ahead, but in the direction in which it looked, as an offset. At most 1e9
-///     half sizes of the space
-/// Any thread; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
+/// distance  0: along the tangent; > 0: at the position this far ahead on the curve,
+///     straight on beyond its end; < 0: stops looking ahead and keeps the present
+///     direction as an offset. At most 1e9 half sizes of the space
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+/// V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_ahead(
     path: *mut V_PATH,
@@ -309,8 +303,8 @@ pub unsafe extern "C" fn v_path_set_ahead(
     })
 }
 
-/// How far along the way an orientation looks ahead, see v_path_set_ahead(); -1 where it
-/// looks at its target.
+/// Gets how far ahead an orientation looks, see v_path_set_ahead(); -1 if it looks at
+/// its target.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_ahead(
@@ -329,24 +323,24 @@ pub unsafe extern "C" fn v_path_get_ahead(
     })
 }
 
-/// Which way is up for an orientation, before its roll; with any view. A section
-/// between two orientations with the same view and the same up follows both
-/// all the way.
+/// Sets which way is up for an orientation, before its roll, whether it looks at a
+/// target or ahead. In a section between two orientations with the same view and the
+/// same up, the camera keeps both throughout.
 ///
-/// up  "axis"     the vertical of the space, as in a new path
+/// up  "axis"     the up axis of the space, the default
 ///     "point"    towards up_point
-///     "path"     towards the place on up_path at the same share of its length; its
-///                curve is copied, a closed one ends where it begins
-///     "minimal"  never turned about the view: it begins with the vertical and is
-///                carried on through all orientations that have it; what it misses
-///                on a closed path is spread over the length
+///     "path"     towards the position on up_path at the same fraction of its length.
+///                The curve is copied; a closed one ends where it begins
+///     "minimal"  starts with the up axis and is carried on without turning about the
+///                view, through all consecutive orientations that have it; on a closed
+///                path, the angle missing at the end is spread over the length
 ///     "frenet"   the normal of the curve; only for curves of kind "cubic" whose
-///                points own no tangents
-///     "y", "z"   this axis, whatever is upright
-/// What an up does not need may be NULL. At most 10 different up paths, each with at
-/// most 1000 points.
-/// Any thread; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+///                points have no tangents of their own
+///     "y", "z"   this axis, whatever the space's up axis
+/// Arguments that an up does not need may be NULL. A path has at most 10 different up
+/// paths, each with at most 1000 points.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_up(
     path: *mut V_PATH,
@@ -380,12 +374,15 @@ const UPS: [&CStr; 7] = [
     c"axis", c"point", c"path", c"minimal", c"frenet", c"y", c"z",
 ];
 
-/// Which way is up for an orientation, as v_path_set_up() takes it: the name, whose text
-/// is the library's and stays; up_point, of "point" (else zeros); and *up_path, of "path"
-/// (else NULL), an open path with that curve, the caller's, to be freed with
-/// v_path_free(). Each result may be NULL.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_MEMORY.
+/// Gets which way is up for an orientation, see v_path_set_up(). Any result may be
+/// NULL.
+///
+/// up        its name; the text belongs to the library and is constant
+/// up_point  the point of "point", otherwise zeros
+/// up_path   an open path with the curve of "path", to be freed with v_path_free();
+///     otherwise NULL
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT,
+/// V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[up_point; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_up(

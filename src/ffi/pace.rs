@@ -37,17 +37,17 @@ fn finite(numbers: [(f64, &'static str); 3]) -> Answer<()> {
     }
 }
 
-/// ==== Pace ====
+/// ==== Speed profile ====
 ///
-/// Speeding up, cruising and slowing down as a function.
+/// Gets distance and speed of an ease: speeding up, cruising and slowing down.
 ///
 /// kind  V_EASE_SINE or V_EASE_PARABOLIC
-/// rise, fall  shares of the time for speeding up and slowing down, not
-///     negative, together at most 1
+/// rise, fall  fractions of the time for speeding up and slowing down, not negative,
+///     together at most 1
 /// t     from 0 to 1
-/// distance  the share of the way at t, 0 to 1
+/// distance  fraction of the distance covered at t, 0 to 1
 /// speed     its derivative
-/// Each result may be NULL.
+/// Any result may be NULL.
 /// Any thread; from callbacks too. V_ERR_ARGUMENT, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_ease(
@@ -81,15 +81,15 @@ pub unsafe extern "C" fn v_ease(
     })
 }
 
-/// Lets the section that begins with an orientation speed up, cruise and slow
-/// down, in place of its ten speeds or a given distance.
+/// Makes the section that begins with an orientation speed up, cruise and slow down,
+/// instead of using its ten speeds or a distance curve.
 ///
-/// kind  V_EASE_SINE, V_EASE_PARABOLIC, or -1: the ten speeds again, the other
-///     values are not looked at
-/// rise, fall  shares of the time, as in v_ease()
+/// kind  V_EASE_SINE, V_EASE_PARABOLIC, or -1: back to the ten speeds; the other values
+///     are ignored
+/// rise, fall  fractions of the time, as in v_ease()
 /// cruise  the cruising speed, 1 to 100
-/// Any thread; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+/// V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_ease(
     path: *mut V_PATH,
@@ -116,8 +116,8 @@ pub unsafe extern "C" fn v_path_set_ease(
     })
 }
 
-/// How the section that begins with an orientation eases, see v_path_set_ease();
-/// kind -1 and zeros where it does not. Each result may be NULL.
+/// Gets the ease of the section that begins with an orientation, see v_path_set_ease();
+/// kind -1 and zeros if it has none. Any result may be NULL.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_ease(
@@ -153,16 +153,15 @@ pub unsafe extern "C" fn v_path_get_ease(
     })
 }
 
-/// Gives the section that begins with an orientation its distance as a function
-/// of time, in place of its ten speeds or an ease: keys joined smoothly, without
-/// going back.
+/// Sets the distance curve of the section that begins with an orientation: distance as
+/// a function of time, instead of its ten speeds or an ease. It runs smoothly through
+/// the keys and never goes back.
 ///
-/// time_way  pairs (share of the time, share of the way), from 0, 0 to 1, 1, both
-///     increasing
-/// keys      how many pairs, 2 to 32; 0: the ten speeds again, time_way is not
-///     looked at
-/// Any thread; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_MEMORY.
+/// time_way  pairs (fraction of the time, fraction of the distance), from 0, 0 to 1, 1,
+///     both increasing
+/// keys      number of pairs, 2 to 32; 0: back to the ten speeds; time_way is ignored
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+/// V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_distance(
     path: *mut V_PATH,
@@ -178,7 +177,7 @@ pub unsafe extern "C" fn v_path_set_distance(
         } else if keys > MAX_DISTANCE_KEYS {
             return Err(OutOfRange::DistanceKeys.into());
         } else {
-            // SAFETY: so many pairs of doubles, as the header says.
+            // SAFETY: that many pairs of doubles, as the header says.
             let numbers = unsafe { slice(time_way, 2 * keys, "time_way") }?;
             own::distance(numbers.as_chunks().0)?
         };
@@ -186,10 +185,11 @@ pub unsafe extern "C" fn v_path_set_distance(
     })
 }
 
-/// The given distance of the section that begins with an orientation: as many pairs as
-/// *keys says, see v_path_set_distance(); 0 where none is given. capacity is the number of
-/// pairs that there is room for; with too little nothing is written but *keys, and the
-/// answer is V_ERR_SIZE. time_way NULL with capacity 0 only asks for *keys.
+/// Gets the distance curve of the section that begins with an orientation, see
+/// v_path_set_distance(). *keys is the number of pairs, 0 if it has none. capacity is
+/// the number of pairs that time_way has room for. If that is too small, only *keys is
+/// written and the call fails with V_ERR_SIZE; with time_way NULL and capacity 0, only
+/// *keys is written.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_SIZE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_distance(
@@ -208,7 +208,7 @@ pub unsafe extern "C" fn v_path_get_distance(
                 Pace::Distance(keys) => keys,
                 _ => &[],
             };
-            // SAFETY: room for so many pairs and a size_t, as the header says.
+            // SAFETY: room for that many pairs and a size_t, as the header says.
             unsafe {
                 if out.wants(given.len())? {
                     out.room(given.len())?.copy_from_slice(given);
@@ -221,11 +221,11 @@ pub unsafe extern "C" fn v_path_get_distance(
 
 /// ==== Fixed frames ====
 ///
-/// Gives the section that begins with an orientation so many frames, whatever
-/// its length; 0: by its length again. A section in which nothing changes has
-/// none all the same.
-/// Any thread; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
+/// Fixes the number of frames of the section that begins with an orientation, whatever
+/// its length; 0: it follows from the length again. A section in which nothing changes
+/// always has 0 frames. The path may have at most 100000000 frames in all.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT,
+/// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_frames(
     path: *mut V_PATH,
@@ -239,7 +239,8 @@ pub unsafe extern "C" fn v_path_set_frames(
     })
 }
 
-/// The fixed frames of the section that begins with an orientation; 0: by length.
+/// Gets the fixed frames of the section that begins with an orientation; 0: they follow
+/// from the length.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_frames(
@@ -258,10 +259,9 @@ pub unsafe extern "C" fn v_path_get_frames(
     })
 }
 
-/// Whether the section that begins with an orientation keeps its frames where
-/// v_path_fit_frames() brings a whole to a number of frames; 0: no.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
-/// V_ERR_MEMORY.
+/// Sets whether v_path_fit_frames() keeps the frames of the section that begins with an
+/// orientation (not 0) or not (0).
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_frames_locked(
     path: *mut V_PATH,
@@ -274,7 +274,8 @@ pub unsafe extern "C" fn v_path_set_frames_locked(
     })
 }
 
-/// Whether the section that begins with an orientation keeps its frames so: 0 or 1.
+/// Gets whether the frames of a section are locked, see v_path_set_frames_locked(): 1
+/// or 0.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_frames_locked(
@@ -293,16 +294,19 @@ pub unsafe extern "C" fn v_path_get_frames_locked(
     })
 }
 
-/// Fixes the frames of all moving sections from the first orientation of one
-/// support point to the last one of another, so that from the first pose to the
-/// last there are exactly frames, holds included. Each section has one, the rest
-/// goes in proportion to what they had, by largest remainder, ties to the
-/// earlier; locked ones keep theirs. With 0 and the last point v_path_frame_count() is then exactly
-/// frames, closed paths with the way back to the first point; on a closed path
-/// first_point may lie behind last_point. Too few are refused, v_last_error()
-/// names the least possible number.
-/// Any thread; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
+/// Fixes the frames of all moving sections between two points, so that there are
+/// exactly frames from the first pose at first_point to the last pose at last_point,
+/// holds included. With 0 and the last point, v_path_frame_count() is then exactly
+/// frames; on a closed path that includes the way back to the first point. On a closed
+/// path first_point may also be after last_point.
+///
+/// Frames are shared in proportion to those that sections have now (unrounded if they
+/// follow from the length), at least one each, by largest remainder; ties go to the
+/// earlier section. Locked sections keep their frames. Frames fixed by an earlier call
+/// count as they are; v_path_set_frames() with 0 makes them follow from the length
+/// again. If frames is too small, the call fails and v_last_error() returns the
+/// smallest possible number.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_fit_frames(
     path: *mut V_PATH,

@@ -1,12 +1,13 @@
 //! Paths as handles: made, copied, freed, loaded and saved.
 
 use std::ffi::{c_char, c_int};
-use std::sync::RwLock;
+use std::sync::{RwLock, TryLockError};
 
 use super::border::border;
 use super::handles::{Handles, KIND_PATH};
-use super::pointers::{Out, TextOut, file_name, slice};
-use super::status::{Answer, Failure, V_ERR_INTERNAL, V_OK};
+use super::pointers::{MAX_TEXT, Out, TextOut, file_name, most, slice};
+use super::progress;
+use super::status::{Answer, Failure, V_ERR_BUSY, V_ERR_INTERNAL, V_OK};
 use super::types::V_PATH;
 use crate::document::{Document, Edit, Info};
 use crate::inject;
@@ -17,15 +18,35 @@ static PATHS: Handles<RwLock<Document>, V_PATH> = Handles::new(KIND_PATH);
 
 const SPOILED: Failure = Failure::Border(
     V_ERR_INTERNAL,
-    "this path is unusable since a fault inside the library",
+    "this path is unusable after a fault inside the library",
 );
 
-/// A handle for a path, which from now on has no history.
+const BUSY: Failure = Failure::Border(
+    V_ERR_BUSY,
+    "this path is in use, and cannot be waited for within a progress callback",
+);
+
+/// The lock of a path. Within a progress callback the call that it is told of may hold it, or
+/// another thread that waits for a path of ours: nobody waits there.
+fn locked<G, E>(
+    wait: impl FnOnce() -> Result<G, E>,
+    take: impl FnOnce() -> Result<G, TryLockError<G>>,
+) -> Answer<G> {
+    if !progress::is_running() {
+        return wait().map_err(|_| SPOILED);
+    }
+    take().map_err(|error| match error {
+        TryLockError::WouldBlock => BUSY,
+        TryLockError::Poisoned(_) => SPOILED,
+    })
+}
+
+/// Creates a handle for a path, which then has no history.
 pub(super) fn insert(document: Document) -> Answer<*mut V_PATH> {
     PATHS.insert(RwLock::new(document.without_history()))
 }
 
-/// A handle for a path made just now.
+/// Creates a handle for a new path.
 pub(super) fn insert_new(path: CameraPath, fps: f64) -> Answer<*mut V_PATH> {
     let info = Info {
         fps,
@@ -36,7 +57,7 @@ pub(super) fn insert_new(path: CameraPath, fps: f64) -> Answer<*mut V_PATH> {
 
 pub(super) fn read<R>(path: *const V_PATH, look: impl FnOnce(&Document) -> Answer<R>) -> Answer<R> {
     let document = PATHS.get(path)?;
-    let document = document.read().map_err(|_| SPOILED)?;
+    let document = locked(|| document.read(), || document.try_read())?;
     inject::point(inject::Place::Path);
     look(&document)
 }
@@ -47,12 +68,12 @@ pub(super) fn change<R>(
     work: impl FnOnce(&mut Document) -> Answer<R>,
 ) -> Answer<R> {
     let document = PATHS.get(path)?;
-    let mut document = document.write().map_err(|_| SPOILED)?;
+    let mut document = locked(|| document.write(), || document.try_write())?;
     inject::point(inject::Place::Path);
     work(&mut document)
 }
 
-/// Applies an edit, wholly or not at all.
+/// Applies an edit atomically.
 pub(super) fn edit(path: *mut V_PATH, edit: Edit) -> Answer<c_int> {
     edit_by(path, |_| Ok(edit))
 }
@@ -91,9 +112,8 @@ pub(super) fn edit_and<R>(
 
 /// ==== Paths ====
 ///
-/// A new path: two support points at (-0.6, 0.2, 0.8) and (0.6, 0.2, 0.8), each
-/// with one orientation as v_orientation_init() makes it. *path is the
-/// caller's, to be freed with v_path_free().
+/// Makes a new path: two points at (-0.6, 0.2, 0.8) and (0.6, 0.2, 0.8), each with one
+/// orientation as v_orientation_init() fills it in. Free *path with v_path_free().
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_new(path: *mut *mut V_PATH) -> c_int {
@@ -105,10 +125,8 @@ pub unsafe extern "C" fn v_path_new(path: *mut *mut V_PATH) -> c_int {
     })
 }
 
-/// An independent copy of a path. *copy is the caller's, to be freed with
-/// v_path_free().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY,
-/// V_ERR_LIMIT.
+/// Makes an independent copy of a path. Free *copy with v_path_free().
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_clone(path: *const V_PATH, copy: *mut *mut V_PATH) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -119,9 +137,9 @@ pub unsafe extern "C" fn v_path_clone(path: *const V_PATH, copy: *mut *mut V_PAT
     })
 }
 
-/// Frees a path; its handle is not valid from now on. NULL is no error. A
-/// handle that is not valid does no harm; v_last_error() tells. A call that
-/// another thread has under way on this path ends as if it had come before.
+/// Frees a path and makes its handle invalid. NULL is ignored; an invalid handle only
+/// sets v_last_error(). If another thread is using the path, its call completes
+/// normally.
 /// Any thread; from callbacks too.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_free(path: *mut V_PATH) {
@@ -133,19 +151,18 @@ pub unsafe extern "C" fn v_path_free(path: *mut V_PATH) {
     });
 }
 
-/// Reads a path from a .vid file; of a scene (v_scene_load()) that of the camera
-/// that is shown: to save it to that file would lose the rest of the scene. file
-/// is a name as open() takes it. *path is the caller's, to be freed with
-/// v_path_free().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT (with
-/// line and reason in v_last_error()), V_ERR_ARGUMENT (that camera follows none, or
-/// there is none), V_ERR_MEMORY, V_ERR_LIMIT. Memory that
-/// runs out while the text itself is read or parsed ends the program.
+/// Reads a path from a .vid file. From a scene (see v_scene_load()) it reads the path
+/// of the camera shown; saving that to the same file would lose the rest of the scene.
+/// file is a name as for open(). Free *path with v_path_free().
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT (with line and
+/// reason in v_last_error()), V_ERR_ARGUMENT (no camera, or it follows no path),
+/// V_ERR_MEMORY, V_ERR_LIMIT. If memory runs out while the text itself is read or
+/// parsed, the program ends.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_load(file: *const c_char, path: *mut *mut V_PATH) -> c_int {
     border(V_ERR_INTERNAL, || {
         let path = Out::new(path, "path")?;
-        // SAFETY: a text ended by zero, as the header says.
+        // SAFETY: a zero-terminated text, as the header says.
         let document = Document::load_shown(unsafe { file_name(file, "file") }?)?;
         let made = insert(document)?;
         // SAFETY: room for a handle, as the header says.
@@ -153,11 +170,11 @@ pub unsafe extern "C" fn v_path_load(file: *const c_char, path: *mut *mut V_PATH
     })
 }
 
-/// Reads a path from the text of a .vid file in memory, as v_path_load() does; size
-/// bytes of UTF-8, a zero behind them is not needed. *path is the caller's, to be freed with v_path_free().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_FORMAT (with line and reason
-/// in v_last_error()), V_ERR_ARGUMENT (a scene without such a camera), V_ERR_MEMORY,
-/// V_ERR_LIMIT. Memory that runs out while the text is parsed ends the program.
+/// Reads a path from the text of a .vid file in memory, like v_path_load(). text has
+/// size bytes of UTF-8 and need not be zero-terminated. Free *path with v_path_free().
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_FORMAT (with line and reason in
+/// v_last_error()), V_ERR_ARGUMENT (a scene without such a camera), V_ERR_MEMORY (but
+/// see v_path_load()), V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_load_from_memory(
     text: *const c_char,
@@ -166,6 +183,7 @@ pub unsafe extern "C" fn v_path_load_from_memory(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         let path = Out::new(path, "path")?;
+        most(size, MAX_TEXT, "size")?;
         // SAFETY: as many bytes, as the header says.
         let mut text = unsafe { slice(text.cast::<u8>(), size, "text") }?;
         let document = Document::load_shown_from(&mut text, "memory")?;
@@ -175,26 +193,26 @@ pub unsafe extern "C" fn v_path_load_from_memory(
     })
 }
 
-/// Writes a path into a .vid file. Whatever happens, the file is afterwards
-/// wholly the old or wholly the new one; when the call returns V_OK the new one
-/// is on the disk. A symbolic link is followed, permissions are kept.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO,
-/// V_ERR_MEMORY. Memory that runs out while the file is opened or written may
-/// end the program; the old file stays.
+/// Saves a path to a .vid file. The file is replaced atomically; when the call returns
+/// V_OK, the new contents are on the disk. Symbolic links are followed and permissions
+/// kept.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_MEMORY. If
+/// memory runs out while the file is opened or written, the program may end; the old
+/// file is kept.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_save(path: *const V_PATH, file: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
-        // SAFETY: a text ended by zero, as the header says.
+        // SAFETY: a zero-terminated text, as the header says.
         let file = unsafe { file_name(file, "file") }?;
         read(path, |document| Ok(document.save(file)?))?;
         Ok(V_OK)
     })
 }
 
-/// The text of a .vid file of a path in memory, ended by zero, as v_path_save() writes it
-/// and v_path_load_from_memory() reads it; *length is its bytes without the zero. With a
-/// capacity not larger than *length nothing else is written, and the answer is V_ERR_SIZE.
-/// text NULL with capacity 0 only asks for *length.
+/// Gets the text that v_path_save() would write and that v_path_load_from_memory()
+/// reads, zero-terminated. *length is its number of bytes without the zero. If capacity
+/// is not larger than *length, only *length is written and the call fails with
+/// V_ERR_SIZE; with text NULL and capacity 0, only *length is written.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_LIMIT,
 /// V_ERR_MEMORY.
 #[unsafe(no_mangle)]

@@ -5,6 +5,7 @@ use std::ffi::c_int;
 use super::border::border;
 use super::path::{edit_by, insert_new};
 use super::pointers::{Growing, Out, index, init, optional, read_growing};
+use super::progress::watched;
 use super::scene_tracks::mesh;
 use super::scene_types::V_MESH;
 use super::space::up_from_c;
@@ -85,6 +86,8 @@ pub unsafe extern "C" fn v_limits_init_sized(limits: *mut V_LIMITS, size: usize)
 /// points keeps its pace. Sections get fixed frames, a given distance and a curve time
 /// of their own.
 ///
+/// It takes at most 40 rounds over the sections.
+///
 /// limits  see v_limits_init(); NULL: the path's own, see v_path_set_limit()
 /// first_point, last_point  0 and the last: all, closed paths with the way back to
 ///     the first point; on a closed path first_point may lie behind last_point
@@ -93,7 +96,8 @@ pub unsafe extern "C" fn v_limits_init_sized(limits: *mut V_LIMITS, size: usize)
 ///     one has a frame, too
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
 /// V_ERR_ARGUMENT (no limit, one that is not positive, too few seconds: v_last_error()
-/// names the least), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// names the least), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED
+/// (v_set_progress()).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_retime(
     path: *mut V_PATH,
@@ -118,7 +122,7 @@ pub unsafe extern "C" fn v_path_retime(
                 points: Some(points),
                 seconds,
             };
-            let made = retime(document.path(), &request, &mut |_, _| true)?;
+            let made = watched(|go_on| Ok(retime(document.path(), &request, go_on)?))?;
             for rest in &made.rests {
                 add_last_warning(format_args!("{rest}"));
             }
@@ -138,7 +142,8 @@ pub unsafe extern "C" fn v_path_retime(
 ///     quicker ones; greater than 0 and at most 2,000 frames
 /// within   no place goes farther than so; 0: no bound
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a path that
-/// does not move, no path within the bound), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// does not move, no path within the bound), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
+/// V_ERR_REFUSED (v_set_progress()).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_steady(path: *mut V_PATH, seconds: f64, within: f64) -> c_int {
     clear_last_warning();
@@ -149,7 +154,7 @@ pub unsafe extern "C" fn v_path_steady(path: *mut V_PATH, seconds: f64, within: 
                 within,
                 fps: document.info().fps,
             };
-            let made = steady(document.path(), &request, &mut |_, _| true)?;
+            let made = watched(|go_on| Ok(steady(document.path(), &request, go_on)?))?;
             add_last_warning(format_args!(
                 "places went {:.6} at most, views turned {:.3} degrees",
                 made.furthest, made.turned
@@ -166,12 +171,16 @@ pub unsafe extern "C" fn v_path_steady(path: *mut V_PATH, seconds: f64, within: 
 /// part of the object between others outside. Frames and targets stay. v_last_warning()
 /// has a line for each part that changed, "" if the way was clear.
 ///
+/// Each part that is too near takes at most a few searches of a grid with 96 cells along its
+/// longest side. A question to the object takes the logarithm of its triangles; where they
+/// overlap widely, up to all of them.
+///
 /// object  in the coordinates of the path; NULL: the path's own
 /// clearance, radius  in the path's units; the clearance greater than 0, the radius of the
 ///     sphere 0 or greater
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT
 /// (no way round: v_last_error() names the frame and the place; an object without
-/// geometry), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// geometry), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_avoid(
     path: *mut V_PATH,
@@ -186,7 +195,8 @@ pub unsafe extern "C" fn v_path_avoid(
         edit_by(path, |document| {
             let object = document.solid(object.as_ref())?;
             let request = AvoidRequest { clearance, radius };
-            let made = avoid_object(document.path(), &object, &request, &mut |_, _| true)?;
+            let made =
+                watched(|go_on| Ok(avoid_object(document.path(), &object, &request, go_on)?))?;
             for part in &made.parts {
                 add_last_warning(format_args!("{part}"));
             }
@@ -206,7 +216,8 @@ pub const V_PICTURE_VIEW: c_int = 2;
 /// zoom or the distance as large as that allows and the path's limits of zoom, or of
 /// speed and acceleration (see v_path_set_limit()), let it change; by turning no more
 /// than it takes. Frames and pace stay. Where keys do not hold it points are added.
-/// The path stays as it is where that cannot be.
+/// The path stays as it is where that cannot be. It looks at the object from 20 places for
+/// each frame, at most 60 times from each.
 ///
 /// object  in the coordinates of the path; NULL: the path's own, with the objects of
 ///     its scene
@@ -215,7 +226,7 @@ pub const V_PICTURE_VIEW: c_int = 2;
 /// what  V_PICTURE_ZOOM, V_PICTURE_DISTANCE or V_PICTURE_VIEW
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no object,
 /// or where it cannot be whole, with the frame), V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT,
-/// V_ERR_MEMORY.
+/// V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_keep_in_picture(
     path: *mut V_PATH,
@@ -238,7 +249,8 @@ pub unsafe extern "C" fn v_path_keep_in_picture(
         edit_by(path, |document| {
             let object = document.solid(object.as_ref())?;
             let limits = document.info().limits;
-            let made = document.framed(&object, (margin, what), limits, &mut |_, _| true)?;
+            let made =
+                watched(|go_on| Ok(document.framed(&object, (margin, what), limits, go_on)?))?;
             can_allocate(size_of::<CameraPath>())?;
             Ok(Edit::ReplacePath(Box::new(made.path)))
         })
@@ -301,7 +313,7 @@ pub unsafe extern "C" fn v_tour_init_sized(tour: *mut V_TOUR, size: usize) {
 /// time, for a million triangles some seconds, and about 300 bytes a triangle.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT (no surface, no
 /// free place, too few seconds: v_last_error() names the least), V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_tour(
     object: *const V_MESH,
@@ -329,7 +341,7 @@ pub unsafe extern "C" fn v_path_tour(
             up: up_from_c(given.up, Name::Field("tour", "up"))?,
             ..TourRequest::default()
         };
-        let made = planner::tour(&object, &request, &mut |_, _| true)?;
+        let made = watched(|go_on| Ok(planner::tour(&object, &request, go_on)?))?;
         for line in made.to_string().lines() {
             add_last_warning(format_args!("{line}"));
         }

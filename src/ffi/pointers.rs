@@ -385,6 +385,10 @@ pub(super) fn most(given: usize, limit: usize, name: impl Into<Name>) -> Answer<
     Ok(())
 }
 
+/// The most bytes of a text in memory, those of a file.
+#[allow(clippy::cast_possible_truncation)] // below 2³²
+pub(super) const MAX_TEXT: usize = crate::limits::MAX_FILE_BYTES as usize;
+
 /// Converts a count for C. The limits of a path keep every count below `INT_MAX`.
 pub(super) fn count(value: usize) -> Answer<c_int> {
     c_int::try_from(value).map_err(|_| Failure::range("a count is too large for an int"))

@@ -13,7 +13,7 @@ use crate::limits::PRESETS;
 use crate::path::camera_path::check_name;
 use crate::path::{CurveParameters, SupportPoint, Tcb};
 
-/// A support point named by C's index.
+/// A point by its index from C.
 pub(super) fn point<'a>(
     document: &'a Document,
     at: c_int,
@@ -25,9 +25,10 @@ pub(super) fn point<'a>(
     Ok((at, point.ok_or(OutOfRange::NoPoint { point: at, last })?))
 }
 
-/// ==== Support points ====
+/// ==== Points ====
 ///
-/// How many support points a path has; at least 2. They are counted from 0.
+/// Gets the number of points of a path, at least 2. They count from 0. (The thesis
+/// calls them support points.)
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_point_count(path: *const V_PATH, count: *mut c_int) -> c_int {
@@ -39,12 +40,12 @@ pub unsafe extern "C" fn v_path_point_count(path: *const V_PATH, count: *mut c_i
     })
 }
 
-/// Inserts a support point before the one that is number at now; at = their
-/// number appends. It takes all other properties from its predecessor, at 0
-/// from its successor; an absolute target equal to the new position becomes
-/// relative. Coordinates are finite, at most 1e9 half sizes from the centre of the space.
-/// Any thread; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// Inserts a point before the one at index at; if at is their number, appends it. The
+/// new point copies all other properties from the point before it, or from the point
+/// after it if at is 0; an absolute target equal to the new position becomes relative.
+/// Coordinates are finite and at most 1e9 half sizes from the centre of the space.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[xyz; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_insert_point(
@@ -60,11 +61,12 @@ pub unsafe extern "C" fn v_path_insert_point(
     })
 }
 
-/// Divides the segment behind support point number segment by 1 to 10 new
-/// support points on the curve, at equal arc lengths. They take all other
-/// properties from the point before them.
-/// Any thread; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// Divides a segment with 1 to 10 new points on its curve, at equal arc lengths. As in
+/// 1994, the new points copy all other properties from the point before them, so the
+/// motion changes. To keep the motion, use v_path_insert_on_curve(), as the window's
+/// Pos.++ does at the nearest whole frames.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT,
+/// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_divide_segment(
     path: *mut V_PATH,
@@ -77,9 +79,8 @@ pub unsafe extern "C" fn v_path_divide_segment(
     })
 }
 
-/// Removes a support point. Two always remain.
-/// Any thread; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_RANGE.
+/// Removes a point. The last two cannot be removed.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_remove_point(path: *mut V_PATH, at: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -92,11 +93,11 @@ pub unsafe extern "C" fn v_path_remove_point(path: *mut V_PATH, at: c_int) -> c_
     })
 }
 
-/// Moves a support point. Absolute targets stay where they are, relative ones
-/// go along; a position equal to an absolute target of the point is refused.
-/// Coordinates are finite, at most 1e9 half sizes from the centre of the space.
-/// Any thread; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE.
+/// Moves a point. Absolute targets stay in place; relative ones move with it. The
+/// position must not equal an absolute target of the point. Coordinates are limited as
+/// in v_path_insert_point().
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+/// V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[xyz; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_position(
@@ -112,7 +113,7 @@ pub unsafe extern "C" fn v_path_set_position(
     })
 }
 
-/// Where a support point lies.
+/// Gets the position of a point.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[xyz; 3]]
 #[unsafe(no_mangle)]
@@ -129,8 +130,8 @@ pub unsafe extern "C" fn v_path_get_position(
     })
 }
 
-/// Gives a support point another number; those between the two places move up or down by
-/// one. All that it has goes along.
+/// Moves a point with all its properties to another index; the points between shift by
+/// one.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_move_point(path: *mut V_PATH, from: c_int, to: c_int) -> c_int {
@@ -140,7 +141,7 @@ pub unsafe extern "C" fn v_path_move_point(path: *mut V_PATH, from: c_int, to: c
     })
 }
 
-/// Names a support point: UTF-8, one line of at most 256 bytes; "" is none.
+/// Sets the name of a point: UTF-8, one line of at most 256 bytes; "" removes it.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
 /// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
@@ -150,9 +151,9 @@ pub unsafe extern "C" fn v_path_set_point_name(
     name: *const c_char,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        // SAFETY: a text ended by zero, as the header says.
+        // SAFETY: a zero-terminated text, as the header says.
         let name = unsafe { text(name, "name") }?;
-        // Before it is copied: nobody knows how long it is.
+        // Checked before it is copied, since it may be of any length.
         check_name(name)?;
         let name = (!name.is_empty()).then(|| copied(name)).transpose()?;
         let at = index(at, "at")?;
@@ -160,7 +161,8 @@ pub unsafe extern "C" fn v_path_set_point_name(
     })
 }
 
-/// The name of a support point, "" if it has none, as v_path_get_title() gives the title.
+/// Gets the name of a point, "" if it has none. The buffer works as in
+/// v_path_get_title().
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_SIZE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_point_name(
@@ -182,10 +184,9 @@ pub unsafe extern "C" fn v_path_get_point_name(
 
 /// ==== Tension, continuity and bias of the curve ====
 ///
-/// Gives a support point its own tension, continuity and bias, each from -1
-/// to 1 (Kochanek and Bartels 1984).
-/// Any thread; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_RANGE.
+/// Sets the tension, continuity and bias of a point, each from -1 to 1 (Kochanek and
+/// Bartels 1984), instead of a preset.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_tcb(
     path: *mut V_PATH,
@@ -200,9 +201,8 @@ pub unsafe extern "C" fn v_path_set_tcb(
     })
 }
 
-/// Lets a support point follow one of the path's presets, 0 to 9.
-/// Any thread; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_RANGE.
+/// Makes a point use one of the path's presets, 0 to 9.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_use_preset(path: *mut V_PATH, at: c_int, preset: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -214,8 +214,8 @@ pub unsafe extern "C" fn v_path_use_preset(path: *mut V_PATH, at: c_int, preset:
     })
 }
 
-/// Tension, continuity and bias in force at a support point, and the preset
-/// that it follows, -1 for its own values. Each result may be NULL.
+/// Gets the tension, continuity and bias in effect at a point, and the preset that it
+/// uses, or -1 if it has its own values. Any result may be NULL.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[tcb; 3]]
 #[unsafe(no_mangle)]
@@ -247,10 +247,9 @@ pub unsafe extern "C" fn v_path_get_tcb(
     })
 }
 
-/// Changes one of the path's ten presets, 0 to 9, and with it every support
-/// point that follows it. Each value from -1 to 1.
-/// Any thread; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_RANGE.
+/// Sets one of the path's ten presets, 0 to 9, which changes every point that uses it.
+/// Each value is from -1 to 1.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_preset(
     path: *mut V_PATH,
@@ -272,7 +271,7 @@ pub unsafe extern "C" fn v_path_set_preset(
     })
 }
 
-/// Tension, continuity and bias of a preset, 0 to 9.
+/// Gets the tension, continuity and bias of a preset, 0 to 9.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[tcb; 3]]
 #[unsafe(no_mangle)]

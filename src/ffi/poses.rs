@@ -9,7 +9,7 @@ use super::path::read;
 use super::pointers::{ArrayOut, Out, TextOut, check, file_name, index, slice, slice_mut};
 use super::status::{Answer, Failure, Name, V_ERR_INTERNAL, V_OK};
 use super::types::{V_KAMERAPAR, V_PATH, V_POSE};
-use crate::error::{EngineError, vec_with_room};
+use crate::error::EngineError;
 use crate::formats;
 use crate::path::Pose;
 
@@ -173,11 +173,11 @@ pub unsafe extern "C" fn v_path_pose(path: *const V_PATH, frame: f64, pose: *mut
     })
 }
 
-/// The poses at count frames in any order, each as v_path_pose() gives it: for motion
-/// blur, sound, and pictures at the times at which they are shown.
+/// The poses at count frames, each as v_path_pose() returns it: for motion blur, sound, and
+/// pictures at the times at which they are shown. Any order; ascending frames are fastest.
 ///
 /// frames  each from 1 to the count of v_path_frame_count()
-/// poses   room for count of them
+/// poses   room for count of them, which does not overlap the frames
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
 /// V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
@@ -191,18 +191,16 @@ pub unsafe extern "C" fn v_path_poses_at(
         check(poses, "poses")?;
         // SAFETY: so many doubles, as the header says.
         let frames = unsafe { slice(frames, count, "frames") }?;
-        let mut made: Vec<Pose> = vec_with_room(count)?;
         read(path, |document| {
             let sampler = document.sampler()?;
             for (k, &frame) in frames.iter().enumerate() {
-                let at = frame_of(frame, sampler.frame_count(), Name::Element("frames", k))?;
-                made.push(sampler.pose(at)?);
+                frame_of(frame, sampler.frame_count(), Name::Element("frames", k))?;
             }
-            Ok(())
-        })?;
-        // SAFETY: room for `count` poses, as the header says; any bits make one.
-        unsafe { slice_mut(poses.cast::<Pose>(), count, "poses") }?.copy_from_slice(&made);
-        Ok(V_OK)
+            // SAFETY: room for `count` poses beside the frames, as the header says; any bits make one.
+            let poses = unsafe { slice_mut(poses.cast::<Pose>(), count, "poses") }?;
+            sampler.poses_at(frames, poses)?;
+            Ok(V_OK)
+        })
     })
 }
 

@@ -10,16 +10,17 @@ use super::types::V_PATH;
 
 /// ==== Properties by name ====
 ///
-/// Sets a property of a path by its name, as `vides set` does: "closed", "fps",
-/// "point.2.position", "point.2.zoom" (of its first orientation),
-/// "point.2.view.3.zoom" and so on; the names are those of the keys in .vid files
-/// (docs/files.md), with points and orientations counted from 1. value is written as
-/// there, "30" or "[0, 1, 2]"; a text needs no quotes, and "" gives back what a new
-/// path has. One step, wholly or not at all.
+/// Sets a property of a path by its name, like `vides set`, atomically and in one step.
+///
+/// name   a key of .vid files (docs/files.md), with points and orientations counted
+///     from 1: "closed", "fps", "point.2.position", "point.2.zoom" (of its first
+///     orientation), "point.2.view.3.zoom" and so on
+/// value  as in the file: "30" or "[0, 1, 2]". Text needs no quotes; "" restores the
+///     value of a new path
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE (no such
-/// property, point or orientation), V_ERR_ARGUMENT (no value for it; the message has its
-/// name), V_ERR_LIMIT, V_ERR_MEMORY. Memory that runs out while the value itself is
-/// parsed ends the program.
+/// property, point or orientation), V_ERR_ARGUMENT (not a value for it; the message
+/// names it), V_ERR_LIMIT, V_ERR_MEMORY. If memory runs out while the value itself is
+/// parsed, the program ends.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_property(
     path: *mut V_PATH,
@@ -27,18 +28,17 @@ pub unsafe extern "C" fn v_path_set_property(
     value: *const c_char,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        // SAFETY: texts ended by zeros, as the header says.
+        // SAFETY: zero-terminated texts, as the header says.
         let (name, value) = unsafe { (text(name, "name")?, text(value, "value")?) };
         change(path, |document| Ok(document.set_property(name, value)?))?;
         Ok(V_OK)
     })
 }
 
-/// The value of a property as it stands in a .vid file, "" if it has none; see
-/// v_path_set_property(). value, capacity and *length are as those of
-/// v_path_get_title().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT,
-/// V_ERR_RANGE (no such property), V_ERR_MEMORY.
+/// Gets the value of a property as written in a .vid file, "" if it has none; see
+/// v_path_set_property(). The buffer works as in v_path_get_title().
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
+/// V_ERR_ARGUMENT, V_ERR_RANGE (no such property), V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_property(
     path: *const V_PATH,
@@ -49,7 +49,7 @@ pub unsafe extern "C" fn v_path_get_property(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         let out = TextOut::new(value, capacity, length, "value")?;
-        // SAFETY: a text ended by zero, as the header says.
+        // SAFETY: a zero-terminated text, as the header says.
         let name = unsafe { text(name, "name") }?;
         let value = read(path, |document| Ok(document.property(name)?))?;
         // SAFETY: room as the header says.

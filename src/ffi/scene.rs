@@ -8,8 +8,8 @@ use glam::{DQuat, DVec3};
 use super::border::border;
 use super::path;
 use super::pointers::{
-    self, Growing, GrowingOut, Out, TextOut, copied, file_name, index, init, numbered, optional,
-    read_growing, slice, text,
+    self, Growing, GrowingOut, MAX_TEXT, Out, TextOut, copied, file_name, index, init, most,
+    numbered, optional, read_growing, slice, text,
 };
 use super::scene_handles::{self, change, edit, insert, look, read};
 use super::scene_types::*;
@@ -21,7 +21,7 @@ use crate::limits::MAX_NAME_BYTES;
 use crate::path::camera_path::check_name;
 use crate::scene::{Camera, Extrapolation, FollowPath, Kind, Light, Node, Object, Values};
 
-/// Room for the name of a node or an interpolation, zero-terminated.
+/// Room for the name of a node or an interpolation, with a terminating zero.
 const TEXT_BYTES: usize = MAX_NAME_BYTES + 16;
 
 /// Copies a text into a thread's buffer for C, valid until the next call. No allocation.
@@ -39,7 +39,7 @@ pub(super) fn thread_text(text: &str) -> *const c_char {
     })
 }
 
-/// Converts a link to a node from C; −1 is none.
+/// Converts a link to a node from C; −1 is `None`.
 pub(super) fn link(value: c_int, name: &'static str) -> Answer<Option<usize>> {
     if value == -1 {
         Ok(None)
@@ -124,7 +124,8 @@ fn node(given: &V_NODE) -> Answer<Node> {
     Ok(node)
 }
 
-/// `number` gives what it is in and what it aims at its number.
+/// Converts a node to C; `number` returns the number of its parent and of the node it
+/// aims at.
 fn node_for_c(node: &Node, number: impl Fn(usize) -> Option<usize>) -> Answer<V_NODE> {
     let (rest, q) = (&node.rest, node.rest.rotation);
     let camera = match node.kind {
@@ -163,11 +164,10 @@ fn node_for_c(node: &Node, number: impl Fn(usize) -> Option<usize>) -> Answer<V_
 
 /// ==== Scenes: made, loaded, saved, freed ====
 ///
-/// A node of this kind at the origin: visible, scale 1, rotation 1 0 0 0, in
-/// none, aiming at none, zoom 24, white, intensity 1, a cone of 20 and 30
-/// degrees, planes at 0.01 and 1000. Sets size. A kind that is none stays as it
-/// is and is refused where the node is used.
-/// Any thread; from callbacks too. NULL does no harm; v_last_error() tells.
+/// Fills in a node of this kind at the origin: size, visible, scale 1, rotation 1 0 0
+/// 0, no parent, no aim, zoom 24, white, intensity 1, a cone of 20 and 30 degrees,
+/// planes at 0.01 and 1000. An unknown kind is refused only where the node is used.
+/// Any thread; from callbacks too. NULL only sets v_last_error().
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_node_init(node: *mut V_NODE, kind: c_int) {
     border((), || {
@@ -180,10 +180,10 @@ pub unsafe extern "C" fn v_node_init(node: *mut V_NODE, kind: c_int) {
     });
 }
 
-/// A new scene: one camera, "camera", on the path of v_path_new(), from frame 1
-/// on. *scene is the caller's, to be freed with v_scene_free(). For one in a space of
-/// the host's world: v_scene_set_space(), then v_scene_set_path() of node 0 with a path
-/// of v_path_new_in_space().
+/// Makes a new scene: one camera, "camera", on the path of v_path_new(), starting at
+/// frame 1. Free *scene with v_scene_free(). For a scene in a space of your world, call
+/// v_scene_set_space(), then v_scene_set_path() for node 0 with a path of
+/// v_path_new_in_space().
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_new(scene: *mut *mut V_SCENE) -> c_int {
@@ -195,34 +195,32 @@ pub unsafe extern "C" fn v_scene_new(scene: *mut *mut V_SCENE) -> c_int {
     })
 }
 
-/// Reads a scene from a .vid file; one with a path alone is that of a camera on
-/// it. file is a name as open() takes it. *scene is the caller's, to be freed
-/// with v_scene_free().
+/// Reads a scene from a .vid file; a file with only a path gives a camera on it. file
+/// is a name as for open(). Free *scene with v_scene_free().
 ///
-/// A mesh in a file of its own that is gone or broken leaves its object empty, and one
-/// that has changed is taken: the answer is V_OK, and v_last_warning() tells, "" if all are
-/// as they were.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT (with
-/// line and reason in v_last_error()), V_ERR_MEMORY, V_ERR_LIMIT. Memory that
-/// runs out while the text itself is read or parsed ends the program.
+/// An object is left empty if its mesh is in a separate file that is missing or
+/// malformed, or outside the folder of the .vid file once links are followed; a mesh
+/// file that has changed is read as it is. In these cases the call still returns V_OK,
+/// and v_last_warning() reports them; "" if all meshes are unchanged.
+/// v_scene_load_geometry() reads a mesh from anywhere.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_IO, V_ERR_FORMAT (with line and
+/// reason in v_last_error()), V_ERR_MEMORY (but see v_path_load()), V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_load(file: *const c_char, scene: *mut *mut V_SCENE) -> c_int {
     border(V_ERR_INTERNAL, || {
         let out = Out::new(scene, "scene")?;
-        // SAFETY: a text ended by zero, as the header says.
+        // SAFETY: a zero-terminated text, as the header says.
         let made = insert_loaded(SceneDocument::load(unsafe { file_name(file, "file") }?)?)?;
         // SAFETY: room for a handle, as the header says.
         unsafe { out.answer(made) }
     })
 }
 
-/// Reads a scene from the text of a .vid file in memory, as v_scene_load() does; size bytes
-/// of UTF-8, a zero behind them is not needed. Meshes in files of their own are looked for
-/// where the program runs, if the text does not name them from the root. *scene is the
-/// caller's, to be freed with v_scene_free().
+/// Reads a scene from the text of a .vid file in memory, like v_scene_load(). text has
+/// size bytes of UTF-8 and need not be zero-terminated. Mesh files with relative names
+/// are looked up in the current directory. Free *scene with v_scene_free().
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_FORMAT (with line and reason in
-/// v_last_error()), V_ERR_MEMORY, V_ERR_LIMIT. Memory that runs out while the text is
-/// parsed ends the program.
+/// v_last_error()), V_ERR_MEMORY (but see v_path_load()), V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_load_from_memory(
     text: *const c_char,
@@ -231,6 +229,7 @@ pub unsafe extern "C" fn v_scene_load_from_memory(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         let out = Out::new(scene, "scene")?;
+        most(size, MAX_TEXT, "size")?;
         // SAFETY: as many bytes, as the header says.
         let mut text = unsafe { slice(text.cast::<u8>(), size, "text") }?;
         let made = insert_loaded(SceneDocument::load_from(&mut text, "memory")?)?;
@@ -239,7 +238,7 @@ pub unsafe extern "C" fn v_scene_load_from_memory(
     })
 }
 
-/// A handle for a scene that was read; tells what was wrong with its meshes.
+/// Creates a handle for a scene that was read, with warnings about its meshes.
 fn insert_loaded(document: SceneDocument) -> Answer<*mut V_SCENE> {
     clear_last_warning();
     for warning in document.warnings() {
@@ -248,8 +247,8 @@ fn insert_loaded(document: SceneDocument) -> Answer<*mut V_SCENE> {
     insert(document)
 }
 
-/// The text of a .vid file of a scene in memory, as v_path_save_to_memory() gives that of a
-/// path; names of meshes' files stay as they are.
+/// Gets the text of the .vid file of a scene, like v_path_save_to_memory(). The names
+/// of mesh files are unchanged.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_BUSY,
 /// V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
@@ -267,25 +266,23 @@ pub unsafe extern "C" fn v_scene_save_to_memory(
     })
 }
 
-/// Writes a scene into a .vid file, as v_path_save() writes a path: afterwards
-/// the file is wholly the old or wholly the new one.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO,
-/// V_ERR_BUSY, V_ERR_LIMIT, V_ERR_MEMORY. Memory that runs out while the file is
-/// opened or written may end the program; the old file stays.
+/// Saves a scene to a .vid file, atomically like v_path_save().
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_BUSY,
+/// V_ERR_LIMIT, V_ERR_MEMORY (but see v_path_save()).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_save(scene: *const V_SCENE, file: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
-        // SAFETY: a text ended by zero, as the header says.
+        // SAFETY: a zero-terminated text, as the header says.
         let file = unsafe { file_name(file, "file") }?;
         read(scene, |document| Ok(document.save(file)?))?;
         Ok(V_OK)
     })
 }
 
-/// An independent copy of a scene; geometry is shared until one of them changes
-/// it. *copy is the caller's, to be freed with v_scene_free().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY,
-/// V_ERR_MEMORY, V_ERR_LIMIT.
+/// Makes an independent copy of a scene. Both share geometry until one of them changes
+/// it. Free *copy with v_scene_free().
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY, V_ERR_MEMORY,
+/// V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_clone(scene: *const V_SCENE, copy: *mut *mut V_SCENE) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -296,7 +293,7 @@ pub unsafe extern "C" fn v_scene_clone(scene: *const V_SCENE, copy: *mut *mut V_
     })
 }
 
-/// Frees a scene, see v_path_free(). NULL is no error.
+/// Frees a scene, like v_path_free(). NULL is ignored.
 /// Any thread; from callbacks too.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_free(scene: *mut V_SCENE) {
@@ -310,7 +307,7 @@ pub unsafe extern "C" fn v_scene_free(scene: *mut V_SCENE) {
 
 /// ==== Nodes ====
 ///
-/// How many nodes a scene has.
+/// Gets the number of nodes in a scene.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_node_count(scene: *const V_SCENE, count: *mut c_int) -> c_int {
@@ -322,11 +319,10 @@ pub unsafe extern "C" fn v_scene_node_count(scene: *const V_SCENE, count: *mut c
     })
 }
 
-/// Adds a node behind the others; *node is its number (NULL: not wanted). name
-/// is unique in its scene: UTF-8, one line, not empty.
-/// Any thread; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT,
-/// V_ERR_BUSY, V_ERR_MEMORY.
+/// Adds a node after the others. *node receives its number; it may be NULL. name is
+/// unique in its scene: UTF-8, one line, not empty.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_add_node(
     scene: *mut V_SCENE,
@@ -336,7 +332,7 @@ pub unsafe extern "C" fn v_scene_add_node(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         let out = Out::optional(node, "node")?;
-        // SAFETY: a text ended by zero and a node, as the header says.
+        // SAFETY: a zero-terminated text and a node, as the header says.
         let (name, given) = unsafe { (text(name, "name")?, read_growing(values, "values")?) };
         let mut made = self::node(&given)?;
         made.name = copied_name(name)?;
@@ -353,11 +349,12 @@ pub(super) fn copied_name(text: &str) -> Answer<String> {
     copied(text)
 }
 
-/// Removes a node with all that is in it. The numbers behind move up; who aimed
-/// at one of them aims at none. Many in a row cost no more than one: count, names
-/// and nodes may be asked for in between.
-/// Any thread; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY, V_ERR_MEMORY.
+/// Removes a node with all its descendants. The numbers of later nodes decrease; nodes
+/// that aimed at a removed one no longer aim. Removing many nodes in a row costs no
+/// more than removing one; you may read the number of nodes, names and nodes in
+/// between.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY,
+/// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_remove_node(scene: *mut V_SCENE, node: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -366,9 +363,9 @@ pub unsafe extern "C" fn v_scene_remove_node(scene: *mut V_SCENE, node: c_int) -
     })
 }
 
-/// The number of the node with this name.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no
-/// such node), V_ERR_BUSY.
+/// Gets the number of the node with this name.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such
+/// node), V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_find_node(
     scene: *const V_SCENE,
@@ -377,7 +374,7 @@ pub unsafe extern "C" fn v_scene_find_node(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         let out = Out::new(node, "node")?;
-        // SAFETY: a text ended by zero, as the header says.
+        // SAFETY: a zero-terminated text, as the header says.
         let name = unsafe { text(name, "name") }?;
         let number = look(scene, |nodes| {
             let found = nodes.scene().find(name);
@@ -389,10 +386,9 @@ pub unsafe extern "C" fn v_scene_find_node(
     })
 }
 
-/// A node's name. The text belongs to the library and is valid until the same
-/// thread's next call of a function that gives one of a scene.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
-/// V_ERR_BUSY.
+/// Gets the name of a node. The text belongs to the library and is valid until the same
+/// thread's next call of a function that returns a text of a scene.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_name(
     scene: *const V_SCENE,
@@ -410,10 +406,9 @@ pub unsafe extern "C" fn v_scene_get_name(
     })
 }
 
-/// Gives a node another name, see v_scene_add_node().
-/// Any thread; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
-/// V_ERR_MEMORY.
+/// Renames a node, see v_scene_add_node().
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_name(
     scene: *mut V_SCENE,
@@ -421,15 +416,15 @@ pub unsafe extern "C" fn v_scene_set_name(
     name: *const c_char,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        // SAFETY: a text ended by zero, as the header says.
+        // SAFETY: a zero-terminated text, as the header says.
         let (name, node) = (unsafe { text(name, "name") }?, index(node, "node")?);
         change(scene, |scene| scene.set_name(node, name))
     })
 }
 
-/// A node at rest. values->size must be set.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
-/// V_ERR_RANGE, V_ERR_BUSY.
+/// Gets a node at rest. Set values->size before.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_RANGE,
+/// V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_node(
     scene: *const V_SCENE,
@@ -451,13 +446,12 @@ pub unsafe extern "C" fn v_scene_get_node(
     })
 }
 
-/// Gives a node other values; its kind stays. With another parent it stays where
-/// it is in the world at the scene's first frame: position, rotation and scale
-/// are taken as of the old parent. A node that moves can only be given to a
-/// parent that lies as the old one does.
-/// Any thread; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (cycles among them), V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+/// Sets the values of a node; its kind does not change. If the parent changes,
+/// position, rotation and scale are read relative to the old parent and converted, so
+/// that the node keeps its place in the world at the scene's first frame. A node that
+/// moves can only change to a parent in the same place as the old one.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT
+/// (such as a cycle), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_node(
     scene: *mut V_SCENE,
@@ -478,14 +472,14 @@ pub unsafe extern "C" fn v_scene_set_node(
 
 /// ==== What moves a node ====
 ///
-/// Gives a node a path to follow, copied; NULL: none. Its pose n is shown at the
-/// scene's frame start_frame + n - 1. after: V_AFTER_HOLD, V_AFTER_REPEAT or
-/// V_AFTER_PINGPONG, before the path too. A path moves position, rotation and
-/// zoom, in the parent's coordinates; a node that has a track of one of them
-/// takes none.
-/// Any thread; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
-/// V_ERR_MEMORY.
+/// Makes a node follow a path, which is copied; NULL: no path. Pose n of the path is
+/// shown at the scene's frame start_frame + n - 1. A path moves position, rotation and
+/// zoom, in the parent's coordinates; a node with a track for one of them cannot have a
+/// path.
+///
+/// after  V_AFTER_HOLD, V_AFTER_REPEAT or V_AFTER_PINGPONG; applies before the path too
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_path(
     scene: *mut V_SCENE,
@@ -504,10 +498,9 @@ pub unsafe extern "C" fn v_scene_set_path(
     })
 }
 
-/// A copy of the path that a node follows. *path is the caller's, to be freed
-/// with v_path_free().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (it
-/// follows none), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+/// Gets a copy of the path that a node follows. Free *path with v_path_free().
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (it follows
+/// none), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_path(
     scene: *const V_SCENE,
@@ -520,7 +513,6 @@ pub unsafe extern "C" fn v_scene_get_path(
             let node = document.scene.node(node)?;
             let none = || Refused::NoPathOf((&node.name).into());
             let found = node.path().ok_or_else(none)?;
-            crate::error::can_allocate(document.scene.heap_size())?;
             Ok(found.path().clone())
         })?;
         let made = path::insert_new(copy, Info::default().fps)?;
@@ -529,10 +521,10 @@ pub unsafe extern "C" fn v_scene_get_path(
     })
 }
 
-/// Sets a marker, or moves the one of this name (UTF-8, one line, not empty).
-/// Any thread; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
-/// V_ERR_MEMORY.
+/// Sets a marker at a frame, or moves the marker of this name (UTF-8, one line, not
+/// empty).
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_marker(
     scene: *mut V_SCENE,
@@ -540,17 +532,16 @@ pub unsafe extern "C" fn v_scene_set_marker(
     frame: f64,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        // SAFETY: a text ended by zero, as the header says.
+        // SAFETY: a zero-terminated text, as the header says.
         let name = unsafe { text(name, "name") }?;
         change(scene, |scene| scene.set_marker(name, frame))
     })
 }
 
-/// Pins a support point of a node's path to a marker; NULL frees it. Pins are
-/// kept and saved.
-/// Any thread; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
-/// V_ERR_MEMORY.
+/// Pins a point of a node's path to a marker; NULL removes the pin. Pins hold when the
+/// path changes, and are saved.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_pin(
     scene: *mut V_SCENE,
@@ -560,7 +551,7 @@ pub unsafe extern "C" fn v_scene_pin(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         let (node, point) = (index(node, "node")?, index(point, "point")?);
-        // SAFETY: a text ended by zero, as the header says.
+        // SAFETY: a zero-terminated text, as the header says.
         let marker = optional(marker, |marker| unsafe { text(marker, "marker") })?;
         change(scene, |scene| scene.pin(node, point, marker))
     })

@@ -14,13 +14,13 @@ use super::status::{Answer, Failure, V_ERR_INTERNAL};
 use crate::error::Refused;
 use crate::scene::Scene;
 
-/// What stands at a place of a list.
+/// The entry at an index of a list.
 fn entry<'a, T>(all: &'a [T], at: usize, what: &'static str) -> Answer<&'a T> {
     let count = all.len();
     all.get(at).ok_or(Failure::NoEntry { what, at, count })
 }
 
-/// Answers how many there are of something.
+/// Writes a count as the result of a call.
 ///
 /// # Safety
 /// `count` is NULL or points to room for an int.
@@ -39,10 +39,10 @@ unsafe fn answer_count(
 
 /// ==== What has been set in a scene ====
 ///
-/// The frame at which a node's path begins, and what comes before it and after it, see
-/// v_scene_set_path(). Each result may be NULL.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (it
-/// follows none), V_ERR_RANGE, V_ERR_BUSY.
+/// Gets the frame at which a node's path starts, and how it continues before and after,
+/// see v_scene_set_path(). Any result may be NULL.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (it follows
+/// none), V_ERR_RANGE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_start(
     scene: *const V_SCENE,
@@ -70,7 +70,7 @@ pub unsafe extern "C" fn v_scene_get_start(
     })
 }
 
-/// How many tracks a node has.
+/// Gets the number of tracks of a node.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_track_count(
@@ -89,9 +89,8 @@ pub unsafe extern "C" fn v_scene_track_count(
     })
 }
 
-/// The channel of a node's track, for v_scene_get_track(); at counts from 0. The text
-/// belongs to the library and is valid until the same thread's next call of a function that
-/// gives one of a scene.
+/// Gets the channel of a node's track, for v_scene_get_track(); at counts from 0. The
+/// text is valid as for v_scene_get_name().
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_channel(
@@ -113,7 +112,7 @@ pub unsafe extern "C" fn v_scene_get_channel(
     })
 }
 
-/// How many markers a scene has.
+/// Gets the number of markers in a scene.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_marker_count(scene: *const V_SCENE, count: *mut c_int) -> c_int {
@@ -123,8 +122,8 @@ pub unsafe extern "C" fn v_scene_marker_count(scene: *const V_SCENE, count: *mut
     })
 }
 
-/// A marker, in the order of their names, counted from 0. Each result may be NULL; the text
-/// as of v_scene_get_channel().
+/// Gets a marker; markers are sorted by name and count from 0. Any result may be NULL;
+/// the text is valid as for v_scene_get_name().
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_marker(
@@ -147,13 +146,13 @@ pub unsafe extern "C" fn v_scene_get_marker(
     })
 }
 
-/// Removes a marker with its pins.
+/// Removes a marker and its pins.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such
 /// marker), V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_remove_marker(scene: *mut V_SCENE, name: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
-        // SAFETY: a text ended by zero, as the header says.
+        // SAFETY: a zero-terminated text, as the header says.
         let name = unsafe { text(name, "name") }?;
         change(scene, |scene| {
             if scene.marker(name).is_none() {
@@ -165,7 +164,7 @@ pub unsafe extern "C" fn v_scene_remove_marker(scene: *mut V_SCENE, name: *const
     })
 }
 
-/// How many points of paths are pinned to markers.
+/// Gets the number of points that are pinned to markers.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_pin_count(scene: *const V_SCENE, count: *mut c_int) -> c_int {
@@ -175,8 +174,8 @@ pub unsafe extern "C" fn v_scene_pin_count(scene: *const V_SCENE, count: *mut c_
     })
 }
 
-/// A pin, in the order of nodes and points, counted from 0: what v_scene_pin() was given.
-/// Each result may be NULL; the text as of v_scene_get_channel().
+/// Gets a pin as set by v_scene_pin(); pins are sorted by node and point and count from
+/// 0. Any result may be NULL; the text is valid as for v_scene_get_name().
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_pin(
@@ -202,11 +201,11 @@ pub unsafe extern "C" fn v_scene_get_pin(
     })
 }
 
-/// The geometry of an object at rest, as it was set or read from a file; no points if there
-/// is none. What the mesh points to is the library's, and valid until the scene is changed or
-/// freed. mesh->size must be set before.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (no
-/// object), V_ERR_RANGE, V_ERR_BUSY.
+/// Gets the geometry of an object at rest, as set or read from a file; 0 points if it
+/// has none. The arrays belong to the library and are valid until the scene is changed
+/// or freed. Set mesh->size before.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT
+/// (no object), V_ERR_RANGE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_geometry(
     scene: *const V_SCENE,
@@ -225,9 +224,9 @@ pub unsafe extern "C" fn v_scene_get_geometry(
     })
 }
 
-/// How many shapes an object has.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no object),
-/// V_ERR_RANGE, V_ERR_BUSY.
+/// Gets the number of shapes of an object.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no
+/// object), V_ERR_RANGE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_shape_count(
     scene: *const V_SCENE,
@@ -241,11 +240,11 @@ pub unsafe extern "C" fn v_scene_shape_count(
     })
 }
 
-/// A shape of an object, counted from 0: its name, and its points, three numbers each;
-/// capacity counts points, *points is how many there are. Each result may be NULL; the text
-/// as of v_scene_get_channel().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (more points than
-/// room; *points is written), V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY.
+/// Gets the name and the points of an object's shape; shapes count from 0. xyz receives
+/// three numbers per point; capacity and *points count points. Any result may be NULL;
+/// the text is valid as for v_scene_get_name().
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (more points
+/// than room; *points is written), V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_shape(
     scene: *const V_SCENE,
@@ -264,7 +263,7 @@ pub unsafe extern "C" fn v_scene_get_shape(
         read(scene, |document| {
             let shape = entry(document.scene.object(node)?.shapes(), at, "shape")?;
             let count = shape.points.len();
-            // SAFETY: room for a pointer, so many points and a size_t, as the header says.
+            // SAFETY: room for a pointer, that many points and a size_t, as the header says.
             unsafe {
                 if out.wants(count)? && count > 0 {
                     out.room(count)?.copy_from_slice(&shape.points);
@@ -276,10 +275,10 @@ pub unsafe extern "C" fn v_scene_get_shape(
     })
 }
 
-/// Removes a shape of an object. The numbers behind move up; the others keep their weights,
-/// in a track of the channel "weights" too.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no object),
-/// V_ERR_RANGE, V_ERR_BUSY, V_ERR_MEMORY.
+/// Removes a shape of an object. The numbers of later shapes decrease; all other shapes
+/// keep their weights, also in a track of the channel "weights".
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no
+/// object), V_ERR_RANGE, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_remove_shape(
     scene: *mut V_SCENE,
@@ -292,9 +291,9 @@ pub unsafe extern "C" fn v_scene_remove_shape(
     })
 }
 
-/// How many deformations an object has.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no object),
-/// V_ERR_RANGE, V_ERR_BUSY.
+/// Gets the number of deformations of an object.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no
+/// object), V_ERR_RANGE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_deformation_count(
     scene: *const V_SCENE,
@@ -312,12 +311,14 @@ pub unsafe extern "C" fn v_scene_deformation_count(
     })
 }
 
-/// A deformation of an object, counted from 0: its kind, its parameters as they were given
-/// (*count is how many), and its box. Where it goes by the bounds of the geometry, box is
-/// 1 1 1 -1 -1 -1, which no other is: give v_scene_add_deformation() NULL then. Each result
-/// may be NULL; the text as of v_scene_get_channel().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (more parameters than
-/// room; *count is written), V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY.
+/// Gets the kind, parameters and box of an object's deformation; deformations count
+/// from 0. *count receives the number of parameters. If the deformation uses the bounds
+/// of the geometry, box is 1 1 1 -1 -1 -1, which no other box is; give
+/// v_scene_add_deformation() NULL then. Any result may be NULL; the text is valid as
+/// for v_scene_get_name().
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (more
+/// parameters than room; *count is written), V_ERR_ARGUMENT (no object), V_ERR_RANGE,
+/// V_ERR_BUSY.
 /// cbindgen:ptrs-as-arrays=[[box; 6]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_deformation(
@@ -342,7 +343,7 @@ pub unsafe extern "C" fn v_scene_get_deformation(
             let [low, high] = bounds.map_or([DVec3::ONE, DVec3::NEG_ONE], |bounds| {
                 [bounds.min(), bounds.max()]
             });
-            // SAFETY: room for a pointer, so many numbers, six more and a size_t, as the header
+            // SAFETY: room for a pointer, that many numbers, six more and a size_t, as the header
             // says.
             unsafe {
                 if out.wants(numbers.len())? {

@@ -1,7 +1,7 @@
-//! Scenes as handles, and those from which nodes have been removed one by one.
+//! Scenes as handles, including scenes from which nodes are being removed one by one.
 //!
-//! A removal only marks ([`Removal`]); the scene is put right once, before anything else is done
-//! with it. Only what a host asks between two removals looks through the marks: see [`look`].
+//! A removal only marks nodes ([`Removal`]); the next other use of the scene removes them all at
+//! once. Reading nodes between two removals looks through the marks, see [`look`].
 
 use std::cell::Cell;
 use std::ffi::c_int;
@@ -37,12 +37,12 @@ static SCENES: Handles<RwLock<Held>, V_SCENE> = Handles::new(KIND_SCENE);
 
 const SPOILED: Failure = Failure::Border(
     V_ERR_INTERNAL,
-    "this scene is unusable since a fault inside the library",
+    "this scene is unusable after a fault inside the library",
 );
 
 const BUSY: Failure = Failure::Border(
     V_ERR_BUSY,
-    "a scene cannot be used within an interpolation of the host's",
+    "a scene cannot be used within a host interpolation",
 );
 
 thread_local! {
@@ -51,7 +51,7 @@ thread_local! {
     static CALLBACKS: Cell<u32> = const { Cell::new(0) };
 }
 
-/// Runs an interpolation of the host's, within which no scene may be used.
+/// Runs an interpolation of the host's, during which no scene may be used.
 pub(super) fn within_callback<R>(run: impl FnOnce() -> R) -> R {
     struct Guard;
     impl Drop for Guard {
@@ -95,7 +95,8 @@ pub(super) fn read<R>(
     look(&held.document)
 }
 
-/// The nodes of a scene by the numbers that they have now. In the scene they may have others.
+/// The nodes of a scene by their current numbers, which may differ from their places in
+/// the scene.
 pub(super) struct Nodes<'a>(&'a Held);
 
 impl Nodes<'_> {
@@ -116,7 +117,7 @@ impl Nodes<'_> {
         }
     }
 
-    /// The number of a node at a place; none if it is removed.
+    /// The number of a node at a place; `None` if it is removed.
     pub(super) fn number(&self, place: usize) -> Option<usize> {
         match &self.0.removal {
             Some(removal) => removal.number(place),
@@ -125,7 +126,7 @@ impl Nodes<'_> {
     }
 }
 
-/// Looks at nodes also between removals.
+/// Reads nodes, also between removals.
 pub(super) fn look<R>(
     scene: *const V_SCENE,
     look: impl FnOnce(&Nodes<'_>) -> Answer<R>,
@@ -143,7 +144,7 @@ fn write<R>(scene: *mut V_SCENE, change: impl FnOnce(&mut Held) -> Answer<R>) ->
     change(&mut held)
 }
 
-/// Removes a node with all that is in it.
+/// Removes a node and its descendants.
 pub(super) fn remove_node(scene: *mut V_SCENE, node: usize) -> Answer<c_int> {
     write(scene, |held| {
         let removal = match &mut held.removal {
@@ -162,7 +163,7 @@ pub(super) fn edit<R>(
     write(scene, |held| change(held.settle()))
 }
 
-/// Sets what a scene's file has besides the scene, by its row.
+/// Sets a property of the scene's file, by its row.
 pub(super) fn set_info(
     scene: *mut V_SCENE,
     key: &'static str,

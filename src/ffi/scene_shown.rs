@@ -1,4 +1,4 @@
-//! What a scene is called, what is shown of it, and where its nodes hang.
+//! Titles of scenes, what is shown of them, and the parents of nodes.
 
 use std::ffi::{c_char, c_int};
 
@@ -15,18 +15,18 @@ use crate::tools::check::FindingKind;
 
 /// ==== What a scene is called ====
 ///
-/// Sets what a scene is called: UTF-8, one line of at most 256 bytes; "" is none.
+/// Sets the title of a scene, like v_path_set_title().
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
 /// V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_title(scene: *mut V_SCENE, title: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
-        // SAFETY: a text ended by zero, as the header says.
+        // SAFETY: a zero-terminated text, as the header says.
         set_info(scene, "title", unsafe { title_of(title) }?)
     })
 }
 
-/// What a scene is called, as v_path_get_title() gives it of a path.
+/// Gets the title of a scene, like v_path_get_title().
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_title(
@@ -44,18 +44,18 @@ pub unsafe extern "C" fn v_scene_get_title(
     })
 }
 
-/// Sets the comment of a scene: UTF-8, any lines; "" is none.
+/// Sets the comment of a scene, like v_path_set_comment().
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
 /// V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_comment(scene: *mut V_SCENE, comment: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
-        // SAFETY: a text ended by zero, as the header says.
+        // SAFETY: a zero-terminated text, as the header says.
         set_info(scene, "comment", unsafe { comment_of(comment) }?)
     })
 }
 
-/// The comment of a scene, as v_path_get_title() gives the title of a path.
+/// Gets the comment of a scene, like v_path_get_comment().
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_comment(
@@ -73,15 +73,15 @@ pub unsafe extern "C" fn v_scene_get_comment(
     })
 }
 
-/// Sets how many frames are shown in a second, > 0 and at most 100000; nothing moves
-/// elsewhere by it. A new scene has 25.
+/// Sets the frame rate in frames per second, > 0 and at most 100000, by default 25.
+/// Positions at frames do not change.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_fps(scene: *mut V_SCENE, fps: f64) -> c_int {
     border(V_ERR_INTERNAL, || set_info(scene, "fps", fps))
 }
 
-/// How many frames are shown in a second.
+/// Gets the frame rate in frames per second.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_fps(scene: *const V_SCENE, fps: *mut f64) -> c_int {
@@ -93,8 +93,8 @@ pub unsafe extern "C" fn v_scene_get_fps(scene: *const V_SCENE, fps: *mut f64) -
     })
 }
 
-/// Sets the number that people see for the scene's frame 1; a new scene has 1. What the
-/// functions here take and give is the scene's frame.
+/// Sets the number shown to users for the scene's frame 1, by default 1. The functions
+/// of this library always use the scene's own frames.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_first_frame(scene: *mut V_SCENE, number: c_int) -> c_int {
@@ -103,7 +103,7 @@ pub unsafe extern "C" fn v_scene_set_first_frame(scene: *mut V_SCENE, number: c_
     })
 }
 
-/// The number that people see for the scene's frame 1.
+/// Gets the number shown to users for the scene's frame 1.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_first_frame(
@@ -118,8 +118,7 @@ pub unsafe extern "C" fn v_scene_get_first_frame(
     })
 }
 
-/// Sets the limit of a kind of finding, see v_path_check(); it is kept in the file.
-/// INFINITY: that kind is not looked for.
+/// Sets the limit of a kind of finding, like v_path_set_limit().
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such
 /// kind), V_ERR_RANGE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
@@ -129,7 +128,7 @@ pub unsafe extern "C" fn v_scene_set_limit(
     limit: f64,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        // SAFETY: a text ended by zero, as the header says.
+        // SAFETY: a zero-terminated text, as the header says.
         let kind = FindingKind::parse(unsafe { text(kind, "kind") }?)?;
         edit(scene, |document| {
             document.info.limits.set(kind, limit)?;
@@ -138,8 +137,9 @@ pub unsafe extern "C" fn v_scene_set_limit(
     })
 }
 
-/// The limit of a kind of finding, see v_path_check(); INFINITY: not looked for.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_BUSY.
+/// Gets the limit of a kind of finding, like v_path_get_limit().
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+/// V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_limit(
     scene: *const V_SCENE,
@@ -148,7 +148,7 @@ pub unsafe extern "C" fn v_scene_get_limit(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         let out = Out::new(limit, "limit")?;
-        // SAFETY: a text ended by zero, as the header says.
+        // SAFETY: a zero-terminated text, as the header says.
         let kind = FindingKind::parse(unsafe { text(kind, "kind") }?)?;
         let limit = read(scene, |document| Ok(document.info.limits.get(kind)))?;
         // SAFETY: room for a double, as the header says.
@@ -158,10 +158,11 @@ pub unsafe extern "C" fn v_scene_get_limit(
 
 /// ==== What is shown of a scene ====
 ///
-/// Chooses the camera that is shown; -1: the first on a path, else the first. The choice
-/// is kept in the file, stays with its node and goes with it.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no camera),
-/// V_ERR_RANGE, V_ERR_BUSY.
+/// Sets the camera that is shown; -1: the first one on a path, or the first one if none
+/// is. The choice follows the node when numbers change, is removed with it, and is
+/// saved in the file.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no
+/// camera), V_ERR_RANGE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_camera(scene: *mut V_SCENE, node: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -170,7 +171,7 @@ pub unsafe extern "C" fn v_scene_set_camera(scene: *mut V_SCENE, node: c_int) ->
     })
 }
 
-/// The camera that is shown; -1: there is none.
+/// Gets the camera that is shown; -1 if the scene has none.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_get_camera(scene: *const V_SCENE, node: *mut c_int) -> c_int {
@@ -182,10 +183,12 @@ pub unsafe extern "C" fn v_scene_get_camera(scene: *const V_SCENE, node: *mut c_
     })
 }
 
-/// Chooses the first and the last frame of a scene; first > last: those of all paths and
-/// keys. v_scene_frame_range() gives what holds. It is kept in the file.
+/// Sets the first and last frame of a scene; if first > last, they follow from all
+/// paths and keys. v_scene_frame_range() gets the range in effect. It is saved in the
+/// file.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a number
-/// that is not finite), V_ERR_RANGE, V_ERR_LIMIT (more than 100000000 frames), V_ERR_BUSY.
+/// that is not finite), V_ERR_RANGE, V_ERR_LIMIT (more than 100000000 frames),
+/// V_ERR_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_range(scene: *mut V_SCENE, first: f64, last: f64) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -198,13 +201,13 @@ pub unsafe extern "C" fn v_scene_set_range(scene: *mut V_SCENE, first: f64, last
     })
 }
 
-/// Puts a node into another one, or into none (-1).
+/// Sets the parent of a node; -1: no parent.
 ///
-/// keep  V_KEEP_PLACE: it stays where it is in the world at the scene's first frame, as by
-///     v_scene_set_node(); V_KEEP_NUMBERS: its numbers, path and tracks stay, and it goes
-///     along with its new parent
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (cycles among
-/// them), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
+/// keep  V_KEEP_PLACE: it keeps its place in the world at the scene's first frame, as
+///     in v_scene_set_node(). V_KEEP_NUMBERS: its values, path and tracks are
+///     unchanged, and it moves with its new parent
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (such as a
+/// cycle), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_parent(
     scene: *mut V_SCENE,

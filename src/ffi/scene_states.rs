@@ -14,8 +14,8 @@ use crate::document::SceneDocument;
 use crate::error::vec_with_room;
 use crate::scene::{Channel, NodeState, Warnings};
 
-/// After a success: reports what a host's interpolation did wrong, and takes back any error that
-/// its own calls have left.
+/// After a success: warns about failures of the host's interpolations, and clears
+/// errors left by their own calls.
 fn report(document: &SceneDocument, warnings: &Warnings) {
     clear_last_error();
     clear_last_warning();
@@ -31,9 +31,8 @@ fn report(document: &SceneDocument, warnings: &Warnings) {
 
 /// ==== The scene at a frame ====
 ///
-/// The first and the last frame: those of v_scene_set_range(), else of all paths and keys;
-/// 1 and 1 if nothing moves.
-/// Each result may be NULL.
+/// Gets the first and last frame: those of v_scene_set_range(), otherwise those of all
+/// paths and keys; 1 and 1 if nothing moves. Any result may be NULL.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
 /// V_ERR_BUSY.
 #[unsafe(no_mangle)]
@@ -54,14 +53,15 @@ pub unsafe extern "C" fn v_scene_frame_range(
     })
 }
 
-/// The states of all nodes at a frame, any finite number, by the nodes' numbers.
-/// *count (NULL: not wanted) is how many. states NULL: only that.
+/// Gets the states of all nodes at a frame, in the order of their numbers. frame is any
+/// finite number. *count receives the number of nodes and may be NULL; states may be
+/// NULL to get only that.
 ///
-/// A channel whose interpolation is the host's and is not registered, fails or
-/// gives no finite number steps from key to key: the rest plays, the answer is
-/// V_OK, and v_last_warning() tells, "" if there was none.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (fewer
-/// than the nodes; *count is written), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
+/// If a "host:" interpolation is not registered, fails or returns a number that is not
+/// finite, its channel steps from key to key. The call then still returns V_OK, and
+/// v_last_warning() reports it; "" if there is nothing to report.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (fewer than the
+/// nodes; *count is written), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
 /// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_evaluate(
@@ -90,7 +90,7 @@ pub unsafe extern "C" fn v_scene_evaluate(
             let mut warnings = Warnings::default();
             if scene.is_plain() {
                 // No host function is called: evaluate in place.
-                // SAFETY: room for so many states, as the header says; any bits make one.
+                // SAFETY: room for that many states, as the header says; any bits make one.
                 scene.evaluate(frame, unsafe { out.room(nodes) }?, &mut warnings)?;
             } else {
                 // Not in place: a host's function may fail half way or read the array.
@@ -108,8 +108,8 @@ pub unsafe extern "C" fn v_scene_evaluate(
     })
 }
 
-/// count states of one node, at the frames first, first + frame_step and so on. What
-/// v_scene_evaluate() says of a host's interpolation holds here too.
+/// Gets count states of one node, at the frames first, first + frame_step and so on.
+/// "host:" interpolations are handled as in v_scene_evaluate().
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
 /// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
@@ -131,7 +131,7 @@ pub unsafe extern "C" fn v_scene_sample(
             scene.node(node)?;
             scene.prepare(first)?;
             let mut warnings = Warnings::default();
-            // SAFETY: room for so many states, as the header says; the layouts are one (see
+            // SAFETY: room for that many states, as the header says; the layouts are one (see
             // `scene_types`), and any bits make a state.
             let out = || unsafe { slice_mut(states.cast(), count, "states") };
             if scene.is_plain() && count > 0 {
@@ -152,12 +152,12 @@ pub unsafe extern "C" fn v_scene_sample(
     })
 }
 
-/// The numbers of a channel (see v_scene_set_track()) at a frame, with or without
-/// a track; *width (NULL: not wanted) is how many. values NULL: only that. What
-/// v_scene_evaluate() says of a host's interpolation holds here too.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (fewer
-/// than the channel has; *width is written), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
-/// V_ERR_MEMORY.
+/// Gets the value of a channel (see v_scene_set_track()) at a frame, with or without a
+/// track. *width receives the number of its components and may be NULL; values may be
+/// NULL to get only that. "host:" interpolations are handled as in v_scene_evaluate().
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (fewer than the
+/// channel has; *width is written), V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT,
+/// V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_value(
     scene: *const V_SCENE,
@@ -173,7 +173,7 @@ pub unsafe extern "C" fn v_scene_value(
             ArrayOut::optional(values, capacity, width, ["values", "width"])?,
             index(node, "node")?,
         );
-        // SAFETY: a text ended by zero, as the header says.
+        // SAFETY: a zero-terminated text, as the header says.
         let channel = Channel::parse(unsafe { text(channel, "channel") }?)?;
         let numbers = read(scene, |document| {
             let mut warnings = Warnings::default();
@@ -181,7 +181,7 @@ pub unsafe extern "C" fn v_scene_value(
             report(document, &warnings);
             Ok(value)
         })?;
-        // SAFETY: room for so many numbers and a size_t, as the header says.
+        // SAFETY: room for that many numbers and a size_t, as the header says.
         unsafe {
             if out.wants(numbers.len())? {
                 out.room(numbers.len())?.copy_from_slice(&numbers);
@@ -191,12 +191,12 @@ pub unsafe extern "C" fn v_scene_value(
     })
 }
 
-/// The points of an object at a frame, morphed and deformed, in the node's own
-/// coordinates: three numbers each, capacity counts points; *points (NULL: not
-/// wanted) is how many. xyz NULL: only that. What v_scene_evaluate() says of a
-/// host's interpolation holds here too.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (more
-/// points than room; *points is written), V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY,
+/// Gets the points of an object at a frame, morphed and deformed, in the coordinates of
+/// the node. xyz receives three numbers per point; capacity and *points count points.
+/// *points may be NULL; xyz may be NULL to get only *points. "host:" interpolations are
+/// handled as in v_scene_evaluate().
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE (more points
+/// than room; *points is written), V_ERR_ARGUMENT (no object), V_ERR_RANGE, V_ERR_BUSY,
 /// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_vertices(
@@ -218,7 +218,7 @@ pub unsafe extern "C" fn v_scene_vertices(
             let mut warnings = Warnings::default();
             let form = document.scene.form(node, frame, &mut warnings)?;
             if wanted && count > 0 {
-                // SAFETY: room for so many points, as the header says; a point is three doubles,
+                // SAFETY: room for that many points, as the header says; a point is three doubles,
                 // and no host function runs meanwhile.
                 form.points(unsafe { out.room(count) }?);
             }

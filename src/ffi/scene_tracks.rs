@@ -62,28 +62,26 @@ fn width(scene: *const V_SCENE, node: usize, channel: &Channel, euler: bool) -> 
 
 /// ==== Tracks ====
 ///
-/// Sets the keys of a channel in place of older ones; with 0 keys there is none
-/// any more.
+/// Sets the keys of a channel, replacing older ones; 0 keys remove the track.
 ///
-/// channel: "position", "rotation" (w x y z), "scale", "visible" (0 or 1); of
-/// cameras "roll" (degrees) and, unless they follow a path, which has its own, "zoom"
-/// (mm, as in V_POSE); of lights "colour", "intensity", "cone"; of objects
-/// "colour", "weights" (one for each shape) and "deformation.N.NAME" (N from 0;
-/// NAME as v_deform() lists them); of cameras and lights "aim_weight" (0 to 1);
-/// and "value:NAME" or "value:NAME:W", W numbers (1 to 16) for the host.
-///
-/// interpolation: "step", "linear", "ramp", "sine", "parabolic", "catmull-rom",
-/// "hermite", "tcb", "cubic" (not of rotations), "host:NAME"; of rotations also
-/// "euler-linear" and "euler-catmull-rom", with three numbers a key: yaw, pitch
-/// and roll in degrees. "visible" takes "step" alone.
-///
-/// frames: strictly increasing. values: keys x width numbers, key by key. shape:
-/// for "hermite" each key's tangent before and after it (2 x width, per frame);
-/// for "tcb" tension, continuity and bias; else NULL. after: what follows the
-/// last key, V_AFTER_..., and what goes before the first one, V_BEFORE_...
-/// Any thread; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
-/// V_ERR_MEMORY.
+/// channel  "position", "rotation" (w x y z), "scale", "visible" (0 or 1); for cameras
+///     "roll" (degrees) and, unless they follow a path, which has its own, "zoom" (mm,
+///     as in V_POSE); for lights "colour", "intensity", "cone"; for objects "colour",
+///     "weights" (one per shape) and "deformation.N.NAME" (N from 0; NAME as listed for
+///     v_deform()); for cameras and lights "aim_weight" (0 to 1); and "value:NAME" or
+///     "value:NAME:W", W numbers (1 to 16) for your own use
+/// interpolation  "step", "linear", "ramp", "sine", "parabolic", "catmull-rom",
+///     "hermite", "tcb", "cubic" (not for rotations), "host:NAME"; for rotations also
+///     "euler-linear" and "euler-catmull-rom", with three numbers per key: yaw, pitch
+///     and roll in degrees. "visible" takes only "step"
+/// frames  strictly increasing
+/// values  keys x width numbers, key by key
+/// shape   "hermite": the tangents before and after each key (2 x width, per frame);
+///     "tcb": tension, continuity and bias of each key; otherwise NULL
+/// after   how it continues after the last key, V_AFTER_..., optionally | V_BEFORE_...
+///     for before the first one
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_track(
     scene: *mut V_SCENE,
@@ -98,12 +96,12 @@ pub unsafe extern "C" fn v_scene_set_track(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         let node = index(node, "node")?;
-        // SAFETY: a text ended by zero, as the header says.
+        // SAFETY: a zero-terminated text, as the header says.
         let channel = Channel::parse(unsafe { text(channel, "channel") }?)?;
         if keys == 0 {
             return change(scene, |scene| scene.remove_track(node, &channel));
         }
-        // SAFETY: a text ended by zero, as the header says.
+        // SAFETY: a zero-terminated text, as the header says.
         let interpolation = Interpolation::parse(unsafe { text(interpolation, "interpolation") }?)?;
         let (before, after) = both(after)?;
         most(keys, MAX_KEYS, "keys")?;
@@ -154,11 +152,10 @@ fn both(after: c_int) -> Answer<(Extrapolation, Extrapolation)> {
     Ok((beyond(after >> 4)?, beyond(after & 15)?))
 }
 
-/// The keys of a channel as they were set; *keys is how many, 0 if there is no
-/// track (then *interpolation is ""). capacity is the number of keys that
-/// frames, values and shape have room for; each of them may be NULL, as any
-/// other result. The text belongs to the library and is valid until the same
-/// thread's next call of a function that gives one of a scene.
+/// Gets the keys of a channel as set. *keys receives their number, 0 if there is no
+/// track (*interpolation is then ""). capacity is the number of keys that frames,
+/// values and shape have room for. Any result may be NULL; the text is valid as for
+/// v_scene_get_name().
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
 /// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_SIZE (more keys than room), V_ERR_BUSY.
 #[unsafe(no_mangle)]
@@ -183,7 +180,7 @@ pub unsafe extern "C" fn v_scene_get_track(
         for (room, name) in [(frames, "frames"), (values, "values"), (shape, "shape")] {
             Out::optional(room, name)?;
         }
-        // SAFETY: a text ended by zero, as the header says.
+        // SAFETY: a zero-terminated text, as the header says.
         let channel = Channel::parse(unsafe { text(channel, "channel") }?)?;
         read(scene, |document| {
             let node = document.scene.node(node)?;
@@ -215,7 +212,7 @@ pub unsafe extern "C" fn v_scene_get_track(
             }
             for (room, numbers, name) in wanted {
                 if !room.is_null() && !numbers.is_empty() {
-                    // SAFETY: room for so many keys, as the header says.
+                    // SAFETY: room for that many keys, as the header says.
                     unsafe { slice_mut(room, numbers.len(), name) }?.copy_from_slice(numbers);
                 }
             }
@@ -233,10 +230,10 @@ pub unsafe extern "C" fn v_scene_get_track(
     })
 }
 
-/// Computes the value of a channel at a frame between its first and its last key:
-/// frames of the keys, their values key by key, width numbers each. Writes width
-/// numbers to value and returns V_OK; any other answer, or a number that is not
-/// finite, and the channel steps from key to key.
+/// Computes the value of a channel at a frame between its first and last key. It is
+/// given the frames of the keys and their values, width numbers per key. It writes
+/// width numbers to value and returns V_OK; if it returns anything else, or writes a
+/// number that is not finite, the channel steps from key to key.
 pub type V_INTERPOLATE = Option<
     unsafe extern "C" fn(
         frames: *const f64,
@@ -289,11 +286,10 @@ impl Host {
     }
 }
 
-/// Makes a function known as the interpolation "host:NAME" of every scene of the
-/// process, in place of an older one; NULL takes it away. name is NAME, with or
-/// without "host:". It is called by
-/// whatever thread evaluates a scene, must not use scenes itself, and returns to its
-/// caller: no longjmp() and no exception may leave it.
+/// Registers a function as the interpolation "host:NAME" for all scenes of the process,
+/// replacing an older one; NULL removes it. name is NAME, with or without "host:". The
+/// function is called on any thread that evaluates a scene. It must not use scenes
+/// itself, and must return to its caller: no longjmp() and no exception may leave it.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_LIMIT,
 /// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
@@ -303,7 +299,7 @@ pub unsafe extern "C" fn v_register_interpolation(
     user: *mut c_void,
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
-        // SAFETY: a text ended by zero, as the header says.
+        // SAFETY: a zero-terminated text, as the header says.
         let name = unsafe { text(name, "name") }?;
         let name = name.strip_prefix("host:").unwrap_or(name);
         let function = match function {
@@ -325,11 +321,10 @@ pub unsafe extern "C" fn v_register_interpolation(
 
 /// ==== Objects ====
 ///
-/// Sets the geometry of an object, copied. A mesh has as many points as the
-/// object's shapes, if it has any.
-/// Any thread; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT,
-/// V_ERR_BUSY, V_ERR_MEMORY.
+/// Sets the geometry of an object; the mesh is copied. If the object has shapes, the
+/// mesh must have as many points as they have.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
+/// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_set_geometry(
     scene: *mut V_SCENE,
@@ -344,9 +339,10 @@ pub unsafe extern "C" fn v_scene_set_geometry(
     })
 }
 
-/// Reads the geometry of an object from an OBJ, PLY, STL or glTF file, by the ending
-/// of its name. A .vid file then names that file, relative to itself if it lies beside or below
-/// it, in the place of points; v_scene_load() reads it again.
+/// Reads the geometry of an object from an OBJ, PLY, STL or glTF file, by the extension
+/// of its name. A saved .vid file then refers to that file instead of containing the
+/// points, by a relative name if the file is in the same folder or below;
+/// v_scene_load() reads it again.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_FORMAT,
 /// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
@@ -357,7 +353,7 @@ pub unsafe extern "C" fn v_scene_load_geometry(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         let node = index(node, "node")?;
-        // SAFETY: a text ended by zero, as the header says.
+        // SAFETY: a zero-terminated text, as the header says.
         let file = unsafe { file_name(file, "file") }?;
         read(scene, |document| Ok(document.scene.node(node).map(drop)?))?;
         // The lock is not held while the file is read.
@@ -427,12 +423,11 @@ unsafe fn indices<const N: usize>(
     Ok(copy)
 }
 
-/// Adds a shape to an object: other places for all its points. Its weight is 0;
-/// the channel "weights" has one number for each shape, and the mesh takes what
-/// is left of 1.
-/// Any thread; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
-/// V_ERR_MEMORY.
+/// Adds a shape to an object: other positions for all its points. Its weight is 0 at
+/// first; the channel "weights" has one number per shape, and the mesh itself gets the
+/// remainder to 1.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_add_shape(
     scene: *mut V_SCENE,
@@ -443,7 +438,7 @@ pub unsafe extern "C" fn v_scene_add_shape(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         let node = index(node, "node")?;
-        // SAFETY: a text ended by zero and so many points, as the header says.
+        // SAFETY: a zero-terminated text and that many points, as the header says.
         let shape = unsafe {
             Shape {
                 name: copied_name(text(name, "name")?)?,
@@ -481,11 +476,10 @@ pub(super) unsafe fn bounds(corners: *const f64) -> Answer<Bounds> {
     Ok(Bounds::new(DVec3::new(a, b, c), DVec3::new(d, e, f))?)
 }
 
-/// Adds a deformation (see v_deform()) to an object, behind the others; *at is
-/// its number (NULL: not wanted). box NULL: the bounds of the geometry at rest.
-/// Any thread; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY,
-/// V_ERR_MEMORY.
+/// Adds a deformation (see v_deform()) to an object, after the others. *at receives its
+/// number and may be NULL. box NULL: the bounds of the geometry at rest.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_BUSY, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[box; 6]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_add_deformation(
@@ -512,10 +506,10 @@ pub unsafe extern "C" fn v_scene_add_deformation(
     })
 }
 
-/// Removes a deformation with its tracks. The numbers behind move up, in the
-/// names of channels too.
-/// Any thread; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_BUSY, V_ERR_MEMORY.
+/// Removes a deformation with its tracks. The numbers of later deformations decrease,
+/// in the names of channels too.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+/// V_ERR_RANGE, V_ERR_BUSY, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_scene_remove_deformation(
     scene: *mut V_SCENE,
@@ -528,20 +522,21 @@ pub unsafe extern "C" fn v_scene_remove_deformation(
     })
 }
 
-/// Deforms points in place. u, v, w run from -1 to 1 along the box (min x y z,
-/// max x y z); a flat side gives coordinate 0 and stays. Axes are 0, 1, 2, angles
-/// degrees in u, v, w: in a box that is no cube what is turned is stretched as the box
-/// is. In parentheses the names of what can move, see v_scene_set_track().
+/// Deforms points in place. u, v, w run from -1 to 1 along the sides of the box (min x
+/// y z, max x y z); along a side of length 0 the coordinate is 0 and points do not
+/// move. Axes are 0, 1, 2. Angles are degrees in u, v, w: in a box that is not a cube,
+/// rotations are stretched with the box. The names in parentheses are those that tracks
+/// can animate, see v_scene_set_track().
 ///
 /// "taper"      axis a (a): the other two times 1 + (a-1)(1-u^2)
 /// "taper"      axis r0 r1 (r0 r1): from r0 at one end to r1 at the other
 /// "twist"      axis angle (angle): about the axis, from 0 to angle
-/// "bend"       axis angle (angle): about the axis; the middle stays
+/// "bend"       axis angle (angle): about the axis; the middle does not move
 /// "bend"       axis_u axis_v u0 v0 phi_min phi_max (the last four): u becomes
 ///              the angle about (u0, v0), v - v0 the distance from it
 /// "free-form"  64 points, 3 numbers each (points): a Bezier volume over the box,
 ///              the first index fastest; (-1, -1, -1), (-1/3, -1, -1) ... is the
-///              identity. Points outside the box stay
+///              identity. Points outside the box do not move
 ///
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE,
 /// V_ERR_LIMIT, V_ERR_MEMORY.
@@ -560,7 +555,7 @@ pub unsafe extern "C" fn v_deform(
         let deformation = unsafe { deformation(kind, parameters, count) }?;
         // SAFETY: six doubles, as the header says.
         let bounds = unsafe { bounds(r#box) }?;
-        // SAFETY: so many points, as the header says.
+        // SAFETY: that many points, as the header says.
         let mut deformed =
             unsafe { self::points(xyz, points, ["xyz", "points"].map(Name::Parameter)) }?;
         for &point in &deformed {
@@ -568,7 +563,7 @@ pub unsafe extern "C" fn v_deform(
         }
         deformation.apply(&bounds, &mut deformed);
         if points > 0 {
-            // SAFETY: so many points, as the header says.
+            // SAFETY: that many points, as the header says.
             let out = unsafe { slice_mut(xyz, 3 * points, "xyz") }?;
             for (out, point) in out.chunks_exact_mut(3).zip(deformed) {
                 out.copy_from_slice(&point.to_array());

@@ -15,11 +15,11 @@ pub struct v_scene {
 
 /// ==== Scenes ====
 ///
-/// Everything that moves on one timeline, by a handle (see V_PATH): a tree of
-/// nodes. Whoever made it frees it with v_scene_free(). Nodes are numbered from 0.
+/// A handle for a scene (see V_PATH): a tree of nodes that move on one timeline. Free
+/// it with v_scene_free(). Nodes are numbered from 0.
 ///
-/// Within a function of v_register_interpolation() those that take a V_SCENE, but
-/// v_scene_free(), answer V_ERR_BUSY.
+/// Inside a function given to v_register_interpolation(), functions that take a V_SCENE
+/// fail with V_ERR_BUSY, except v_scene_free().
 pub type V_SCENE = v_scene;
 
 /// ==== Kinds of nodes, and how motions go on ====
@@ -35,12 +35,16 @@ pub const V_LIGHT_DIRECTIONAL: c_int = 0;
 pub const V_LIGHT_POINT: c_int = 1;
 pub const V_LIGHT_SPOT: c_int = 2;
 
-/// How a motion goes on when it is over: its end stays; all over again (the
-/// period is the last frame less the first, at the seam the last value counts);
-/// back and forth; all over again from where it ended.
+/// How a motion continues after its end.
 ///
-/// A path does the same before it begins. A track holds its first value there,
-/// unless one of V_BEFORE_... is added: V_AFTER_REPEAT | V_BEFORE_PINGPONG.
+/// V_AFTER_HOLD      holds the last value
+/// V_AFTER_REPEAT    starts over; the period is the last frame minus the first, and
+///                   where they meet the last value is used
+/// V_AFTER_PINGPONG  goes back and forth
+/// V_AFTER_OFFSET    starts over from where it ended
+///
+/// A path continues in the same way before its start. A track holds its first value
+/// there, unless you add one of V_BEFORE_...: V_AFTER_REPEAT | V_BEFORE_PINGPONG.
 pub const V_AFTER_HOLD: c_int = 0;
 pub const V_AFTER_REPEAT: c_int = 1;
 pub const V_AFTER_PINGPONG: c_int = 2;
@@ -49,17 +53,16 @@ pub const V_BEFORE_REPEAT: c_int = 16;
 pub const V_BEFORE_PINGPONG: c_int = 32;
 pub const V_BEFORE_OFFSET: c_int = 48;
 
-/// What a node keeps that gets another parent, see v_scene_set_parent().
+/// What a node keeps when its parent changes, see v_scene_set_parent().
 pub const V_KEEP_PLACE: c_int = 0;
 pub const V_KEEP_NUMBERS: c_int = 1;
 
-/// A node at rest. Its local matrix is T(position) T(pivot) R S T(-pivot), its
-/// world matrix that of its parent times the local one. Lights and cameras look
-/// along their own +z axis, +y up, and have pivot 0. What another kind of node
-/// does not have is not looked at.
+/// A node at rest. Its local matrix is T(position) T(pivot) R S T(-pivot); its world
+/// matrix is that of its parent times the local one. Lights and cameras look along
+/// their own +z axis with +y up and have pivot 0. Values that a kind of node does not
+/// have are ignored.
 ///
-/// Set size to sizeof (V_NODE) before any call, see V_ORIENTATION;
-/// v_node_init() does it.
+/// Set size before any call, see V_ORIENTATION; v_node_init() does it.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct v_node {
@@ -67,13 +70,13 @@ pub struct v_node {
     pub size: usize,
     /// V_NODE_GROUP, V_NODE_OBJECT, V_NODE_LIGHT or V_NODE_CAMERA
     pub kind: c_int,
-    /// the node that it is in; -1: none
+    /// parent node; -1: none
     pub parent: c_int,
-    /// 0 hides it and all that is in it
+    /// 0 hides the node and its descendants
     pub visible: c_int,
-    /// lights and cameras: the node to whose pivot it looks; -1: none
+    /// lights and cameras: the node at whose pivot it looks; -1: none
     pub aim: c_int,
-    /// the point that stays when the node turns and scales
+    /// the point that the node turns and scales about
     pub pivot: [f64; 3],
     pub position: [f64; 3],
     /// w x y z, of any length but 0
@@ -81,7 +84,7 @@ pub struct v_node {
     pub scale: [f64; 3],
     /// cameras: 1 to 2000, see V_POSE
     pub zoom: f64,
-    /// cameras: degrees, turns up about the view
+    /// cameras: degrees, turns the up vector about the view direction
     pub roll: f64,
     /// lights: V_LIGHT_DIRECTIONAL, V_LIGHT_POINT or V_LIGHT_SPOT
     pub light: c_int,
@@ -103,9 +106,9 @@ pub type V_NODE = v_node;
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct v_node_state {
-    /// from the node's coordinates into the world's, column by column
+    /// from the node's coordinates to the world's, column by column
     pub matrix: [f64; 16],
-    /// cameras and lights; of others all 0
+    /// cameras and lights; otherwise all 0
     pub pose: V_POSE,
     /// lights and objects
     pub colour: [f64; 3],
@@ -113,31 +116,31 @@ pub struct v_node_state {
     pub intensity: f64,
     /// lights: half angles in degrees, inner and outer
     pub cone: [f64; 2],
-    /// 1 if it and all that it is in is to be seen, else 0
+    /// 1 if the node and all its ancestors are visible, else 0
     pub visible: c_int,
 }
 
 pub type V_NODE_STATE = v_node_state;
 
-/// Points, and what connects them: with neither lines nor triangles points
-/// alone.
+/// A mesh: points, and the lines and triangles that connect them. Without lines and
+/// triangles only the points are shown.
 ///
-/// Set size to sizeof (V_MESH) before any call, see V_ORIENTATION.
+/// Set size before any call, see V_ORIENTATION.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct v_mesh {
     /// sizeof (V_MESH)
     pub size: usize,
-    /// three numbers a point
+    /// three numbers per point
     pub xyz: *const f64,
     pub points: usize,
-    /// three bytes a point; NULL: no colours
+    /// three bytes per point; NULL: no colours
     pub rgb: *const c_uchar,
-    /// two indices a line; NULL: none
+    /// two indices per line; NULL: none
     pub lines: *const c_uint,
     /// number of indices, even
     pub line_ends: usize,
-    /// three indices a triangle; NULL: none
+    /// three indices per triangle; NULL: none
     pub triangles: *const c_uint,
     /// number of indices, a multiple of 3
     pub corners: usize,

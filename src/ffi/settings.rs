@@ -37,12 +37,12 @@ const _: () = assert!(
         && ZoomMode::Linear as c_int == V_ZOOM_LINEAR
 );
 
-/// A base speed, which has a name here.
+/// Checks a base speed, which has a name here.
 pub(super) fn positive(given: f64, name: &'static str) -> Answer<()> {
     check_base_speed(given).map_err(|_| Failure::NotPositive { name, given })
 }
 
-/// A title from C, checked before it is copied: nobody knows how long it is.
+/// A title from C, checked before it is copied, since it may be of any length.
 ///
 /// # Safety
 /// `title` is NULL or points to a zero-terminated text.
@@ -53,7 +53,7 @@ pub(super) unsafe fn title_of(title: *const c_char) -> Answer<String> {
     copied(title)
 }
 
-/// A comment from C, in the same way.
+/// A comment from C, checked in the same way.
 ///
 /// # Safety
 /// `comment` is NULL or points to a zero-terminated text.
@@ -68,10 +68,14 @@ pub(super) unsafe fn comment_of(comment: *const c_char) -> Answer<String> {
 
 /// ==== What holds for the whole path ====
 ///
-/// Sets how many poses a path has at speed 50, each finite and > 0: for a way of
-/// one half size of its space (move), for turning by 180 degrees (turn), for the
-/// zoom from 1 to 100 (zoom), for rolling by 90 degrees (roll). v_haupt() calls
-/// them its speeds.
+/// Sets the base speeds of a path: the number of frames that each movement takes at
+/// speed 50, finite and > 0, so that a larger value is slower. v_haupt() calls them
+/// speeds.
+///
+/// move_frames  moving by one half size of the space (v_path_set_space())
+/// turn_frames  turning by 180 degrees
+/// zoom_frames  zooming from 1 to 100
+/// roll_frames  rolling by 90 degrees
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_base_frames(
@@ -96,7 +100,7 @@ pub unsafe extern "C" fn v_path_set_base_frames(
     })
 }
 
-/// The frames of v_path_set_base_frames(). Each result may be NULL.
+/// Gets the base speeds, see v_path_set_base_frames(). Any result may be NULL.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_base_frames(
@@ -127,10 +131,9 @@ pub unsafe extern "C" fn v_path_get_base_frames(
     })
 }
 
-/// Joins the last support point to the first by one more segment (not 0), or
-/// opens the path (0).
-/// Any thread; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE.
+/// Closes a path with one more segment from the last point to the first (not 0), or
+/// opens it (0).
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_closed(path: *mut V_PATH, closed: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -138,7 +141,7 @@ pub unsafe extern "C" fn v_path_set_closed(path: *mut V_PATH, closed: c_int) -> 
     })
 }
 
-/// Whether a path is closed: 1 or 0.
+/// Gets whether a path is closed: 1 or 0.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_closed(path: *const V_PATH, closed: *mut c_int) -> c_int {
@@ -151,10 +154,9 @@ pub unsafe extern "C" fn v_path_get_closed(path: *const V_PATH, closed: *mut c_i
 }
 
 /// Sets how the camera turns between its orientations (V_ORIENTATION_TCB,
-/// V_ORIENTATION_BARRY_GOLDMAN, V_ORIENTATION_SLERP) and how the zoom runs
+/// V_ORIENTATION_BARRY_GOLDMAN, V_ORIENTATION_SLERP) and how the zoom changes
 /// (V_ZOOM_SMOOTH, V_ZOOM_LINEAR).
-/// Any thread; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_RANGE.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_modes(
     path: *mut V_PATH,
@@ -180,7 +182,7 @@ pub unsafe extern "C" fn v_path_set_modes(
     })
 }
 
-/// The modes, see v_path_set_modes(). Each result may be NULL.
+/// Gets the modes, see v_path_set_modes(). Any result may be NULL.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_modes(
@@ -206,21 +208,21 @@ pub unsafe extern "C" fn v_path_get_modes(
     })
 }
 
-/// Sets what a path is called: UTF-8, one line of at most 256 bytes; "" is none.
+/// Sets the title of a path: UTF-8, one line of at most 256 bytes; "" removes it.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
 /// V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_title(path: *mut V_PATH, title: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
-        // SAFETY: a text ended by zero, as the header says.
+        // SAFETY: a zero-terminated text, as the header says.
         let title = unsafe { title_of(title) }?;
         edit(path, Edit::set(At::Path, "title", title))
     })
 }
 
-/// What a path is called, ended by zero; *length is its bytes without the zero.
-/// With a capacity not larger than *length nothing else is written, and the answer
-/// is V_ERR_SIZE. title NULL with capacity 0 only asks for *length.
+/// Gets the title of a path, zero-terminated. *length is its number of bytes without
+/// the zero. If capacity is not larger than *length, only *length is written and the
+/// call fails with V_ERR_SIZE; with title NULL and capacity 0, only *length is written.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_title(
@@ -238,19 +240,19 @@ pub unsafe extern "C" fn v_path_get_title(
     })
 }
 
-/// Sets the comment of a path: UTF-8, any lines; "" is none.
+/// Sets the comment of a path: UTF-8, any number of lines; "" removes it.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
 /// V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_comment(path: *mut V_PATH, comment: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
-        // SAFETY: a text ended by zero, as the header says.
+        // SAFETY: a zero-terminated text, as the header says.
         let comment = unsafe { comment_of(comment) }?;
         edit(path, Edit::set(At::Path, "comment", comment))
     })
 }
 
-/// The comment of a path, as v_path_get_title() gives the title.
+/// Gets the comment of a path, like v_path_get_title().
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_comment(
@@ -268,8 +270,8 @@ pub unsafe extern "C" fn v_path_get_comment(
     })
 }
 
-/// Sets how many poses are shown in a second, > 0 and at most 100000; it changes no
-/// pose. A new path has 25.
+/// Sets the frame rate in frames per second, > 0 and at most 100000, by default 25.
+/// Poses do not change.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_fps(path: *mut V_PATH, fps: f64) -> c_int {
@@ -278,7 +280,7 @@ pub unsafe extern "C" fn v_path_set_fps(path: *mut V_PATH, fps: f64) -> c_int {
     })
 }
 
-/// How many poses are shown in a second.
+/// Gets the frame rate in frames per second.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_fps(path: *const V_PATH, fps: *mut f64) -> c_int {
@@ -290,9 +292,8 @@ pub unsafe extern "C" fn v_path_get_fps(path: *const V_PATH, fps: *mut f64) -> c
     })
 }
 
-/// Sets the number that the first pose has in the user's film; a new path has 1.
-/// Files written in other formats count from it; the library itself counts poses
-/// from 1.
+/// Sets the number of the first pose in the user's film, by default 1. Files in other
+/// formats count from it; the library itself counts poses from 1.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_first_frame(path: *mut V_PATH, number: c_int) -> c_int {
@@ -302,7 +303,7 @@ pub unsafe extern "C" fn v_path_set_first_frame(path: *mut V_PATH, number: c_int
     })
 }
 
-/// The number that the first pose has in the user's film.
+/// Gets the number of the first pose in the user's film.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_first_frame(path: *const V_PATH, number: *mut c_int) -> c_int {
@@ -314,9 +315,9 @@ pub unsafe extern "C" fn v_path_get_first_frame(path: *const V_PATH, number: *mu
     })
 }
 
-/// Sets the object that is shown with a path, copied; NULL: none. Its lines and the
-/// edges of its triangles are drawn (of more than 1,000,000 points of lines those at
-/// which it ends or bends), its triangles are there for v_path_check().
+/// Sets the object that is shown with a path, copied; NULL: none. The window draws its
+/// lines and the edges of its triangles; if lines have more than 1,000,000 points in
+/// all, only the points where they end or bend. v_path_check() uses the triangles.
 /// Any thread; from callbacks too. V_ERR_NULL (path), V_ERR_SIZE, V_ERR_HANDLE,
 /// V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
@@ -332,9 +333,9 @@ pub unsafe extern "C" fn v_path_set_object(path: *mut V_PATH, object: *const V_M
     })
 }
 
-/// The object that is shown with a path, with its triangles if it has any; no points if
-/// there is none. What the mesh points to is the library's, and valid until the same
-/// thread's next call of this function, or its end. mesh->size must be set before.
+/// Gets the object that is shown with a path, with its triangles if it has any; 0
+/// points if there is no object. The arrays belong to the library and are valid until
+/// the same thread's next call of this function or its end. Set mesh->size before.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_object(path: *const V_PATH, mesh: *mut V_MESH) -> c_int {

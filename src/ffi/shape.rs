@@ -14,8 +14,10 @@ use crate::path::{CurveKind, Tangents, curve};
 /// ==== Kind of the curve, tangents ====
 ///
 /// Sets how the curve leads through the points: "tcb" by tension, continuity
-/// and bias (Kochanek and Bartels 1984; the default), "cubic" as a cubic spline
-/// with a continuous second derivative, "linear" straight. Tangents that points
+/// and bias (Kochanek and Bartels 1984; the default), "centripetal" and "chordal"
+/// the same with regard to how far the points are apart (Yuksel et al. 2011: no
+/// cusp or loop, and no way back, where points stand close), "cubic" as a cubic
+/// spline with a continuous second derivative, "linear" straight. Tangents that points
 /// own hold in each.
 /// Any thread; from callbacks too. V_ERR_NULL,
 /// V_ERR_HANDLE, V_ERR_RANGE.
@@ -113,7 +115,9 @@ pub unsafe extern "C" fn v_path_get_tangents(
 /// one frame where it is asked for, and there are two then). So that nothing
 /// changes, the points beside it own their tangents from then on, and
 /// orientations their angular velocity, their slopes of zoom and roll, and a
-/// part of the old pace.
+/// part of the old pace. These tangents are removed when their point or one
+/// beside it moves, unless they move together; v_path_set_tangents() makes them
+/// the point's own for good.
 ///
 /// frame  from 1 to the number of frames, not at a key and not in a pan; the
 ///     orientation mode must not be V_ORIENTATION_BARRY_GOLDMAN

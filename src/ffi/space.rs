@@ -102,17 +102,20 @@ impl SpaceOut {
 
 /// ==== Where a path lies ====
 ///
-/// The movement space is a cube in the host's world: its centre, half the length of
-/// its edge, and the axis that stands upright (V_UP_Y, V_UP_Z). All places,
-/// offsets, tangents and lengths of a path are the world's own numbers; only base
-/// frames count ways in half sizes, and so do the distances below which nothing
-/// moves, so that they mean the same in metres and in angstroms. A new path has
-/// (0, 0, 0), 1 and V_UP_Y.
+/// Sets the space of a path, a cube in your world; the path's coordinates do not
+/// change.
 ///
-/// Sets the space; the path's numbers stay what they are. The half size is from
-/// 1e-30 to 1e30; centre, points and targets may be up to 1e9 half sizes away.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a
-/// number that is not finite), V_ERR_RANGE.
+/// centre     (0, 0, 0) in a new path
+/// half_size  half the length of its edge, 1e-30 to 1e30; 1 in a new path. Centre,
+///     points and targets are at most 1e9 half sizes away
+/// up         V_UP_Y, as in a new path, or V_UP_Z
+///
+/// Positions, offsets, tangents and lengths of a path are in your world's units. Base
+/// frames, limits (V_LIMITS, v_path_check()) and the distances below which nothing
+/// moves are counted in half sizes, so that they mean the same in metres and in
+/// angstroms.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a number
+/// that is not finite), V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[centre; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_space(
@@ -128,7 +131,7 @@ pub unsafe extern "C" fn v_path_set_space(
     })
 }
 
-/// The space of a path. Each result may be NULL.
+/// Gets the space of a path. Any result may be NULL.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
 /// cbindgen:ptrs-as-arrays=[[centre; 3]]
 #[unsafe(no_mangle)]
@@ -146,10 +149,9 @@ pub unsafe extern "C" fn v_path_get_space(
     })
 }
 
-/// Fills in a space: size, centre (0, 0, 0), half size 1, V_UP_Y. NULL does nothing but
-/// set v_last_error(). In C a macro of this name hands the struct's size on to
-/// v_space_init_sized(); the function itself, for other languages, fills in the struct
-/// of version 1.0.
+/// Fills in a space: size, centre (0, 0, 0), half_size 1, V_UP_Y. NULL only sets
+/// v_last_error(). In C, a macro of this name passes the struct's size on, as for
+/// v_editor_options_init().
 /// Any thread; from callbacks too.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_space_init(space: *mut V_SPACE) {
@@ -159,21 +161,19 @@ pub unsafe extern "C" fn v_space_init(space: *mut V_SPACE) {
     });
 }
 
-/// As v_space_init(), for a struct that is size bytes long. One shorter than in version
-/// 1.0 stays as it is, and v_last_error() says so. What is behind the fields that the
-/// library knows is not touched, and size is set to what was filled in.
+/// Like v_space_init(), for a struct of size bytes, see v_editor_options_init_sized().
 /// Any thread; from callbacks too.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_space_init_sized(space: *mut V_SPACE, size: usize) {
     border((), || {
-        // SAFETY: room for so much of the struct, as the header says.
+        // SAFETY: room for that much of the struct, as the header says.
         unsafe { init(space, V_SPACE::DEFAULTS, size, "space") }
     });
 }
 
-/// As v_path_new(), with the path lying in a space as v_path_new()'s lies in its own: as
-/// in a new window that is given this space. space may be NULL: as v_path_new(). *path
-/// is the caller's, to be freed with v_path_free().
+/// Makes a new path in a space, placed as the path of v_path_new() is in its own; the
+/// same as in a new window with this space. NULL: like v_path_new(). Free *path with
+/// v_path_free().
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT (a number
 /// that is not finite), V_ERR_RANGE, V_ERR_MEMORY, V_ERR_LIMIT.
 #[unsafe(no_mangle)]
@@ -193,13 +193,11 @@ pub unsafe extern "C" fn v_path_new_in_space(
     })
 }
 
-/// Makes another axis stand upright (V_UP_Y, V_UP_Z) and turns nothing that one sees:
-/// each pose stays, between frames, too. Rolls are measured against the new axis.
-/// Where views track a target or look along the way, their ups become "y" or "z",
-/// the axis that was upright (v_path_set_up()); ups "y" or "z" that are upright now
-/// become "axis".
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
-/// V_ERR_MEMORY.
+/// Changes the up axis of a path (V_UP_Y, V_UP_Z) without changing what the camera
+/// sees: all poses stay the same, between frames too. Rolls are then measured from the
+/// new axis. Views that track a target or look ahead get the old axis as their up, "y"
+/// or "z" (v_path_set_up()); ups "y" or "z" that equal the new axis become "axis".
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_change_up(path: *mut V_PATH, up: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -207,14 +205,13 @@ pub unsafe extern "C" fn v_path_change_up(path: *mut V_PATH, up: c_int) -> c_int
     })
 }
 
-/// How an orientation must be to look as a camera does in a pose, such as the
-/// host's own: relative, target the pose's vpn, and its roll and zoom; all else in
-/// *orientation stays, so that v_orientation_init() must have filled it in before.
-/// up is the upright axis of the path that it is for (V_UP_Y, V_UP_Z). vpn and vup
-/// may have any length but zero; vup need not be perpendicular to vpn, but not
-/// parallel.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT,
-/// V_ERR_RANGE (zoom, up).
+/// Makes an orientation look like the camera of a pose, such as your program's own.
+/// Sets a relative target, the pose's vpn, and roll and zoom; everything else in
+/// *orientation is unchanged, so call v_orientation_init() before. up is the up axis of
+/// the path that it is for (V_UP_Y, V_UP_Z). vpn and vup may have any length but zero;
+/// vup need not be perpendicular to vpn, but must not be parallel to it.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE
+/// (zoom, up).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_orientation_from_pose(
     pose: *const V_POSE,

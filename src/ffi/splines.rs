@@ -41,8 +41,8 @@ unsafe fn keys_and_times<'a>(
     Ok((converted, times))
 }
 
-/// A smooth curve through orientations (Barry and Goldman 1988), its ends by
-/// reflection, at the time when.
+/// Gets the quaternion at the time when on a smooth curve through orientations (Barry
+/// and Goldman 1988), whose ends are made by reflection.
 ///
 /// keys   count quaternions, four doubles each
 /// key_times  the time of each key, strictly increasing
@@ -69,11 +69,9 @@ pub unsafe extern "C" fn v_quat_spline(
     })
 }
 
-/// As v_quat_spline(), by a cubic spherical curve with tension, continuity and
-/// bias.
+/// Like v_quat_spline(), on a cubic spherical curve with tension, continuity and bias.
 ///
-/// tcb  three doubles for each key, tension, continuity and bias, each from
-///     -1 to 1; NULL for all zero
+/// tcb  tension, continuity and bias of each key, each from -1 to 1; NULL: all zero
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE,
 /// V_ERR_LIMIT, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[q; 4]]
@@ -105,15 +103,14 @@ pub unsafe extern "C" fn v_quat_tcb_spline(
 
 /// ==== Toolbox: speed curve ====
 ///
-/// The speed curve of one section: ten speeds from 1 to 100 at u = 0, 1/9, ... 1,
-/// smoothly joined, never leaving 1 to 100.
+/// Gets speed and distance on the speed curve of a section: ten speeds from 1 to 100 at
+/// u = 0, 1/9, ... 1, smoothly joined, never leaving 1 to 100.
 ///
-/// before, after  the facing speeds of the neighbouring sections; NULL where
-///     there is none
+/// before, after  the adjacent speed of the section before and after; NULL: no section
 /// u    from 0 to 1
-/// speed_at_u         the speed there
-/// distance_fraction  how much of the way is done there, 0 to 1
-/// Each result may be NULL.
+/// speed_at_u         the speed at u
+/// distance_fraction  the fraction of the distance covered at u, 0 to 1
+/// Any result may be NULL.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[speed; 10]]
 #[unsafe(no_mangle)]

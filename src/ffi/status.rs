@@ -8,7 +8,7 @@ use std::ops::Range;
 use std::thread::LocalKey;
 
 use crate::error::{
-    EngineError, ErrorKind, FromZero, Index, Invalid, OutOfRange, Refused, Text, TooMany,
+    Bound, EngineError, ErrorKind, FromZero, Index, Invalid, OutOfRange, Refused, Text, TooMany,
 };
 use crate::formats;
 use crate::instance::Error;
@@ -16,7 +16,7 @@ use crate::path::CurveKind;
 
 /// ==== Version of this header ====
 ///
-/// v_version() tells that of the library that runs.
+/// v_version() returns the version of the library in use.
 #[allow(dead_code)] // only the host reads these three
 pub const V_VERSION_MAJOR: c_int = 1;
 #[allow(dead_code)]
@@ -26,30 +26,30 @@ pub const V_VERSION_PATCH: c_int = 0;
 
 /// ==== Statuses ====
 ///
-/// What every function that returns a status answers. v_strerror() puts each
-/// into words, v_last_error() tells what was wrong in the call itself.
+/// Every function that returns a status returns one of these. v_strerror() describes a
+/// status; v_last_error() returns what was wrong in the call itself.
 ///
 /// V_OK            done
-/// V_ERR_NULL      a pointer is NULL that must not be
-/// V_ERR_HANDLE    the handle is none: freed, of another kind, or never made; or
-///                 it is a window's of another thread
-/// V_ERR_ARGUMENT  a value that makes no sense: not a finite number, a target
-///                 on the camera itself, an up vector along the view, a
-///                 pointer that is not aligned for its type
-/// V_ERR_RANGE     an index or a value outside its range (NaN where there is one)
-/// V_ERR_SIZE      an array too small, or a struct whose size is not set
-/// V_ERR_LIMIT     more points, orientations or poses than the library takes
+/// V_ERR_NULL      a pointer that must not be NULL is NULL
+/// V_ERR_HANDLE    the handle is not valid: freed, of another kind, or never made; or
+///                 it is a window of another thread
+/// V_ERR_ARGUMENT  a value is not valid: not a finite number, a target on the camera
+///                 itself, an up vector along the view, a pointer that is not
+///                 aligned for its type
+/// V_ERR_RANGE     an index or a value is out of range, or NaN where a range applies
+/// V_ERR_SIZE      an array is too small, or the size of a struct is not set
+/// V_ERR_LIMIT     more points, orientations or poses than the library allows
 /// V_ERR_MEMORY    out of memory; nothing was changed
 /// V_ERR_IO        the operating system refused to read or write a file
-/// V_ERR_FORMAT    the contents of a file are not what they should be
+/// V_ERR_FORMAT    the contents of a file are not valid
 /// V_ERR_DISPLAY   no window can be opened, or its X server went away
-/// V_ERR_BUSY      not possible at this moment, as from within this callback
-/// V_ERR_CLOSED    the window is gone: its user has closed it, it was destroyed from
-///                 outside, its X server went away, or the thread that opened it has
-///                 ended; v_last_error() says which
-/// V_ERR_INTERNAL  a fault of the library; the path concerned may be unusable
-///                 from now on, everything else goes on
-/// V_ERR_REFUSED   a user said no
+/// V_ERR_BUSY      not possible at this moment, for example within this callback
+/// V_ERR_CLOSED    the window is gone: its user closed it, it was destroyed from
+///                 outside, its X server went away, or the thread that opened it
+///                 ended; v_last_error() returns the reason
+/// V_ERR_INTERNAL  a fault of the library; the path concerned may be unusable from
+///                 now on, everything else works
+/// V_ERR_REFUSED   the user, or a callback of v_set_progress(), refused
 pub const V_OK: c_int = 0;
 pub const V_ERR_NULL: c_int = 1;
 pub const V_ERR_HANDLE: c_int = 2;
@@ -89,10 +89,10 @@ pub(super) enum Failure {
     /// An error detected in the interface itself: its status and sentence.
     #[error("{1}")]
     Border(c_int, &'static str),
-    /// An error from the library.
+    /// An error of the library.
     #[error(transparent)]
     Library(#[from] Error),
-    /// An error with a file of another program.
+    /// An error in a file of another program.
     #[error(transparent)]
     Format(#[from] formats::Error),
     #[error("{0} is NULL")]
@@ -110,15 +110,15 @@ pub(super) enum Failure {
         of: &'static str,
         wanted: usize,
     },
-    #[error("{name} has room for {room}, and {needed} are needed")]
+    #[error("{name} has room for {room}, but {needed} are needed")]
     NoRoom {
         name: &'static str,
         room: usize,
         needed: usize,
     },
-    #[error("{name} is {given}, and numbers count from 0")]
+    #[error("{name} is {given}, but counting starts at 0")]
     NegativeIndex { name: &'static str, given: c_int },
-    #[error("{name} is {given}, and no count is negative")]
+    #[error("{name} is {given}, but must be at least 0")]
     NegativeCount { name: &'static str, given: c_int },
     #[error("{name} cannot have {count} elements")]
     NoSuchCount { name: Name, count: usize },
@@ -132,7 +132,7 @@ pub(super) enum Failure {
     NoCurveKind(Text),
     #[error("options->language is \"{0}\"; known: de, en")]
     NoLanguage(Text),
-    #[error("{name} is {given}, and the number of an X window has at most 32 bits")]
+    #[error("{name} is {given}, but the number of an X window has at most 32 bits")]
     NoWindow { name: &'static str, given: c_ulong },
     #[error("there is no {what} {at} among {count}, counted from 0")]
     NoEntry {
@@ -142,36 +142,34 @@ pub(super) enum Failure {
     },
     #[error("there is no section {} among {count}", Index(*at))]
     NoSection { at: usize, count: usize },
-    #[error(
-        "there are no {count} poses from number {first} on: they are numbered from 1 to {frames}"
-    )]
+    #[error("there are no {count} poses from number {first} on: the path has poses 1 to {frames}")]
     NoPoses {
         count: usize,
         first: usize,
         frames: usize,
     },
-    #[error("{name} is {given}, and frames go from 1 to {frames}")]
+    #[error("{name} is {}, but frames go from 1 to {frames}", Bound(*given))]
     NoFrame {
         name: Name,
         given: f64,
         frames: usize,
     },
-    #[error("{name} is {given}, and must be a finite number")]
+    #[error("{name} is {}, but must be a finite number", Bound(*given))]
     NotFinite { name: &'static str, given: f64 },
     #[error("{0} must be finite and not zero")]
     Zero(&'static str),
-    #[error("{name} is {given}, and must lie between {from} and {end}")]
+    #[error("{name} is {}, but must be between {from} and {end}", Bound(*given))]
     NotBetween {
         name: &'static str,
         given: f64,
         from: f64,
         end: f64,
     },
-    #[error("{name} is {given}, and must be finite and greater than 0")]
+    #[error("{name} is {}, but must be finite and greater than 0", Bound(*given))]
     NotPositive { name: &'static str, given: f64 },
-    #[error("{name} is {given}, and must be a multiple of {of}")]
+    #[error("{name} is {given}, but must be a multiple of {of}")]
     NotMultiple { name: Name, given: usize, of: usize },
-    #[error("{name} is {given}, and at most {limit} are taken")]
+    #[error("{name} is {given}, but at most {limit} are allowed")]
     TooMany {
         name: Name,
         given: usize,
@@ -187,7 +185,7 @@ impl Failure {
         Self::Border(V_ERR_RANGE, sentence)
     }
 
-    /// None of the numbers that there are for it.
+    /// An unknown number of an enum.
     pub(super) fn unknown(name: impl Into<Name>, given: c_int, known: &'static str) -> Self {
         Self::Unknown {
             name: name.into(),
@@ -196,7 +194,7 @@ impl Failure {
         }
     }
 
-    /// A value that makes no sense.
+    /// A value that is not valid.
     pub(super) const fn argument(sentence: &'static str) -> Self {
         Self::Border(V_ERR_ARGUMENT, sentence)
     }
@@ -231,7 +229,7 @@ impl Failure {
         }
     }
 
-    /// The same of a handle that has another name than most.
+    /// The same error with another name of the handle.
     pub(super) fn named(self, name: impl Into<Name>) -> Self {
         match self {
             Self::Null(_) => Self::Null(name.into()),
@@ -253,7 +251,7 @@ const fn status_of(kind: ErrorKind) -> c_int {
     }
 }
 
-/// Errors of the crates below.
+/// Errors of the crates that this one uses.
 macro_rules! library {
     ($($error:ty),*) => {$(
         impl From<$error> for Failure {
@@ -273,9 +271,9 @@ library!(
     TryReserveError
 );
 
-/// Room for a sentence with a long file name. Kept small, since every thread has one; longer
-/// sentences lose their middle, because a path's beginning and end and the reason behind it tell
-/// more.
+/// Room for a sentence with a long file name, kept small, since every thread has one.
+/// Longer sentences lose their middle: the beginning and end of a file name and the
+/// reason after it are more useful.
 const MESSAGE_BYTES: usize = 1024;
 
 /// Replaces what was left out.
@@ -307,7 +305,8 @@ impl Message {
         self.add(sentence);
     }
 
-    /// Appends a sentence, shortened in the middle to the room left. It counts as C does.
+    /// Appends a sentence, shortened in the middle to the room left. Indices count from
+    /// 0, as in C.
     fn add(&mut self, sentence: fmt::Arguments<'_>) {
         let sentence = format_args!("{}", FromZero(sentence));
         let room = MESSAGE_BYTES - 1 - self.used;
@@ -406,7 +405,7 @@ pub(super) fn set_last_error(sentence: fmt::Arguments<'_>) {
     with_message(|message| message.set(sentence));
 }
 
-/// To be called first by what can warn.
+/// Every function that can warn calls this first.
 pub(super) fn clear_last_warning() {
     with(&WARNING, Message::clear);
 }
@@ -439,39 +438,39 @@ pub(super) fn with_last_error(show: impl FnOnce(&[u8])) {
 
 /// ==== Errors, warnings, the version of the library ====
 ///
-/// What went wrong in the calling thread's last call of the library: one
-/// sentence in English, UTF-8, "" after a success. Never NULL. Of a sentence
-/// longer than 1023 bytes the middle is left out. It calls parameters as this
-/// header does (path, options->title) and counts as it does: points,
-/// orientations and so on from 0, which it says; frames from 1. The text belongs to the
-/// library and is valid until the same thread's next call of any function but
-/// this one, v_last_warning(), v_strerror() and v_version().
+/// Returns the reason why the calling thread's last call of the library failed: one
+/// sentence in English, UTF-8, "" after a success. Never NULL. A sentence longer than
+/// 1023 bytes is shortened in the middle. Parameters have the names of this header
+/// (path, options->title). Points, orientations and so on count from 0, and the
+/// sentence says it; frames count from 1. The text belongs to the library and is valid
+/// until the same thread's next call of any function except this one, v_last_warning(),
+/// v_strerror() and v_version().
 /// Any thread; from callbacks too.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_last_error() -> *const c_char {
     with_message(|message| message.text.as_ptr().cast())
 }
 
-/// What the calling thread's last call that can warn has to say besides its success:
-/// sentences in English, UTF-8, "" if there is nothing. Functions that can warn say so.
-/// Never NULL. Of a sentence too long for 1023 bytes in all the middle is left out. The
-/// text belongs to the library and is valid until the same thread's next call of a
-/// function that can warn.
+/// Returns the warnings of the calling thread's last call that can warn: sentences in
+/// English, UTF-8, "" if there are none. Never NULL. Comments of functions that can
+/// warn mention it. If the text would exceed 1023 bytes, the sentence that does not fit
+/// is shortened in the middle. The text belongs to the library and is valid until the
+/// same thread's next call of a function that can warn.
 /// Any thread; from callbacks too.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_last_warning() -> *const c_char {
     with(&WARNING, |message| message.text.as_ptr().cast())
 }
 
-/// What a status means, in English. Never NULL; the text is constant.
+/// Returns the meaning of a status, in English. Never NULL; the text is constant.
 /// Any thread; from callbacks too.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_strerror(status: c_int) -> *const c_char {
     match status {
         V_OK => c"no error",
-        V_ERR_NULL => c"a pointer is NULL that must not be",
+        V_ERR_NULL => c"a pointer that must not be NULL is NULL",
         V_ERR_HANDLE => c"not a valid handle",
-        V_ERR_ARGUMENT => c"an argument makes no sense",
+        V_ERR_ARGUMENT => c"an argument is not valid",
         V_ERR_RANGE => c"an index or a value is out of range",
         V_ERR_SIZE => c"an array is too small or a struct's size is not set",
         V_ERR_LIMIT => c"a limit of the library is exceeded",
@@ -482,13 +481,14 @@ pub extern "C" fn v_strerror(status: c_int) -> *const c_char {
         V_ERR_BUSY => c"not possible at this moment",
         V_ERR_CLOSED => c"the window has been closed",
         V_ERR_INTERNAL => c"a fault inside the library",
-        V_ERR_REFUSED => c"a user said no",
+        V_ERR_REFUSED => c"the user or a callback refused",
         _ => c"not a status of this library",
     }
     .as_ptr()
 }
 
-/// The version of the library that runs, as "1.0.0". Never NULL; constant.
+/// Returns the version of the library in use, as "1.0.0". Never NULL; the text is
+/// constant.
 /// Any thread; from callbacks too.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_version() -> *const c_char {
@@ -501,7 +501,7 @@ mod tests {
     use std::ffi::CStr;
 
     fn last() -> String {
-        // SAFETY: v_last_error always gives a text ended by zero.
+        // SAFETY: v_last_error always gives a zero-terminated text.
         let text = unsafe { CStr::from_ptr(v_last_error()) };
         text.to_str().expect("valid UTF-8").to_owned()
     }
@@ -514,7 +514,7 @@ mod tests {
 
     #[test]
     fn of_a_long_message_the_middle_is_left_out() {
-        // Each step of it takes Miri long: there some of those that fit and that do not.
+        // Miri is slow and tries only some of the lengths.
         let step = if cfg!(miri) { 401 } else { 1 };
         for length in (0..4 * MESSAGE_BYTES).step_by(step) {
             let long = format!(

@@ -10,22 +10,21 @@ use super::status::{Answer, Failure, V_ERR_INTERNAL};
 use super::types::V_PATH;
 use crate::document::Document;
 
-/// How a camera moves at a frame, see v_path_motion(). The library fills it in.
+/// The motion of a camera at a frame, see v_path_motion(). The library fills it in.
 ///
-/// Set size to sizeof (V_MOTION) before any call, see V_ORIENTATION.
+/// Set size before any call, see V_ORIENTATION.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct v_motion {
     /// sizeof (V_MOTION)
     pub size: usize,
-    /// length of the way since the first frame
+    /// length of the path since the first frame
     pub distance: f64,
-    /// length of the way in a second
+    /// length of the path per second
     pub speed: f64,
-    /// degrees in a second by which the camera turns, rolling included
+    /// degrees per second by which the camera turns, rolling included
     pub turning: f64,
-    /// of the way: 1 by the radius of its circle; 0 where the camera rests or turns on
-    /// the spot
+    /// curvature of the path, 1 / radius; 0 where the camera holds or turns on the spot
     pub curvature: f64,
 }
 
@@ -37,7 +36,7 @@ unsafe impl Growing for V_MOTION {
     const FIRST: usize = size_of::<V_MOTION>();
 }
 
-/// The frames of a path, and how many of them are shown in a second.
+/// The number of frames of a path, and its frame rate.
 fn course(document: &Document) -> Answer<(usize, f64)> {
     let frames = document.timeline(|timeline| timeline.frame_count())??;
     Ok((frames, document.info().fps))
@@ -45,12 +44,12 @@ fn course(document: &Document) -> Answer<(usize, f64)> {
 
 /// ==== Time and motion ====
 ///
-/// The frame that is shown at a time: 1 + seconds * fps (v_path_set_fps()), between two
-/// frames too. The first pose is shown at 0 seconds, the last one at
-/// (v_path_frame_count() - 1) / fps; other times are none of the path's. What
-/// v_path_seconds_at_frame() gives for a whole frame gives that frame again.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_MEMORY.
+/// Gets the frame that is shown at a time: 1 + seconds * fps (v_path_set_fps()), which
+/// may lie between two whole frames. The last pose is at (v_path_frame_count() - 1) / fps
+/// seconds; other times are out of range. For the time of a whole frame from
+/// v_path_seconds_at_frame(), the result is exactly that frame.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT,
+/// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_frame_at_seconds(
     path: *const V_PATH,
@@ -71,7 +70,7 @@ pub unsafe extern "C" fn v_path_frame_at_seconds(
             });
         }
         let passed = (seconds * fps).min(behind_first);
-        // A rounding apart from a whole frame it would not be that of v_path_sample().
+        // A rounding error must not miss a whole frame, which v_path_sample() has.
         let whole = passed.round();
         let passed = if whole / fps == seconds {
             whole
@@ -83,12 +82,12 @@ pub unsafe extern "C" fn v_path_frame_at_seconds(
     })
 }
 
-/// The time at which a frame is shown, between two frames too: (frame - 1) / fps, see
+/// Gets the time in seconds at which a frame is shown: (frame - 1) / fps, see
 /// v_path_frame_at_seconds().
 ///
-/// frame  from 1 to the count of v_path_frame_count()
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_MEMORY.
+/// frame  from 1 to v_path_frame_count(), also between two whole frames
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT,
+/// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_seconds_at_frame(
     path: *const V_PATH,
@@ -104,11 +103,11 @@ pub unsafe extern "C" fn v_path_seconds_at_frame(
     })
 }
 
-/// How the camera moves at a frame, between two frames too: lengths in the units of the
-/// positions, seconds by v_path_set_fps(). At a key it is how the camera goes on from
-/// there, at the last frame how it came. motion->size must be set before.
+/// Gets the motion of the camera at a frame: lengths in the units of the positions,
+/// seconds by v_path_set_fps(). At a key it is the motion after the key; at the last
+/// frame, the motion before it. Set motion->size before.
 ///
-/// frame  from 1 to the count of v_path_frame_count()
+/// frame  from 1 to v_path_frame_count(), also between two whole frames
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_RANGE,
 /// V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]

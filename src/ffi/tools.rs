@@ -22,16 +22,16 @@ use crate::tools::moves::Move;
 
 /// ==== How a block is put in, see v_path_insert_path() ====
 ///
-/// V_FIT_NONE   as it lies
-/// V_FIT_MOVE   moved, so that it begins where the path is
-/// V_FIT_TURN   turned too, so that it goes on in the direction of travel
+/// V_FIT_NONE   unchanged
+/// V_FIT_MOVE   moved, so that it begins at the point
+/// V_FIT_TURN   also turned, so that it continues in the direction of travel
 /// V_FIT_SCALE  moved, turned and scaled, so that it also ends at the next point
 pub const V_FIT_NONE: c_int = 0;
 pub const V_FIT_MOVE: c_int = 1;
 pub const V_FIT_TURN: c_int = 2;
 pub const V_FIT_SCALE: c_int = 3;
 
-/// A copy of what a handle stands for, to use while others are locked.
+/// A copy of the document of a handle, usable while others are locked.
 fn copy(path: *const V_PATH) -> Answer<Document> {
     read(path, |document| Ok(document.try_clone()?))
 }
@@ -50,10 +50,10 @@ fn range(document: &Document, first: c_int, last: c_int) -> Answer<Vec<usize>> {
 
 /// ==== Tools ====
 ///
-/// A path by a ready-made move, at 25 frames a second. Its numbers stand in the
-/// order below, a place as three; those behind count have their defaults. Headings
-/// are seen from the target: 0 lies towards +z, 90 towards +x. All its sections have one
-/// speed.
+/// Makes a path by a ready-made move, at 25 frames per second; all its sections have
+/// one speed. parameters has the numbers in the order below, a position as three; those
+/// after count have the defaults in parentheses. Headings are seen from the target: 0
+/// is towards +z, 90 towards +x. Free *path with v_path_free().
 ///
 /// "orbit"  on a circle round a target
 ///     around x y z (0), radius (1), height (0.4), from degrees (0), turns (1),
@@ -83,7 +83,6 @@ fn range(document: &Document, first: c_int, last: c_int) -> Answer<Vec<usize>> {
 ///     around x y z (0), radius (0.7), height (0.4), width (1.2),
 ///     from degrees (0), zoom mm (24), seconds (10)
 ///
-/// *path is the caller's, to be freed with v_path_free().
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE,
 /// V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
@@ -97,14 +96,13 @@ pub unsafe extern "C" fn v_path_from_move(
     unsafe { v_path_from_move_in_space(r#move, parameters, count, ptr::null(), path) }
 }
 
-/// As v_path_from_move(), in a space: where it has V_UP_Z, headings lie towards +x (0)
-/// and +y (90) and heights along z. Lengths behind count have their defaults times its
-/// half size, places its centre.
+/// Like v_path_from_move(), in a space. With V_UP_Z, headings are towards +x (0) and +y
+/// (90), and heights along z. Default lengths are multiplied by the half size of the
+/// space; default positions are its centre. Free *path with v_path_free().
 ///
-/// space   see v_space_init(); NULL: centre (0, 0, 0), half size 1, V_UP_Y
-/// *path is the caller's, to be freed with v_path_free().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT,
-/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+/// space   see v_space_init(); NULL: centre (0, 0, 0), half_size 1, V_UP_Y
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE,
+/// V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_from_move_in_space(
     r#move: *const c_char,
@@ -115,7 +113,7 @@ pub unsafe extern "C" fn v_path_from_move_in_space(
 ) -> c_int {
     border(V_ERR_INTERNAL, || {
         let out = Out::new(path, "path")?;
-        // SAFETY: a text ended by zero, as the header says.
+        // SAFETY: a zero-terminated text, as the header says.
         let found = Move::named(unsafe { text(r#move, "move") }?)?;
         // SAFETY: a space, as the header says.
         let space = unsafe { optional_space(space) }?.unwrap_or_default();
@@ -125,7 +123,7 @@ pub unsafe extern "C" fn v_path_from_move_in_space(
             let Some(numbers) = numbers.get_mut(..count) else {
                 return Err(OutOfRange::NumbersGiven { given: count, most }.into());
             };
-            // SAFETY: so many doubles, as the header says.
+            // SAFETY: that many doubles, as the header says.
             numbers.copy_from_slice(unsafe { slice(parameters, count, "parameters") }?);
         }
         let fps = Info::default().fps;
@@ -135,14 +133,14 @@ pub unsafe extern "C" fn v_path_from_move_in_space(
     })
 }
 
-/// Moves, turns, scales and mirrors the support points from first_point to
-/// last_point, tangents that they own with them.
+/// Moves, turns, scales and mirrors the points from first_point to last_point,
+/// including their own tangents.
 ///
 /// matrix  column by column, without shear; its last row is 0 0 0 1
-/// with_targets  1: what their cameras see goes along, targets, views and rolls;
-///     0: absolute targets stay, relative ones keep their direction
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (shear,
-/// or a point would lie on its own target), V_ERR_RANGE, V_ERR_MEMORY.
+/// with_targets  1: targets, views and rolls are transformed too; 0: absolute targets
+///     stay in place, relative ones keep their direction
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (shear, or
+/// a point would be at its own target), V_ERR_RANGE, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[matrix; 16]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_transform(
@@ -172,11 +170,11 @@ fn zero_or_one(number: c_int, name: &'static str) -> Answer<bool> {
     }
 }
 
-/// Deforms the support points from first_point to last_point as v_deform() does,
-/// tangents that they own with them.
+/// Deforms the points from first_point to last_point like v_deform(), including their
+/// own tangents.
 ///
-/// box    NULL: that of the points' positions
-/// with_targets  1: their targets are deformed too; 0: they stay
+/// box    NULL: the bounds of the points' positions
+/// with_targets  1: their targets are deformed too; 0: they are unchanged
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
 /// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[box; 6]]
@@ -207,11 +205,11 @@ pub unsafe extern "C" fn v_path_deform(
     })
 }
 
-/// The support points from first_point to last_point as a path of their own, open,
-/// with the curve that they have; on a closed path first_point may lie behind
-/// last_point. *block is the caller's, to be freed with v_path_free().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
-/// V_ERR_MEMORY, V_ERR_LIMIT.
+/// Copies the points from first_point to last_point into a new, open path with the same
+/// curve. On a closed path first_point may be after last_point. Free *block with
+/// v_path_free().
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_MEMORY,
+/// V_ERR_LIMIT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_extract(
     path: *const V_PATH,
@@ -235,12 +233,13 @@ pub unsafe extern "C" fn v_path_extract(
     })
 }
 
-/// Puts a path in behind support point at; block stays as it is and may be the same
-/// path. Its curve stays, and all other of the path; at the join both ways have one
-/// direction. But with V_FIT_NONE its first point becomes one with point at, whose
-/// views stay; with V_FIT_SCALE its last one so with the next point. Its targets go
-/// along. A closed block ends where it begins. Names that are there already get a
-/// number.
+/// Inserts a copy of another path, block, after the point at index at. block may be the
+/// same path. The block keeps its curve, with its targets, and so does the rest of the
+/// path; where they join, both have the same direction.
+///
+/// Except with V_FIT_NONE, the block's first point is merged with that point, which
+/// keeps its views; with V_FIT_SCALE its last point is merged with the next point in
+/// the same way. A closed block ends where it begins. Duplicate names get a number.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no
 /// direction, or no length to scale), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
@@ -278,18 +277,18 @@ pub unsafe extern "C" fn v_path_insert_path(
     })
 }
 
-/// Turns the way round: the film shows the same poses in reverse order. Views along
-/// the way look along the new one.
+/// Reverses a path: the film shows the same poses in reverse order. Views that look
+/// ahead then look ahead in the new direction.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_reverse(path: *mut V_PATH) -> c_int {
     border(V_ERR_INTERNAL, || edit(path, Edit::Reverse))
 }
 
-/// The way count times, each beginning where the one before ended, its targets with
-/// it; a closed path goes round so often.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_MEMORY.
+/// Repeats a path count times. Each repetition begins where the last one ended, and its
+/// targets move with it; a closed path is run through count times.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT,
+/// V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_repeat(path: *mut V_PATH, count: c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -297,14 +296,13 @@ pub unsafe extern "C" fn v_path_repeat(path: *mut V_PATH, count: c_int) -> c_int
     })
 }
 
-/// The sum of paths times their weights: positions, curve, targets, roll, zoom and
-/// speeds, point by point; paths with different numbers of points are resampled to
-/// the largest of them by length first. Fixed frames (rounded), angular velocities
-/// and slopes are blended where each path owns them. All else is that of the path
-/// with the greatest weight.
+/// Makes the weighted sum of paths: positions, curve, targets, roll, zoom and speeds,
+/// point by point. Paths with fewer points are first resampled by length to the largest
+/// number of points. Fixed frames (rounded), angular velocities and slopes are blended
+/// where every path has them. Everything else comes from the path with the greatest
+/// weight. Free *blend with v_path_free().
 ///
 /// weights  count numbers with the sum 1
-/// *blend is the caller's, to be freed with v_path_free().
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
 /// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
@@ -317,7 +315,7 @@ pub unsafe extern "C" fn v_path_blend(
     border(V_ERR_INTERNAL, || {
         let out = Out::new(blend, "blend")?;
         most(count, MOST_PATHS, "count")?;
-        // SAFETY: so many handles and doubles, as the header says.
+        // SAFETY: that many handles and doubles, as the header says.
         let (handles, weights) = unsafe {
             (
                 slice(paths, count, "paths")?,
@@ -341,7 +339,7 @@ pub unsafe extern "C" fn v_path_blend(
     })
 }
 
-/// The most paths to blend, more than anybody needs.
+/// The most paths that can be blended.
 const MOST_PATHS: usize = 1_000;
 
 #[cfg(test)]
@@ -356,12 +354,12 @@ mod tests {
     use crate::ffi::status::V_OK;
     use crate::tools::moves::MOVES;
 
-    /// "All else is that of the path with the greatest weight."
+    /// "Everything else comes from the path with the greatest weight."
     #[test]
     fn a_blend_plays_as_fast_as_the_path_that_weighs_most() {
         let (mut paths, mut blend) = ([null_mut(); 2], null_mut());
         let (mut fps, mut title, mut length) = (0.0, [0; 8], 0);
-        // SAFETY: room for handles, a number and a text; handles and texts ended by zero.
+        // SAFETY: room for handles, a number and a text; handles and zero-terminated texts.
         unsafe {
             assert_eq!(v_path_new(&raw mut paths[0]), V_OK);
             assert_eq!(v_path_clone(paths[0], &raw mut paths[1]), V_OK);

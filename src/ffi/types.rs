@@ -13,8 +13,8 @@ use crate::path::Pose;
 
 /// ==== The types of the interface of 1994 ====
 ///
-/// A point or a vector in the movement space, the cube from -1 to 1 in x, y
-/// and z: right-handed, y up.
+/// A point or a vector in the space, the cube from -1 to 1 in x, y and z: right-handed,
+/// y up.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct v_punkt {
@@ -25,7 +25,7 @@ pub struct v_punkt {
 
 pub type V_PUNKT = v_punkt;
 
-/// The same type under the name that the other structs use.
+/// The same type by the name that the other structs use.
 pub type V_POS = V_PUNKT;
 
 /// One point of the wireframe object that v_haupt() shows.
@@ -41,20 +41,18 @@ pub struct v_objekt_list {
 
 pub type V_OBJEKT_LISTE = v_objekt_list;
 
-/// The same type under its other name.
+/// The same type by its other name.
 pub type V_OBJEKT_LIST = V_OBJEKT_LISTE;
 
-/// One camera pose in a list of them, and the whole list by its first element.
+/// A camera pose in a list, and the whole list by its first element.
 ///
-/// The first element is the host's; it must outlive the list. Before the first
-/// hand-over the host sets its number to -1: no data yet, and prev and next
-/// mean nothing. VIDES makes the other elements with malloc(), one each, so
-/// that the host may free() them; v_free_liste() does that, too. The next list uses
-/// them again as far as it goes.
+/// The first element is yours and must outlive the list. Before the first hand-over set
+/// its number to -1: there is no data yet, and prev and next have no meaning. VIDES
+/// allocates each other element with malloc(), so that you may free() it;
+/// v_free_liste() does that too. The next list reuses the elements.
 ///
-/// The list is closed both ways: first->prev is the last element, whose number
-/// is the count, and the last one's next is the first. A list of one element
-/// points to itself.
+/// The list is circular: first->prev is the last element, whose number is the count,
+/// and the last element's next is the first. A list of one element points to itself.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct interpolparameter {
@@ -64,8 +62,8 @@ pub struct interpolparameter {
     pub VPN: V_POS,
     /// up; length 1, perpendicular to VPN
     pub VUP: V_POS,
-    /// 1 to 100, rounded, and 100 for any zoom beyond; the vertical field of view
-    /// is 2 atan (12 / zoom)
+    /// 1 to 100, rounded; 100 for any larger zoom. The vertical field of view is 2 atan
+    /// (12 / zoom)
     pub zoom: c_int,
     pub prev: *mut interpolparameter,
     pub next: *mut interpolparameter,
@@ -81,12 +79,12 @@ pub struct v_path {
 
 /// ==== The types of the new interface ====
 ///
-/// A camera path, by a handle. It is no address: a handle that was freed, freed
-/// twice, or never made gives V_ERR_HANDLE and does no harm. Whoever made it
-/// frees it with v_path_free().
+/// A handle for a camera path. It is not an address: using a handle that was freed, or
+/// never made, or freeing it twice, is harmless and fails with V_ERR_HANDLE. Free it
+/// with v_path_free().
 pub type V_PATH = v_path;
 
-/// One camera pose. This layout will never change.
+/// A camera pose. This layout will never change.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct v_pose {
@@ -96,53 +94,53 @@ pub struct v_pose {
     pub vpn: [f64; 3],
     /// up; length 1, perpendicular to vpn
     pub vup: [f64; 3],
-    /// 1 to 2000: focal length in mm of a 36 x 24 mm camera, so that the
-    /// vertical field of view is 2 atan (12 / zoom); v_zoom_from_fov() converts
-    /// from any other
+    /// 1 to 2000: focal length in mm of a 36 x 24 mm camera, so that the vertical field
+    /// of view is 2 atan (12 / zoom); v_zoom_from_fov() converts other lenses
     pub zoom: f64,
 }
 
 pub type V_POSE = v_pose;
 
-/// How the camera looks from a support point, and how it goes on from there.
+/// An orientation: how the camera looks at a point of the path, and how it moves on
+/// from there. The window calls it a view.
 ///
-/// A struct that begins with size may grow at its end in later versions. Set
-/// size to sizeof the struct before any call, also where the library fills in
-/// the rest; v_orientation_init() does it. A host compiled with
-/// an earlier 1.x may have a shorter one; any other value is V_ERR_SIZE.
+/// A struct that begins with size may grow at its end in later versions. Set size to
+/// sizeof the struct before any call, even if the library fills in the rest;
+/// v_orientation_init() does it. Programs compiled with an earlier 1.x may have a
+/// shorter struct; any other size fails with V_ERR_SIZE.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct v_orientation {
     /// sizeof (V_ORIENTATION)
     pub size: usize,
-    /// not 0: target is a point of the world; 0: an offset from the support
-    /// point, of which only the direction counts
+    /// not 0: target is a point in the world; 0: an offset from the path's point, of
+    /// which only the direction matters
     pub absolute: c_int,
-    /// what the camera looks at; not the support point itself
+    /// what the camera looks at; must not be the point itself
     pub target: [f64; 3],
-    /// degrees, turns the up vector about the view direction; any finite
-    /// number, kept in (-180, 180]
+    /// degrees, turns the up vector about the view direction; any finite number, stored
+    /// in (-180, 180]
     pub roll: f64,
     /// 1 to 2000
     pub zoom: f64,
-    /// of the turning, each -1 to 1
+    /// of the turning, each from -1 to 1
     pub tension: f64,
     pub continuity: f64,
     pub bias: f64,
-    /// speed curve of the section that begins here, each 1 to 100; at 50 the
-    /// base speeds hold
+    /// speed curve of the section that begins here, each from 1 to 100; at 50 the base
+    /// speeds apply
     pub speed: [f64; 10],
-    /// frames for which the camera rests here, 0 to 1000000
+    /// number of frames that the camera rests here, 0 to 1000000
     pub hold: c_int,
 }
 
 pub type V_ORIENTATION = v_orientation;
 
-/// A view as PHIGS describes it. The eye is on the side to which normal points,
-/// so the view goes against it. All but vrp, normal and up is in the view's own
-/// coordinates u (right), v (up), n (along normal), with the origin in vrp.
+/// A view as defined by PHIGS. The eye is on the side that normal points to, so it
+/// looks against normal. Everything except vrp, normal and up is in the view's own
+/// coordinates u (right), v (up), n (along normal), with the origin at vrp.
 ///
-/// Set size to sizeof (V_VIEW) before any call, see V_ORIENTATION.
+/// Set size before any call, see V_ORIENTATION.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct v_view {
@@ -158,7 +156,7 @@ pub struct v_view {
     pub prp: [f64; 3],
     /// umin, umax, vmin, vmax on the view plane
     pub window: [f64; 4],
-    /// n of the front plane, less than prp's
+    /// n of the front plane, less than that of prp
     pub front: f64,
     /// n of the back plane, less than front
     pub back: f64,
@@ -176,39 +174,56 @@ pub struct v_editor {
 
 /// ==== Editor windows ====
 ///
-/// An editor window, by a handle (see V_PATH). It belongs to the thread that
-/// opened it: from any other its functions answer V_ERR_HANDLE. Whoever opened
-/// it frees it with v_editor_close(), also after the user has closed it.
+/// A handle for an editor window (see V_PATH). The window belongs to the thread that
+/// opened it; on any other, its functions fail with V_ERR_HANDLE. Free it with
+/// v_editor_close(), even if the user has closed the window.
 pub type V_EDITOR = v_editor;
 
 /// ==== Reasons of callbacks ====
 ///
-/// Why on_view and on_frame are called: another point or orientation became current, or
-/// another camera is shown; something is being dragged or was changed; another frame was
-/// chosen; it plays; nothing moves any more (the last of a row of the others: time for the
-/// good picture).
+/// Why on_view and on_frame are called.
+///
+/// V_VIEW_SELECTED  another point, orientation or camera was selected
+/// V_VIEW_EDITED    something is being dragged or was changed
+/// V_VIEW_SCRUBBED  another frame was chosen
+/// V_VIEW_PLAYED    the window is playing
+/// V_VIEW_RESTED    nothing moves any more; ends each series of the others and is the
+///                  time to draw in full quality
 pub const V_VIEW_SELECTED: c_int = 0;
 pub const V_VIEW_EDITED: c_int = 1;
 pub const V_VIEW_SCRUBBED: c_int = 2;
 pub const V_VIEW_PLAYED: c_int = 3;
 pub const V_VIEW_RESTED: c_int = 4;
 
-/// ==== What stands upright ====
+/// Why on_gone is called.
+///
+/// V_GONE_BY_USER    the user closed the window
+/// V_GONE_WITH_ALL   v_editors_close(0) closed it
+/// V_GONE_DESTROYED  it was destroyed from outside or removed from its parent
+/// V_GONE_DISPLAY    its X server went away or refused to go on
+/// V_GONE_FAULT      a fault inside the library closed it
+pub const V_GONE_BY_USER: c_int = 0;
+pub const V_GONE_WITH_ALL: c_int = 1;
+pub const V_GONE_DESTROYED: c_int = 2;
+pub const V_GONE_DISPLAY: c_int = 3;
+pub const V_GONE_FAULT: c_int = 4;
+
+/// ==== Up axis ====
 ///
 /// Which axis is up.
 pub const V_UP_Y: c_int = 1;
 pub const V_UP_Z: c_int = 2;
 
-/// A movement space: a cube in the host's world, see v_path_set_space().
-/// v_space_init() fills in the space of a new path.
+/// The space of a path: a cube in your world, see v_path_set_space(). v_space_init()
+/// fills in the space of a new path.
 ///
-/// Set size to sizeof (V_SPACE) before any call, see V_ORIENTATION.
+/// Set size before any call, see V_ORIENTATION.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct v_space {
     /// sizeof (V_SPACE)
     pub size: usize,
-    /// its centre, in the host's world
+    /// its centre, in your world
     pub centre: [f64; 3],
     /// half the length of its edge, 1e-30 to 1e30
     pub half_size: f64,
@@ -218,51 +233,52 @@ pub struct v_space {
 
 pub type V_SPACE = v_space;
 
-/// Limits of a pace, 0: none. Lengths count in half sizes of the space, as in
-/// v_path_check(). v_limits_init() fills in those that a check has unless told.
+/// Limits of a speed profile; 0: no limit. Lengths are in half sizes of the space
+/// (v_path_set_space()), as in v_path_check(). v_limits_init() fills in the defaults of
+/// v_path_check().
 ///
-/// Set size to sizeof (V_LIMITS) before any call, see V_ORIENTATION.
+/// Set size before any call, see V_ORIENTATION.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct v_limits {
     /// sizeof (V_LIMITS)
     pub size: usize,
-    /// half sizes a second
+    /// half sizes per second
     pub speed: f64,
-    /// half sizes a second squared, in any direction
+    /// half sizes per second squared, in any direction
     pub acceleration: f64,
-    /// half sizes a second cubed, the third difference at whole frames
+    /// half sizes per second cubed, the third difference at whole frames
     pub jerk: f64,
-    /// degrees a second
+    /// degrees per second
     pub turning: f64,
-    /// degrees a second squared
+    /// degrees per second squared
     pub turning_acceleration: f64,
-    /// mm a second
+    /// mm per second
     pub zoom: f64,
-    /// least seconds in which what is in the middle of the picture would cross it
+    /// least time in seconds in which what is in the middle of the picture may cross it
     pub crossing: f64,
 }
 
 pub type V_LIMITS = v_limits;
 
-/// What a tour shows an object with, see v_path_tour(). v_tour_init() fills in what is
-/// usual.
+/// Options of a tour that shows an object, see v_path_tour(). v_tour_init() fills in
+/// the defaults.
 ///
-/// Set size to sizeof (V_TOUR) before any call, see V_ORIENTATION.
+/// Set size before any call, see V_ORIENTATION.
 #[repr(C)]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct v_tour {
     /// sizeof (V_TOUR)
     pub size: usize,
-    /// how long the flight takes, > 0
+    /// duration of the flight, > 0
     pub seconds: f64,
-    /// the share, by area, that is shown of the surface that can be seen: > 0, at most 1
+    /// fraction, by area, of the visible surface to show: > 0, at most 1
     pub coverage: f64,
-    /// how far the camera is from what it shows; 0: found
+    /// distance of the camera from what it shows; 0: chosen by VIDES
     pub distance: f64,
-    /// not 0: in the object's free space, not around it
+    /// not 0: in the free space inside the object instead of around it
     pub inside: c_int,
-    /// not 0: it begins at start; else it is a closed round
+    /// not 0: begins at start; 0: a closed tour
     pub has_start: c_int,
     /// where it begins
     pub start: [f64; 3],
@@ -272,42 +288,40 @@ pub struct v_tour {
 
 pub type V_TOUR = v_tour;
 
-/// How an editor window is opened. v_editor_options_init() fills in defaults;
-/// what is pointed to need not live longer than the call of v_editor_open(),
-/// but for user.
+/// Options of an editor window. v_editor_options_init() fills in the defaults. What
+/// they point to, except user, must only remain valid during v_editor_open().
 ///
-/// Set size to sizeof (V_EDITOR_OPTIONS) before any call, see V_ORIENTATION.
+/// Set size before any call, see V_ORIENTATION.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct v_editor_options {
     /// sizeof (V_EDITOR_OPTIONS)
     pub size: usize,
-    /// what follows "VIDES" in the title, UTF-8, one line; NULL: the file's
-    /// name
+    /// text after "VIDES" in the title, UTF-8, one line; NULL: the name of the file
     pub title: *const c_char,
-    /// a .vid file to start with, and to be saved to; one that does not exist
-    /// yet is a new path of that name; NULL: none
+    /// a .vid file to start with and to save to; one that does not exist yet is a new
+    /// path of that name; NULL: none
     pub file: *const c_char,
-    /// a path to start with, copied; NULL: a new one, or that of file. Not
-    /// both
+    /// a path to start with, copied; NULL: a new one, or that of file. Must not be
+    /// given together with file
     pub path: *const V_PATH,
-    /// an object to be shown, copied; NULL: that of the path
+    /// an object to show, copied, at which a new path looks; NULL: that of the path
     pub object: *const V_MESH,
-    /// frames for a way of one half size and so on, see v_path_set_base_frames().
-    /// All 0: those of the path. Else they are the host's: the window keeps them and
-    /// ignores a loaded file's
+    /// base speeds, see v_path_set_base_frames(). All 0: those of the path. Otherwise
+    /// they are fixed: the window keeps them and ignores those of a loaded file
     pub move_frames: f64,
     pub turn_frames: f64,
     pub zoom_frames: f64,
     pub roll_frames: f64,
-    /// name of the X display; NULL: the environment's DISPLAY
+    /// name of the X display; NULL: the one that the program's Xt opened last; without
+    /// Xt, the environment's DISPLAY
     pub display: *const c_char,
-    /// "de" or "en"; NULL: the environment's, by LC_ALL, LC_MESSAGES, LANG.
-    /// A language that the user has chosen in the setup counts before both
+    /// "de" or "en"; NULL: from the environment's LC_ALL, LC_MESSAGES, LANG. A language
+    /// chosen by the user in the setup takes precedence
     pub language: *const c_char,
-    /// called when the user hands over the poses; they are the library's and
-    /// valid until it returns. Of a scene they are those of the camera that is shown,
-    /// one for each frame of v_scene_frame_range(). NULL: nothing can be handed over
+    /// called when the user hands over the poses, which belong to the library and are
+    /// valid until it returns. In a scene they are those of the camera shown, one for
+    /// each frame of v_scene_frame_range(). NULL: no hand-over is possible
     pub on_poses: Option<
         unsafe extern "C" fn(
             editor: *mut V_EDITOR,
@@ -316,23 +330,23 @@ pub struct v_editor_options {
             user: *mut c_void,
         ),
     >,
-    /// called before the user closes the window; 0 keeps it open. NULL: it
+    /// called before the user closes the window; returning 0 keeps it open. NULL: it
     /// closes
     pub on_close: Option<unsafe extern "C" fn(editor: *mut V_EDITOR, user: *mut c_void) -> c_int>,
-    /// the host's, handed on to the callbacks
+    /// your pointer, passed to the callbacks
     pub user: *mut c_void,
-    /// the movement space in the host's world: its centre, half of its edge, and
-    /// which axis is up, V_UP_Y or V_UP_Z; of a scene in file, too. Half size 0: that of
-    /// file or path, and V_UP_Z makes z upright in a new path
+    /// the space in your world: its centre, half of its edge, and the up axis, V_UP_Y
+    /// or V_UP_Z; also for a scene in file. With space_half_size 0, the space is that
+    /// of file or path, and V_UP_Z makes z the up axis of a new path
     pub space_centre: [f64; 3],
     pub space_half_size: f64,
     pub space_up: c_int,
-    /// called with the camera at the playhead whenever that has changed, whether or
-    /// not the window is seen (it may be covered, iconified, on another desktop, or in
-    /// a parent that is not shown): sixty times a second at most, what came meanwhile
-    /// is one call. frame counts from 1. reason is one of V_VIEW_.... The pose is the
-    /// library's and valid until it returns. After a call of more than 30 ms the next
-    /// one waits as long; the last pose always comes. NULL: none
+    /// called with the camera at the playhead whenever it has changed, whether or not
+    /// the window is visible (it may be covered, iconified, on another desktop, or in a
+    /// parent that is not shown): at most 60 times a second, combining changes in
+    /// between. frame counts from 1; reason is one of V_VIEW_.... The pose belongs to
+    /// the library and is valid until it returns. After a call of more than 30 ms the
+    /// next one waits as long; the last pose always arrives. NULL: none
     pub on_view: Option<
         unsafe extern "C" fn(
             editor: *mut V_EDITOR,
@@ -342,26 +356,29 @@ pub struct v_editor_options {
             user: *mut c_void,
         ),
     >,
-    /// called when the path in the window has changed: after each step, undo and
-    /// redo too, not while a drag goes on; steps of one sixtieth of a second are one
-    /// call. Seen or not, as on_view. NULL: none
+    /// called when the path in the window has changed: after each step, undo and redo,
+    /// but not during a drag; steps within a sixtieth of a second are combined. It is
+    /// called whether or not the window is visible, like on_view. A tool's preview
+    /// before OK does not count as a change here, nor for on_view, on_frame and
+    /// on_poses. NULL: none
     pub on_change: Option<unsafe extern "C" fn(editor: *mut V_EDITOR, user: *mut c_void)>,
-    /// "take over the view": the host fills in its own camera and returns 1; 0: it
-    /// has none. vpn and vup of any length but 0, not parallel. NULL: that of
-    /// v_editor_set_view() is taken
+    /// called when the user adds your program's view to the path (Ctrl-Enter): fill in
+    /// your camera and return 1, or return 0 if there is none. vpn and vup have any
+    /// length but 0 and are not parallel. NULL: the window uses the view of
+    /// v_editor_set_view()
     pub on_capture: Option<
         unsafe extern "C" fn(editor: *mut V_EDITOR, pose: *mut V_POSE, user: *mut c_void) -> c_int,
     >,
-    /// the camera pane opened, changed its size in pixels, or closed (window 0, sizes
-    /// 0). The host draws in it what the camera sees, and again at each Expose: in a
-    /// child of any visual that it makes there, which is kept at the pane's size, or
-    /// in the pane itself, which is of the screen's own visual. A pane is never
-    /// destroyed while the process lives. When it closes it is unmapped, a child in
-    /// it is put out to the root window, unmapped, and then this is called; when the
-    /// editor closes, after its window is gone, in v_editor_close() too. Then the
-    /// editor's handle may be freed already; at the end of a thread nobody is called.
-    /// On a server without XFIXES or SHAPE there is no pane. NULL: the editor draws
-    /// itself
+    /// called when the camera pane opens, changes its size in pixels, or closes (window
+    /// 0, sizes 0). Draw in it what the camera sees, and again at each Expose: in a
+    /// child window that you create there, of any visual, which is kept at the pane's
+    /// size, or in the pane itself, which has the screen's own visual. A pane is never
+    /// destroyed while the process lives. When it closes, it is unmapped, a child in it
+    /// is moved to the root window, unmapped, and then this is called. When the editor
+    /// closes, this is called after its window is gone, also by v_editor_close(); the
+    /// editor's handle may then be freed already. It is not called when the thread
+    /// ends. On a server without XFIXES or SHAPE there is no pane. NULL: the editor
+    /// draws the picture itself
     pub on_pane: Option<
         unsafe extern "C" fn(
             editor: *mut V_EDITOR,
@@ -371,29 +388,43 @@ pub struct v_editor_options {
             user: *mut c_void,
         ),
     >,
-    /// what the window calls the host's view, UTF-8, one line; NULL: "program"
+    /// what the window calls your program's view, UTF-8, one line; NULL: "program"
     pub host_name: *const c_char,
-    /// an X window of the display to live in, of any depth: the editor is its child
-    /// and fills it; 0: a top-level window. If it is destroyed, or the editor's window
-    /// is put out to the root, the editor is closed without asking on_close, and what
-    /// was unsaved is offered at the next start. V_ERR_ARGUMENT if it is no window
+    /// an X window of the display, of any depth: the editor becomes its child and fills
+    /// it; 0: a top-level window. If the parent is destroyed, or the editor's window is
+    /// moved to the root, the editor closes without calling on_close, and unsaved work
+    /// is offered at the next start. V_ERR_ARGUMENT if it is not a window
     pub parent: c_ulong,
-    /// the host's window that the editor's belongs to, above which a window manager
-    /// keeps it; 0: none. V_ERR_ARGUMENT if it is no window
+    /// your window that the editor's window belongs to; window managers keep the editor
+    /// above it; 0: none. V_ERR_ARGUMENT if it is not a window
     pub transient_for: c_ulong,
-    /// what the program is called: the first half of WM_CLASS, by which a desktop
-    /// groups its windows, and unsaved work finds back to it; UTF-8; NULL: the name of the running program
+    /// name of the program, UTF-8: the first half of WM_CLASS, by which desktops group
+    /// windows, and by which unsaved work is found again; NULL: the name of the running
+    /// program
     pub application: *const c_char,
-    /// not 0: after a hand-over nothing is unsaved. So it is without a file, too,
+    /// not 0: after a hand-over nothing is unsaved. That always holds without a file,
     /// and in a window of v_haupt()
     pub hand_over_saves: c_int,
-    /// for a host that draws the scene itself, by v_editor_get_scene() and
-    /// v_scene_evaluate(): called with the scene's frame at the playhead, and why
-    /// (V_VIEW_...), after that or the scene has changed; when as on_view. NULL:
-    /// nobody is
+    /// for programs that draw the scene themselves, with v_editor_get_scene() and
+    /// v_scene_evaluate(): called with the scene's frame at the playhead and a reason
+    /// (V_VIEW_...) when that frame or the scene has changed; as often as on_view.
+    /// NULL: none
     pub on_frame: Option<
         unsafe extern "C" fn(editor: *mut V_EDITOR, frame: f64, reason: c_int, user: *mut c_void),
     >,
+    /// the view that your program's picture shows when the window opens; copied. A new
+    /// path begins with it and leads to the right, around what is in the middle of the
+    /// picture. on_view is then called only when the camera has changed, so that
+    /// opening the window does not move your picture. NULL: a new path looks at the
+    /// object, and on_view is called at once
+    pub view: *const V_POSE,
+    /// called once, after the window is gone, so that your program can show its own
+    /// view again. reason is one of V_GONE_.... You may free the handle here
+    /// (v_editor_close()); any other use of it fails with V_ERR_CLOSED. It is not
+    /// called when v_editor_close() closes the window, or when its thread ends. NULL:
+    /// none
+    pub on_gone:
+        Option<unsafe extern "C" fn(editor: *mut V_EDITOR, reason: c_int, user: *mut c_void)>,
 }
 
 pub type V_EDITOR_OPTIONS = v_editor_options;

@@ -47,14 +47,14 @@ unsafe impl Growing for V_VIEW {
 
 /// ==== Toolbox: views ====
 ///
-/// The matrix that takes world coordinates into the canonical volume of a view:
-/// 16 numbers by rows, for column vectors, m times (x, y, z, 1). In a parallel
-/// projection x and y are then from -1 to 1 and z is 0 in the front plane and
-/// -1 in the back plane; in a perspective |x| and |y| are at most z, and z is 1
+/// Gets the matrix from world coordinates to the canonical volume of a view: 16
+/// numbers, row by row, for column vectors, m times (x, y, z, 1). In a parallel
+/// projection, x and y are then from -1 to 1, and z is 0 in the front plane and -1 in
+/// the back plane. In a perspective projection, |x| and |y| are at most z, and z is 1
 /// in the back plane.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT (up
-/// parallel to normal), V_ERR_RANGE (prp not before the front plane, back plane
-/// not behind it, empty window).
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT (up parallel
+/// to normal), V_ERR_RANGE (prp not in front of the front plane, back plane not behind
+/// it, empty window).
 /// cbindgen:ptrs-as-arrays=[[m; 16]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_view_matrix(view: *const V_VIEW, m: *mut f64) -> c_int {
@@ -68,11 +68,10 @@ pub unsafe extern "C" fn v_view_matrix(view: *const V_VIEW, m: *mut f64) -> c_in
     })
 }
 
-/// The perspective view that a camera has in a pose. aspect is the picture's
-/// width by its height; front and back are the distances of the planes before
-/// the camera, 0 < front < back. view->size must be set before.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT,
-/// V_ERR_RANGE.
+/// Gets the perspective view of a camera in a pose. aspect is the width of the picture
+/// divided by its height; front and back are the distances of the planes from the
+/// camera, 0 < front < back. Set view->size before.
+/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_view_from_pose(
     pose: *const V_POSE,
@@ -96,8 +95,8 @@ pub unsafe extern "C" fn v_view_from_pose(
     })
 }
 
-/// The matrix of a camera in a pose as gluLookAt() makes it, to be given to
-/// glLoadMatrixd(): 16 numbers by columns, world to eye, looking along -z.
+/// Gets the matrix of a camera in a pose as gluLookAt() makes it, for glLoadMatrixd():
+/// 16 numbers, column by column, from the world to the eye, looking along -z.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[m; 16]]
 #[unsafe(no_mangle)]
@@ -113,23 +112,24 @@ pub unsafe extern "C" fn v_pose_gl_matrix(pose: *const V_POSE, m: *mut f64) -> c
     })
 }
 
-/// The vertical field of view, in degrees, of a lens of zoom mm before a picture
-/// that is height mm high: 2 atan (height / (2 zoom)). The zoom of a V_POSE goes with
-/// the height 24.
+/// Returns the vertical field of view, in degrees, of a lens of zoom mm and a picture
+/// that is height mm high: 2 atan (height / (2 zoom)). For the zoom of a V_POSE, height
+/// is 24.
 ///
 /// zoom, height  finite and > 0
-/// Any thread; from callbacks too. NaN, and v_last_error() says why, for anything else.
+/// Any thread; from callbacks too. NaN for anything else; v_last_error() returns why.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_fov_from_zoom(zoom: f64, height: f64) -> f64 {
     border(f64::NAN, || Ok(fov_from_zoom(zoom, height)?))
 }
 
-/// The lens in mm that gives a picture height mm high the vertical field of view fov:
-/// height / (2 tan (fov / 2)). With the height 24 it is the zoom of a V_POSE.
+/// Returns the focal length in mm that gives a picture height mm high the vertical
+/// field of view fov: height / (2 tan (fov / 2)). With height 24 it is the zoom of a
+/// V_POSE.
 ///
-/// fov     in degrees, between 0 and 180, both left out
+/// fov     in degrees, between 0 and 180, both excluded
 /// height  finite and > 0
-/// Any thread; from callbacks too. NaN, and v_last_error() says why, for anything else.
+/// Any thread; from callbacks too. NaN for anything else; v_last_error() returns why.
 #[unsafe(no_mangle)]
 pub extern "C" fn v_zoom_from_fov(fov: f64, height: f64) -> f64 {
     border(f64::NAN, || Ok(zoom_from_fov(fov, height)?))

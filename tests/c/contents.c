@@ -425,6 +425,30 @@ static void what_goes(void)
     v_scene_free(scene);
 }
 
+/* Comments of a file stay where a program changes its scene and saves it. */
+static void comments_stay(void)
+{
+    static const char text[] = "# head\nversion = 1\n\n"
+                               "# the car\n[[node]]\nname = \"car\"\nkind = \"group\"\n\n"
+                               "# the eye\n[[node]]\nname = \"eye\"\nkind = \"camera\" # of all\n";
+    V_SCENE *scene = NULL;
+    char *saved;
+    OK(v_scene_load_from_memory(text, strlen(text), &scene));
+    add(scene, "lamp", V_NODE_LIGHT, -1);
+    saved = text_of(scene);
+    CHECK(strncmp(saved, "# head\n", 7) == 0);
+    CHECK(strstr(saved, "# the car\n[[node]]\nname = \"car\"\n") != NULL);
+    CHECK(strstr(saved, "# the eye\n[[node]]\nname = \"eye\"\n") != NULL);
+    free(saved);
+    OK(v_scene_remove_node(scene, 0));
+    saved = text_of(scene);
+    CHECK(strstr(saved, "# the car") == NULL);
+    CHECK(strstr(saved, "# the eye\n[[node]]\nname = \"eye\"\n") != NULL);
+    CHECK(strstr(saved, "kind = \"camera\" # of all\n") != NULL);
+    free(saved);
+    v_scene_free(scene);
+}
+
 int main(void)
 {
     what_is_set_is_read();
@@ -433,5 +457,6 @@ int main(void)
     the_path_that_is_shown();
     another_parent();
     what_goes();
+    comments_stay();
     return failures != 0;
 }

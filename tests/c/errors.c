@@ -138,7 +138,7 @@ static void numbers_count_from_0(void)
 
     SAYS(V_ERR_RANGE, "there is no point 2 (counted from 0): the path has points 0 to 1",
          v_path_remove_point(path, 2));
-    SAYS(V_ERR_RANGE, "at is -1, and numbers count from 0", v_path_remove_point(path, -1));
+    SAYS(V_ERR_RANGE, "at is -1, but counting starts at 0", v_path_remove_point(path, -1));
     SAYS(V_ERR_RANGE, "a new point must be put at 0 (counted from 0) to 2, not at 9",
          v_path_insert_point(path, 9, far));
     v_orientation_init(&o);
@@ -194,7 +194,7 @@ static void what_there_is_is_told(void)
 
     v_orientation_init(&o);
     o.zoom = 0;
-    SAYS(V_ERR_RANGE, "there is no kind of curve \"bezier\"; known: tcb, cubic, linear",
+    SAYS(V_ERR_RANGE, "there is no kind of curve \"bezier\"; known: tcb, centripetal, chordal, cubic, linear",
          v_path_set_curve(path, "bezier"));
     SAYS(V_ERR_ARGUMENT, "there is no up \"w\"; known: axis, point, path, minimal, frenet, y, z",
          v_path_set_up(path, 0, 0, "w", NULL, NULL));
@@ -217,9 +217,9 @@ static void what_there_is_is_told(void)
     SAYS(V_ERR_RANGE, "speed must lie between 1 and 100", v_path_set_orientation(path, 0, 0, &o));
     SAYS(V_ERR_ARGUMENT, "vup must not be parallel to vpn",
          v_orientation_from_pose(&parallel, V_UP_Y, &o));
-    SAYS(V_ERR_SIZE, "poses has room for 1, and 121 are needed",
+    SAYS(V_ERR_SIZE, "poses has room for 1, but 121 are needed",
          v_path_sample(path, &pose, 1, &count));
-    SAYS(V_ERR_ARGUMENT, "zoom_frames is 0, and must be finite and greater than 0",
+    SAYS(V_ERR_ARGUMENT, "zoom_frames is 0, but must be finite and greater than 0",
          v_path_set_base_frames(path, 1, 1, 0, 1));
 
     OK(v_scene_new(&scene));
@@ -257,10 +257,10 @@ static void what_there_is_is_told(void)
 
     v_editor_options_init(&options);
     options.move_frames = -1;
-    SAYS(V_ERR_ARGUMENT, "options->move_frames is -1, and must be finite and greater than 0",
+    SAYS(V_ERR_ARGUMENT, "options->move_frames is -1, but must be finite and greater than 0",
          v_editor_open(&options, &editor));
     options.move_frames = 10;
-    SAYS(V_ERR_ARGUMENT, "options->turn_frames is 0, and must be finite and greater than 0",
+    SAYS(V_ERR_ARGUMENT, "options->turn_frames is 0, but must be finite and greater than 0",
          v_editor_open(&options, &editor));
     options.move_frames = 0;
     options.language = "fr";

@@ -105,6 +105,32 @@ static void refused(const char *folder)
     v_scene_free(scene);
 }
 
+/* Errors and warnings count and name as the header does. */
+static void words_are_those_of_c(const char *folder)
+{
+    V_SCENE *scene = flight(), *again = NULL;
+    FILE *out;
+    STATUS(V_ERR_ARGUMENT, v_scene_export(scene, in(folder, "x.unknown"), NULL, NULL));
+    CHECK(strstr(v_last_error(), "no format has this ending: name it, with format") != NULL);
+    CHECK(strstr(v_last_error(), "--") == NULL);
+    out = fopen(in(folder, "x.unknown"), "w");
+    fputs("nothing", out);
+    fclose(out);
+    STATUS(V_ERR_FORMAT, v_scene_import(file, NULL, NULL, &again));
+    CHECK(strstr(v_last_error(), "name it, with format") != NULL && strstr(v_last_error(), "--") == NULL);
+    OK(v_scene_export(scene, in(folder, "late.csv"), NULL, "frames=1..3"));
+    out = fopen(file, "w");
+    fputs("frame,vrp_x,vrp_y,vrp_z,vpn_x,vpn_y,vpn_z,vup_x,vup_y,vup_z,zoom,seconds\n"
+          "1,0,0,1,0,0,-1,0,1,0,24,0\n2,1,0,1,0,0,-1,0,1,0,24,0.04\n"
+          "3,2,0,1,0,0,-1,0,1,0,24,9\n", out);
+    fclose(out);
+    OK(v_scene_import(file, "csv", "fps=25", &again));
+    CHECK(strstr(v_last_warning(), "by the seconds pose 2 (counted from 0) would be at 9 s") != NULL);
+    if (again != NULL)
+        v_scene_free(again);
+    v_scene_free(scene);
+}
+
 /* What was told of a call that succeeded does not stand beside one that fails. */
 static void warnings_are_the_last_calls(const char *folder)
 {
@@ -210,6 +236,7 @@ int main(int count, char **arguments)
     losses(folder);
     refused(folder);
     warnings_are_the_last_calls(folder);
+    words_are_those_of_c(folder);
     folders_are_whole(folder);
     aims_that_fail_are_told(folder);
     objects_of_paths_go_along(folder);

@@ -38,6 +38,8 @@ typedef struct {
     const char *application;
     int hand_over_saves;
     void (*on_frame)(V_EDITOR *, double, int, void *);
+    const V_POSE *view;
+    void (*on_gone)(V_EDITOR *, int, void *);
 } options;
 
 #define SAME_SIZE(ours, theirs) CHECK(sizeof(ours) == sizeof(theirs))
@@ -123,6 +125,8 @@ int main(void)
     SAME_FIELD(V_EDITOR_OPTIONS, options, application);
     SAME_FIELD(V_EDITOR_OPTIONS, options, hand_over_saves);
     SAME_FIELD(V_EDITOR_OPTIONS, options, on_frame);
+    SAME_FIELD(V_EDITOR_OPTIONS, options, view);
+    SAME_FIELD(V_EDITOR_OPTIONS, options, on_gone);
     memset(&given, 0xff, sizeof given);
     v_editor_options_init(&given);
     CHECK(given.size == sizeof given && given.title == NULL && given.path == NULL);
@@ -132,5 +136,6 @@ int main(void)
     CHECK(given.on_view == NULL && given.on_change == NULL && given.on_capture == NULL);
     CHECK(given.on_pane == NULL && given.host_name == NULL && given.parent == 0);
     CHECK(given.transient_for == 0 && given.hand_over_saves == 0 && given.on_frame == NULL);
+    CHECK(given.on_gone == NULL);
     return failures != 0;
 }

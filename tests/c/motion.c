@@ -37,7 +37,7 @@ static void poses_in_any_order(void)
     memset(&untouched, 0x5A, sizeof untouched);
     frames[4] = 121.25;
     STATUS(V_ERR_RANGE, v_path_poses_at(path, frames, 6, poses));
-    CHECK(strcmp(v_last_error(), "frames[4] is 121.25, and frames go from 1 to 121") == 0);
+    CHECK(strcmp(v_last_error(), "frames[4] is 121.25, but frames go from 1 to 121") == 0);
     frames[4] = 0.5;
     STATUS(V_ERR_RANGE, v_path_poses_at(path, frames, 6, poses));
     frames[4] = NAN;
@@ -64,11 +64,11 @@ static void frames_and_seconds(void)
     OK(v_path_seconds_at_frame(path, 121, &seconds));
     CHECK(seconds == 4.8);
     STATUS(V_ERR_RANGE, v_path_frame_at_seconds(path, 4.800001, &frame));
-    CHECK(strcmp(v_last_error(), "seconds is 4.800001, and must lie between 0 and 4.8") == 0);
+    CHECK(strcmp(v_last_error(), "seconds is 4.800001, but must be between 0 and 4.8") == 0);
     STATUS(V_ERR_RANGE, v_path_frame_at_seconds(path, -1e-9, &frame));
     STATUS(V_ERR_RANGE, v_path_frame_at_seconds(path, NAN, &frame));
     STATUS(V_ERR_RANGE, v_path_seconds_at_frame(path, 121.5, &seconds));
-    CHECK(strcmp(v_last_error(), "frame is 121.5, and frames go from 1 to 121") == 0);
+    CHECK(strcmp(v_last_error(), "frame is 121.5, but frames go from 1 to 121") == 0);
     STATUS(V_ERR_RANGE, v_path_seconds_at_frame(path, 0.99, &seconds));
     STATUS(V_ERR_RANGE, v_path_seconds_at_frame(path, NAN, &seconds));
     CHECK(frame == 38.5 && seconds == 4.8);
@@ -176,6 +176,137 @@ static void axes_of_other_programs(void)
     pose.vrp[1] = INFINITY;
     STATUS(V_ERR_ARGUMENT, v_pose_matrix(&pose, V_AXES_ROS, 1, m));
     CHECK(m[0] == 77);
+}
+
+/* What v_pose_matrix() makes of a pose is taken back, also with rounding of float and a scale. */
+static void poses_of_matrices(void)
+{
+    double m[16], zero[16] = {0};
+    V_POSE pose, again;
+    int convention, to_world, k, step;
+    for (step = 0; step < 100; step++)
+        for (convention = 0; convention < 4; convention++)
+            for (to_world = 0; to_world < 2; to_world++) {
+                double scale = step % 3 == 0 ? 1 : 0.01 * (step + 1);
+                pose = some_pose(step);
+                OK(v_pose_matrix(&pose, convention, to_world, m));
+                for (k = 0; k < 12; k++)
+                    m[k] *= scale;
+                for (k = 12; k < 15 && !to_world; k++)
+                    m[k] *= scale;
+                OK(v_pose_from_matrix(m, convention, to_world, pose.zoom, &again));
+                CHECK(again.zoom == pose.zoom);
+                for (k = 0; k < 3; k++) {
+                    NEAR(again.vrp[k], pose.vrp[k], 1e-12);
+                    NEAR(again.vpn[k], pose.vpn[k], 1e-13);
+                    NEAR(again.vup[k], pose.vup[k], 1e-13);
+                }
+                for (k = 0; k < 16; k++)
+                    m[k] = (float)m[k];
+                OK(v_pose_from_matrix(m, convention, to_world, 24, &again));
+                NEAR(dot(again.vpn, again.vpn), 1, 1e-15);
+                NEAR(dot(again.vpn, again.vup), 0, 1e-15);
+                for (k = 0; k < 3; k++)
+                    NEAR(again.vpn[k], pose.vpn[k], 1e-6);
+            }
+    again.zoom = 77;
+    OK(v_pose_matrix(&pose, V_AXES_OPENGL, 0, m));
+    STATUS(V_ERR_RANGE, v_pose_from_matrix(m, 4, 0, 24, &again));
+    STATUS(V_ERR_ARGUMENT, v_pose_from_matrix(m, 0, 0, 0, &again));
+    STATUS(V_ERR_ARGUMENT, v_pose_from_matrix(m, 0, 0, NAN, &again));
+    STATUS(V_ERR_NULL, v_pose_from_matrix(NULL, 0, 0, 24, &again));
+    STATUS(V_ERR_NULL, v_pose_from_matrix(m, 0, 0, 24, NULL));
+    STATUS(V_ERR_ARGUMENT, v_pose_from_matrix(zero, 0, 0, 24, &again));
+    CHECK(strstr(v_last_error(), "m is not the matrix of a camera") != NULL);
+    for (k = 0; k < 16; k++) {
+        double kept = m[k];
+        m[k] = INFINITY;
+        STATUS(V_ERR_ARGUMENT, v_pose_from_matrix(m, 0, k & 1, 24, &again));
+        m[k] = kept;
+    }
+    m[11] = -1; /* a projection */
+    STATUS(V_ERR_ARGUMENT, v_pose_from_matrix(m, 0, 0, 24, &again));
+    m[11] = 0;
+    for (k = 0; k < 3; k++)
+        m[k] = -m[k]; /* a mirror */
+    STATUS(V_ERR_ARGUMENT, v_pose_from_matrix(m, 0, 0, 24, &again));
+    for (k = 0; k < 3; k++)
+        m[k] *= -2; /* a stretch */
+    STATUS(V_ERR_ARGUMENT, v_pose_from_matrix(m, 0, 1, 24, &again));
+    CHECK(again.zoom == 77);
+}
+
+/* v = v turned about a world axis by degrees. */
+static void turn(double v[3], int axis, double degrees)
+{
+    double s = sin(degrees * acos(-1) / 180), c = cos(degrees * acos(-1) / 180);
+    double *a = &v[(axis + 1) % 3], *b = &v[(axis + 2) % 3], before = *a;
+    *a = c * before - s * *b;
+    *b = s * before + c * *b;
+}
+
+static void angles_of_a_pose(void)
+{
+    /* The axes in the order of the turns, and each convention's view and up. */
+    static const int orders[6][3] = {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}};
+    static const double views[4][3] = {{0, 0, -1}, {0, 0, 1}, {1, 0, 0}, {0, 0, 1}};
+    static const double ups[4][3] = {{0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 1, 0}};
+    static const double vrp[3] = {3, -4, 5};
+    static const double seconds[] = {20, -65, 0, 89.999, 90, -90};
+    double angles[3], back[3];
+    V_POSE pose, again;
+    int order, convention, k, step;
+    for (order = 0; order < 6; order++)
+        for (convention = 0; convention < 4; convention++)
+            for (step = 0; step < 6; step++) {
+                double view[3], up[3];
+                memcpy(view, views[convention], sizeof view);
+                memcpy(up, ups[convention], sizeof up);
+                angles[orders[order][0]] = 130 - 17 * step;
+                angles[orders[order][1]] = seconds[step];
+                angles[orders[order][2]] = -40;
+                for (k = 0; k < 3; k++) {
+                    turn(view, orders[order][k], angles[orders[order][k]]);
+                    turn(up, orders[order][k], angles[orders[order][k]]);
+                }
+                OK(v_pose_from_euler(vrp, angles, convention, order, 35, &pose));
+                CHECK(pose.zoom == 35);
+                for (k = 0; k < 3; k++) {
+                    CHECK(pose.vrp[k] == vrp[k]);
+                    NEAR(pose.vpn[k], view[k], 1e-14);
+                    NEAR(pose.vup[k], up[k], 1e-14);
+                }
+                OK(v_pose_to_euler(&pose, convention, order, back));
+                for (k = 0; k < 3 && step < 3; k++)
+                    NEAR(back[k], angles[k], 1e-12);
+                CHECK(fabs(back[orders[order][1]]) <= 90);
+                OK(v_pose_from_euler(vrp, back, convention, order, 35, &again));
+                for (k = 0; k < 3; k++) {
+                    NEAR(again.vpn[k], pose.vpn[k], 1e-14);
+                    NEAR(again.vup[k], pose.vup[k], 1e-14);
+                }
+            }
+    /* Pitch looks down, yaw goes from z to x, and roll turns the up vector. */
+    angles[0] = 30, angles[1] = 90, angles[2] = 0;
+    OK(v_pose_from_euler(vrp, angles, V_AXES_VIDES, V_ORDER_ZXY, 24, &pose));
+    NEAR(pose.vpn[0], cos(acos(-1) / 6), 1e-15);
+    NEAR(pose.vpn[1], -0.5, 1e-15);
+    STATUS(V_ERR_RANGE, v_pose_to_euler(&pose, 4, 0, back));
+    STATUS(V_ERR_RANGE, v_pose_to_euler(&pose, 0, 6, back));
+    CHECK(strstr(v_last_error(), "order is 6; known: V_ORDER_XYZ (0)") != NULL);
+    STATUS(V_ERR_RANGE, v_pose_from_euler(vrp, angles, 0, -1, 24, &pose));
+    STATUS(V_ERR_RANGE, v_pose_from_euler(vrp, angles, -1, 0, 24, &pose));
+    STATUS(V_ERR_ARGUMENT, v_pose_from_euler(vrp, angles, 0, 0, -1, &pose));
+    STATUS(V_ERR_NULL, v_pose_from_euler(NULL, angles, 0, 0, 24, &pose));
+    STATUS(V_ERR_NULL, v_pose_from_euler(vrp, NULL, 0, 0, 24, &pose));
+    STATUS(V_ERR_NULL, v_pose_from_euler(vrp, angles, 0, 0, 24, NULL));
+    STATUS(V_ERR_NULL, v_pose_to_euler(NULL, 0, 0, back));
+    STATUS(V_ERR_NULL, v_pose_to_euler(&pose, 0, 0, NULL));
+    angles[1] = NAN;
+    STATUS(V_ERR_ARGUMENT, v_pose_from_euler(vrp, angles, 0, 0, 24, &pose));
+    CHECK(strstr(v_last_error(), "angles is") != NULL);
+    memcpy(pose.vup, pose.vpn, sizeof pose.vup);
+    STATUS(V_ERR_ARGUMENT, v_pose_to_euler(&pose, 0, 0, back));
 }
 
 /* A camera of a scene is where its axes say. */
@@ -394,6 +525,8 @@ int main(void)
     poses_in_any_order();
     frames_and_seconds();
     axes_of_other_programs();
+    poses_of_matrices();
+    angles_of_a_pose();
     axes_of_a_node();
     corners_of_the_frustum();
     where_the_view_has_it();

@@ -228,6 +228,7 @@ static void texts(const char *folder)
     V_NODE node;
     char file[500], *text, *other, from_file[10000];
     size_t length = 0, count;
+    double weight = 1;
     FILE *stream;
     snprintf(file, sizeof file, "%s/path.vid", folder);
     OK(v_path_set_title(path, "Flight"));
@@ -264,6 +265,10 @@ static void texts(const char *folder)
     read = scene;
     STATUS(V_ERR_FORMAT, v_scene_load_from_memory("versio = 1", 10, &read));
     CHECK(strstr(v_last_error(), "memory") != NULL && read == scene);
+    /* Nothing of it is read. */
+    STATUS(V_ERR_LIMIT, v_scene_load_from_memory("versio = 1", (size_t)1 << 60, &read));
+    STATUS(V_ERR_LIMIT, v_path_load_from_memory("versio = 1", (size_t)1 << 60, &again));
+    STATUS(V_ERR_LIMIT, v_path_blend(&again, &weight, (size_t)1 << 60, &again));
     STATUS(V_ERR_NULL, v_scene_load_from_memory(NULL, 10, &read));
     STATUS(V_ERR_NULL, v_scene_load_from_memory(text, length, NULL));
     v_scene_free(scene);

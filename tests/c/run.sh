@@ -2,9 +2,11 @@
 # The C interface from C, as a host sees it: run.sh LIBRARY_FOLDER [TEST...]
 #
 # Each test is linked against the archive and against the shared library, and
-# run plainly, under AddressSanitizer and UBSan, and under valgrind. One line
-# for each; the exit status is the number of failures. AT_ONCE side by side (as
-# many as there are processors).
+# run plainly; against the archive under AddressSanitizer and UBSan, too, and
+# against the shared library, which is made of the same object, under valgrind:
+# each sees what the other does not. EACH, if it is not empty: both with both.
+# One line for each; the exit status is the number of failures. AT_ONCE side by
+# side (as many as there are processors).
 set -u
 
 libraries=$(realpath "$1")
@@ -78,8 +80,8 @@ check() { # NAME
     local name=$1 source=$here/$1.c kind library program sanitized=yes
     # A test that replaces malloc cannot have it replaced again; one that fails
     # system calls would fail those of the tools, one that kills need not be slow,
-    # one that counts threads would count theirs.
-    case $name in memory | faults | saving | lookup | removal) sanitized=no ;; esac
+    # one that counts threads would count theirs, one that measures time theirs.
+    case $name in memory | faults | saving | lookup | removal | progress) sanitized=no ;; esac
     for kind in archive shared; do
         library=$libraries/libvides.a
         [ $kind = shared ] && library=$libraries/libvides.so
@@ -92,9 +94,12 @@ check() { # NAME
         fi
         run "$name, $kind" "$program"
         [ $sanitized = yes ] || continue
-        compile "$program-san" "$library" "$source" -fsanitize=address,undefined \
-            -fno-sanitize-recover=undefined &&
-            run "$name, $kind, sanitizers" "$program-san"
+        if [ "$kind${EACH:-}" != shared ]; then
+            compile "$program-san" "$library" "$source" -fsanitize=address,undefined \
+                -fno-sanitize-recover=undefined &&
+                run "$name, $kind, sanitizers" "$program-san"
+        fi
+        [ "$kind${EACH:-}" != archive ] || continue
         # Fair: its one running thread at a time would else be the same for minutes.
         run "$name, $kind, valgrind" "$program" valgrind -q --fair-sched=yes --error-exitcode=9 \
             --leak-check=full --errors-for-leak-kinds=definite,possible
@@ -118,7 +123,7 @@ if [ $# -eq 0 ]; then
     header "$cxx" -x c++ -std=c++20 -pedantic "$here/silent.c"
     result "header: parameters" no_parameter_is_a_function_of_libc
     result "header: includes" only_stddef
-    set -- layout errors handles editing shape orientations poses motion readable list memory threads lookup files saving faults process toolbox tools scene contents exchange removal space whole windows
+    set -- layout errors handles editing shape orientations poses motion readable list memory threads lookup files saving faults process recordings toolbox tools scene contents exchange removal space whole progress windows
 fi
 # Side by side.
 for name; do

@@ -3,6 +3,8 @@
  * camera that aims at it; what is set comes back, what is wrong is refused and
  * changes nothing, a host's own interpolation plays.
  */
+#include <sys/stat.h>
+
 #include "check.h"
 
 static const char *folder;
@@ -502,6 +504,17 @@ static void a_mesh_of_a_file(void)
     write_file(mesh, corner);
     OK(v_scene_load(file, &loaded));
     CHECK(*v_last_warning() == 0 && vertices(loaded, at) == 3);
+    v_scene_free(loaded);
+    /* Elsewhere it is not read for a file that names it, and is for a program. */
+    snprintf(file, sizeof file, "%s/elsewhere", folder);
+    CHECK(mkdir(file, 0700) == 0);
+    snprintf(file, sizeof file, "%s/elsewhere/corner.vid", folder);
+    OK(v_scene_save(scene, file));
+    OK(v_scene_load(file, &loaded));
+    CHECK(strstr(v_last_warning(), "lies outside the folder") != NULL);
+    CHECK(vertices(loaded, at) == 0);
+    OK(v_scene_load_geometry(loaded, at, mesh));
+    CHECK(vertices(loaded, at) == 3);
     v_scene_free(loaded);
     v_scene_free(scene);
 }

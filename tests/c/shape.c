@@ -217,7 +217,16 @@ static void fixed_frames(void)
     CHECK(strstr(v_last_error(), "at least 4") != NULL);
     STATUS(V_ERR_RANGE, v_path_fit_frames(path, 0, 3, 300));
     STATUS(V_ERR_RANGE, v_path_set_frames(path, 0, 0, (size_t)-1));
+    STATUS(V_ERR_RANGE, v_path_set_frames(path, 0, 0, 100000000));
     CHECK(frames_of(path) == 300);
+    /* What is accepted can be counted, up to the last frame. */
+    OK(v_path_get_frames(path, 0, 0, &frames));
+    OK(v_path_set_frames(path, 0, 0, 100000000 - 300 + frames));
+    CHECK(frames_of(path) == 100000000);
+    STATUS(V_ERR_LIMIT, v_path_set_frames(path, 0, 0, 100000000 - 300 + frames + 1));
+    OK(v_path_get_frames(path, 1, 0, &frames));
+    STATUS(V_ERR_LIMIT, v_path_set_frames(path, 1, 0, frames + 1));
+    CHECK(frames_of(path) == 100000000);
     v_path_free(path);
 }
 
@@ -302,6 +311,30 @@ static void ups(void)
     v_path_free(second);
 }
 
+/* The tangents by which an insertion kept the motion are removed when a point
+ * beside them moves; those that the host sets stay. */
+static void kept_tangents_lapse(void)
+{
+    V_PATH *path = three_points();
+    double before[3], after[3], xyz[3];
+    int at, own, k;
+
+    OK(v_path_insert_on_curve(path, (double)frames_of(path) / 3, &at));
+    for (k = 0; k < 3; k++) {
+        OK(v_path_get_tangents(path, k, before, after, &own));
+        CHECK(own == 1);
+    }
+    OK(v_path_set_tangents(path, 0, before, after));
+    OK(v_path_get_position(path, 1, xyz));
+    xyz[1] += 0.05;
+    OK(v_path_set_position(path, 1, xyz));
+    for (k = 0; k < 3; k++) {
+        OK(v_path_get_tangents(path, k, NULL, NULL, &own));
+        CHECK(own == (k == 0));
+    }
+    v_path_free(path);
+}
+
 /* All of it comes back from a file. */
 static void saved(const char *folder)
 {
@@ -340,6 +373,7 @@ int main(int argc, char **argv)
     tangents();
     kinds();
     the_motion_is_kept();
+    kept_tangents_lapse();
     easing();
     fixed_frames();
     along_the_way();

@@ -116,30 +116,6 @@ static void blocks(void)
     v_path_free(path);
 }
 
-static void recorded_poses_are_fitted(void)
-{
-    V_PATH *path = orbit(1, 20), *fitted = NULL;
-    static V_POSE poses[500], again[500];
-    size_t count = 0, i;
-    int points;
-
-    OK(v_path_sample(path, poses, 500, &count));
-    CHECK(count == 500);
-    OK(v_path_fit_poses(poses, NULL, count, 25, 0.01, 0.5, &fitted));
-    OK(v_path_point_count(fitted, &points));
-    CHECK(points <= 13);
-    OK(v_path_sample(fitted, again, 500, &count));
-    CHECK(count == 500);
-    for (i = 0; i < count; i++)
-        NEAR(again[i].vrp[0], poses[i].vrp[0], 0.0101);
-    v_path_free(fitted);
-    STATUS(V_ERR_ARGUMENT, v_path_fit_poses(poses, NULL, 2, 25, 0.01, 0.5, &fitted));
-    STATUS(V_ERR_RANGE, v_path_fit_poses(poses, NULL, 500, 25, 0, 0.5, &fitted));
-    poses[7].zoom = a_nan;
-    STATUS(V_ERR_RANGE, v_path_fit_poses(poses, NULL, 500, 25, 0.01, 0.5, &fitted));
-    v_path_free(path);
-}
-
 /* A move and a fit where z stands upright: the coordinates turned, a space that holds
  * them, and poses that are off left out. */
 static void moves_and_fits_have_a_space(void)
@@ -597,7 +573,6 @@ int main(void)
     an_orbit_is_round();
     points_are_moved_and_deformed();
     blocks();
-    recorded_poses_are_fitted();
     moves_and_fits_have_a_space();
     what_looks_wrong_is_found();
     retime();

@@ -29,7 +29,7 @@ extern const int function_count;
 
 /* Which callback of a window runs. */
 enum callback { RUECK, ENDE, ON_POSES, ON_CLOSE, ON_VIEW, ON_FRAME, ON_CHANGE, ON_CAPTURE,
-                ON_PANE, CALLBACKS };
+                ON_PANE, ON_GONE, CALLBACKS };
 extern const char *const callback_names[CALLBACKS];
 
 /* What a callback does, after it has looked at what it was given; the answer
@@ -64,6 +64,7 @@ void callback_on_frame(V_EDITOR *editor, double at, int reason, void *user);
 void callback_on_change(V_EDITOR *editor, void *user);
 int callback_on_capture(V_EDITOR *editor, V_POSE *pose, void *user);
 void callback_on_pane(V_EDITOR *editor, unsigned long window, int width, int height, void *user);
+void callback_on_gone(V_EDITOR *editor, int reason, void *user);
 
 /* Makes one call and holds its answer against what is promised: a documented
  * status (V_ERR_INTERNAL is none), a message after a failure and none after a

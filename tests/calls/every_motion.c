@@ -53,6 +53,34 @@ CALL(v_pose_matrix)
     return v_pose_matrix(pose, convention, to_world, result(16 * sizeof(double), 0));
 }
 
+CALL(v_pose_from_matrix)
+{
+    double m[16] = {1, 0, 0, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1};
+    int convention = whole(V_AXES_OPENGL, V_AXES_VIDES), to_world = whole(0, 1);
+    double zoom;
+
+    m[12] = number(-0.5, 0.5);
+    m[14] = number(-2, 2);
+    zoom = number(1, 100);
+    return v_pose_from_matrix(given("m", m, sizeof m), convention, to_world, zoom,
+                              result(sizeof(V_POSE), 0));
+}
+
+CALL(v_pose_to_euler)
+{
+    const V_POSE *pose = a_pose();
+    int convention = whole(V_AXES_OPENGL, V_AXES_VIDES), order = whole(V_ORDER_XYZ, V_ORDER_ZYX);
+    return v_pose_to_euler(pose, convention, order, result(3 * sizeof(double), 0));
+}
+
+CALL(v_pose_from_euler)
+{
+    const double *vrp = numbers(3, -1, 1), *angles = numbers(3, -400, 400);
+    int convention = whole(V_AXES_OPENGL, V_AXES_VIDES), order = whole(V_ORDER_XYZ, V_ORDER_ZYX);
+    double zoom = number(1, 100);
+    return v_pose_from_euler(vrp, angles, convention, order, zoom, result(sizeof(V_POSE), 0));
+}
+
 CALL(v_pose_projection)
 {
     const V_POSE *pose = a_pose();

@@ -691,9 +691,9 @@ CALL(v_orientation_from_pose)
 
 CALL(v_path_set_curve)
 {
-    static const char *const kinds[] = {"tcb", "cubic", "linear"};
+    static const char *const kinds[] = {"tcb", "centripetal", "chordal", "cubic", "linear"};
     V_PATH *path = a_path();
-    const char *kind = kinds[below(3)];
+    const char *kind = kinds[below(5)];
 
     if (chance(wild)) {
         frame->unfit = 1;

@@ -137,6 +137,18 @@ static const V_POSE *some_poses(void)
     return given("poses", poses, sizeof poses);
 }
 
+static int goes_on(double share, void *user)
+{
+    if (!(share >= 0 && share <= 1) || user != &frame)
+        fault("progress %g of %p", share, user);
+    return 1;
+}
+
+CALL(v_set_progress)
+{
+    return v_set_progress(below(2) ? NULL : goes_on, &frame);
+}
+
 CALL(v_path_fit_poses)
 {
     const V_POSE *poses = some_poses();

@@ -112,6 +112,7 @@
     F(v_path_reverse, STATUS, V_OK, 0) \
     F(v_path_repeat, STATUS, V_OK, 0) \
     F(v_path_blend, STATUS, -2, 0) \
+    F(v_set_progress, STATUS, V_OK, 0) \
     F(v_path_fit_poses, STATUS, V_OK, 0) \
     F(v_path_fit_poses_in_space, STATUS, V_OK, 0) \
     F(v_path_fit_poses_robust, STATUS, V_OK, 0) \
@@ -215,6 +216,7 @@
     F(v_editor_set_object, STATUS, V_OK, 1) \
     F(v_editor_set_title, STATUS, V_OK, 1) \
     F(v_editor_is_modified, STATUS, V_OK, 1) \
+    F(v_editor_mark_saved, STATUS, V_OK, 1) \
     F(v_editor_save, STATUS, V_OK, 1) \
     F(v_editor_raise, STATUS, V_OK, 1) \
     F(v_editors_close, STATUS, V_OK, 1) \
@@ -238,6 +240,9 @@
     F(v_fov_from_zoom, NOTHING, V_OK, 0) \
     F(v_zoom_from_fov, NOTHING, V_OK, 0) \
     F(v_pose_matrix, STATUS, V_OK, 0) \
+    F(v_pose_from_matrix, STATUS, V_OK, 0) \
+    F(v_pose_to_euler, STATUS, V_OK, 0) \
+    F(v_pose_from_euler, STATUS, V_OK, 0) \
     F(v_pose_projection, STATUS, V_OK, 0)
 
 #define DECLARED(name, answers, normally, display) CALL(name);

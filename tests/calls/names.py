@@ -21,7 +21,7 @@ OK, NULL, HANDLE, ARGUMENT, RANGE, SIZE = range(6)
 WRONG = [-7, 54321]
 
 # Without answer, or without a parameter of their own to be wrong.
-LEFT_OUT = {"v_haupt", "v_free_liste", "v_editor_open", "v_last_error", "v_strerror", "v_version"}
+LEFT_OUT = {"v_haupt", "v_free_liste", "v_editor_open", "v_last_error", "v_set_progress", "v_strerror", "v_version"}
 FUNCTION = re.compile(r"^(int|void) (v_\w+)\(([^;]*?)\);", re.M | re.S)
 
 VID = """version = 1
@@ -178,12 +178,12 @@ ARRAYS = {"keys": [1, 0, 0, 0, 0, 1, 0, 0], "key_times": [0, 1], "tcb": [0] * 6,
           "time_way": [0, 0, 1, 1], "matrix": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0.1, 0, 0, 1],
           "box": [-2, -2, -2, 2, 2, 2], "speed": [50] * 10, "before": [50] * 3, "after": [50] * 3,
           "vpn": [0, 0, 1], "vup": [0, 1, 0], "parameters": [0, 30], "up_point": [2, 3, 2],
-          "frames": [1, 11], ("v_path_from_move", "parameters"): [0.1] * 3}
+          "frames": [1, 11], "m": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0.1, 0, 0, 1], ("v_path_from_move", "parameters"): [0.1] * 3}
 
 # Numbers of things, and those that choose one of a few.
 NUMBERS = ("at", "point", "node", "segment", "section", "orientation", "first_point", "last_point", "preset",
            "from", "to", "parent")
-CHOICES = ("up", "kind", "fit", "after", "orientation_mode", "zoom_mode", "convention", "keep")
+CHOICES = ("up", "kind", "fit", "after", "orientation_mode", "zoom_mode", "convention", "order", "keep")
 
 
 def parameters(text):

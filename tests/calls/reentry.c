@@ -25,6 +25,18 @@ static enum about cell_about;
 static int cell_answer; /* of ende and on_close */
 static int done, answered;
 
+static int is(const char *name)
+{
+    return cell_function == function_named(name);
+}
+
+/* Whether a call needs the window whose end its callback tells. */
+static int about_the_gone(enum callback which)
+{
+    return which == ON_GONE && cell_about == OWN && cell_function->answers == STATUS
+        && !is("v_editor_open") && !is("v_editor_close");
+}
+
 static int within(enum callback which, V_EDITOR *editor)
 {
     if (done || which != cell_callback || editor != own.editor)
@@ -33,15 +45,10 @@ static int within(enum callback which, V_EDITOR *editor)
     this_editor = cell_about == OWN && editor != NULL ? editor : other.editor;
     /* The element itself must outlive a window that it is given to. */
     this_list = which == RUECK && cell_function != function_named("v_haupt") ? given_list : NULL;
-    answered = call(cell_function, -2);
+    answered = call(cell_function, about_the_gone(which) ? V_ERR_CLOSED : -2);
     this_editor = NULL;
     this_list = NULL;
     return cell_answer;
-}
-
-static int is(const char *name)
-{
-    return cell_function == function_named(name);
 }
 
 static void cell_words(char *words, size_t size)
@@ -74,12 +81,14 @@ static void cell(enum callback which, const struct function *function, enum abou
     use(&own, which);
     if (!done)
         fault("the callback was not for its own window");
-    if (is("v_dispatch") && answered < 2)
+    if (is("v_dispatch") && answered < 2 - (which == ON_GONE))
         fault("v_dispatch answers %d while two windows are open", answered);
 
-    gone = (asks_to_close && answer) || (is("v_editor_close") && about == OWN);
+    gone = (asks_to_close && answer) || which == ON_GONE || (is("v_editor_close") && about == OWN);
     if (gone) {
-        wait_gone(&own);
+        /* A window that is opened in on_gone may get the same number. */
+        if (which != ON_GONE)
+            wait_gone(&own);
         if (own.editor != NULL && v_editor_get_path(own.editor, NULL) == V_OK)
             fault("a window that is gone gives its path");
     } else {

@@ -9,13 +9,14 @@
 #     inject     panics, with a library that is built for them
 #     hand_over  memory that runs out while a window hands over, with the same library
 #
-# Each against the archive and the shared library, under AddressSanitizer and
-# UBSan too; those that need an X server have one of their own. One line for
-# each; the exit status is the number of failures.
+# Each plainly against the shared library and under AddressSanitizer and UBSan
+# against the archive, which is made of the same object; those that need an X
+# server have one of their own. One line for each; the exit status is the number
+# of failures.
 #
 #     SEEDS  of hostile (1), CALLS for each of its rounds (600)
 #     KINDS  of the library (archive shared), WAYS (plain sanitizers)
-#     EACH  not empty: reentry in each way with each kind, and not each once
+#     EACH  not empty: each in each way with each kind, and the whole of reentry
 #     AT_ONCE  so many side by side (4), since much of their time is waiting
 set -u
 
@@ -94,9 +95,14 @@ hostile() { # NAME PROGRAM
 }
 
 reentry() { # NAME PROGRAM
-    # The longest, and most of it is waiting: every other cell at the same time.
-    result "$1, one half" with_server "$2" FOLDER 0 2 &
-    result "$1, other half" with_server "$2" FOLDER 1 2 &
+    # The longest, and most of it is waiting: some at the same time. Each cell is tried once,
+    # with one library or with the other.
+    local parts="0 2" part
+    [[ $1 = *shared* ]] && parts="1 3"
+    [ -n "${EACH:-}" ] && parts="0 1 2 3"
+    for part in $parts; do
+        result "$1, part $part of 4" with_server "$2" FOLDER "$part" 4 &
+    done
     wait
 }
 
@@ -140,12 +146,11 @@ for test; do
         library=$libraries/libvides.a
         [ $kind = shared ] && library=$libraries/libvides.so
         for way in ${WAYS:-plain sanitizers}; do
-            # The longest: each kind and each way once, or EACH with each. What
-            # replaces malloc cannot have it replaced again.
+            # What replaces malloc cannot have it replaced again.
             case $test-$kind-$way in
-            reentry-archive-plain | reentry-shared-sanitizers) [ -n "${EACH:-}" ] || continue ;;
-            inject-archive-sanitizers | inject-shared-plain) continue ;;
             hand_over-*-sanitizers) continue ;;
+            inject-archive-plain | inject-shared-sanitizers) ;;
+            inject-* | *-archive-plain | *-shared-sanitizers) [ -n "${EACH:-}" ] || continue ;;
             esac
             while [ "$(jobs -rp | wc -l)" -ge "${AT_ONCE:-4}" ]; do wait -n; done
             one "$test" "$kind" "$way" "$library" &

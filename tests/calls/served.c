@@ -70,6 +70,7 @@ struct window open_editor(void)
     options.on_change = callback_on_change;
     options.on_capture = callback_on_capture;
     options.on_pane = callback_on_pane;
+    options.on_gone = callback_on_gone;
     options.user = a_user();
     if (v_editor_open(&options, &window.editor) != V_OK) {
         fault("v_editor_open: %s", v_last_error());

@@ -10,7 +10,7 @@
 
 const char *const callback_names[CALLBACKS] = {
     "rueck", "ende", "on_poses", "on_close", "on_view", "on_frame", "on_change",
-    "on_capture", "on_pane"
+    "on_capture", "on_pane", "on_gone"
 };
 int (*within_callback)(enum callback which, V_EDITOR *editor);
 int depth, faults, display_there, windows_may_go;
@@ -137,6 +137,17 @@ void callback_on_pane(V_EDITOR *editor, unsigned long window, int width, int hei
     if (user != (void *)lists || (window == 0) != (width == 0) || (window == 0) != (height == 0))
         fault("on_pane was given another user, or %d x %d of %#lx", width, height, window);
     called(ON_PANE, editor);
+}
+
+void callback_on_gone(V_EDITOR *editor, int reason, void *user)
+{
+    int modified;
+
+    if (user != (void *)lists || reason < V_GONE_BY_USER || reason > V_GONE_FAULT)
+        fault("on_gone was given another user, or reason %d", reason);
+    if (v_editor_is_modified(editor, &modified) != V_ERR_CLOSED)
+        fault("a window that has gone is open: %s", v_last_error());
+    called(ON_GONE, editor);
 }
 
 /* ---- What calls work on ------------------------------------------------------------ */

@@ -281,3 +281,68 @@ fn a_plot_is_a_png_too() {
         assert!(count(ground) > bytes.len() / 6);
     }
 }
+
+/// The flight of the README, as a reader copies it: with a hold, and clean.
+#[test]
+fn the_readmes_flight_has_no_findings() {
+    let readme = include_str!("../../README.md");
+    let (_, flight) = readme.split_once("```toml\n").unwrap();
+    let (flight, _) = flight.split_once("```").unwrap();
+    assert!(flight.contains("hold_frames"));
+    let checked = run_with_input(&["check", "-"], flight.as_bytes());
+    assert_eq!(said(&checked), "");
+    // A limit that is set counts at the hold, too.
+    let checked = run_with_input(
+        &["check", "-", "--limit", "speed-jump=0.4"],
+        flight.as_bytes(),
+    );
+    assert_eq!(checked.status.code(), Some(3));
+}
+
+/// Recordings whose times are no seconds: a sentence, in little time and memory.
+#[test]
+fn recordings_with_times_far_apart_are_refused_at_once() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).to_str().unwrap().to_owned();
+    let lines = |times: [f64; 4], rest: &str| {
+        times
+            .map(|time| format!("{time} {}{rest}\n", time.ln()))
+            .concat()
+    };
+    let ns = lines([1.4e18, 1.5e18, 1.6e18, 1.7e18], " 0 0 0 0 0 1");
+    fs::write(at("ns.tum"), ns).unwrap();
+    fs::write(at("far.chan"), lines([1.0, 2.0, 3.0, 1e9], " 0 0 0 0 0 40")).unwrap();
+    for name in ["ns.tum", "far.chan"] {
+        for arguments in [
+            &["fit", &at(name), "-o", &at("out.vid")][..],
+            &["convert", &at(name), &at("out.vid")],
+            &["convert", &at(name), &at("out.glb")],
+            &["convert", &at(name), &at("out.tum"), "--as", "keys"],
+        ] {
+            let script = "ulimit -v 4000000; exec timeout 60 \"$@\"";
+            let output = Command::new("sh")
+                .args(["-c", script, "sh", env!("CARGO_BIN_EXE_vides")])
+                .args(arguments)
+                .output()
+                .unwrap();
+            let told = String::from_utf8_lossy(&output.stderr);
+            assert_eq!(output.status.code(), Some(1), "{arguments:?}: {told}");
+            assert!(told.contains("frame"), "{arguments:?}: {told}");
+        }
+    }
+    // Keys far apart become no path: one pose a frame would be sampled.
+    let keys = "version = 1\n[[node]]\nname = \"eye\"\nkind = \"camera\"\n[[node.track]]\nchannel = \
+                \"position\"\ninterpolation = \"linear\"\nframes = [1, 90000000]\nvalues = [[0, 0, 0], [1, 0, 0]]\n";
+    let told = sentence(
+        &run_with_input(
+            &["convert", "-", &at("out.vid"), "--as", "path"],
+            keys.as_bytes(),
+        ),
+        1,
+    );
+    assert!(
+        told.contains("at most 1000000 frames can be fitted"),
+        "{told}"
+    );
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 2);
+}

@@ -89,12 +89,18 @@ fn frames_rate_and_axes_are_chosen() {
     let some = csv(&["--frames", "3..7"]);
     assert_eq!(some.len(), 5);
     assert_eq!(some[0][..11], all[2][..11]);
-    // Twice the rate: every second pose is one of before, at the same time.
+    // Twice the rate lasts as long: every second pose is one of before, at the same time, and the
+    // last is shown twice.
     let fine = csv(&["--fps", "50"]);
-    assert_eq!(fine.len(), 2 * all.len() - 1);
+    assert_eq!(fine.len(), 2 * all.len());
     for (at, pose) in all.iter().enumerate() {
         assert_eq!(fine[2 * at], *pose);
     }
+    assert_eq!(fine[fine.len() - 1][1..11], all[all.len() - 1][1..11]);
+    // Half the rate leaves out every second one.
+    let coarse = csv(&["--fps", "12.5"]);
+    assert_eq!(coarse.len(), all.len().div_ceil(2));
+    assert_eq!(coarse[1][1..11], all[2][1..11]);
     let turned = csv(&["--up", "z", "--scale", "10"]);
     for (a, b) in all.iter().zip(&turned) {
         assert_eq!([10.0 * a[1], -(10.0 * a[3]), 10.0 * a[2]], b[1..4]);
@@ -166,7 +172,7 @@ fn what_cannot_be_done_is_told() {
         (
             &["convert", PYRAMID, PYRAMID],
             2,
-            "the file would be replaced by what is made of it\n",
+            "which was read: name another output\n",
         ),
     ] {
         let complaint = complaint(&run(arguments), status);

@@ -61,6 +61,8 @@ fn values_of_nodes_are_got_and_set_by_name() {
         "node.car.visible=false",
         "node.car.position=[0, 0.5, 0]",
         "fps=30",
+        "--keep",
+        "frames",
     ];
     said(&run(&set));
     let after = said(&run(&["get", name]));
@@ -91,4 +93,48 @@ fn values_of_nodes_are_got_and_set_by_name() {
         "{unknown}"
     );
     assert_eq!(fs::read_to_string(&file).unwrap(), text);
+}
+
+/// Another rate keeps seconds, unless frames are to stay; comments stay in either case.
+#[test]
+fn another_rate_keeps_the_seconds() {
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("rest.vid");
+    let name = file.to_str().unwrap();
+    let text = "version = 1\n\n# The corner.\n[[point]]\nposition = [-0.5, 0.0, 0.0]\n\
+                orientation = [{ offset = [0.0, 0.0, -1.0], hold_frames = 50, frames = 100 }]\n\n\
+                [[point]]\nposition = [0.5, 0.0, 0.0]\norientation = [{ offset = [0.0, 0.0, -1.0] }]\n";
+    let hold = ["get", name, "point.1.hold", "point.1.view.1.frames", "fps"];
+    fs::write(&file, text).unwrap();
+    said(&run(&["set", name, "fps=50", "--keep", "frames"]));
+    assert_eq!(said(&run(&hold)), "50\n100\n50.0\n");
+    fs::write(&file, text).unwrap();
+    said(&run(&["set", name, "fps=50"]));
+    assert_eq!(said(&run(&hold)), "100\n200\n50.0\n");
+    assert!(fs::read_to_string(&file).unwrap().contains("# The corner."));
+    // A scene: keys at the frames that are shown at their seconds.
+    let car = folder.path().join("car.vid");
+    fs::copy(
+        concat!(env!("CARGO_MANIFEST_DIR"), "/examples/car.vid"),
+        &car,
+    )
+    .unwrap();
+    let car = car.to_str().unwrap();
+    let seconds = |fps: &str| {
+        let output = run(&["convert", car, "-", "--to", "csv", "--fps", fps]);
+        assert!(output.status.success());
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let before = seconds("25");
+    said(&run(&["set", car, "fps=50"]));
+    let rows = |text: &str| -> Vec<Vec<f64>> {
+        let numbers = |line: &str| line.split(',').map(|cell| cell.parse().unwrap()).collect();
+        text.lines().skip(1).map(numbers).collect()
+    };
+    for (a, b) in rows(&before).iter().zip(rows(&seconds("25"))) {
+        let far = a[1..11].iter().zip(&b[1..11]).map(|(a, b)| (a - b).abs());
+        assert!(far.fold(0.0, f64::max) < 0.02, "{a:?} {b:?}");
+    }
+    let refused = complaint(&run(&["set", name, "fps=0"]), 1);
+    assert!(refused.contains("fps"), "{refused}");
 }

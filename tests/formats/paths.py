@@ -28,7 +28,7 @@ def flight(seed):
         f"closed = {str(dice.random() < 0.3).lower()}",
         f'orientation_mode = "{dice.choice(["tcb", "barry-goldman", "slerp"])}"',
         f'zoom_mode = "{dice.choice(["smooth", "linear"])}"',
-        f'curve = "{dice.choice(["tcb", "tcb", "cubic", "linear"])}"',
+        f'curve = "{dice.choice(["tcb", "centripetal", "chordal", "cubic", "linear"])}"',
         "[base_speeds]",
         *(f"{what}_frames = {frames}" for what in ("move", "turn", "zoom", "roll")),
         "[space]",

@@ -70,7 +70,7 @@ class Flight:
             return pose if said == [None] else None
 
         try:
-            return wait(same, "the picture", 20)
+            return wait(same, "the picture")
         except Failure:
             raise Failure(f"the host's picture: {said[0]}") from None
 
@@ -96,13 +96,13 @@ class Flight:
 
     def scrub(self):
         """The playhead along the bar."""
-        left, right, row = rail_of(self.server.drawn(self.window))
+        left, right, row = self.server.seen(self.window, rail_of, "the rail")
         step = (right - left) // 50
         return self.during([(left + at * step, row) for at in range(5, 40)], 1)
 
     def drag(self):
         """The first point, where it is seen."""
-        space = first_look(self.server.drawn(self.window))
+        space = self.server.seen(self.window, first_look, "the space")
         x, y = map(round, space.image(START))
         return self.during([(x + step, y - step // 2) for step in range(40)], 3)
 

@@ -71,6 +71,7 @@ HOSTS = {
     "motif": Host(["motif"], modal="m"),
     "xt-select": Host(["xt_select"]),
     "xt-pending": Host(["xt_select", "pending"]),
+    "xt-both": Host(["xt_select", "both"]),
     "fortran": None,
 }
 
@@ -132,7 +133,7 @@ class Stage:
 
     def drag(self, window):
         """A point, there and back and a bit further, in about two seconds."""
-        space = first_look(self.server.drawn(window))
+        space = self.server.seen(window, first_look, "the space")
         at = space.image(START)
         words = ["mousemove", "--window", window, round(at[0]), round(at[1]), "mousedown", 3]
         for step in range(60):

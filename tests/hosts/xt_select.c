@@ -3,6 +3,7 @@
  *     xt_select            waits by itself, with select()
  *     xt_select pending    asks by XtAppPending() whether there is something to do; for
  *                          the editor it does nothing
+ *     xt_select both       asks so, and waits by itself between
  */
 #include <stdio.h>
 #include <stdlib.h>
@@ -80,6 +81,27 @@ static void loop_select(XtAppContext context, Display *display, Window window)
     }
 }
 
+static void loop_both(XtAppContext context, Display *display, Window window)
+{
+    int own = ConnectionNumber(display), last;
+    fd_set readable;
+
+    for (;;) {
+        struct timeval wait = {0, 100000};
+
+        while (XtAppPending(context))
+            XtAppProcessEvent(context, XtIMAll);
+        draw(display, window);
+        XFlush(display);
+
+        FD_ZERO(&readable);
+        FD_SET(own, &readable);
+        FD_SET(v_fd(), &readable);
+        last = own > v_fd() ? own : v_fd();
+        select(last + 1, &readable, NULL, NULL, &wait);
+    }
+}
+
 int main(int argc, char **argv)
 {
     XtAppContext context;
@@ -92,5 +114,7 @@ int main(int argc, char **argv)
     XtRealizeWidget(top);
     if (argc > 1 && strcmp(argv[1], "pending") == 0)
         loop_pending(context, XtDisplay(top), XtWindow(top));
+    if (argc > 1 && strcmp(argv[1], "both") == 0)
+        loop_both(context, XtDisplay(top), XtWindow(top));
     loop_select(context, XtDisplay(top), XtWindow(top));
 }

@@ -35,7 +35,7 @@ desktop=/usr/share/applications/vides.desktop
 [ -f $desktop ] && [ -f /usr/share/bash-completion/completions/vides ]
 
 # A C program, by pkg-config and by CMake; shared and static.
-"$top/mk/readme.sh" "$top/README.md" "$work"
+"$top/mk/readme.sh" "$top" "$work"
 # shellcheck disable=SC2046
 cc -std=c99 -Wall -Wextra -Werror $(pkg-config --cflags vides) -o shared path.c $(pkg-config --libs vides)
 ./shared >of_shared.txt

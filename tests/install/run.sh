@@ -62,16 +62,28 @@ check "into a prefix with a blank: the files" same "$laid_down" "$(files "$own")
 check "twice is once" "$make" install PREFIX="$own"
 check "twice is once: the files" same "$laid_down" "$(files "$own")"
 
+# ---- What nobody needs in them ------------------------------------------------
+no_path_of_this_machine() {
+    # Where cargo and what it builds lie, and the source; a checkout in / would be in all of them.
+    local places=("${CARGO_HOME:-$HOME/.cargo}/" "$(realpath "${CARGO_TARGET_DIR:-target}")/" "$(realpath .)/")
+    ! grep -raF "${places[@]/#/-e}" "$stage/usr/bin" "$stage/usr/lib" "$stage/usr/include" |
+        tr -c '[:print:]' '\n' | grep -F "${places[@]/#/-e}" | head -n 5 | grep .
+}
+no_symbols() { ! readelf -SW "$1" | grep -E '\.(symtab|debug_info)'; }
+check "no path of the machine it was built on" no_path_of_this_machine
+check "the command is stripped" no_symbols "$stage/usr/bin/vides"
+
 # ---- A C program against the installed files --------------------------------
-export PKG_CONFIG_SYSROOT_DIR=$stage
-export PKG_CONFIG_LIBDIR=$stage/usr/lib/pkgconfig
-export PKG_CONFIG_ALLOW_SYSTEM_CFLAGS=1 PKG_CONFIG_ALLOW_SYSTEM_LIBS=1
-config() { pkg-config "$@" vides; }
+# Not exported: the build of a library asks pkg-config too, and would begin again.
+config() {
+    PKG_CONFIG_SYSROOT_DIR=$stage PKG_CONFIG_LIBDIR=$stage/usr/lib/pkgconfig \
+        PKG_CONFIG_ALLOW_SYSTEM_CFLAGS=1 PKG_CONFIG_ALLOW_SYSTEM_LIBS=1 pkg-config "$@" vides
+}
 
 check "pkg-config: version" same "$version" "$(config --modversion)"
-# The programs are the README's own: the first opens a window, the second does
-# without.
-"$top/mk/readme.sh" README.md "$work" || exit 1
+# The programs are those of the README, which opens a window, and of the page for a first host,
+# which does without.
+"$top/mk/readme.sh" "$top" "$work" || exit 1
 warnings=(-std=c99 -pedantic -Wall -Wextra -Werror)
 for name in window path; do
     # shellcheck disable=SC2046 (pkg-config's answer is several words)
@@ -86,14 +98,30 @@ for name in window path; do
         "$(readelf -dW "$work/$name-shared" | sed -n 's/.*NEEDED.*\[\(libvides.*\)\]/\1/p')"
     check "README's $name program: the other one does not" same "" \
         "$(readelf -dW "$work/$name-archive" | sed -n 's/.*NEEDED.*\[\(libvides.*\)\]/\1/p')"
-    # Nobody opens windows here; tests/x does.
-    check "README's $name program runs, shared" \
-        env -u DISPLAY LD_LIBRARY_PATH="$stage/usr/lib" "$work/$name-shared"
+    # Without a display the one with a window says so, status 1; tests/x opens it.
+    case $name in window) status=1 ;; *) status=0 ;; esac
+    check "README's $name program runs, shared" same $status \
+        "$(env -u DISPLAY LD_LIBRARY_PATH="$stage/usr/lib" "$work/$name-shared" >/dev/null 2>&1; echo $?)"
     said=$(env -u DISPLAY LD_LIBRARY_PATH="$stage/usr/lib" "$work/$name-shared" 2>&1)
-    check "README's $name program runs, archive" env -u DISPLAY "$work/$name-archive"
+    check "README's $name program runs, archive" same $status \
+        "$(env -u DISPLAY "$work/$name-archive" >/dev/null 2>&1; echo $?)"
     check "README's $name program: both say the same" \
         same "$said" "$(env -u DISPLAY "$work/$name-archive" 2>&1)"
     check "README's $name program says something" test -n "$said"
+done
+
+# The programs of the first pages; those with a window say that there is no display.
+awk -v folder="$work" '/^```c$/ { file = folder "/first" ++number ".c"; next } /^```$/ { file = "" }
+    file != "" { print >file }' docs/start/first-host.md
+for number in 1 2 3; do
+    # shellcheck disable=SC2046
+    check "first host $number" "$cc" "${warnings[@]}" $(config --cflags) -o "$work/first$number" \
+        "$work/first$number.c" $(config --libs)
+    said=$(cd "$work" && env -u DISPLAY LD_LIBRARY_PATH="$stage/usr/lib" "./first$number" 2>&1)
+    status=$?
+    case $number in 3) wanted="poses, the last at 0.6 0.2 0.8$" ;; *) wanted=DISPLAY ;; esac
+    check "first host $number says: $said" grep -q "$wanted" <<<"$said"
+    check "first host $number: its status" test $status -eq $((number < 3))
 done
 
 # ---- A tree that was moved after it was installed -----------------------------
@@ -102,8 +130,7 @@ moved="$work/moved on"
 mv "$own" "$moved"
 # A blank in a folder's name comes out of pkg-config behind a backslash.
 for library in -lvides -l:libvides.a; do
-    flags=$(env -u PKG_CONFIG_SYSROOT_DIR PKG_CONFIG_LIBDIR="$moved/lib/pkgconfig" \
-        pkg-config --define-prefix --cflags --libs vides)
+    flags=$(PKG_CONFIG_LIBDIR="$moved/lib/pkgconfig" pkg-config --define-prefix --cflags --libs vides)
     eval "flags=(${flags/-lvides/$library})"
     check "moved, pkg-config, $library" "$cc" "${warnings[@]}" -o "$work/moved$library" \
         "$work/path.c" "${flags[@]}"
@@ -135,10 +162,10 @@ check "CMake: a library that is gone is missed" grep -q 'libvides.a is missing' 
 mv "$moved" "$own"
 
 # ---- The command and the manual ----------------------------------------------
-# Each command that the README shows, on the path that it shows.
+# Each command that the README and the first pages show, on the path of the README.
 mkdir "$work/shell"
 sed -n '/^```toml$/,/^```$/p' README.md | sed '/^```/d' >"$work/shell/flight.vid"
-sed -n '/^```sh$/,/^```$/p' README.md | grep '^vides ' >"$work/shell/commands"
+sed -n '/^```sh$/,/^```$/p' README.md docs/start/*.md | grep '^vides ' >"$work/shell/commands"
 # A cube, away from the way.
 cat >"$work/shell/mesh.obj" <<'OBJ'
 v -0.2 -0.2 -0.2
@@ -156,9 +183,9 @@ f 3 4 8 7
 f 2 3 7 6
 f 4 1 5 8
 OBJ
-check "the README shows commands" test -s "$work/shell/commands"
+check "the pages show commands" test -s "$work/shell/commands"
 while read -r shown; do
-    check "README: ${shown%%#*}" \
+    check "shown: ${shown%%#*}" \
         env PATH="$stage/usr/bin:$PATH" sh -c "cd '$work/shell' && $shown"
 done <"$work/shell/commands"
 check "vides --version" same "vides $version" "$("$stage/usr/bin/vides" --version)"

@@ -6,7 +6,7 @@ import tomllib
 
 from harness import Program, check, run, wait
 from panel import rail_above
-from run import test
+from run import BOTH, test
 
 POSES = 121  # of a new path at speed 100: its length is 1.2, and the first pose
 
@@ -23,7 +23,7 @@ def press_button(server, host, number):
     server.click(host, width / 2, height * (2 * number + 1) / 6)
 
 
-@test()
+@test(kinds=BOTH)
 def the_host_of_1994(place):
     """Its three buttons; the editor beside it; its list, polled and by rueck."""
     server = place.server()
@@ -84,7 +84,8 @@ def the_host_in_the_readme(place):
     program = place.program(server, "readme_window")
     window = server.new_window()
     hand_over(server, window)
-    program.expect(f"{POSES:4d}:  0.6000")
+    program.expect(" 0.6000")
+    check(len(program.said) == POSES, f"{len(program.said)} poses")
     server.press(window, "ctrl+q")
     check(program.ends() == 0, "its exit status")
     check(not program.complained, f"it complained: {program.complained}")
@@ -152,6 +153,7 @@ def a_flight_in_opengl(place):
     server.drawn(window)
     server.press(window, "ctrl+q")
     server.gone(window)
+    wait(lambda: not server.picture(host).differs(own), "its own view again")
     server.press(host, "Escape")
     check(program.ends() == 0, "its exit status")
 
@@ -273,31 +275,31 @@ def a_loop_with_poll(place):
     serves(place, "loop_poll")
 
 
-@test()
+@test(kinds=BOTH)
 def xt_default_context(place):
     """XtInitialize and XtMainLoop."""
     serves(place, "loop_xt", "initialize")
 
 
-@test()
+@test(kinds=BOTH)
 def xt_context_of_the_hosts_own(place):
     """XtAppInitialize and XtAppMainLoop."""
     serves(place, "loop_xt", "app")
 
 
-@test()
+@test(kinds=BOTH)
 def xt_open_application(place):
     """XtOpenApplication and XtAppMainLoop."""
     serves(place, "loop_xt", "open")
 
 
-@test()
+@test(kinds=BOTH)
 def xt_two_contexts(place):
     """Two contexts, of which one runs."""
     serves(place, "loop_xt", "two")
 
 
-@test()
+@test(kinds=BOTH)
 def xt_context_made_after_the_window(place):
     """v_set_app_context() tells of it."""
     server = place.server()

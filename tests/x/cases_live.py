@@ -7,7 +7,7 @@ import statistics
 import sys
 import time
 
-from harness import check, run, wait
+from harness import Watch, check, run, wait
 from run import test
 from space import first_look
 
@@ -43,10 +43,10 @@ def rested(host, more_than=0):
                 "the host to be told of the rest")
 
 
-def opened(place, file=""):
+def opened(place, file="", **variables):
     """A window with a host that watches."""
     server = place.server()
-    host = place.told(server, "loop_live")
+    host = place.told(server, "loop_live", **variables)
     check(host.tell(f"live {file}").split()[1] == "0", "v_editor_open")
     window = server.new_window()
     server.xdotool("mousemove", "--window", window, 400, 100)
@@ -66,6 +66,26 @@ def path_of(place, frames, fps):
 
 
 @test()
+def a_preview_is_not_the_hosts(place):
+    """While a tool is shown the host is told nothing and gets the path without it; OK tells it."""
+    server, host, window, now = opened(place, LC_ALL="en_GB.UTF-8")
+    before = points(host)
+    quiet = server.drawn(window)
+    # The first tool: an orbit.
+    server.press(window, "alt+o", "Return")
+    wait(lambda: server.picture(window).differs(quiet), "the tool")
+    server.drawn(window)
+    shown = views(host)
+    check(shown.changes == now.changes and shown.count == now.count and shown.vrp == now.vrp,
+          f"told of a preview: {vars(shown)}")
+    check(points(host) == before, "the host has what the tool shows")
+    server.press(window, "Return")
+    wait(lambda: views(host).changes == now.changes + 1, "OK")
+    check(len(points(host)) > len(before), "the orbit")
+    host.leave()
+
+
+@test()
 def the_host_is_told_what_is_done(place):
     """Each pose is the path's to the last bit; a row of them ends with a rest."""
     server, host, window, now = opened(place)
@@ -82,7 +102,7 @@ def the_host_is_told_what_is_done(place):
     server.press(window, "ctrl+Prior")
     now = rested(host, now.count)
 
-    space = first_look(server.drawn(window))
+    space = server.seen(window, first_look, "the space")
     at = space.image(points(host)[0])
     to = (at[0] + 60, at[1] - 40)
     host.tell("reset")
@@ -201,7 +221,7 @@ def hosts_do_odd_things_in_on_view(place):
     check(frame == now.frame, f"told of {now.frame}, is at {frame}")
 
     # Ten seconds; what is done meanwhile is not lost.
-    space = first_look(server.drawn(window))
+    space = server.seen(window, first_look, "the space")
     for point in (1, 0):
         host.tell(f"select {point} 0")
         now = rested(host, now.count)
@@ -274,17 +294,17 @@ def old_hosts_get_the_flight_continuously(place):
     def handed():
         return sum(line.endswith("poses came") for line in list(program.said))
 
-    space = first_look(server.drawn(window))
+    space = server.seen(window, first_look, "the space")
     at = space.image((-0.6, 0.2, 0.8))
     before = handed()
     server.xdotool(*server.drag_words(window, at, (at[0] - 60, at[1]), 3, 12, release=False))
     wait(lambda: handed() > before, "poses while it is dragged")
     server.xdotool("mouseup", 3)
-    time.sleep(0.5)
     server.press(window, "alt+a", "l")
+    program.idle()
     before = handed()
     server.press(window, "alt+Insert")
-    time.sleep(0.5)
+    program.idle()
     check(handed() == before, "poses although it is not ticked")
     check(not program.complained, f"it complained: {program.complained}")
 
@@ -305,9 +325,11 @@ def playing_keeps_the_clock(place):
     host.tell("delay 10")
     host.tell("clocked 1")
     host.tell("reset")
+    watch, begun = Watch(host.pid), time.monotonic()
     host.tell("play 1")
     time.sleep(seconds)
     rested(host)
+    waited = (time.monotonic() - begun - watch.seconds()) / seconds
     calls = logged(place, host)
     played = [(at, frame) for at, frame, reason in calls if reason == PLAYED]
     # Against the first: when each frame should have been there, in frames.
@@ -321,7 +343,7 @@ def playing_keeps_the_clock(place):
           f"than one, last frame {played[-1][1]:g} after {taken:.3f} s instead of {due:.3f} s",
           flush=True)
     # A busy machine makes a picture late now and then; the next is in time again.
-    check(over <= 0.05, f"{100 * over:.1f} % late")
+    check(over <= 0.05 + waited, f"{100 * over:.1f} % late")
     check(abs(drift) < 2, f"the clock: {drift:.1f} frames late at the end")
     check(calls[-1][2] == RESTED and calls[-1][1] == played[-1][1], f"the end: {calls[-1]}")
     host.leave()
@@ -331,7 +353,7 @@ def playing_keeps_the_clock(place):
 def a_host_that_takes_200_ms(place):
     """The drag's end is right, and no call of v_dispatch() is long."""
     server, host, window, _ = opened(place)
-    space = first_look(server.drawn(window))
+    space = server.seen(window, first_look, "the space")
     at = space.image(points(host)[0])
     to = (at[0] + 80, at[1] - 50)
     host.tell("delay 200")
@@ -455,7 +477,7 @@ def a_host_changes_the_scene_while_it_is_dragged(place):
         return {name: tuple(map(float, at.split(","))) for name, at in told}
 
     window = server.new_window()
-    at = first_look(server.drawn(window)).image((0, 0, 0))
+    at = server.seen(window, first_look, "the space").image((0, 0, 0))
     first = nodes()
     check(first == {"lamp": (0, 0, 0), "old": (0.5, 0, 0), "box": (1, 0, 0)}, first)
     server.click(window, *at)

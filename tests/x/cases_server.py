@@ -1,9 +1,12 @@
 """Servers that are not there, refuse, hang and die: the host lives."""
 
+import os
 import signal
+import time
 
 from cases_hosts import POSES, hand_over
-from harness import check, wait
+from harness import Watch, check, run, wait
+from proxy import Proxy
 from run import test
 
 MIDDLE = (600, 400)
@@ -60,6 +63,58 @@ def without_the_cookie(place):
     host = place.told(server, XAUTHORITY="/dev/null")
     told_why(host)
     host.leave()
+
+
+@test()
+def an_authority_that_is_no_file(place):
+    """A pipe, a device without an end, a file larger than the disk: refused in time."""
+    server = place.server()
+    os.mkfifo(place.path("pipe"))
+    with open(place.path("large"), "wb") as large:
+        large.truncate(1 << 40)
+    for authority in (place.path("pipe"), "/dev/zero", place.path("large"), place.folder):
+        host = place.told(server, XAUTHORITY=authority)
+        start = time.monotonic()
+        told_why(host)
+        took = time.monotonic() - start
+        check(took < 4, f"{authority} held the host for {took:.1f} s")
+        host.leave()
+
+
+@test()
+def each_reply_is_an_error_in_turn(place):
+    """v_editor_open() answers in time, with a window or a reason."""
+    server = place.server()
+    proxy = Proxy(server, (), 0)
+    try:
+        env = dict(server.env, DISPLAY=proxy.name)
+        run("xauth", "-q", "-f", server.authority, "add", proxy.name, ".", server.key)
+        host = place.told(server, DISPLAY=env["DISPLAY"], XAUTHORITY=env["XAUTHORITY"])
+        opened = 0
+        for at in range(1, 76):
+            proxy.error_at = at
+            start = time.monotonic()
+            status = host.tell("edit 0", "edited", 20).split()[1]
+            took = time.monotonic() - start
+            check(took < 4, f"reply {at} held the host for {took:.1f} s")
+            check(status in ("0", "10"), f"reply {at}: {status}")
+            if status == "0":
+                opened += 1
+                host.tell("close 0", "closed 0")
+        check(20 < opened < 75, f"{opened} of 75 windows")
+        host.leave()
+    finally:
+        proxy.end()
+
+
+@test()
+def without_standard_streams(place):
+    """A host that has closed them prints into nothing of the library's."""
+    server = place.server()
+    host = place.program(server, "standard")
+    for what in ("open", "served", "saved", "closed"):
+        said = host.expect(what)
+        check(said == f"{what} 0 taken 0", said)
 
 
 @test()
@@ -176,9 +231,9 @@ def server_stopped_for_twenty_seconds(place):
     end = time.monotonic() + 20
     longest = 0.0
     while time.monotonic() < end:
-        start = time.monotonic()
-        host.live(20)
-        longest = max(longest, time.monotonic() - start)
+        watch = Watch(host.pid)
+        host.live()
+        longest = max(longest, watch.seconds())
         time.sleep(0.2)
     check(longest < 2, f"a call took {longest:.1f} s while nothing was asked of the server")
     server.resume()

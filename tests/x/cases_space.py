@@ -25,9 +25,18 @@ def moved(host, server, window, start, end, button, point):
     return before, host.path()[point]
 
 
+def without_object(place):
+    """A host and its one window, in which a new path looks in a direction."""
+    server = place.server()
+    host = place.told(server, "loop_poll")
+    host.tell("objectless 1")
+    host.edit(0, "")
+    return server, host, server.new_window()
+
+
 def measured(server, host, window):
     """The space to a fraction of a pixel, by two drags."""
-    space = first_look(server.drawn(window))
+    space = server.seen(window, first_look, "the space")
     pairs = []
     for dx, dy in ((60, -40), (-90, 70)):
         at = space.image(host.path()[0])
@@ -122,7 +131,7 @@ def several_points_are_moved_at_once(place):
 @test()
 def the_tip_of_the_view_is_dragged(place):
     """VPN's tip moves as points do; of a relative one the offset changes, the point stays."""
-    server, host, window = opened(place)
+    server, host, window = without_object(place)
     space = measured(server, host, window)
     position = host.path()[0]
     words = host.tell("orientation 0 0 0").split()
@@ -143,7 +152,7 @@ def the_tip_of_the_view_is_dragged(place):
 @test()
 def the_tip_of_up_is_dragged(place):
     """VUP turns until it points to the pointer: roll, and nothing else, changes."""
-    server, host, window = opened(place)
+    server, host, window = without_object(place)
     space = measured(server, host, window)
     position = host.path()[0]
     before = host.tell("orientation 0 0 0").split()
@@ -196,14 +205,14 @@ def the_view_turns_and_grows(place):
 def clicks_whose_press_and_release_come_together_meet_the_play_bar(place):
     """As a host finds them that was busy meanwhile: all of twenty."""
     server, host, window = opened(place)
-    left, right, row = rail_of(server.drawn(window))
+    left, right, row = server.seen(window, rail_of, "the rail")
     check(right - left > 150, f"no rail: {left} to {right}")
     for turn in range(20):
         x = round(left + (right - left) * (0.08 + 0.84 * (turn * 7 % 20) / 19))
         host.process.send_signal(signal.SIGSTOP)
         server.click(window, x, row)
         host.process.send_signal(signal.SIGCONT)
-        wait(lambda: stands_at(server.picture(window), x, row), f"click {turn + 1} to be met", 10)
+        wait(lambda: stands_at(server.picture(window), x, row), f"click {turn + 1} to be met")
     host.leave()
 
 

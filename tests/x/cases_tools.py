@@ -4,7 +4,7 @@ import math
 import os
 
 from cases_window import opened
-from harness import check, wait
+from harness import Watch, check, spent, wait
 from panel import CHOSEN, PANEL
 from run import test
 
@@ -20,6 +20,7 @@ def an_orbit_is_shown_taken_and_undone(place):
         server.press(window, menu, "Return")
         wait(lambda: server.picture(window).differs(quiet), "the tool")
         server.drawn(window)
+        check(host.path() == before, "the host has what the tool shows")
         server.press(window, "Escape")
         server.drawn(window)
         check(host.path() == before, "it was left, and changed the path")
@@ -121,12 +122,17 @@ orientation = [{ target = [0, 0, 0] }]
         # All but those that cannot be blocked and the C library's own two.
         for signal in (1, 2, 3, 10, 12, 13, 14, 15, 17, 20, 28):
             check(blocked[0] >> (signal - 1) & 1, f"signal {signal} would go to the thread")
-        host.live(1)
+        watch = Watch(host.pid)
+        host.live()
+        check(watch.seconds() < 1, f"it answers after {watch.seconds():.1f} s")
         if way == "Escape":
             server.press(window, "Escape")
             wait(lambda: not workers(host), "the thread to end")
             check(host.path() == before, "it was left, and changed the path")
         else:
-            host.tell("close 0", "closed 0", 5)
+            before = spent(host.pid)
+            host.tell("close 0", "closed 0")
+            more = spent(host.pid) - before
+            check(more < 5, f"it works for {more:.1f} s more")
             wait(lambda: not workers(host), "the thread to end")
     host.leave()

@@ -38,7 +38,7 @@ def under_valgrind(place, story, all_of_them, leaks="definite,possible"):
     logs = place.path("valgrind.%p")
     place.wrapper = ("valgrind", "-q", "--fair-sched=yes", f"--log-file={logs}",
                      "--leak-check=full", f"--errors-for-leak-kinds={leaks}", f"--show-leak-kinds={leaks}")
-    with patience(180):
+    with patience(600):
         story(place)
     logged = [name for name in os.listdir(place.folder) if name.startswith("valgrind.")]
     check(logged, "valgrind did not run")

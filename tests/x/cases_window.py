@@ -125,7 +125,7 @@ def numbers_typed_while_nobody_serves(place):
     """Three numbers, with Tab from one to the next: each is in its field when the host is
     back, and what a click on another field follows is in the first."""
     server, host, window = opened(place)
-    fields = panel_boxes(server.drawn(window), FIELD)[0]
+    fields = server.seen(window, lambda picture: panel_boxes(picture, FIELD)[0], "the fields")
     server.focus(window)
     host.send("sleep 1500")
     server.click(window, *middle(fields[0]))
@@ -292,7 +292,7 @@ def what_is_handed_over_is_what_vides_samples(place):
 def numbers_typed_into_fields(place):
     """With a comma, with a point, in a German window; what is no number changes nothing."""
     server, host, window = opened(place, LC_ALL="de_DE.UTF-8")
-    fields = panel_boxes(server.drawn(window), FIELD)[0]
+    fields = server.seen(window, lambda picture: panel_boxes(picture, FIELD)[0], "the fields")
     check(len(fields) == 3, f"the fields of the position: {fields}")
     for axis, typed, value in ((0, "0,25", 0.25), (1, "-0.125", -0.125), (2, "1", 1.0)):
         server.click(window, *middle(fields[axis]))
@@ -397,7 +397,7 @@ def files_dragged_from_another_program(place):
 def a_middle_click_pastes_what_is_marked(place):
     """The primary selection: of another program into a field, and of a field elsewhere."""
     server, host, window = opened(place)
-    field = panel_boxes(server.drawn(window), FIELD)[0][0]
+    field = server.seen(window, lambda picture: panel_boxes(picture, FIELD)[0][0], "a field")
     server.click(window, *middle(field))
     server.xdotool("key", "--delay", "40", "ctrl+a", "Delete")
     server.drawn(window)

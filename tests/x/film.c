@@ -66,6 +66,31 @@ static void serve(int milliseconds)
     }
 }
 
+/* Another path leaves the playhead at its frame if that is there; else it goes to the point. */
+static void other_path(void)
+{
+    V_EDITOR *editor = NULL;
+    V_PATH *path = NULL;
+    double frame = 0;
+    int frames, point = -1, orientation = -1;
+
+    ok(v_path_new(&path), "path");
+    ok(v_path_fit_frames(path, 0, 1, 200), "fit_frames");
+    ok(v_editor_open(NULL, &editor), "open");
+    ok(v_editor_set_path(editor, path), "set_path");
+    ok(v_editor_set_frame(editor, 150), "set_frame");
+    for (frames = 180; frames >= 100; frames -= 80) {
+        ok(v_path_fit_frames(path, 0, 1, (size_t)frames), "fit_frames");
+        ok(v_editor_set_path(editor, path), "set_path");
+        serve(50);
+        ok(v_editor_get_frame(editor, &frame), "get_frame");
+        ok(v_editor_get_selection(editor, &point, &orientation), "get_selection");
+        check(frame == (frames == 180 ? 150 : 1) && point == 0, "the playhead in another path");
+    }
+    ok(v_editor_close(editor), "close");
+    v_path_free(path);
+}
+
 static V_SCENE *cameras(void)
 {
     static const char *const names[] = {"camera", "by keys", "third"};
@@ -207,6 +232,7 @@ int main(int argc, char **argv)
     check(v_editor_set_frame(editor, 0.5) == V_ERR_RANGE, "before the first frame");
     check(v_editor_set_frame(editor, 900.5) == V_ERR_RANGE, "after the last frame");
     ok(v_editor_close(editor), "close");
+    other_path();
     free(handed);
     hands_leave();
     return failures != 0;

@@ -13,7 +13,7 @@ import subprocess
 import tempfile
 
 from harness import Failure, Program, Server, wait
-from panel import FIELD, PANEL, boxes, middle, panel_boxes, timeline
+from panel import BUTTON, FIELD, PANEL, boxes, middle, panel_boxes, timeline
 
 
 class Hand:
@@ -45,11 +45,12 @@ class Hand:
     def first_file(self):
         """A double click on the first file that is offered."""
         self.actions += 1
-        # The list is the largest field.
-        picture = self.server.drawn(self.window)
-        bottom = picture.height - timeline(picture.height)
-        fields = boxes(picture, FIELD, 300, 150, picture.width - 300, bottom, (300, 200))
-        x, y = fields[0][0][:2]
+        def files(picture):
+            # The list is the largest field.
+            bottom = picture.height - timeline(picture.height)
+            return boxes(picture, FIELD, 300, 150, picture.width - 300, bottom, (300, 200))[0][0]
+
+        x, y = self.server.seen(self.window, files, "the files")[:2]
         self.server.xdotool("mousemove", "--window", self.window, x + 40, y + 16,
                             "click", "--repeat", 2, "--delay", 80, 1)
 
@@ -61,11 +62,18 @@ class Hand:
     def slide(self, start, end, key=None, steps=8):
         """Drags in as many pictures, perhaps with a key held; it ends where it is let go."""
         self.actions += 1
-        words = []
+        moves = [[]]
         for word in self.server.drag_words(self.window, start, end, 1, steps):
-            words += ["sleep", "0.05"] * (word in ("mousemove", "mouseup")) + [word]
-        hold, leave = (["keydown", key], ["keyup", key]) if key else ([], [])
-        self.server.xdotool(*hold, *words, *leave)
+            if word in ("mousemove", "mouseup"):
+                moves.append([])
+            moves[-1].append(word)
+        if key:
+            self.server.xdotool("keydown", key)
+        for move in moves[1:]:
+            self.server.xdotool(*move)
+            self.server.served(self.window)
+        if key:
+            self.server.xdotool("keyup", key)
 
     def number(self, box, value):
         """Types a number into a field."""
@@ -84,17 +92,29 @@ class Hand:
         width, _ = self.server.geometry(self.window)[2:]
         self.server.xdotool("mousemove", "--window", self.window, width - PANEL - 90, 20)
 
-    def panel(self, colour):
-        """Buttons or fields in the panels, as rows from the top."""
+    def panel(self, colour, row, column):
+        """A button or a field in the panels, in a row from the top."""
         self.away()
-        return panel_boxes(self.server.drawn(self.window), colour)
+        return self.server.seen(self.window, lambda picture: panel_boxes(picture, colour)[row][column],
+                                f"row {row}, column {column} of the panels")
 
-    def bar(self):
-        """Fields above the timeline: frame, last frame, second, duration, rate."""
+    def bar(self, number):
+        """A field above the timeline: frame, last frame, second, duration, rate."""
+        def field(picture):
+            top = picture.height - timeline(picture.height)
+            return boxes(picture, FIELD, 0, top, picture.width, top + 32)[0][number]
+
         self.away()
-        picture = self.server.drawn(self.window)
-        top = picture.height - timeline(picture.height)
-        return boxes(picture, FIELD, 0, top, picture.width, top + 32)[0]
+        return self.server.seen(self.window, field, f"field {number} above the timeline")
+
+    def way(self, number):
+        """A way to begin that the empty window offers, or one that goes with a file."""
+        def button(picture):
+            bottom = picture.height - timeline(picture.height)
+            return boxes(picture, BUTTON, 160, bottom - 90, picture.width - PANEL, bottom,
+                         (80, 50))[-1][number]
+
+        return self.server.seen(self.window, button, f"way {number} to begin")
 
     def save_first(self):
         """Saves for the first time; does not count."""
@@ -148,7 +168,7 @@ def window_for(vides, folder, *arguments, beside=()):
         program = Program(place, [vides, "edit", *arguments], server.env)
         try:
             yield Hand(server, server.new_window(), folder, vides)
-        except (Failure, IndexError):
+        except Failure:
             server.picture().save(os.path.join(folder, "failed.png"))
             raise
         finally:

@@ -15,8 +15,9 @@ import threading
 import time
 
 from picture import Picture
+from ping import Pinger
 
-LIMIT = 60.0
+LIMIT = 120.0
 """Seconds after which waiting has failed. Long, since machines may be busy."""
 
 _patience = threading.local()
@@ -71,6 +72,26 @@ def run(*command, env=None, stdin=None, fail=True):
     return done.stdout
 
 
+class Watch:
+    """How long something takes, without what the machine let it wait for a processor: what
+    a process promises, however busy others keep the machine."""
+
+    def __init__(self, pid):
+        self.pid = pid
+        self.begun = self._now()
+
+    def _now(self):
+        waited = 0
+        for schedule in (f"/proc/{self.pid}/schedstat", "/proc/thread-self/schedstat"):
+            with open(schedule, encoding="ascii") as file:
+                waited += int(file.read().split()[1])
+        return time.monotonic() - 1e-9 * waited
+
+    def seconds(self):
+        """Since it was made."""
+        return max(0.0, self._now() - self.begun)
+
+
 class Server:
     """An X server of its own, with a cookie that clients must show. Keys do not
     repeat: on a busy machine one that xdotool presses may stay down for long."""
@@ -97,14 +118,17 @@ class Server:
         self.env["XAUTHORITY"] = self.authority
         if cookie:
             run("xauth", "-q", "-f", self.authority, "add", self.name, ".", key)
-        self.helpers = []
+        self.helpers, self.pinger = [], None
+        self.untrusts = False
         # Not in the middle, where it would light what a window shows there.
         if cookie:
             width, height = screen.split("x")[:2]
             self.xdotool("mousemove", int(width) - 1, int(height) - 1)
 
     def untrusted(self):
-        """The environment of a client whom the server does not trust, as `ssh -X` has it."""
+        """The environment of a client whom the server does not trust, as `ssh -X` has it. Its
+        windows cannot be asked whether they have been served."""
+        self.untrusts = True
         env = dict(self.env, XAUTHORITY=os.path.join(self.folder, "untrusted"))
         run("xauth", "-q", "-f", env["XAUTHORITY"], "generate", self.name, ".", "untrusted",
             "timeout", "0", env=self.env)
@@ -133,6 +157,8 @@ class Server:
 
     def end(self):
         """Ends it and what runs on it."""
+        if self.pinger:
+            self.pinger.close()
         for helper in self.helpers:
             helper.kill()
             helper.wait()
@@ -175,9 +201,10 @@ class Server:
                        check=True)
 
     def copied(self, selection="clipboard"):
-        """What another program finds in the clipboard."""
-        return run("xclip", "-selection", selection, "-o", env=self.env, fail=False).decode(
-            errors="replace")
+        """What another program finds in the clipboard; nothing, if it is not told all of it: it
+        waits for ever for an owner that has given up. Whoever waits for a text asks again."""
+        return run("timeout", "30", "xclip", "-selection", selection, "-o", env=self.env,
+                   fail=False).decode(errors="replace")
 
     # ---- hands and eyes
 
@@ -269,11 +296,32 @@ class Server:
             area = max(x, 0), max(y, 0), width + min(x, 0), height + min(y, 0)
         return Picture.of_xwd(run("xwd", "-root", "-silent", env=self.env), area)
 
+    def served(self, window):
+        """Waits until a window has seen all that was sent to it, and has done what it had to do
+        for that. Windows that cannot be asked are left alone."""
+        if self.untrusts:
+            return
+        self.pinger = self.pinger or Pinger(self.name, self.key)
+        for _ in range(2):  # what it does comes after its answer
+            check(self.pinger.answered(window, _limit(None)), "the window does not answer")
+
+    def seen(self, window, look, what):
+        """What `look` finds in a picture of a window, as soon as it finds it."""
+        def found():
+            picture = self.drawn(window)
+            try:
+                return look(picture)
+            except (IndexError, ValueError):
+                return None
+
+        return wait(found, what)
+
     def drawn(self, window, colours=8):
         """Waits until a window shows something, and goes on to show the same; gives that."""
         last = []
 
         def same():
+            self.served(window)
             picture = self.picture(window)
             known = last and last[0].rows == picture.rows
             last[:] = [picture]
@@ -297,6 +345,23 @@ def switches(pid):
     return total
 
 
+def spent(pid):
+    """Seconds that processors have spent on all threads of a process, ended ones too."""
+    with open(f"/proc/{pid}/stat", encoding="utf-8") as stat:
+        times = stat.read().rpartition(")")[2].split()[11:13]
+    return sum(map(int, times)) / os.sysconf("SC_CLK_TCK")
+
+
+def sleeps(pid):
+    """All threads of a process wait for something that is not a processor."""
+    for task in os.listdir(f"/proc/{pid}/task"):
+        with contextlib.suppress(FileNotFoundError, ProcessLookupError):
+            with open(f"/proc/{pid}/task/{task}/stat", encoding="utf-8") as stat:
+                if stat.read().rpartition(")")[2].split()[0] in "RD":
+                    return False
+    return True
+
+
 def private(pid, kind="Private_"):
     """Memory that only this process has, in kB: all of it, or of one kind."""
     with open(f"/proc/{pid}/smaps_rollup", encoding="ascii") as file:
@@ -317,7 +382,7 @@ def wait_for_rest(pid, seconds):
         before, last[0] = last[0], switches(pid)
         if before != last[0]:
             time.sleep(seconds)
-        return before == last[0]
+        return before == last[0] and sleeps(pid)
 
     wait(still, "it to come to rest")
 

@@ -25,7 +25,7 @@ static V_KAMERAPAR lists[LISTS];
 static V_EDITOR *editors[EDITORS];
 static int closing = 1;        /* what ende() answers */
 static float speeds[4] = {100, 100, 100, 100};
-static char within_rueck[400], within_ende[400]; /* commands, done once */
+static char within_rueck[400], within_ende[400], within_gone[400]; /* commands, done once */
 static pthread_t first_thread;
 static int depth;
 
@@ -116,6 +116,13 @@ static int on_close(V_EDITOR *editor, void *user)
     return closing;
 }
 
+static void on_gone(V_EDITOR *editor, int reason, void *user)
+{
+    (void)editor;
+    say("gone %ld %d thread %s", (long)(size_t)user, reason, thread());
+    once(within_gone);
+}
+
 /* A list as the ASCII output has it. */
 static void write_list(const V_KAMERAPAR *first, const char *file)
 {
@@ -176,6 +183,7 @@ static void open_editor(int which, const char *file, const char *display, const 
     options.object = objectless ? NULL : &pyramid_mesh;
     options.on_poses = on_poses;
     options.on_close = on_close;
+    options.on_gone = on_gone;
     options.user = (void *)(size_t)which;
     status = v_editor_open(&options, &editors[which]);
     say("edited %d %.1f %s", status, 1e6 * (now() - start), v_last_error());
@@ -306,6 +314,9 @@ static void command(char *line)
     } else if (strcmp(name, "within-ende") == 0) {
         strcpy(within_ende, line + rest);
         say("within-ende");
+    } else if (strcmp(name, "within-gone") == 0) {
+        strcpy(within_gone, line + rest);
+        say("within-gone");
     } else if (strcmp(name, "list") == 0) {
         if (list->number < 0)
             say("list %d none", a);
@@ -340,6 +351,15 @@ static void command(char *line)
     } else if (strcmp(name, "close") == 0) {
         a = v_editor_close(*editor);
         say("closed %d %s", a, v_last_error());
+    } else if (strcmp(name, "modified") == 0) {
+        a = v_editor_is_modified(*editor, &b);
+        say("modified %d %d", a, b);
+    } else if (strcmp(name, "mark-saved") == 0) {
+        a = v_editor_mark_saved(*editor);
+        say("mark-saved %d", a);
+    } else if (strcmp(name, "quit") == 0) { /* ASK */
+        a = v_editors_close(a);
+        say("quit %d %s", a, v_last_error());
     } else if (strcmp(name, "dispatch") == 0) {
         a = v_dispatch();
         say("dispatch %d %s", a, v_last_error());

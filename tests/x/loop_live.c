@@ -239,9 +239,6 @@ int loop_command(const char *name, char *rest)
     } else if (strcmp(name, "raise") == 0) {
         status = v_editor_raise(editor);
         say("raise %d", status);
-    } else if (strcmp(name, "quit") == 0) {
-        status = v_editors_close(number != 0);
-        say("quit %d %s", status, v_last_error());
     } else {
         return 0;
     }

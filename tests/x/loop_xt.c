@@ -4,9 +4,12 @@
  *     initialize    XtInitialize, XtMainLoop: Xt's default context
  *     app           XtAppInitialize, XtAppMainLoop
  *     open          XtOpenApplication, XtAppMainLoop
- *     two           two contexts, of which the second runs
+ *     two [DISPLAY] two contexts, of which the second runs, on DISPLAY; told "third DISPLAY"
+ *                   a third one is made, and ended when told "end-third"
  *     late          a context made when told "context", after the first window;
  *                   announced to the library when told "announce"
+ *
+ * Told "timeout" or "work", it opens a window in such a procedure of Xt's.
  *
  * Nothing here serves the library.
  */
@@ -23,7 +26,7 @@
 
 #include "host.h"
 
-static XtAppContext context;
+static XtAppContext context, third;
 static int count;
 static char **arguments;
 
@@ -48,9 +51,35 @@ static void watch_input(void)
     XtAppAddInput(context, 0, (XtPointer)XtInputReadMask, input, NULL);
 }
 
+static void open_window(void)
+{
+    V_EDITOR *editor = NULL;
+    say("opened %d", v_editor_open(NULL, &editor));
+}
+
+static void on_timeout(XtPointer data, XtIntervalId *id)
+{
+    (void)data, (void)id;
+    open_window();
+}
+
+static Boolean on_work(XtPointer data)
+{
+    (void)data;
+    open_window();
+    return True;
+}
+
 int loop_command(const char *name, char *rest)
 {
-    (void)rest;
+    if (strcmp(name, "timeout") == 0) {
+        XtAppAddTimeOut(context, 10, on_timeout, NULL);
+        return 1;
+    }
+    if (strcmp(name, "work") == 0) {
+        XtAppAddWorkProc(context, on_work, NULL);
+        return 1;
+    }
     if (strcmp(name, "context") == 0) {
         show(XtAppInitialize(&context, "Host", NULL, 0, &count, arguments, NULL, NULL, 0));
         say("context");
@@ -58,6 +87,16 @@ int loop_command(const char *name, char *rest)
     }
     if (strcmp(name, "announce") == 0) {
         say("announced %d %s", v_set_app_context(context), v_last_error());
+        return 1;
+    }
+    if (strcmp(name, "third") == 0) {
+        third = XtCreateApplicationContext();
+        say("third %d", XtOpenDisplay(third, rest, "host", "Host", NULL, 0, &count, arguments) != NULL);
+        return 1;
+    }
+    if (strcmp(name, "end-third") == 0) {
+        XtDestroyApplicationContext(third);
+        say("end-third");
         return 1;
     }
     return 0;
@@ -89,7 +128,7 @@ int main(int argc, char **argv)
     } else if (strcmp(way, "two") == 0) {
         XtAppInitialize(&other, "Other", NULL, 0, &argc, argv, NULL, NULL, 0);
         context = XtCreateApplicationContext();
-        XtOpenDisplay(context, NULL, "host", "Host", NULL, 0, &argc, argv);
+        XtOpenDisplay(context, argc > 2 ? argv[2] : NULL, "host", "Host", NULL, 0, &argc, argv);
         watch_input();
         XtAppMainLoop(context);
     } else if (strcmp(way, "late") == 0) {

@@ -114,7 +114,7 @@ def drags(folder, hosts, kind, shown):
         try:
             host.edit(0, file)
             window = server.window()
-            start = first_look(server.drawn(window)).image((-0.9, 0.6, 0.5))
+            start = server.seen(window, first_look, "the space").image((-0.9, 0.6, 0.5))
             words = server.drag_words(window, start, (start[0] - 20, start[1] - 20), 2, 5, False)
             server.xdotool(*words)
             before = host.path()[0]

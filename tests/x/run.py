@@ -17,12 +17,15 @@ import traceback
 import harness
 
 SIDE_BY_SIDE = 4
+BOTH = ("archive", "shared")
 TESTS = {}
 _printing = threading.Lock()
 
 
-def test(kinds=("archive", "shared"), first=False, at_once=SIDE_BY_SIDE):
-    """Marks a test: it is run for each of these kinds of library.
+def test(kinds=None, first=False, at_once=SIDE_BY_SIDE):
+    """Marks a test: it is run for each of these kinds of library. What hangs on how a program
+    is linked, loaded or ended says BOTH; of the others every second one is for each kind, since
+    both are made of the same object, unless it is chosen by its name or EACH is set.
 
     Those that take long say `first`, so that nothing waits for them at the end.
     Those that look at the clock say how many of them a processor bears `at_once`,
@@ -30,8 +33,10 @@ def test(kinds=("archive", "shared"), first=False, at_once=SIDE_BY_SIDE):
     """
     def mark(function):
         where = TESTS.setdefault(at_once, [])
-        for kind in kinds:
-            where.insert(0 if first else len(where), (function, kind))
+        turn = sum(map(len, TESTS.values())) // 2 % 2
+        for kind in kinds or BOTH:
+            thin = kinds is None and kind != BOTH[turn]
+            where.insert(0 if first else len(where), (function, kind, thin))
         return function
     return mark
 
@@ -143,8 +148,9 @@ def main():
 
     results = []
     for at_once in sorted(TESTS, reverse=True):
-        chosen = [(function, kind) for function, kind in TESTS[at_once]
-                  if not words or any(word in f"{function.__name__},_{kind}" for word in words)]
+        chosen = [(function, kind) for function, kind, thin in TESTS[at_once]
+                  if (any(word in f"{function.__name__},_{kind}" for word in words) if words
+                      else not thin or os.environ.get("EACH"))]
         with concurrent.futures.ThreadPoolExecutor(at_once) as pool:
             results += pool.map(lambda one: _run(*one, hosts), chosen)
     failures = [said for said in results if said]

@@ -6,7 +6,7 @@ import subprocess
 
 from hands import distance, looks_at, window_for
 from harness import check
-from panel import BUTTON, boxes, graph, panel_boxes, rail_of, timeline
+from panel import BUTTON, graph, rail_of, timeline
 
 OBJECT = """v -0.4 0 -0.4
 v 0.4 0 -0.4
@@ -58,10 +58,9 @@ def key_frames(hand):
 def in_row(hand, frame, count):
     """Where a frame, from 0, is seen in the row of keys."""
     hand.away()
-    picture = hand.server.drawn(hand.window)
-    left, right, _ = rail_of(picture)
-    x = left + (right - left) * frame / (count - 1)
-    return x, picture.height - 4 - graph(picture.height) - 12
+    left, right, _ = hand.server.seen(hand.window, rail_of, "the rail")
+    height = hand.server.geometry(hand.window)[3]
+    return left + (right - left) * frame / (count - 1), height - 4 - graph(height) - 12
 
 
 def spot(place):
@@ -111,7 +110,7 @@ def key(hand):
 
 def lock(hand):
     """12 seconds are kept, and a view is added."""
-    hand.number(hand.bar()[3], 12)
+    hand.number(hand.bar(3), 12)
     hand.click(spot((612, hand.server.geometry(hand.window)[3] - timeline(800) + 16)))
     hand.keys("alt+Insert")
     poses = hand.saved()
@@ -140,7 +139,7 @@ def cure(hand):
     """A way through an object is found, and led around it."""
     check(findings(hand), "the flight is clear from the beginning")
     hand.keys("F8")
-    hand.click(hand.panel(BUTTON)[0][-1])
+    hand.click(hand.panel(BUTTON, 0, -1))
     hand.saved()
     left = findings(hand)
     check(not left, left)
@@ -157,10 +156,7 @@ def orbit(hand):
     server, window = hand.server, hand.window
     hand.keys("ctrl+o")
     hand.first_file()
-    picture = server.drawn(window)
-    bottom = picture.height - timeline(picture.height)
-    ways = boxes(picture, BUTTON, 160, bottom - 90, picture.width - 270, bottom, (80, 50))
-    hand.click(ways[-1][0])
+    hand.click(hand.way(0))
     server.drawn(window)
     hand.keys("Return")
     hand.save_first()

@@ -2,8 +2,9 @@
 
 use glam::{DAffine3, DVec3};
 use vides_engine::scene::{Kind, Mesh, NodeState, Warnings};
-use vides_engine::tools::check::{CheckContext, Finding, check};
+use vides_engine::tools::check::{CheckContext, Finding, check_watched};
 use vides_engine::tools::clearance::Clearance;
+use vides_engine::tools::fit::Progress;
 
 use super::editing::Document;
 use super::info::Object;
@@ -96,7 +97,7 @@ impl Document {
     /// [`vides_engine::Error::Argument`] for an object without geometry,
     /// [`vides_engine::Error::Limit`], [`vides_engine::Error::Memory`].
     pub fn check(&self, object: Option<&Mesh>) -> Result<Vec<Finding>> {
-        self.check_against(self.clearance(object)?.as_ref())
+        self.check_against(self.clearance(object)?.as_ref(), &mut |_, _| true)
     }
 
     /// A mesh prepared for a check, the document's own obstacles in its absence.
@@ -121,11 +122,17 @@ impl Document {
             .ok_or_else(|| Invalid::NoGeometry.into())
     }
 
-    /// As [`Document::check`], against a prepared object or none.
+    /// As [`Document::check`], against a prepared object or none; `progress` gets frames that were
+    /// looked at and all, and ends it with `false`.
     ///
     /// # Errors
-    /// [`vides_engine::Error::Limit`], [`vides_engine::Error::Memory`].
-    pub fn check_against(&self, object: Option<&Clearance>) -> Result<Vec<Finding>> {
+    /// [`vides_engine::Error::Argument`] where `progress` ends it; [`vides_engine::Error::Limit`],
+    /// [`vides_engine::Error::Memory`].
+    pub fn check_against(
+        &self,
+        object: Option<&Clearance>,
+        progress: Progress<'_>,
+    ) -> Result<Vec<Finding>> {
         let (info, space) = (self.info(), self.path().space);
         let against = CheckContext {
             fps: info.fps,
@@ -133,7 +140,7 @@ impl Document {
             object,
             limits: info.limits,
         };
-        Ok(check(self.path(), &against)?)
+        Ok(check_watched(self.path(), &against, progress)?)
     }
 }
 

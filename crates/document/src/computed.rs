@@ -13,7 +13,7 @@ impl Document {
     /// # Errors
     /// `ErrorKind::Memory`.
     pub fn timeline<R>(&self, f: impl FnOnce(&Timeline) -> R) -> Result<R> {
-        Ok(self.plan.timeline(&self.state.path, f)?)
+        Ok(self.plan.timeline(&self.content.path, f)?)
     }
 
     /// The camera's up at an orientation, roll included: a unit vector in world coordinates,
@@ -37,7 +37,7 @@ impl Document {
     /// `ErrorKind::Memory`; `ErrorKind::Limit` for more than
     /// [`vides_engine::limits::MAX_FRAMES`] frames.
     pub fn sampler(&self) -> Result<&Sampler> {
-        Ok(self.plan.sampler(&self.state.path)?)
+        Ok(self.plan.sampler(&self.content.path)?)
     }
 
     /// The smallest space that holds the object, with a tenth to spare.
@@ -45,7 +45,7 @@ impl Document {
     /// # Errors
     /// As [`Space::around`].
     pub fn space_around_object(&self) -> Result<Space> {
-        let object = self.state.info.object.iter();
+        let object = self.content.info.object.iter();
         Ok(Space::around(
             object.map(|point| point.position),
             self.path().space.up,
@@ -65,7 +65,7 @@ impl Document {
     /// # Errors
     /// As [`Document::space_around_path`].
     pub fn space_around_all(&self) -> Result<Space> {
-        let object = self.state.info.object.iter();
+        let object = self.content.info.object.iter();
         self.space_around(object.map(|point| point.position))
     }
 

@@ -1,15 +1,15 @@
 //! Points, views and keys as text for a clipboard, in the words of a `.vid` file, and from it.
 
 use super::editing::Document;
-use super::{Edit, Info, vid};
+use super::{Info, vid};
 use crate::error::Result;
-use vides_engine::path::{CameraPath, Orientation};
+use vides_engine::path::Orientation;
 use vides_engine::scene::Track;
 use vides_engine::tools::block;
 
 impl Document {
     /// The text of a `.vid` file with these points alone, ascending, at least two. A range keeps
-    /// its curve, as [`block::extract`] does.
+    /// its curve, as [`block::extract`] does, and its times.
     ///
     /// # Errors
     /// `ErrorKind::Range` if there are no such points, or too few; `ErrorKind::Memory`.
@@ -21,20 +21,22 @@ impl Document {
             ..Info::default()
         };
         let mut alone = Self::from_parts(block::extract(self.path(), first, last)?, info)?;
+        alone.keep_frames(&self.frames_from(first, last)?)?;
         let others = (first..=last).filter(|at| points.binary_search(at).is_err());
-        alone.apply_all(others.rev().map(|at| Edit::RemovePoint { at: at - first }))?;
+        let others: Vec<usize> = others.map(|at| at - first).collect();
+        alone.remove_points(&others)?;
         alone.to_toml()
     }
 
-    /// The path in such a text; `None` if it has no points.
+    /// The document in such a text; `None` if it has no points.
     ///
     /// # Errors
     /// As [`Document::from_toml`].
-    pub fn points_of_text(text: &str) -> Result<Option<CameraPath>> {
+    pub fn points_of_text(text: &str) -> Result<Option<Self>> {
         if !text.contains("[[point]]") {
             return Ok(None);
         }
-        Ok(Some(Self::from_toml(text)?.into_parts().0))
+        Self::from_toml(text).map(Some)
     }
 
     /// The lines with which a view stands in a `.vid` file.

@@ -125,7 +125,7 @@ pub enum Edit {
     /// Edits the path of another node of the scene, or of none. Files do not record this, and by
     /// itself it is no step.
     EditNode(Option<usize>),
-    /// Exchanges a part of the scene ([`Part`]); a path becomes a scene with a camera on it first,
+    /// Makes a part of the scene what it says ([`Part`]); a path becomes a scene with a camera on it first,
     /// and is a path again where nothing else is left. What must goes along: tracks and pins of
     /// what is removed, keys that lie where others come. A track of which no key is left goes, and
     /// its last key's value is the node's at rest. Paths are fitted to markers.

@@ -1,21 +1,25 @@
 //! The document: a path with its edits, its history and cached results.
 
-use super::change::{State, exchange_all};
+use std::mem::replace;
+use std::sync::Arc;
+
+use super::apply;
+use super::content::Content;
 use super::edit::{Edit, Selection};
 use super::edited_scene::fresh_revision;
 use super::fingerprint::Fingerprint;
 use super::held;
 use super::history::{History, Step};
 use super::info::{Info, Object};
+use super::lapse;
 use super::normalise::normalise;
-use super::prepare;
 use super::set::orientation;
 use super::step_name::StepName;
 use super::touched::Touched;
 use crate::error::Result;
 use vides_engine::limits;
 use vides_engine::path::up_vector::check_ups;
-use vides_engine::path::{CameraPath, Plan};
+use vides_engine::path::{CameraPath, Orientation, Plan, SupportPoint, UpVector};
 
 /// A path being edited, with its info, selection and history. It can be saved, loaded and sampled
 /// after any edit (unless it has more than [`limits::MAX_FRAMES`] frames).
@@ -23,20 +27,14 @@ use vides_engine::path::{CameraPath, Plan};
 /// Reading takes `&self` and may happen on several threads at once.
 #[derive(Debug)]
 pub struct Document {
-    pub(super) state: State,
-    selection: Selection,
+    pub(super) content: Content,
     history: History,
-    /// The open step, which collects edits.
+    /// The open step, with what was there before it.
     open: Option<Step>,
-    /// The way from the node whose path was edited at the newest step to the one that is now, closed.
-    away: Option<Step>,
+    /// What was there at the newest step, if another node has been chosen since.
+    away: Option<Content>,
     touched: Touched,
-    /// Number of the present state; each edit makes a new one.
-    number: u64,
-    newest: u64,
     saved: u64,
-    /// Unique to these contents within the process.
-    revision: u64,
     pub(super) plan: Plan,
     /// That of the file it was read from.
     pub(super) fingerprint: Option<Fingerprint>,
@@ -89,17 +87,17 @@ impl Document {
     }
 
     fn with(path: CameraPath, info: Info) -> Self {
+        Self::of(Content::new(path, info, fresh_revision()))
+    }
+
+    fn of(content: Content) -> Self {
         Self {
-            state: State::new(path, info),
-            selection: Selection::default(),
+            saved: content.number,
+            content,
             history: History::new(limits::MAX_HISTORY_STEPS),
             open: None,
             away: None,
             touched: Touched::default(),
-            number: 0,
-            newest: 0,
-            saved: 0,
-            revision: fresh_revision(),
             plan: Plan::new(),
             fingerprint: None,
         }
@@ -108,11 +106,14 @@ impl Document {
     /// The same document as if just opened: unmodified, without a history.
     #[must_use]
     pub fn as_opened(self) -> Self {
-        let mut opened = Self::with(self.state.path, self.state.info);
-        opened.fingerprint = self.fingerprint;
-        opened.state.comments = self.state.comments;
-        opened.state.edited_scene = self.state.edited_scene;
-        opened
+        Self {
+            fingerprint: self.fingerprint,
+            ..Self::of(Content {
+                selection: Selection::default(),
+                revision: fresh_revision(),
+                ..self.content
+            })
+        }
     }
 
     /// That of the file the document was read from, if any, as it was then.
@@ -129,56 +130,50 @@ impl Document {
         self
     }
 
-    /// A copy with the same selection, without the history.
+    /// A copy with the same selection, state number and revision, without the history.
     ///
     /// # Errors
     /// `ErrorKind::Memory`.
     pub fn try_clone(&self) -> Result<Self> {
-        let path = self.state.path.try_clone()?;
-        let mut copy = Self::with(path, self.state.info.try_clone()?);
-        copy.selection = self.selection;
+        let mut copy = Self::of(self.content.clone());
         copy.fingerprint = self.fingerprint;
-        copy.state.comments = self.state.comments.try_clone()?;
-        copy.state.edited_scene.clone_from(&self.state.edited_scene);
         if !self.history.keeps_any() {
             copy = copy.without_history();
         }
-        if self.is_modified() {
-            copy.number = 1;
-            copy.newest = 1;
-        }
+        copy.saved = self.saved;
         Ok(copy)
     }
 
     /// The path and the info, without the rest.
     #[must_use]
     pub fn into_parts(self) -> (CameraPath, Info) {
-        (self.state.path, self.state.info)
+        let Content { path, info, .. } = self.content;
+        (Arc::unwrap_or_clone(path), Arc::unwrap_or_clone(info))
     }
 
     /// The path.
     #[must_use]
     pub fn path(&self) -> &CameraPath {
-        &self.state.path
+        &self.content.path
     }
 
     /// What the file holds besides the path.
     #[must_use]
     pub fn info(&self) -> &Info {
-        &self.state.info
+        &self.content.info
     }
 
     /// The current point and orientation.
     #[must_use]
     pub fn selection(&self) -> Selection {
-        self.selection
+        self.content.selection
     }
 
     /// A number for the present contents, the selection excepted: equal numbers mean equal
     /// contents, also across documents of this process.
     #[must_use]
     pub fn revision(&self) -> u64 {
-        self.revision
+        self.content.revision
     }
 
     /// Selects a point and one of its orientations. Not an edit: it adds no step and modifies
@@ -187,8 +182,8 @@ impl Document {
     /// # Errors
     /// `ErrorKind::Range` if there is no such point or orientation.
     pub fn select(&mut self, point: usize, orientation: usize) -> Result<()> {
-        self::orientation(&self.state.path, point, orientation)?;
-        self.selection = Selection::at(point, orientation);
+        self::orientation(&self.content.path, point, orientation)?;
+        self.content.selection = Selection::at(point, orientation);
         Ok(())
     }
 
@@ -198,111 +193,61 @@ impl Document {
     /// # Errors
     /// Why the edit is impossible; the document is unchanged then.
     pub fn apply(&mut self, edit: Edit) -> Result<()> {
-        let node = match edit {
-            Edit::EditNode(node) if self.open.is_none() && self.history.keeps_any() => node,
-            other => return self.done(other, true),
-        };
-        let edit = Edit::EditNode(node);
-        let Some(mut away) = self.away.take_if(|_| self.state.node() != node) else {
-            return self.done(edit, false);
-        };
-        // One way back is enough, however many nodes were visited.
-        if let Err(error) = self.exchange(&mut away) {
-            self.away = Some(away);
-            return Err(error);
-        }
-        let done = self.done(edit, false);
-        if done.is_err() {
-            // It was just exchanged, and can be again.
-            let _ = self.exchange(&mut away);
-            self.away = Some(away);
-        } else if self.away.is_none() {
-            // It is that node again; what was selected there still goes back with the next step.
-            self.away = Some(Step::new(self.selection, self.number));
-            self.selection = Selection::default();
-        }
-        done
-    }
-
-    fn done(&mut self, edit: Edit, is_step: bool) -> Result<()> {
-        let same_for_a_file = matches!(edit, Edit::EditNode(_));
+        let chooses = matches!(edit, Edit::EditNode(_));
         let name = StepName::of(&edit, self.path(), self.info());
-        let (mut change, selection) = prepare::prepare(&self.state, edit)?;
-        if change.is_idle(&self.state) {
+        let moves = lapse::moves_points(&edit);
+        let mut next = self.content.clone();
+        apply::apply(&mut next, edit)?;
+        if next.shares_all(&self.content) {
             return Ok(());
         }
-        let keeps_record = self.open.is_some() || self.history.keeps_any();
-        let mut own = Step::new(self.selection, self.number);
-        let step = self.open.as_mut().unwrap_or(&mut own);
-        if keeps_record {
-            step.reserve()?;
-            self.history.reserve()?;
+        if moves {
+            lapse::lapse(&self.content.path, &mut next.path);
         }
-        change.reserve(&mut self.state)?;
-        let shapes = change.may_undefine_ups();
-        let of_scene = change.of_scene();
-        change.apply(&mut self.state, &mut self.plan)?;
-        let mut follow = || -> Result<_> {
-            if shapes {
-                check_ups(&self.state.path)?;
-            }
-            let mut held = held::what_follows(&self.state, &self.plan, of_scene)?;
-            if keeps_record {
-                step.reserve_more(1 + held.len())?;
-            }
-            exchange_all(&mut held, |held| {
-                held.apply(&mut self.state, &mut self.plan)
-            })?;
-            Ok(held)
-        };
-        let held = match follow() {
-            Ok(held) => held,
-            Err(error) => {
-                // It was just exchanged, and can be again.
-                let _ = change.apply(&mut self.state, &mut self.plan);
-                return Err(error);
-            }
-        };
-        if keeps_record {
-            step.name.get_or_insert(name);
-            step.push(change);
-            // They stand as they are to be undone.
-            held.into_iter().rev().for_each(|held| step.push(held));
+        if !chooses {
+            check_new_ups(&self.content.path, &next.path)?;
         }
-        if self.open.is_none() {
-            own.close();
-            match is_step {
-                true => self.keep(own),
-                false => self.away = Some(own),
-            }
+        self.follow(&mut next)?;
+        next.revision = fresh_revision();
+        if !chooses {
+            next.number = next.revision;
         }
-        if let Some(selection) = selection {
-            self.selection = selection;
+        let other = replace(&mut self.content, next);
+        if let Some(open) = &mut self.open {
+            open.name.get_or_insert(name);
+        } else if chooses && self.history.keeps_any() {
+            self.away.get_or_insert(other);
+        } else {
+            let name = Some(name);
+            self.keep(Step { name, other });
         }
-        if !same_for_a_file {
-            self.newest += 1;
-            self.number = self.newest;
-        }
-        self.revision = fresh_revision();
         Ok(())
     }
 
-    /// Adds a closed step to the history, with the way to the node that it changes.
-    fn keep(&mut self, mut step: Step) {
-        if step.is_empty() {
-            return;
-        }
-        if let Some(mut away) = self.away.take()
-            && away.reserve_for(&step).is_ok()
-        {
-            away.reopen();
-            step.reopen();
-            away.name = None;
-            away.append(step);
-            away.close();
-            step = away;
-        }
-        self.history.push(step);
+    /// Adds to an edit's result what must follow it, and brings the plan up to date.
+    fn follow(&mut self, next: &mut Content) -> Result<()> {
+        let edited = Arc::clone(&next.path);
+        self.plan.follow(&self.content.path, &edited);
+        let done = held::follow(&self.content, next, &self.plan);
+        let path = match done {
+            Ok(()) => &next.path,
+            Err(_) => &self.content.path,
+        };
+        self.plan.follow(&edited, path);
+        done
+    }
+
+    /// Puts something else in the place of the contents.
+    fn put(&mut self, content: Content) {
+        self.plan.follow(&self.content.path, &content.path);
+        self.content = content;
+    }
+
+    /// Adds a step to the history, with the way to the node that it changes.
+    fn keep(&mut self, step: Step) {
+        let name = step.name;
+        let other = self.away.take().unwrap_or(step.other);
+        self.history.push(Step { name, other }, &self.content);
     }
 
     /// Does several edits as one step of the history, or as part of the open step.
@@ -310,36 +255,32 @@ impl Document {
     /// # Errors
     /// Why one of them is impossible; the document is unchanged then.
     pub fn apply_all(&mut self, edits: impl IntoIterator<Item = Edit>) -> Result<()> {
-        let outer = self.open.take();
-        self.begin_step();
-        let done = edits.into_iter().try_for_each(|edit| self.apply(edit));
-        let Some(mut outer) = outer else {
-            match done {
-                Ok(()) => self.end_step(),
-                Err(_) => self.cancel_step(),
-            }
-            return done;
-        };
-        let done = done.and_then(|()| match &self.open {
-            Some(inner) => outer.reserve_for(inner),
-            None => Ok(()),
-        });
-        match done {
-            Ok(()) => self
-                .open
-                .take()
-                .into_iter()
-                .for_each(|inner| outer.append(inner)),
-            Err(_) => self.cancel_step(),
+        let own = !self.in_step();
+        if own {
+            self.begin_step();
         }
-        self.open = Some(outer);
+        let before = self.content.clone();
+        let name = self.open.as_ref().and_then(|open| open.name);
+        let done = edits.into_iter().try_for_each(|edit| self.apply(edit));
+        if done.is_err() {
+            self.put(before);
+            if let Some(open) = &mut self.open {
+                open.name = name;
+            }
+        }
+        if own {
+            self.end_step();
+        }
         done
     }
 
     /// Opens a step, such as a drag: all edits until [`Document::end_step`]. Ends an open one.
     pub fn begin_step(&mut self) {
         self.end_step();
-        self.open = Some(Step::new(self.selection, self.number));
+        self.open = Some(Step {
+            name: None,
+            other: self.content.clone(),
+        });
     }
 
     /// Whether a step is open; see [`Document::begin_step`].
@@ -353,14 +294,8 @@ impl Document {
     pub fn reopen_step(&mut self) -> bool {
         self.end_step();
         self.open = self.history.pop();
-        if let Some(step) = &mut self.open {
-            step.reopen();
-            if let Some(mut away) = self.away.take()
-                && step.reserve_for(&away).is_ok()
-            {
-                away.reopen();
-                step.append(away);
-            }
+        if self.open.is_some() {
+            self.away = None;
         }
         self.open.is_some()
     }
@@ -383,12 +318,10 @@ impl Document {
 
     /// Ends the open step, if any.
     pub fn end_step(&mut self) {
-        if let Some(mut step) = self.open.take() {
-            step.close();
-            // Out of memory: the edits stand but cannot be undone.
-            if self.history.reserve().is_ok() {
-                self.keep(step);
-            }
+        if let Some(step) = self.open.take()
+            && step.other.revision != self.content.revision
+        {
+            self.keep(step);
         }
     }
 
@@ -400,31 +333,27 @@ impl Document {
 
     /// Makes one step of all that were done since [`Document::mark_steps`] and not undone, and ends
     /// an open one. Without a mark they stay.
-    ///
-    /// # Errors
-    /// `ErrorKind::Memory`; they stay as they are then.
-    pub fn join_steps(&mut self) -> Result<()> {
+    pub fn join_steps(&mut self) {
         self.end_step();
-        self.history.join()
+        self.history.join(&self.content);
     }
 
     /// Undoes the open step, selection included, and drops it: it cannot be redone.
     pub fn cancel_step(&mut self) {
-        if let Some(mut step) = self.open.take() {
-            step.close();
-            let _ = self.exchange(&mut step);
+        if let Some(step) = self.open.take() {
+            self.put(Content {
+                revision: fresh_revision(),
+                ..step.other
+            });
         }
     }
 
     /// Ends the open step and undoes the last one, selection included. False if there is none.
-    /// Needs no memory, but for edits of a scene as much as the tracks or the list of nodes that
-    /// change take; without it, it is false and nothing has changed.
     pub fn undo(&mut self) -> bool {
         self.travel(false)
     }
 
-    /// Redoes the step undone last, selection included. False if there is none. Needs memory as
-    /// [`Document::undo`].
+    /// Redoes the step undone last, selection included. False if there is none.
     pub fn redo(&mut self) -> bool {
         self.travel(true)
     }
@@ -435,23 +364,15 @@ impl Document {
             true => self.history.can_redo(),
             false => self.history.can_undo(),
         };
-        let mut away = self.away.take_if(|_| possible);
-        if let Some(back) = &mut away
-            && self.exchange(back).is_err()
-        {
-            self.away = away;
-            return false;
+        if possible {
+            let before = self.away.take().unwrap_or_else(|| self.content.clone());
+            let mut content = before.clone();
+            self.history.travel(redo, &mut content);
+            content.revision = fresh_revision();
+            self.touched = Touched::between(&before, &content);
+            self.put(content);
         }
-        self.touched.clear();
-        let mut history = std::mem::replace(&mut self.history, History::new(0));
-        let done = history.exchange(redo, |step| self.exchange(step));
-        self.history = history;
-        if let Some(mut away) = away.filter(|_| !done) {
-            // It was just exchanged, and can be again.
-            let _ = self.exchange(&mut away);
-            self.away = Some(away);
-        }
-        done
+        possible
     }
 
     /// What the last undo or redo has changed of the scene.
@@ -463,7 +384,8 @@ impl Document {
     /// Whether there is a step to undo.
     #[must_use]
     pub fn can_undo(&self) -> bool {
-        self.history.can_undo() || self.open.as_ref().is_some_and(|step| !step.is_empty())
+        let changed = |step: &Step| step.other.revision != self.content.revision;
+        self.history.can_undo() || self.open.as_ref().is_some_and(changed)
     }
 
     /// Whether there is a step to redo.
@@ -472,28 +394,16 @@ impl Document {
         self.history.can_redo()
     }
 
-    fn exchange(&mut self, step: &mut Step) -> Result<()> {
-        step.exchange(|change| {
-            change.apply(&mut self.state, &mut self.plan)?;
-            self.touched.note(change, self.state.node());
-            Ok(())
-        })?;
-        std::mem::swap(&mut step.selection, &mut self.selection);
-        std::mem::swap(&mut step.number, &mut self.number);
-        self.revision = fresh_revision();
-        Ok(())
-    }
-
     /// Whether there are unsaved changes. False again after undoing back to the saved state.
     #[must_use]
     pub fn is_modified(&self) -> bool {
-        self.number != self.saved
+        self.content.number != self.saved
     }
 
     /// Number of the present state: new after each edit, the old one again after undo.
     #[must_use]
     pub fn state_number(&self) -> u64 {
-        self.number
+        self.content.number
     }
 
     /// Marks every state, past and present, as unsaved.
@@ -503,6 +413,23 @@ impl Document {
 
     /// Marks the present state as the saved one.
     pub fn mark_saved(&mut self) {
-        self.saved = self.number;
+        self.saved = self.content.number;
     }
+
+    /// Marks the state before the open step as the saved one, or the present one if no step is open.
+    pub fn mark_saved_before_step(&mut self) {
+        let before = self.open.as_ref().map_or(&self.content, |step| &step.other);
+        self.saved = before.number;
+    }
+}
+
+/// Refuses a change of a path that leaves an orientation without a defined up vector.
+fn check_new_ups(old: &CameraPath, new: &CameraPath) -> Result<()> {
+    let demands = |o: &Orientation| matches!(o.own.up, UpVector::Frenet | UpVector::Path(_));
+    let shapes =
+        |point: &SupportPoint| point.tangents.is_some() || point.orientations.iter().any(demands);
+    if new.curve != old.curve || new.points.without(&old.points).any(shapes) {
+        check_ups(new)?;
+    }
+    Ok(())
 }

@@ -4,8 +4,8 @@ use std::fmt;
 use std::io;
 
 pub use vides_engine::error::{
-    Bound, Cause, Error as EngineError, ErrorKind, FromZero, Index, Invalid, List, OutOfRange,
-    Place, Quantity, Text, TooMany, reason,
+    Bound, Called, Cause, Error as EngineError, ErrorKind, FromZero, Index, Invalid, List,
+    OutOfRange, Place, Quantity, Text, TooMany, reason,
 };
 #[doc(hidden)]
 pub use vides_engine::error::{can_allocate, complain, panic_said, try_box, vec_with_room};
@@ -80,6 +80,29 @@ impl Error {
         }
         let name = (&file).into();
         Cause::new(self).map_or_else(|same| same, |cause| Self::In(name, cause))
+    }
+
+    /// The file of [`Refused::Outside`].
+    #[must_use]
+    pub fn outside(&self) -> Option<&Text> {
+        match self.innermost() {
+            Self::Refused(Refused::Outside(file)) => Some(file),
+            _ => None,
+        }
+    }
+
+    /// Whether it is [`Refused::Input`].
+    #[must_use]
+    pub fn is_input(&self) -> bool {
+        matches!(self.innermost(), Self::Refused(Refused::Input(_)))
+    }
+
+    /// The error without the places before it.
+    fn innermost(&self) -> &Self {
+        match self {
+            Self::At(_, cause) | Self::In(_, cause) => cause.innermost(),
+            other => other,
+        }
     }
 
     /// The kind of the error.
@@ -185,6 +208,10 @@ pub enum Refused {
     NoFile,
     #[error("another program has changed the file since it was read or written here")]
     FileChanged,
+    #[error("{0} lies outside the folder of the file that names it and was not read")]
+    Outside(Text),
+    #[error("this would overwrite {0}, which was read: name another output")]
+    Input(Text),
 }
 
 impl Refused {
@@ -199,7 +226,9 @@ impl Refused {
             | Self::NoPathOf(_)
             | Self::NoScene
             | Self::NoFile
-            | Self::FileChanged => ErrorKind::Argument,
+            | Self::FileChanged
+            | Self::Outside(_)
+            | Self::Input(_) => ErrorKind::Argument,
             _ => ErrorKind::Range,
         }
     }

@@ -1,124 +1,27 @@
-//! The undo history. A step keeps "the other side": the selection and state number from before it
-//! or, once undone, from after it; undo and redo exchange the sides.
+//! The undo history: a list of what was there before each step. A step holds *the other side*: what
+//! was there before it or, once undone, after it; undo and redo exchange the sides.
 
 use std::collections::VecDeque;
+use std::mem::swap;
 
-use super::change::{Change, exchange_all};
-use super::edit::Selection;
+use super::content::Content;
 use super::step_name::StepName;
-use crate::error::{Result, vec_with_room};
 use vides_engine::limits;
 
 /// What a single undo takes back.
 #[derive(Debug)]
 pub(super) struct Step {
-    /// The records that lead to the other side, in the order of application.
-    changes: Vec<Change>,
-    /// The selection on the other side.
-    pub(super) selection: Selection,
-    /// Number of the state on the other side.
-    pub(super) number: u64,
     pub(super) name: Option<StepName>,
+    /// What is on the other side.
+    pub(super) other: Content,
 }
 
-impl Step {
-    pub(super) fn new(selection: Selection, number: u64) -> Self {
-        Self {
-            changes: Vec::new(),
-            selection,
-            number,
-            name: None,
-        }
-    }
-
-    pub(super) fn reserve(&mut self) -> Result<()> {
-        if self.changes.is_empty() {
-            self.changes.try_reserve_exact(1)?;
-        } else {
-            self.changes.try_reserve(1)?;
-        }
-        Ok(())
-    }
-
-    pub(super) fn reserve_more(&mut self, records: usize) -> Result<()> {
-        Ok(self.changes.try_reserve(records)?)
-    }
-
-    /// Adds the record that undoes the newest change, unless an older one already does. The newest
-    /// is last until [`Step::close`] reverses the order.
-    pub(super) fn push(&mut self, inverse: Change) {
-        let known = self
-            .changes
-            .iter()
-            .rev()
-            .take_while(|older| !older.renumbers())
-            .take(FAR_BACK)
-            .any(|older| older.is_at_place_of(&inverse));
-        if !known {
-            self.changes.push(inverse);
-        }
-    }
-
-    pub(super) fn reserve_for(&mut self, inner: &Self) -> Result<()> {
-        self.reserve_more(inner.changes.len())
-    }
-
-    /// Appends the records of an inner step; the memory was reserved by [`Step::reserve_for`].
-    pub(super) fn append(&mut self, inner: Self) {
-        self.name = self.name.or(inner.name);
-        for record in inner.changes {
-            self.push(record);
-        }
-    }
-
-    /// Puts the records into their order of application.
-    pub(super) fn close(&mut self) {
-        self.changes.reverse();
-    }
-
-    pub(super) fn is_empty(&self) -> bool {
-        self.changes.is_empty()
-    }
-
-    /// Applies each record, which then undoes itself; none if one cannot be.
-    pub(super) fn exchange(&mut self, apply: impl FnMut(&mut Change) -> Result<()>) -> Result<()> {
-        exchange_all(&mut self.changes, apply)
-    }
-
-    /// Puts the records back into the order in which they came, so that more can follow.
-    pub(super) fn reopen(&mut self) {
-        self.changes.reverse();
-    }
-
-    /// Puts closed steps together, given in the order in which they were done.
-    fn join(
-        steps: impl DoubleEndedIterator<Item = Self>,
-        mut changes: Vec<Change>,
-    ) -> Option<Self> {
-        let mut joined: Option<Self> = None;
-        // What was done last is taken back first; the other side is that of the first.
-        for mut step in steps.rev() {
-            changes.append(&mut step.changes);
-            let name = joined.and_then(|later| later.name);
-            joined = Some(Self {
-                name: step.name.or(name),
-                ..step
-            });
-        }
-        joined.map(|first| Self { changes, ..first })
-    }
-
-    fn weight(&self) -> usize {
-        size_of::<Self>() + self.changes.iter().map(Change::weight).sum::<usize>()
-    }
-}
-
-/// How many records to search for one at the same place: a drag changes one or two repeatedly.
-const FAR_BACK: usize = 64;
+/// A step, and about how many bytes its other side takes besides what this side has.
+type Weighed = (Step, usize);
 
 #[derive(Debug)]
 pub(super) struct History {
-    steps: VecDeque<(Step, usize)>,
+    steps: VecDeque<Weighed>,
     /// Number of steps done; those after them have been undone.
     done: usize,
     weight: usize,
@@ -139,11 +42,11 @@ impl History {
         }
     }
 
-    pub(super) fn keeps_any(&self) -> bool {
+    pub(super) const fn keeps_any(&self) -> bool {
         self.limit > 0
     }
 
-    pub(super) fn can_undo(&self) -> bool {
+    pub(super) const fn can_undo(&self) -> bool {
         self.done > 0
     }
 
@@ -156,19 +59,15 @@ impl History {
         [self.done.checked_sub(1).and_then(name), name(self.done)]
     }
 
-    pub(super) fn reserve(&mut self) -> Result<()> {
-        Ok(self.steps.try_reserve(1)?)
-    }
-
-    /// Adds a step; steps undone before are dropped.
-    pub(super) fn push(&mut self, step: Step) {
-        if !self.keeps_any() || step.changes.is_empty() {
+    /// Adds a step that has led to `now`; steps undone before are dropped.
+    pub(super) fn push(&mut self, step: Step, now: &Content) {
+        if !self.keeps_any() {
             return;
         }
         while self.can_redo() {
             self.weight -= self.steps.pop_back().map_or(0, |(_, weight)| weight);
         }
-        let weight = step.weight();
+        let weight = step.other.heap_size_without(now);
         self.weight += weight;
         self.steps.push_back((step, weight));
         self.done += 1;
@@ -185,24 +84,19 @@ impl History {
         self.mark = Some(self.done);
     }
 
-    /// Makes one step of all that were done since the mark, which goes.
-    pub(super) fn join(&mut self) -> Result<()> {
+    /// Makes one step, which leads to `now`, of all that were done since the mark, which goes.
+    pub(super) fn join(&mut self, now: &Content) {
         let Some(mark) = self.mark.take().filter(|mark| mark + 1 < self.done) else {
-            return Ok(());
+            return;
         };
-        let records = |(step, _): &(Step, usize)| step.changes.len();
-        let count = self.steps.range(mark..self.done).map(records).sum();
-        let changes = vec_with_room(count)?;
-        let steps = self.steps.drain(mark..self.done).map(|(step, _)| step);
-        let joined = Step::join(steps, changes);
-        self.done = mark;
-        if let Some(joined) = joined {
-            let weight = joined.weight();
-            self.steps.insert(mark, (joined, weight));
-            self.done += 1;
-        }
+        let name = self.steps.range(mark..self.done);
+        let name = name.filter_map(|(step, _)| step.name).next();
+        self.steps.drain(mark + 1..self.done);
+        self.done = mark + 1;
+        let (first, weight) = &mut self.steps[mark];
+        first.name = name;
+        *weight = first.other.heap_size_without(now);
         self.weight = self.steps.iter().map(|(_, weight)| weight).sum();
-        Ok(())
     }
 
     fn lower_mark(&mut self) {
@@ -222,29 +116,20 @@ impl History {
         Some(step)
     }
 
-    /// Undoes the newest step by `exchange`, or redoes the one undone last. False if there is none.
-    pub(super) fn exchange(
-        &mut self,
-        redo: bool,
-        exchange: impl FnOnce(&mut Step) -> Result<()>,
-    ) -> bool {
-        let index = if redo {
-            Some(self.done)
-        } else {
-            self.done.checked_sub(1)
+    /// Undoes the newest step, or redoes the one undone last: exchanges `now` with its other side.
+    pub(super) fn travel(&mut self, redo: bool, now: &mut Content) {
+        let index = match redo {
+            true => Some(self.done),
+            false => self.done.checked_sub(1),
         };
         let Some((step, weight)) = index.and_then(|index| self.steps.get_mut(index)) else {
-            return false;
+            return;
         };
-        if exchange(step).is_err() {
-            return false;
-        }
-        self.done = if redo { self.done + 1 } else { self.done - 1 };
-        // It now holds the other side's values.
+        swap(&mut step.other, now);
         self.weight -= *weight;
-        *weight = step.weight();
+        *weight = step.other.heap_size_without(now);
         self.weight += *weight;
+        self.done = if redo { self.done + 1 } else { self.done - 1 };
         self.lower_mark();
-        true
     }
 }

@@ -12,7 +12,7 @@ impl Document {
     /// The scene in which the path is edited; none if it is nothing but one camera on this path.
     #[must_use]
     pub fn edited_scene(&self) -> Option<&EditedScene> {
-        self.state.edited_scene.as_deref()
+        self.content.scene.as_deref()
     }
 
     /// Whether the path can be edited.

@@ -17,19 +17,19 @@ use vides_engine::property::{Affects, Check, Row, SameBits, Stored, properties};
 properties! {
     /// The part of a document that the engine does not read.
     pub struct Info {
-        /// One line, at most [`limits::MAX_NAME_BYTES`].
+        /// One line, at most 256 bytes.
         pub title: String = String::new() => Row {
             check: Check::By(|title, _| check_name(title)),
             affects: Affects::Nothing,
             ..Row::new(&["title"])
         },
-        /// Any lines, at most [`limits::MAX_COMMENT_BYTES`].
+        /// Any lines, at most 65536 bytes.
         pub comment: String = String::new() => Row {
             check: Check::By(|comment, _| check_comment(comment)),
             affects: Affects::Nothing,
             ..Row::new(&["comment"])
         },
-        /// Frames per second; > 0, at most [`limits::MAX_FPS`].
+        /// Frames per second; greater than 0, at most 100000.
         pub fps: f64 = 25.0 => Row {
             check: Check::By(|fps, _| check_fps(*fps)),
             affects: Affects::Nothing,
@@ -146,6 +146,13 @@ impl Object {
         self.mesh().map_or(self.len(), |mesh| {
             mesh.points.len() + mesh.lines.len() + mesh.triangles.len()
         })
+    }
+
+    /// Whether both have the same points and mesh in memory.
+    pub(super) fn shares(&self, other: &Self) -> bool {
+        let points = |of: &Self| of.points.as_ref().map(Arc::as_ptr);
+        let mesh = |of: &Self| of.mesh.as_ref().map(Arc::as_ptr);
+        points(self) == points(other) && mesh(self) == mesh(other)
     }
 
     /// Approximate bytes of memory.

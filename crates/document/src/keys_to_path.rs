@@ -10,7 +10,7 @@ use super::edit::Edit;
 use super::editing::Document;
 use super::tool::fitted;
 use crate::error::{EngineError, Invalid, Refused, Result, TooMany, vec_with_room};
-use vides_engine::limits::MAX_FRAMES;
+use vides_engine::limits::MAX_SAMPLED_FRAMES;
 use vides_engine::math::orientation::quaternion_from_view;
 use vides_engine::math::quaternion::{angle, continue_sign};
 use vides_engine::path::{CameraPath, Plan, Pose};
@@ -125,7 +125,7 @@ pub fn keys_to_path(
         space: scene.space(),
         ..CameraPath::try_new()?
     };
-    let path = fitted(&poses, None, fps, tolerance, &like, &mut |_, _| true)?;
+    let path = fitted(&poses, None, fps, tolerance.into(), &like, &mut |_, _| true)?;
     let (off, turned) = missed(&path, &poses)?;
     let points = path.points.len();
     for channel in MOVED {
@@ -172,8 +172,8 @@ fn frames(scene: &Scene) -> Result<(f64, usize)> {
     let (first, last) = scene.frame_range();
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     let count = (last - first).floor() as usize + 1;
-    match count > MAX_FRAMES {
-        true => Err(TooMany::SceneFrames.into()),
+    match count > MAX_SAMPLED_FRAMES {
+        true => Err(TooMany::SampledFrames(count).into()),
         false => Ok((first, count)),
     }
 }

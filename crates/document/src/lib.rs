@@ -1,15 +1,17 @@
 //! The path or scene being edited (thesis 7.3, A.4 to A.6) with undo; files of paths and poses.
 //!
-//! The window, the C interface and scripts all change a path through [`Edit`]. An edit is checked
-//! as a whole and turned into a record of the values it exchanges; applying a record returns the
-//! one that undoes it, bit by bit. The crate knows nothing of windows or of C.
+//! The window, the C interface and scripts all change a path through [`Edit`]. What a document holds
+//! is a value that shares all it has with its copies: an edit makes another one of it, the history
+//! is a list of them, and what has changed is where two of them share nothing. The crate knows
+//! nothing of windows or of C.
 
 #![forbid(unsafe_code)]
 
+mod apply;
 mod cage;
-mod change;
 mod check;
 mod computed;
+mod content;
 mod copied;
 mod copied_nodes;
 mod draw;
@@ -18,11 +20,15 @@ mod edited_scene;
 mod editing;
 pub mod error;
 mod fingerprint;
+mod first;
 mod held;
 mod history;
 mod in_scene;
 mod info;
+mod inputs;
+mod keep_times;
 mod keys_to_path;
+mod lapse;
 mod loading;
 mod mesh_file;
 mod named;
@@ -32,8 +38,9 @@ mod notes;
 mod path_to_keys;
 mod picture;
 mod place;
-mod prepare;
 mod property;
+mod rate;
+mod references;
 mod remedy;
 pub mod save;
 mod scene;
@@ -46,7 +53,6 @@ pub mod tool;
 mod touched;
 #[doc(hidden)]
 pub mod vid;
-mod whole;
 mod wireframe;
 
 pub use copied_nodes::CopiedNodes;
@@ -56,6 +62,8 @@ pub use editing::Document;
 pub use error::{Error, Result};
 pub use fingerprint::Fingerprint;
 pub use info::{Info, Object, ObjectPoint};
+#[doc(hidden)]
+pub use inputs::{may_replace, note_input, protect_inputs};
 pub use keys_to_path::{FittedKeys, KeysToPath, keys_to_path};
 pub use mesh_file::{Watcher, load_mesh, load_object, mesh_source, reload_mesh, watch_meshes};
 #[doc(hidden)]
@@ -64,8 +72,9 @@ pub use notes::Note;
 pub use path_to_keys::PathToKeys;
 pub use wireframe::{coarse, features, sharp_lines};
 
-pub use prepare::no_longer_ahead;
+pub use apply::no_longer_ahead;
 pub use property::properties;
+pub use references::{inside, trusting};
 pub use remedy::planned::is_planned;
 pub use scene::SceneDocument;
 pub use shown::Poses;

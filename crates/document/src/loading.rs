@@ -2,13 +2,14 @@
 
 use std::io::Read;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use super::editing::Document;
 use super::fingerprint::Fingerprint;
 use super::scene::{SceneDocument, folder_of};
 use super::vid::{self, Comments};
 use super::{edited_scene, mesh_file};
-use crate::error::{Error, Result, can_allocate};
+use crate::error::{Error, Result};
 
 impl Document {
     /// Loads a path or scene from a `.vid` file, with the warnings of [`SceneDocument::warnings`].
@@ -51,9 +52,8 @@ impl Document {
         warnings.extend(mesh_file::read_object(&mut loaded.info, space, folder)?);
         let (edited, path) = edited_scene::as_shown(loaded.scene)?;
         let mut document = Self::from_parts(path, loaded.info)?;
-        can_allocate(size_of_val(&edited))?;
-        document.state.edited_scene = Some(Box::new(edited));
-        document.state.comments = Comments::of(text)?;
+        document.content.comments = Arc::new(Comments::of_scene(text, edited.scene())?);
+        document.content.scene = Some(Arc::new(edited));
         document.fingerprint = Some(Fingerprint::of(text.as_bytes()));
         Ok((document, warnings))
     }
@@ -68,8 +68,8 @@ impl Document {
 
     /// Reads the object's mesh file, if it has one; returns a warning.
     fn read_object(&mut self, folder: &Path) -> Result<Option<Error>> {
-        let space = self.state.path.space;
-        mesh_file::read_object(&mut self.state.info, space, folder)
+        let space = self.content.path.space;
+        mesh_file::read_object(Arc::make_mut(&mut self.content.info), space, folder)
     }
 
     fn with_object(mut self, file: &Path) -> Result<Self> {
@@ -107,7 +107,7 @@ impl Document {
     /// With what else belongs to the text it was read from.
     fn read_from(mut self, text: &str) -> Result<Self> {
         self.fingerprint = Some(Fingerprint::of(text.as_bytes()));
-        self.state.comments = Comments::of(text)?;
+        self.content.comments = Arc::new(Comments::of(text, &[])?);
         Ok(self)
     }
 
@@ -146,12 +146,12 @@ impl Document {
     }
 
     fn text_in(&self, folder: Option<&Path>) -> Result<String> {
-        let state = &self.state;
-        let Some(edited) = &state.edited_scene else {
-            return vid::to_toml(&state.path, &state.info, &state.comments, folder);
+        let content = &self.content;
+        let Some(edited) = &content.scene else {
+            return vid::to_toml(&content.path, &content.info, &content.comments, folder);
         };
-        let scene = edited.with(&state.path)?;
-        vid::scene_to_toml(&scene, &state.info, &state.comments, folder)
+        let scene = edited.with(&content.path)?;
+        vid::scene_to_toml(&scene, &content.info, &content.comments, folder)
     }
 
     /// Saves atomically and durably ([`super::save`]); see [`Document::mark_saved`].

@@ -2,13 +2,14 @@
 
 use std::cell::Cell;
 use std::collections::HashMap;
-use std::path::{Component, Path, PathBuf, absolute};
+use std::path::{Path, PathBuf, absolute};
 
 use vides_engine::scene::{Kind, Mesh, MeshSource, Scene};
 use vides_mesh::{Format, Opened};
 
 use super::fingerprint::Fingerprint;
 use super::info::{Info, Object};
+use super::references::inside;
 use super::vid::bytes::read_bytes;
 use crate::error::{Cause, EngineError, Error, Place, Result};
 use vides_engine::limits::MAX_FILE_BYTES;
@@ -60,10 +61,8 @@ fn open(file: &Path, name: &str) -> Result<(Opened, MeshSource)> {
     let source = mesh_source(name, &bytes);
     let folder = file.parent().unwrap_or(Path::new(""));
     let mut beside = |name: &str| {
-        // Only within the file's folder.
-        let plain = |part| matches!(part, Component::Normal(_));
-        let inside = Path::new(name).components().all(plain);
-        inside.then(|| read_bytes(&folder.join(name), MAX_FILE_BYTES).ok())?
+        inside(folder, name).ok()?;
+        read_bytes(&folder.join(name), MAX_FILE_BYTES).ok()
     };
     let opened = Opened::new(format, bytes, &mut beside)?;
     Ok((opened, source))
@@ -120,7 +119,9 @@ pub(super) fn read_object(info: &mut Info, space: Space, folder: &Path) -> Resul
         return Ok(None);
     };
     let file = folder.join(&known.file);
-    let read = load_object_part(&file, known.part).and_then(|object| {
+    let named = inside(folder, &known.file);
+    let read = named.and_then(|()| {
+        let object = load_object_part(&file, known.part)?;
         let with = Info {
             object: object.clone(),
             ..Info::default()
@@ -164,7 +165,9 @@ pub(super) fn read_meshes(scene: &mut Scene, folder: &Path) -> Result<Vec<Error>
         };
         let place = Place::Node((&node.name).into());
         let file = folder.join(&known.file);
-        let trouble = files.set_mesh(scene, at, &file, &known).err();
+        let named = inside(folder, &known.file);
+        let read = named.and_then(|()| files.set_mesh(scene, at, &file, &known));
+        let trouble = read.err();
         if let Some(error) = trouble {
             if matches!(error, Error::Engine(EngineError::Memory)) {
                 return Err(error);

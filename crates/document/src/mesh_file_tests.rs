@@ -3,6 +3,7 @@
 use std::fs;
 
 use super::*;
+use crate::references::trusting;
 use crate::{Document, Edit};
 
 const PYRAMID: &str = "v -1 0 -1\nv 1 0 -1\nv 1 0 1\nv -1 0 1\nv 0 1 0\n\
@@ -47,9 +48,72 @@ fn an_object_is_kept_by_the_name_of_its_file() {
     let apart = tempfile::tempdir().unwrap();
     let file = apart.path().join("flight.vid");
     moved.save(&file).unwrap();
-    let (loaded, warnings) = Document::load_scene(&file).unwrap();
+    let (loaded, warnings) = trusting(|| Document::load_scene(&file)).unwrap();
     assert!(warnings.is_empty());
     assert_eq!(loaded.info().object, moved.info().object);
+    // Read only where that is agreed to; the name is kept.
+    let (loaded, warnings) = Document::load_scene(&file).unwrap();
+    assert_eq!(warnings.len(), 1);
+    let name = other.path().join("pyramid.obj").display().to_string();
+    let outside = warnings[0].outside().map(ToString::to_string);
+    assert_eq!(outside, Some(name));
+    assert!(loaded.info().object.is_empty());
+    assert_eq!(loaded.info().object.source(), moved.info().object.source());
+}
+
+/// By its folder, whatever the file says: absolute, `..`, a link, a scene's node, a glTF buffer.
+#[test]
+fn a_file_reads_no_mesh_outside_its_folder() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    fs::create_dir(at("in")).unwrap();
+    fs::write(at("out.obj"), PYRAMID).unwrap();
+    std::os::unix::fs::symlink("../out.obj", at("in/link.obj")).unwrap();
+    let absolute = at("out.obj").display().to_string();
+    let scene = at("in/scene.vid");
+    for name in ["../out.obj", "link.obj", &absolute] {
+        for table in [
+            "[object]",
+            "[[node]]\nname = \"a\"\nkind = \"object\"\n[node.mesh]",
+        ] {
+            let points = match table {
+                "[object]" => "[[point]]\nposition = [0, 0, 0]\n[[point]]\nposition = [1, 0, 0]\n",
+                _ => "",
+            };
+            let text = format!("version = 1\n{points}{table}\nfile = \"{name}\"\n");
+            fs::write(&scene, text).unwrap();
+            let (_, warnings) = Document::load_scene(&scene).unwrap();
+            assert_eq!(warnings.len(), 1, "{name}");
+            assert!(warnings[0].outside().is_some(), "{name}: {warnings:?}");
+            let (_, warnings) = trusting(|| Document::load_scene(&scene)).unwrap();
+            assert!(warnings.is_empty(), "{name}: {warnings:?}");
+        }
+    }
+}
+
+/// A buffer beside it, in all spellings, and one through a link that leads out.
+#[cfg(feature = "meshes")]
+#[test]
+fn a_gltf_file_reads_no_buffer_outside_its_folder() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    fs::create_dir(at("in")).unwrap();
+    let bytes = [0, 0, 0, 7, 0, 0, 0, 7, 0, 0, 0, 0, 8, 0, 0, 0, 8, 0];
+    fs::write(at("out.bin"), bytes).unwrap();
+    fs::write(at("in/ok.bin"), bytes).unwrap();
+    std::os::unix::fs::symlink("../out.bin", at("in/link.bin")).unwrap();
+    let mesh = at("in/two.gltf");
+    let uri = "data:;base64,AAAABwAAAAcAAAAACAAAAAgA";
+    for (name, read) in [
+        ("ok.bin", true),
+        ("./ok.bin", true),
+        ("link.bin", false),
+        ("../out.bin", false),
+    ] {
+        fs::write(&mesh, TWO.replace(uri, name)).unwrap();
+        assert_eq!(load_mesh(&mesh).is_ok(), read, "{name}");
+        assert!(trusting(|| load_mesh(&mesh)).is_ok(), "{name}");
+    }
 }
 
 #[test]

@@ -5,8 +5,9 @@ use vides_engine::limits;
 use vides_engine::math::orientation::wrap_degrees;
 use vides_engine::path::space::Move;
 use vides_engine::path::{CameraPath, Space, SupportPoint};
+use vides_engine::shared_list::SharedList;
 
-pub(super) fn count_orientations(points: &[SupportPoint]) -> usize {
+pub(super) fn count_orientations(points: &SharedList<SupportPoint>) -> usize {
     points.iter().map(|point| point.orientations.len()).sum()
 }
 
@@ -26,8 +27,18 @@ pub(super) fn move_into(path: &mut CameraPath, space: Space) -> Result<()> {
 pub(super) fn normalise(path: &mut CameraPath) -> Result<()> {
     path.check()?;
     check_all_orientations(count_orientations(&path.points))?;
-    path.points.iter_mut().for_each(normalise_point);
+    for at in 0..path.points.len() {
+        if !is_normal(&path.points[at]) {
+            normalise_point(&mut path.points[at]);
+        }
+    }
     Ok(())
+}
+
+fn is_normal(point: &SupportPoint) -> bool {
+    let mut rolls = point.orientations.iter().map(|view| view.roll);
+    point.name.as_deref() != Some("")
+        && rolls.all(|roll| wrap_degrees(roll).to_bits() == roll.to_bits())
 }
 
 pub(super) fn normalise_point(point: &mut SupportPoint) {

@@ -6,6 +6,9 @@ use std::io;
 use std::os::unix::fs::OpenOptionsExt;
 use std::path::Path;
 
+use rustix::fs::OFlags;
+use vides_engine::descriptor::off_standard;
+
 /// What a path leads to instead of a regular file; can be recognised within an [`io::Error`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum NotAFile {
@@ -20,8 +23,9 @@ pub(super) fn open(file: &Path) -> io::Result<File> {
     // Without O_NONBLOCK, opening a pipe without a writer would block forever.
     let opened = OpenOptions::new()
         .read(true)
-        .custom_flags(libc::O_NONBLOCK | libc::O_NOCTTY)
-        .open(file)?;
+        .custom_flags((OFlags::NONBLOCK | OFlags::NOCTTY).bits().cast_signed())
+        .open(file)
+        .and_then(off_standard)?;
     NotAFile::refuse(&opened.metadata()?)?;
     Ok(opened)
 }

@@ -6,7 +6,8 @@ use vides_engine::tools::fit::Tolerance;
 
 use super::edit::Edit;
 use super::editing::Document;
-use crate::error::{Refused, Result, vec_with_room};
+use crate::error::{Refused, Result, TooMany, vec_with_room};
+use vides_engine::limits::MAX_KEYS;
 use vides_engine::math::orientation::quaternion_from_view;
 use vides_engine::math::quaternion::{angle, continue_sign};
 use vides_engine::path::Pose;
@@ -38,6 +39,9 @@ struct Samples {
 impl Samples {
     fn of(follow: &FollowPath, camera: bool) -> Result<Self> {
         let count = follow.count();
+        if count > MAX_KEYS {
+            return Err(TooMany::Keys.into());
+        }
         let mut poses = vec_with_room(count)?;
         poses.resize(count, Pose::default());
         follow.sampler()?.sample_once(1, &mut poses)?;
@@ -141,26 +145,14 @@ impl Document {
     }
 
     fn samples(&self, node: usize) -> Result<Samples> {
-        let present;
-        let (follow, camera) = match self.edited_scene() {
-            Some(edited) => {
-                present = match edited.node() == Some(node) {
-                    true => edited.present_path(self.path())?,
-                    false => None,
-                };
-                let of = edited.scene().node(node)?;
-                let camera = matches!(of.kind, Kind::Camera(_));
-                let none = || Refused::NoPathOf((&of.name).into());
-                (present.as_ref().or(of.path()).ok_or_else(none)?, camera)
-            }
-            None if node == 0 => {
-                let path = self.path().try_clone()?;
-                present = Some(FollowPath::new(path, 1.0, Default::default())?);
-                (present.as_ref().ok_or(Refused::NoScene)?, true)
-            }
-            None => return Err(Refused::NoScene.into()),
-        };
-        Samples::of(follow, camera)
+        if self.edited_scene().is_none() && node != 0 {
+            return Err(Refused::NoScene.into());
+        }
+        let scene = self.scene()?;
+        let of = scene.node(node)?;
+        let none = || Refused::NoPathOf((&of.name).into());
+        let camera = matches!(of.kind, Kind::Camera(_));
+        Samples::of(of.path().ok_or_else(none)?, camera)
     }
 }
 

@@ -3,6 +3,8 @@
 //! `.vid` file, and need not have the unit at their end. `node.lamp.intensity` is that of the node
 //! with that name, `node.2.intensity` that of the second one.
 
+use std::sync::Arc;
+
 use vides_engine::property::{Kind, Listed, Owner, Table, Value, find, list};
 use vides_engine::scene::{Node, Values};
 
@@ -81,9 +83,9 @@ fn place(name: &str) -> Result<Place<'_>> {
 }
 
 impl Document {
-    fn nodes(&self) -> &[Node] {
+    fn nodes(&self) -> &[Arc<Node>] {
         self.edited_scene()
-            .map_or(&[], |edited| edited.scene().nodes())
+            .map_or(&[], |edited| edited.scene().nodes().as_slice())
     }
 
     /// What a name leads to; a node is called by its number, from 1, or by its name.

@@ -200,7 +200,7 @@ fn what_cannot_be_is_refused() {
         (
             "curve",
             "round",
-            "curve: must be \"tcb\", \"cubic\" or \"linear\"",
+            "curve: must be \"tcb\", \"centripetal\", \"chordal\", \"cubic\" or \"linear\"",
         ),
         ("base_speeds.zoom_frames", "0", "base_speeds.zoom_frames: "),
         (

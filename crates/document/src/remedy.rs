@@ -15,9 +15,9 @@ use planned::is_planned;
 use super::edit::{At, Edit};
 use super::editing::Document;
 use crate::error::{ErrorKind, Result};
-use vides_engine::limits::{MAX_FRAMES, MAX_SPEED, MIN_POINTS, MIN_SPEED, SPEEDS};
+use vides_engine::limits::{MAX_SECTION_FRAMES, MAX_SPEED, MIN_POINTS, MIN_SPEED, SPEEDS};
 use vides_engine::path::{
-    CameraPath, Change, Orientation, OrientationOverrides, Pace, Tangents, curve,
+    CameraPath, Change, CurveKind, Orientation, OrientationOverrides, Pace, Tangents, curve,
 };
 
 /// A section's frames grow by at most this factor.
@@ -40,8 +40,8 @@ impl Document {
     /// The edits, to be one step, that fix a finding; none where the choice is the user's. A turn
     /// or zoom gets more frames (not over eight times as many: then the view should change), a
     /// corner or cusp smooth tangents, a speed that jumps goes over into the next one, or to rest
-    /// where the camera rests, a view that jumps gets a place ahead to look at; a redundant key is
-    /// removed. Where nothing of `object` is in the picture the views are
+    /// where the camera rests, a view that jumps gets a place ahead to look at, a way that goes back
+    /// makes the curve centripetal; a redundant key is removed. Where nothing of `object` is in the picture the views are
     /// turned so that all of it is; where it is too large for that, to its middle. Where the way is
     /// too near `object` or goes through it, the whole way is led clear of it
     /// ([`vides_engine::planner::avoid()`]), with the limit of the clearance. Where the camera is too
@@ -76,7 +76,10 @@ impl Document {
                 keys.map(|key| owned(path, key, &|own| own.ahead = Some(ahead)))
                     .collect()
             }
-            FindingKind::SpeedJump => self.joined(finding),
+            FindingKind::SpeedJump => match self.joined(finding)? {
+                joined if joined.is_empty() => self.planned(finding, object, progress),
+                joined => Ok(joined),
+            },
             kind if is_planned(kind) => self.planned(finding, object, progress),
             FindingKind::Corner => {
                 let old = curve::tangents(path, point);
@@ -102,6 +105,11 @@ impl Document {
                         .collect())
                 }
             },
+            // What owns its tangents keeps them.
+            FindingKind::Backwards if path.curve.has_shape() => {
+                let kind = CurveKind::Centripetal;
+                Ok(vec![Edit::set(At::Path, "curve", kind)])
+            }
             FindingKind::Redundant => {
                 if let Some(found) = without(path, point, finding.limit)? {
                     let last = path.points[point - 1].orientations.len() - 1;
@@ -123,6 +131,21 @@ impl Document {
         }
     }
 
+    /// As [`Document::remedy`] where that takes no noticeable time; none where the planner is
+    /// needed. For a person, who sees what comes of it: a turn or zoom of any speed gets up to eight
+    /// times as many frames.
+    ///
+    /// # Errors
+    /// As [`Document::remedy`].
+    pub fn quick_remedy(&self, finding: &Finding) -> Result<Option<Vec<Edit>>> {
+        match finding.kind {
+            kind if is_planned(kind) => Ok(None),
+            FindingKind::SpeedJump => Ok(Some(self.joined(finding)?).filter(|all| !all.is_empty())),
+            FindingKind::Turning | FindingKind::Zoom => self.slower(finding).map(Some),
+            _ => self.remedy(finding, None, &mut |_, _| true).map(Some),
+        }
+    }
+
     /// The sections of a finding's frames, in which something changes.
     fn sections_of(&self, finding: &Finding) -> Result<Vec<Section>> {
         let sampler = self.sampler()?;
@@ -140,9 +163,11 @@ impl Document {
 
     /// More frames for the sections of a finding, in proportion.
     fn slower(&self, finding: &Finding) -> Result<Vec<Edit>> {
-        let more = MARGIN * finding.value / finding.limit;
+        let more = MARGIN * (finding.value / finding.limit).min(MOST);
         let slowed = self.sections_of(finding)?.into_iter().map(|section| {
-            let frames = (section.frames as f64 * more).ceil().min(MAX_FRAMES as f64);
+            let frames = (section.frames as f64 * more)
+                .ceil()
+                .min(MAX_SECTION_FRAMES as f64);
             #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
             let frames = frames as u32;
             let key = (section.point, section.orientation);
@@ -211,7 +236,7 @@ impl Document {
         tell: &mut dyn FnMut(&Finding),
         progress: Progress<'_>,
     ) -> Result<Vec<Finding>> {
-        let mut found = self.check_against(object)?;
+        let mut found = self.check_against(object, progress)?;
         let mut tried: Vec<(FindingKind, usize, usize)> = Vec::new();
         'again: loop {
             for finding in &found {
@@ -239,7 +264,7 @@ impl Document {
                 {
                     continue;
                 }
-                let left = other.check_against(object)?;
+                let left = other.check_against(object, progress)?;
                 if is_better(finding.kind, &found, &left) {
                     tell(finding);
                     *self = other;

@@ -114,6 +114,13 @@ fn a_turn_at_once_is_left_to_the_user() {
             .unwrap()
             .is_empty()
     );
+    // Whoever asks for it in the window gets eight times as many, and may ask again.
+    let edits = document.quick_remedy(&finding).unwrap().expect("edits");
+    edits
+        .into_iter()
+        .for_each(|edit| document.apply(edit).unwrap());
+    let less = found(&document, "turning").map_or(0.0, |left| left.value);
+    assert!(less < finding.value / 4.0, "{less} of {finding:?}");
 }
 
 #[test]
@@ -211,6 +218,10 @@ fn speeds_that_jump_are_joined() {
         let mut document = straight([DVec3::NEG_Z; 3]);
         speeds(&mut document, 0, 40.0, (0, 0));
         speeds(&mut document, 1, speed, (frames, hold));
+        // A hold of sections without an ease is a finding only where a limit is set.
+        let mut info = document.info().clone();
+        info.limits.set(FindingKind::SpeedJump, 0.45).unwrap();
+        document.apply(Edit::SetInfo(Box::new(info))).unwrap();
         assert!(
             found(&document, "speed-jump").is_some(),
             "{speed} {frames} {hold}"
@@ -220,6 +231,23 @@ fn speeds_that_jump_are_joined() {
             "{speed} {frames} {hold}"
         );
     }
+}
+
+/// Where neither section has ten speeds that could be joined, the planner is asked.
+#[test]
+fn a_speed_that_jumps_between_paces_of_their_own_has_a_fix() {
+    let mut document = straight([DVec3::NEG_Z; 3]);
+    for (point, frames) in [(0, 100), (1, 30)] {
+        let even = [[0.0, 0.0], [0.5, 0.5], [1.0, 1.0]];
+        let edit = owned(document.path(), (point, 0), &|own| {
+            own.pace = Pace::Distance(even.into());
+            own.frames = frames;
+        });
+        document.apply(edit.unwrap()).unwrap();
+    }
+    let finding = found(&document, "speed-jump").expect("a jump");
+    assert_eq!(document.quick_remedy(&finding).unwrap(), None);
+    assert!(mended(&mut document, "speed-jump"));
 }
 
 #[test]
@@ -329,7 +357,9 @@ fn what_is_in_the_way_is_gone_round() {
     };
     let object = Clearance::new(&line).unwrap();
     let near = |document: &Document| {
-        let found = document.check_against(Some(&object)).unwrap();
+        let found = document
+            .check_against(Some(&object), &mut |_, _| true)
+            .unwrap();
         found.into_iter().find(|finding| is_led(finding.kind))
     };
     let finding = near(&document).unwrap();
@@ -372,7 +402,9 @@ fn where_nothing_is_to_be_seen_views_turn_to_the_object() {
         let object = Clearance::new(&mesh).unwrap();
         let kinds =
             |found: &[Finding]| found.iter().map(|finding| finding.kind).collect::<Vec<_>>();
-        let found = document.check_against(Some(&object)).unwrap();
+        let found = document
+            .check_against(Some(&object), &mut |_, _| true)
+            .unwrap();
         assert!(kinds(&found).contains(&FindingKind::NothingToSee));
         let left = document
             .fix(Some(&object), &mut |_| (), &mut |_, _| true)
@@ -390,4 +422,17 @@ fn where_nothing_is_to_be_seen_views_turn_to_the_object() {
         };
         assert_eq!(mesh.points.iter().all(seen), half < 1.0);
     }
+}
+
+#[test]
+fn a_way_back_makes_the_curve_centripetal() {
+    let points = [0.0, 0.2, 0.21, 0.8, 1.0].map(|x| SupportPoint::new(DVec3::new(x, 0.0, 0.8)));
+    let path = CameraPath {
+        points: points.to_vec().into(),
+        ..CameraPath::default()
+    };
+    let mut document = Document::from_parts(path, Info::default()).unwrap();
+    assert!(found(&document, "backwards").is_some());
+    assert!(mended(&mut document, "backwards"));
+    assert_eq!(document.path().curve, CurveKind::Centripetal);
 }

@@ -1,11 +1,19 @@
 //! Atomic, durable saving: write beside the file, sync, rename over it, sync the folder.
 
-use std::fs::{self, File, OpenOptions, Permissions};
+mod access;
+mod temporary;
+
+use std::fs::{self, File, OpenOptions};
 use std::io::{self, BufWriter, Write};
-use std::os::unix::fs::{MetadataExt, OpenOptionsExt, PermissionsExt};
 use std::path::{Path, PathBuf};
 
-use super::{Fingerprint, NotAFile};
+use rustix::io::Errno;
+
+use vides_engine::descriptor::off_standard;
+
+use self::access::{destination, folder_of};
+use self::temporary::Temporary;
+use super::{Fingerprint, NotAFile, inputs};
 use crate::error::{Error, Result, can_allocate};
 
 const BUFFER: usize = 32 << 10;
@@ -42,7 +50,10 @@ pub fn save_unless_changed(file: &Path, bytes: &[u8], known: Option<Fingerprint>
     )
 }
 
-/// Saves what `write` writes. Of a symbolic link the target is replaced; permissions stay.
+/// Saves what `write` writes. Of a symbolic link the target is replaced, unless another user has put
+/// it into a folder like `/tmp`. Mode and access control list stay, owner and group where the system
+/// lets us give them; other hard links keep the old file. Until it replaces the old file, the new
+/// one is readable by nobody else.
 ///
 /// # Errors
 /// `ErrorKind::Io` naming the file, or the error of `write`. The old file is whole then, and
@@ -92,19 +103,15 @@ impl<'a> Written<'a> {
         can_allocate(ROOM)?;
         let io = |error| failed(file, error);
         let target = destination(file).map_err(io)?;
-        let old = match fs::metadata(&target) {
-            Ok(metadata) => {
-                NotAFile::refuse(&metadata).map_err(io)?;
-                Some(metadata)
-            }
-            Err(error) if error.kind() == io::ErrorKind::NotFound => None,
-            Err(error) => return Err(io(error)),
-        };
-        // Renaming needs only the folder to be writable; require the file to be, too.
-        if old.is_some() {
-            OpenOptions::new().write(true).open(&target).map_err(io)?;
+        let old = old(&target).map_err(io)?;
+        if target.file_name().is_none() {
+            return Err(io(Errno::ISDIR.into()));
         }
-        let temporary = Temporary::beside(&target, folder_of(&target)).map_err(io)?;
+        if let Some(old) = &old {
+            let there = old.metadata().map_err(io)?;
+            inputs::refuse(&there).map_err(|error| error.at(file.display()))?;
+        }
+        let temporary = Temporary::in_folder(folder_of(&target), old.is_some()).map_err(io)?;
         let mut out = BufWriter::with_capacity(BUFFER, &temporary.file);
         write(&mut out).map_err(|error| match error {
             Error::Io { source, .. } => io(source),
@@ -113,10 +120,7 @@ impl<'a> Written<'a> {
         out.flush().map_err(io)?;
         drop(out);
         if let Some(old) = old {
-            // The group first: changing it may clear permission bits.
-            let _ = std::os::unix::fs::fchown(&temporary.file, None, Some(old.gid()));
-            let permissions = Permissions::from_mode(old.mode() & 0o7777);
-            temporary.file.set_permissions(permissions).map_err(io)?;
+            access::keep(&temporary.file, &old).map_err(io)?;
         }
         temporary.file.sync_all().map_err(io)?;
         Ok(Self {
@@ -126,25 +130,32 @@ impl<'a> Written<'a> {
         })
     }
 
-    fn replace(mut self) -> Result<()> {
+    fn replace(self) -> Result<()> {
         let io = |error| failed(self.file, error);
-        fs::rename(&self.temporary.path, &self.target).map_err(io)?;
-        self.temporary.renamed = true;
+        self.temporary.replace(&self.target).map_err(io)?;
         let folder = folder_of(&self.target);
+        temporary::clear(folder);
         // Else a power cut could bring the old file back. Some file systems cannot sync a folder.
-        match File::open(folder).and_then(|folder| folder.sync_all()) {
+        match File::open(folder)
+            .and_then(off_standard)
+            .and_then(|folder| folder.sync_all())
+        {
             Err(error) if !unsupported(&error) => Err(io(error)),
             _ => Ok(()),
         }
     }
 }
 
-/// The folder that a file is in.
-fn folder_of(file: &Path) -> &Path {
-    match file.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent,
-        _ => Path::new("."),
+/// The file that will be replaced, if there is one. Renaming needs only the folder to be writable;
+/// the file must be, too.
+fn old(target: &Path) -> io::Result<Option<File>> {
+    match fs::metadata(target) {
+        Ok(metadata) => NotAFile::refuse(&metadata)?,
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
+        Err(error) => return Err(error),
     }
+    let opened = OpenOptions::new().write(true).open(target);
+    opened.and_then(off_standard).map(Some)
 }
 
 fn failed(file: &Path, source: io::Error) -> Error {
@@ -156,80 +167,7 @@ fn failed(file: &Path, source: io::Error) -> Error {
 
 fn unsupported(error: &io::Error) -> bool {
     matches!(
-        error.raw_os_error(),
-        Some(libc::EINVAL | libc::ENOTSUP | libc::EACCES)
+        Errno::from_io_error(error),
+        Some(Errno::INVAL | Errno::NOTSUP | Errno::ACCESS)
     )
-}
-
-/// As many symbolic links as Linux itself follows.
-const MAX_LINKS: usize = 40;
-
-/// The file to replace: the end of the chain of symbolic links, even if missing.
-fn destination(file: &Path) -> io::Result<PathBuf> {
-    let mut file = file.to_path_buf();
-    if file.as_os_str().is_empty() {
-        return Err(io::Error::from_raw_os_error(libc::ENOENT));
-    }
-    for _ in 0..MAX_LINKS {
-        match fs::symlink_metadata(&file) {
-            Ok(metadata) if metadata.file_type().is_symlink() => {
-                let link = fs::read_link(&file)?;
-                // Absolute links replace the whole path, relative ones the name.
-                file.pop();
-                file.push(link);
-            }
-            _ => return Ok(file),
-        }
-    }
-    Err(io::Error::from_raw_os_error(libc::ELOOP))
-}
-
-/// A new file beside another, removed when dropped unless renamed.
-struct Temporary {
-    path: PathBuf,
-    file: File,
-    renamed: bool,
-}
-
-impl Temporary {
-    fn beside(target: &Path, folder: &Path) -> io::Result<Self> {
-        if target.file_name().is_none() {
-            return Err(io::Error::from_raw_os_error(libc::EISDIR));
-        }
-        for attempt in 0..1000 {
-            let number = NEXT.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
-            // Not derived from the target's name, which may already have the maximum length.
-            let path = folder.join(format!(
-                ".vides-{}-{number}-{attempt}.tmp",
-                std::process::id()
-            ));
-            match OpenOptions::new()
-                .write(true)
-                .create_new(true)
-                .mode(0o666)
-                .open(&path)
-            {
-                Ok(file) => {
-                    return Ok(Self {
-                        path,
-                        file,
-                        renamed: false,
-                    });
-                }
-                Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
-                Err(error) => return Err(error),
-            }
-        }
-        Err(io::Error::from(io::ErrorKind::AlreadyExists))
-    }
-}
-
-static NEXT: std::sync::atomic::AtomicU64 = std::sync::atomic::AtomicU64::new(0);
-
-impl Drop for Temporary {
-    fn drop(&mut self) {
-        if !self.renamed {
-            let _ = fs::remove_file(&self.path);
-        }
-    }
 }

@@ -6,7 +6,7 @@ use std::path::Path;
 use super::info::Info;
 use super::mesh_file;
 use super::vid::{self, Comments};
-use crate::error::{Error, Result, can_allocate};
+use crate::error::{Error, Result};
 use vides_engine::path::CameraPath;
 use vides_engine::scene::{FollowPath, Scene};
 
@@ -17,7 +17,7 @@ pub struct SceneDocument {
     pub scene: Scene,
     /// What the file holds besides the scene.
     pub info: Info,
-    /// Comments of the file, if it held just a path.
+    /// Comments of the file it was read from.
     comments: Comments,
     warnings: Vec<Error>,
 }
@@ -106,10 +106,7 @@ impl SceneDocument {
         let (scene, mut info) = vid::scene_from_toml(text)?;
         info.check(scene.space())?;
         info.normalise();
-        let comments = match vid::alone(&scene) {
-            Some(_) => Comments::of(text)?,
-            None => Comments::default(),
-        };
+        let comments = Comments::of_scene(text, &scene)?;
         Ok(Self {
             comments,
             ..Self::of(scene, info)
@@ -133,12 +130,7 @@ impl SceneDocument {
     }
 
     fn text(&self, folder: Option<&Path>) -> Result<String> {
-        let none = Comments::default();
-        let comments = match self.path_alone() {
-            Some(_) => &self.comments,
-            None => &none,
-        };
-        vid::scene_to_toml(&self.scene, &self.info, comments, folder)
+        vid::scene_to_toml(&self.scene, &self.info, &self.comments, folder)
     }
 
     /// Saves as a `.vid` file, atomically and durably ([`super::save`]).
@@ -161,9 +153,8 @@ impl SceneDocument {
     /// `ErrorKind::Memory`.
     pub fn try_clone(&self) -> Result<Self> {
         let info = self.info.try_clone()?;
-        can_allocate(self.scene.heap_size())?;
         Ok(Self {
-            comments: self.comments.try_clone()?,
+            comments: self.comments.clone(),
             ..Self::of(self.scene.clone(), info)
         })
     }

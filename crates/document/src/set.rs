@@ -1,40 +1,47 @@
-//! From an edit that sets a property, or all values of an orientation, to its record.
+//! Edits that set a property, or all values of an orientation.
+
+use std::sync::Arc;
 
 use glam::DVec3;
 
-use super::change::{Change, IDLE, Prepared, State};
+use super::content::Content;
 use super::edit::At;
-use super::info::{Info, copy_text};
+use super::info::Info;
 use super::named::{keys, no_property};
 use super::scene_edit;
-use crate::error::{Error, OutOfRange, Refused, Result, can_allocate, vec_with_room};
+use crate::error::{Error, OutOfRange, Refused, Result};
+use vides_engine::limits;
 use vides_engine::math::orientation::wrap_degrees;
-use vides_engine::path::fit_frames::Fixed;
 use vides_engine::path::{
-    CameraPath, Orientation, OrientationOverrides, Pace, Space, SupportPoint, Target,
+    CameraPath, Orientation, OrientationOverrides, Pace, Space, SupportPoint, Target, Timeline,
 };
 use vides_engine::property::{Property, Table, Value, find};
 use vides_engine::scene::{Part, Rest, Values};
+use vides_engine::shared_list::SharedList;
 
-/// The record of setting a property.
+/// Sets a property.
 pub(super) fn set(
-    state: &State,
+    content: &mut Content,
     place: At,
     property: &'static str,
     mut value: Value,
-) -> Result<Prepared> {
-    let path = &state.path;
+) -> Result<()> {
+    let path = &*content.path;
     if value == Value::Text(String::new()) {
         value = Value::Unset;
     }
-    let change = match place {
-        At::Path if find(Info::PROPERTIES, property).is_some() => set_info(state, property, value)?,
+    match place {
+        At::Path if find(Info::PROPERTIES, property).is_some() => {
+            return set_info(content, property, value);
+        }
         At::Path => {
-            let points = Vec::new();
-            let own = CameraPath { points, ..*path };
-            match changed(path, own, property, &mut value, path.space)? {
-                Some(settings) => Change::settings(settings)?,
-                None => IDLE,
+            let settings = CameraPath {
+                points: SharedList::new(),
+                ..*path
+            };
+            if let Some(settings) = changed(path, settings, property, &mut value, path.space)? {
+                let points = path.points.try_clone()?;
+                content.path = Arc::new(CameraPath { points, ..settings });
             }
         }
         At::Point(at) => {
@@ -42,15 +49,12 @@ pub(super) fn set(
             if let ("position", Value::Place(position)) = (property, &value) {
                 check_position(there, at, *position, path.space)?;
             }
-            let name = there.name.as_deref().map(copy_text).transpose()?;
-            let orientations = Vec::new();
-            let own = SupportPoint {
-                name,
-                orientations,
-                ..*there
-            };
-            let point = changed(there, own, property, &mut value, path.space)?;
-            point.map_or(IDLE, |point| Change::Point(at, point))
+            let mut own = there.clone();
+            // Tangents that are set are the user's.
+            own.keeps_motion &= property != "tangents";
+            if let Some(point) = changed(there, own, property, &mut value, path.space)? {
+                content.set_point(at, point);
+            }
         }
         At::View(point, at) => {
             let mut new = orientation(path, point, at)?.clone();
@@ -65,38 +69,34 @@ pub(super) fn set(
                     new.own = new.own.with(|own| own.ahead = None)?;
                 }
             }
-            view(path, point, at, new)?
+            return set_view(content, point, at, new);
         }
         At::Node(node) => {
-            let part = rest(state, node, property, value)?;
-            return scene_edit::prepare(state, |edits| edits.part(part));
+            let part = rest(content, node, property, value)?;
+            return scene_edit::edit(content, |content| scene_edit::part(content, part));
         }
-    };
-    Ok((change, None))
+    }
+    Ok(())
 }
 
 /// What a node has where nothing moves it, with a property set.
-fn rest(state: &State, node: usize, property: &'static str, mut value: Value) -> Result<Part> {
-    let edited = state.edited_scene.as_ref().ok_or(Refused::NoScene)?;
-    let mut rest = Rest::of(edited.scene().node(node)?);
+fn rest(content: &Content, node: usize, property: &'static str, mut value: Value) -> Result<Part> {
+    let edited = content.scene.as_ref().ok_or(Refused::NoScene)?;
+    let mut rest = Box::new(Rest::of(edited.scene().node(node)?));
     let row = exchange(&mut rest.values, property, &mut value, &Values::NEW)?;
-    (row.check)(&rest.values, state.path.space)?;
-    can_allocate(size_of::<Rest>())?;
-    Ok(Part::Rest {
-        node,
-        rest: Box::new(rest),
-    })
+    (row.check)(&rest.values, content.path.space)?;
+    Ok(Part::Rest { node, rest })
 }
 
-/// That of setting what the file has besides the path.
-fn set_info(state: &State, property: &'static str, mut value: Value) -> Result<Change> {
-    let mut info = Box::new(state.info.try_clone()?);
-    let row = exchange(&mut *info, property, &mut value, &Info::NEW)?;
-    state.check_info(&info)?;
-    Ok(match (row.same)(&info, &state.info) {
-        true => IDLE,
-        false => Change::info(info),
-    })
+/// Sets what the file has besides the path.
+fn set_info(content: &mut Content, property: &'static str, mut value: Value) -> Result<()> {
+    let mut info = Info::clone(&content.info);
+    let row = exchange(&mut info, property, &mut value, &Info::NEW)?;
+    content.check_info(&info)?;
+    if !(row.same)(&info, &content.info) {
+        content.info = Arc::new(info);
+    }
+    Ok(())
 }
 
 /// Exchanges a property for a value; one that is not set is that of `new`.
@@ -127,15 +127,43 @@ fn changed<T: Table>(
 ) -> Result<Option<T>> {
     let row = exchange(&mut own, property, value, &T::NEW)?;
     (row.check)(&own, space)?;
-    Ok((!(row.same)(&own, there)).then_some(own))
+    let same = |row: &Property<T>| row.keys.is_empty() || (row.same)(&own, there);
+    Ok((!T::PROPERTIES.iter().all(same)).then_some(own))
 }
 
-/// The record of setting all values of an orientation.
-pub(super) fn view(path: &CameraPath, point: usize, at: usize, new: Orientation) -> Result<Change> {
+/// Sets all values of an orientation.
+pub(super) fn set_view(
+    content: &mut Content,
+    point: usize,
+    at: usize,
+    new: Orientation,
+) -> Result<()> {
+    let path = &content.path;
     let old = orientation(path, point, at)?;
     let new = checked(new, path.points[point].position, path.space)?;
-    let orientation = without_the_outdated(old, new)?;
-    Ok(Change::View([point, at], true, Some(orientation), 0))
+    let new = without_the_outdated(old, new)?;
+    check_frames(path, [point, at], &new)?;
+    content.set_view([point, at], new);
+    Ok(())
+}
+
+/// Refuses frames and holds that grow beyond what a path can count.
+fn check_frames(path: &CameraPath, [point, at]: [usize; 2], new: &Orientation) -> Result<()> {
+    let given = |view: &Orientation| view.own.frames as usize + view.hold as usize;
+    let old = given(&path.points[point].orientations[at]);
+    if given(new) <= old {
+        return Ok(());
+    }
+    // What the other sections have by their length is counted only near the limit.
+    let views = path.points.iter().flat_map(|point| &point.orientations);
+    let all = views.map(given).sum::<usize>() - old + given(new);
+    if all <= limits::MAX_FRAMES / 2 {
+        return Ok(());
+    }
+    let mut changed = path.try_clone()?;
+    changed.points[point].orientations[at] = new.clone();
+    Timeline::new(&changed)?.frame_count()?;
+    Ok(())
 }
 
 /// Checks an orientation and wraps its roll into (−180, 180].
@@ -170,17 +198,6 @@ fn without_the_outdated(old: &Orientation, mut new: Orientation) -> Result<Orien
         }
     })?;
     Ok(new)
-}
-
-pub(super) fn with_frames(path: &CameraPath, fixed: Vec<Fixed>) -> Result<Vec<Change>> {
-    let mut changes = vec_with_room(fixed.len())?;
-    for fixed in fixed {
-        let mut orientation = path.points[fixed.point].orientations[fixed.orientation].clone();
-        orientation.own = orientation.own.with(|own| own.frames = fixed.frames)?;
-        let place = [fixed.point, fixed.orientation];
-        changes.push(Change::View(place, true, Some(orientation), 0));
-    }
-    Ok(changes)
 }
 
 pub(super) fn check_position(

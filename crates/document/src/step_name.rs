@@ -134,7 +134,7 @@ impl StepName {
             Edit::Set { property, .. } => match *property {
                 "position" => Self::SetPosition,
                 "name" => Self::SetName,
-                "tangents" => Self::Tangents,
+                "tangents" | "keeps_motion" => Self::Tangents,
                 "curve" | "preset" | "own" | "presets" => Self::Curve,
                 "fps" => Self::Fps,
                 "title" | "comment" | "first_frame" => Self::Info,
@@ -186,7 +186,6 @@ impl StepName {
 impl StepName {
     const fn of_part(part: &Part) -> Self {
         match part {
-            Part::Insert(_) => Self::AddNodes,
             Part::Remove(_) => Self::RemoveNodes,
             Part::Name { .. } => Self::NodeName,
             Part::Links { .. } => Self::NodeLinks,
@@ -272,7 +271,7 @@ mod tests {
     #[test]
     fn steps_since_a_mark_become_one() {
         let mut document = Document::new();
-        document.join_steps().unwrap();
+        document.join_steps();
         document.apply(Edit::Reverse).unwrap();
         let (before, number) = (document.path().clone(), document.state_number());
         document.mark_steps();
@@ -283,7 +282,7 @@ mod tests {
         document.begin_step();
         document.apply(Edit::set(At::Path, "closed", true)).unwrap();
         let after = document.path().clone();
-        document.join_steps().unwrap();
+        document.join_steps();
         assert_eq!(document.step_names(), [Some(StepName::InsertPoint), None]);
         for _ in 0..2 {
             assert_eq!(*document.path(), after);
@@ -300,7 +299,7 @@ mod tests {
         assert!(document.undo() && document.undo());
         document.apply(Edit::AppendAfterLast).unwrap();
         document.apply(Edit::Reverse).unwrap();
-        document.join_steps().unwrap();
+        document.join_steps();
         document.apply(Edit::Reverse).unwrap();
         assert!(document.undo() && document.undo() && !document.undo());
         assert_eq!(document.path(), Document::new().path());

@@ -18,15 +18,17 @@ use vides_engine::tools::fit::{Options, Progress, Tolerance, fit};
 use vides_engine::tools::moves::{MOVES, Move};
 use vides_engine::tools::{Parameter, transform};
 
+use super::apply::no_longer_ahead;
 use super::draw::drawn;
 use super::edit::Edit;
 use super::editing::Document;
-use super::prepare::no_longer_ahead;
 use crate::cage;
 pub use crate::cage::Cage;
-use crate::error::{OutOfRange, Result};
+use crate::error::{EngineError, Error, Invalid, OutOfRange, Result};
 use table::{ABOUT, AXIS, FIRST, LAST, PUT, SEEN, TOOLS};
-use vides_engine::path::{CameraPath, Pose, Target};
+use vides_engine::path::fit_frames::frames_of;
+use vides_engine::path::{CameraPath, Pose, Space, Target, Up};
+use vides_engine::shared_list::SharedList;
 
 /// A tool: its name, description and parameters.
 #[derive(Debug, Clone, Copy)]
@@ -54,8 +56,8 @@ pub enum ToolInput {
     None,
     /// A path to insert.
     Block(Box<CameraPath>),
-    /// Recorded poses, with their times in seconds, if any.
-    Poses(Vec<Pose>, Option<Vec<f64>>),
+    /// Recorded poses, with their times in seconds, if any, and their upright axis.
+    Poses(Vec<Pose>, Option<Vec<f64>>, Up),
     /// The positions of a line drawn by hand.
     Stroke(Vec<DVec3>),
     /// The object of the document, prepared.
@@ -168,11 +170,11 @@ impl Tool {
     #[must_use]
     pub fn takes_long(&self, document: &Document, material: &ToolInput) -> bool {
         let poses = match (self.kind, material) {
-            (Kind::Avoid | Kind::Tour, _) => return true,
-            (Kind::Steady, _) => document
+            (Kind::Avoid | Kind::Picture | Kind::Tour, _) => return true,
+            (Kind::Retime | Kind::Steady, _) => document
                 .sampler()
                 .map_or(0, |sampler| sampler.frame_count()),
-            (_, ToolInput::Poses(poses, _)) => poses.len(),
+            (_, ToolInput::Poses(poses, ..)) => poses.len(),
             _ => 0,
         };
         poses > POSES
@@ -224,6 +226,48 @@ impl Tool {
         )?);
         if let Some((at, _)) = Parameter::find(self.tables[1], LAST.name) {
             numbers[own + at] = path.points.len() as f64;
+        }
+        Ok(numbers)
+    }
+
+    /// [`Tool::defaults`] for points from `first` to `last`, counted from 0, which keep their
+    /// duration. If a pace within limits takes longer, it is the shortest within them.
+    ///
+    /// # Errors
+    /// `ErrorKind::Range` for points that do not exist; `ErrorKind::Limit`, `ErrorKind::Memory`.
+    pub fn defaults_between(
+        &self,
+        document: &Document,
+        first: usize,
+        last: usize,
+    ) -> Result<Vec<f64>> {
+        let mut numbers = self.defaults(document)?;
+        for (parameter, at) in [(FIRST, first + 1), (LAST, last + 1)] {
+            if let Some(place) = self.place_of(parameter.name) {
+                numbers[place] = at as f64;
+            }
+        }
+        if !matches!(self.kind, Kind::Frames | Kind::Retime) {
+            return Ok(numbers);
+        }
+        let path = document.path();
+        let frames = document.timeline(|timeline| frames_of(path, timeline, first, last))??;
+        numbers[0] = frames as f64;
+        if matches!(self.kind, Kind::Retime) {
+            // The last pose is a frame of the range only where the path ends.
+            let ends = match path.closed {
+                true => first == 0 && last + 1 == path.points.len(),
+                false => last + 1 == path.points.len(),
+            };
+            let frames = frames - usize::from(!ends);
+            numbers[0] = frames as f64 / document.info().fps;
+            let made = ToolArguments::new(self, document, &numbers).retimed(&mut |_, _| true);
+            if let Err(Error::Engine(EngineError::Argument(Invalid::PaceSeconds {
+                least, ..
+            }))) = made
+            {
+                numbers[0] = least;
+            }
         }
         Ok(numbers)
     }
@@ -312,13 +356,8 @@ impl Tool {
                 Edit::ReplacePath(Box::new(made.path))
             }
             (Kind::Tour, _) => Edit::ReplacePath(Box::new(given.tour(progress)?)),
-            (Kind::Fit, ToolInput::Poses(poses, seconds)) => {
-                let tolerance = Tolerance {
-                    position: given.number("tolerance"),
-                    angle: given.number("angle"),
-                };
-                let (fps, seconds) = (document.info().fps, seconds.as_deref());
-                let made = fitted(poses, seconds, fps, tolerance, path, progress)?;
+            (Kind::Fit, ToolInput::Poses(poses, seconds, up)) => {
+                let made = given.fitted((poses, seconds.as_deref(), *up), progress)?;
                 Edit::ReplacePath(Box::new(made))
             }
             (Kind::Insert | Kind::Blend | Kind::Fit | Kind::Draw, _) => return Ok(None),
@@ -367,7 +406,7 @@ pub(super) fn fitted(
     poses: &[Pose],
     seconds: Option<&[f64]>,
     fps: f64,
-    tolerance: Tolerance,
+    options: Options,
     like: &CameraPath,
     progress: Progress<'_>,
 ) -> Result<CameraPath> {
@@ -377,7 +416,7 @@ pub(super) fn fitted(
     let options = Options {
         space: holds.then_some(space),
         up: space.up,
-        ..tolerance.into()
+        ..options
     };
     let mut made = fit(poses, seconds, fps, &options, progress)?.path;
     made.base_frames = like.base_frames;
@@ -471,6 +510,29 @@ impl<'a> ToolArguments<'a> {
         };
         let object = material.object_or_own(self.document)?;
         Ok(avoid_object(self.document.path(), &object, &request, progress)?.path)
+    }
+
+    fn fitted(
+        &self,
+        (poses, seconds, up): (&[Pose], Option<&[f64]>, Up),
+        progress: Progress<'_>,
+    ) -> Result<CameraPath> {
+        let tolerance = Tolerance {
+            position: self.number("tolerance"),
+            angle: self.number("angle"),
+        };
+        let options = Options {
+            robust: self.number("robust") != 0.0,
+            ..tolerance.into()
+        };
+        let path = self.document.path();
+        let like = CameraPath {
+            space: Space { up, ..path.space },
+            points: SharedList::new(),
+            ..*path
+        };
+        let fps = self.document.info().fps;
+        fitted(poses, seconds, fps, options, &like, progress)
     }
 
     fn tour(&self, progress: Progress<'_>) -> Result<CameraPath> {

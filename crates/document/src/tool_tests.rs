@@ -51,7 +51,7 @@ fn edit(document: &Document, name: &str, set: &[(&str, f64)]) -> Result<Option<E
             let sampler = document.sampler().unwrap();
             let mut poses = vec![Pose::default(); sampler.frame_count()];
             sampler.sample(1, &mut poses).unwrap();
-            ToolInput::Poses(poses, None)
+            ToolInput::Poses(poses, None, document.path().space.up)
         }
         Needs::Stroke => {
             let places = (0..50).map(|step| 0.02 * f64::from(step));

@@ -52,7 +52,7 @@ pub(super) enum Action {
     /// Several edits in one step.
     Edits(Vec<Edit>),
     /// Apply the remedy of a finding.
-    Mend(Vec<Edit>),
+    Mend(Finding, Vec<Edit>),
     /// Let the planner cure a finding, beside the window.
     Cure(Finding),
     Curve,
@@ -197,6 +197,8 @@ impl Action {
             | Self::Colours
             | Self::Display
             | Self::Keys
+            | Self::HandOver
+            | Self::SwitchHandsOver
             | Self::Copy
             | Self::Paste
             | Self::CopySpeeds(_)

@@ -88,12 +88,15 @@ impl Editor {
             Action::SwitchHandsOver => {
                 self.auto_hand_over = !self.auto_hand_over && self.host_takes_poses
             }
+            Action::SpeedCurve | Action::Check if !self.document.edits_path() => {
+                self.complain(self.texts().tools.only_path);
+            }
             Action::Check => windows::open::<CheckWindow>(self, context),
             Action::GoTo(finding) => self.go_to(&finding),
             Action::Edits(edits) => {
                 self.edit_all(edits);
             }
-            Action::Mend(edits) => self.mend(edits),
+            Action::Mend(finding, edits) => self.mend(&finding, edits),
             Action::Cure(finding) => self.cure(&finding),
             // F2, which has no curve to change there.
             Action::Curve if !self.document.edits_path() => self.name_current_node(),
@@ -163,7 +166,7 @@ impl Editor {
     /// Edits the path of another node at the same moment of the scene.
     pub(crate) fn edit_node(&mut self, node: Option<usize>) {
         self.document.end_step();
-        let moment = self.frame();
+        let moment = self.previewed_frame();
         if self.edit(Edit::EditNode(node))
             && let Ok(moment) = moment
         {
@@ -188,7 +191,7 @@ impl Editor {
     /// Undoes or redoes; where another path is edited then, the playhead stays where it is.
     fn travel(&mut self, way: impl FnOnce(&mut Document) -> bool) -> bool {
         let node = |editor: &Self| editor.document.edited_scene().map(|edited| edited.node());
-        let (before, moment) = (node(self), self.frame());
+        let (before, moment) = (node(self), self.previewed_frame());
         let done = way(&mut self.document);
         if let Ok(moment) = moment
             && node(self) != before
@@ -217,7 +220,7 @@ impl Editor {
     }
 
     /// Shows in the output field why an edit was refused.
-    fn tell(&mut self, done: Result<()>) -> bool {
+    pub(super) fn tell(&mut self, done: Result<()>) -> bool {
         match done {
             Ok(()) => {
                 self.message = None;

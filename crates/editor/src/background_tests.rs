@@ -1,4 +1,5 @@
-use std::time::{Duration, Instant};
+use std::cell::RefCell;
+use std::thread::JoinHandle;
 
 use egui::Context;
 use egui_kittest::kittest::NodeT;
@@ -12,11 +13,17 @@ use crate::tests::*;
 
 /// A thread whose work is never done at once.
 fn late(work: Box<dyn FnOnce() + Send>) -> bool {
-    std::thread::spawn(|| {
+    let thread = std::thread::spawn(|| {
         std::thread::sleep(3 * super::AT_ONCE);
         work();
     });
+    LATE.with_borrow_mut(|late| late.push(thread));
     true
+}
+
+thread_local! {
+    /// What this test has begun beside itself.
+    static LATE: RefCell<Vec<JoinHandle<()>>> = const { RefCell::new(Vec::new()) };
 }
 
 /// A window with a small tetrahedron in its space.
@@ -56,16 +63,22 @@ fn is_able(window: &Window) -> bool {
     !ok.accesskit_node().is_disabled()
 }
 
-/// Steps until something is true; false after some seconds.
-const PATIENCE: Duration = Duration::from_secs(3);
+/// Steps until something is true.
+fn comes(window: &mut Window, what: impl Fn(&Window) -> bool) {
+    until("what was begun", || {
+        window.step();
+        what(window).then_some(())
+    });
+}
 
-fn comes(window: &mut Window, what: impl Fn(&Window) -> bool) -> bool {
-    let begun = Instant::now();
-    while !what(window) && begun.elapsed() < PATIENCE {
-        std::thread::sleep(Duration::from_millis(20));
+/// Steps when all work is done; whatever comes of it has come then.
+fn when_done(window: &mut Window) {
+    for thread in LATE.take() {
+        thread.join().unwrap();
+    }
+    for _ in 0..3 {
         window.step();
     }
-    what(window)
 }
 
 #[test]
@@ -79,7 +92,7 @@ fn a_tool_works_while_the_window_goes_on() {
         screenshot(&mut window, &format!("work-{language:?}.png"));
         // One looks round meanwhile.
         window.state_mut().scrub(7.0);
-        assert!(comes(&mut window, |window| path(window) != before));
+        comes(&mut window, |window| path(window) != before);
         window.step();
         assert!(is_able(&window) && window.state().playing.is_playing());
         click(&mut window, language.texts().tools.cancel);
@@ -102,8 +115,8 @@ fn who_cancels_need_not_wait() {
         .state_mut()
         .act(crate::action::Action::Edit(edit), &egui::Context::default());
     assert!(window.state().windows.tool.is_none() && path(&window).closed);
-    assert!(!comes(&mut window, |window| path(window).points.len()
-        != before.points.len()));
+    when_done(&mut window);
+    assert_eq!(path(&window).points.len(), before.points.len());
 }
 
 #[test]
@@ -142,9 +155,10 @@ fn a_finding_is_cured_while_the_window_goes_on() {
         assert_eq!(path(&window), before);
         if cancels {
             click(&mut window, "Cancel");
-            assert!(!comes(&mut window, |window| path(window) != before));
+            when_done(&mut window);
+            assert_eq!(path(&window), before);
         } else {
-            assert!(comes(&mut window, |window| path(window) != before));
+            comes(&mut window, |window| path(window) != before);
             let left = window.state().document.check(None).unwrap();
             assert!(!left.iter().any(|left| left.kind == kind));
         }

@@ -6,9 +6,8 @@
 use std::path::PathBuf;
 
 use egui::{Context, ViewportCommand};
-use vides_document::{Document, Edit, StepName, mesh};
+use vides_document::{Document, mesh};
 use vides_engine::limits::MIN_POINTS;
-use vides_engine::tools::block::Fit;
 
 use crate::action::{Action, FileAction};
 use crate::files::{readable, short};
@@ -105,31 +104,30 @@ impl Editor {
         }
         let texts = &self.texts().output;
         let block = match Document::points_of_text(text) {
-            Ok(Some(block)) => Box::new(block),
+            Ok(Some(block)) => block,
             Ok(None) => return self.complain(texts.no_points),
             Err(error) => {
                 let why = self.without_name(&error);
                 return self.complain(fill(texts.not_pasted, &[&why]));
             }
         };
+        let replaces = self.begins();
         let before = self.document.path().points.len();
-        let edit = Edit::InsertPath {
-            at: self.document.selection().point,
-            block,
-            fit: Fit::None,
-            with_targets: false,
+        let done = match replaces {
+            true => self.document.replace_by_points(&block, self.fixed_speeds),
+            false => {
+                let at = self.document.selection().point;
+                self.document.paste_points(at, &block)
+            }
         };
-        self.document.begin_step();
-        self.document.name_step(StepName::PastePoints);
-        if let Err(error) = self.document.apply(edit) {
-            self.document.cancel_step();
+        if let Err(error) = done {
             let why = of_edit(self.language(), &error);
             return self.complain(fill(texts.not_pasted, &[&why]));
         }
-        self.document.end_step();
         self.playing.leave();
         let first = self.document.selection().point;
-        let count = self.document.path().points.len() - before;
+        let count = self.document.path().points.len();
+        let count = if replaces { count } else { count - before };
         self.choose(SelectionChange::These((first..first + count).collect()));
         self.say_done(fill(self.texts().output.points_pasted, &[&count]));
     }

@@ -4,7 +4,9 @@ use std::sync::Arc;
 use egui::Event;
 use glam::DVec3;
 use vides_document::{Document, Selection};
-use vides_engine::path::SupportPoint;
+use vides_engine::path::fit_frames::frames_between;
+use vides_engine::path::{Change, SupportPoint};
+use vides_engine::shared_list::SharedList;
 
 use crate::state::selected::SelectionChange;
 use crate::tests::*;
@@ -44,7 +46,7 @@ fn choose(window: &mut Window, points: &[usize]) {
     window.run();
 }
 
-fn points(window: &Window) -> Vec<SupportPoint> {
+fn points(window: &Window) -> SharedList<SupportPoint> {
     window.state().document.path().points.clone()
 }
 
@@ -95,19 +97,29 @@ fn points_that_are_apart_are_copied_without_those_between_and_cut_in_one_step() 
     let mut window = fresh();
     let before = points(&window);
     choose(&mut window, &[0, 2, 5]);
+    let document = &window.state().document;
+    let times = [(0, 2), (2, 5)].map(|(from, to)| frames(document, from, to));
+    let left = (frames(document, 1, 4) + 1) as f64 / 25.0;
     let text = taken(&mut window, Event::Cut).expect("a text");
     let cut = Document::from_toml(&text).expect("a file");
     let at = |number: usize| before[number].position;
     let positions = cut.path().points.iter().map(|point| point.position);
     assert_eq!(positions.collect::<Vec<_>>(), [at(0), at(2), at(5)]);
-    let views = |points: &[SupportPoint]| points[1].orientations.clone();
-    assert_eq!(views(&cut.path().points), before[2].orientations);
+    let [views, known] = [&cut.path().points[1], &before[2]].map(|point| {
+        let views = point.orientations.iter();
+        views
+            .map(|view| (view.target, view.speeds))
+            .collect::<Vec<_>>()
+    });
+    assert_eq!(views, known);
+    // They take as long as they did with those between.
+    assert_eq!([0, 1].map(|at| frames(&cut, at, at + 1)), times);
     assert_eq!(points(&window).len(), before.len() - 3);
     let output = &Language::English.texts().output;
     let copied = fill(output.points_copied, &[&3]);
     assert_eq!(
         said(&window),
-        Some(format!("{copied} · Now 8.68 s instead of 17.96 s"))
+        Some(format!("{copied} · Now {left:.2} s instead of 17.96 s"))
     );
     press(&mut window, Modifiers::CTRL, Key::Z);
     assert_eq!(points(&window), before);
@@ -235,4 +247,145 @@ fn files_that_are_dropped_are_opened() {
     drop_on(&mut window, &["http://example.org/a.vid".into()]);
     assert!(said(&window).is_some_and(|said| said.contains("example.org")));
     assert_eq!(window.state().document.state_number(), state);
+}
+
+fn frames(document: &Document, from: usize, to: usize) -> usize {
+    let path = document.path();
+    let frames = document.timeline(|timeline| frames_between(path, timeline, from, to));
+    frames.unwrap()
+}
+
+fn seconds_between(window: &Window, from: usize, to: usize) -> f64 {
+    let document = &window.state().document;
+    frames(document, from, to) as f64 / document.info().fps
+}
+
+/// A film of a room is put into one of a town, a thousand times as large.
+#[test]
+fn pasted_points_keep_their_seconds_and_join_at_the_mean_speed() {
+    let mut one = fresh();
+    choose(&mut one, &[1, 2, 3, 4]);
+    let text = taken(&mut one, Event::Copy).expect("a text");
+    let known = seconds_between(&one, 1, 4);
+    for fps in [25.0, 30.0, 50.0] {
+        let mut town = some_points();
+        let mut space = town.path().space;
+        space.half_size = 1000.0;
+        town.apply(Edit::SetSpace { space, fit: true }).unwrap();
+        let mut info = town.info().clone();
+        info.fps = fps;
+        town.apply(Edit::SetInfo(Box::new(info))).unwrap();
+        let options = Options {
+            document: town,
+            ..options(Language::English)
+        };
+        let mut other = window_of(options, LARGE, 1.0, Theme::Dark);
+        let before = [0, 1].map(|at| seconds_between(&other, 3 * at, 3 * at + 2));
+        other.state_mut().select_key(2, 0).unwrap();
+        paste(&mut other, &text);
+        assert_eq!(places(&other).len(), 10);
+        let pasted = seconds_between(&other, 3, 6);
+        assert!((pasted - known).abs() <= 1.0 / fps, "{pasted} {known}");
+        assert_eq!(seconds_between(&other, 0, 2), before[0]);
+        assert_eq!(seconds_between(&other, 7, 9), before[1]);
+        // Both joins at the speed of all others together.
+        let document = &other.state().document;
+        let timing = |of: &dyn Fn(usize) -> bool| {
+            let all = document.timeline(|timeline| {
+                let all = (0..timeline.section_count()).map(|at| timeline.section(at));
+                let moving = all.filter(|at| at.change == Change::Position && of(at.point));
+                let moving = moving.map(|at| (timeline.segment_length(at.point), at.frames as f64));
+                moving.fold((0.0, 0.0), |sum, at| (sum.0 + at.0, sum.1 + at.1))
+            });
+            all.map(|(length, frames)| length / frames).unwrap()
+        };
+        let mean = timing(&|point| point != 2 && point != 6);
+        for join in [2, 6] {
+            let speed = timing(&|point| point == join);
+            assert!((speed / mean - 1.0).abs() < 0.05, "{speed} {mean}");
+        }
+        let seconds = said(&other).unwrap();
+        assert!(seconds.starts_with("4 points"), "{seconds}");
+        press(&mut other, Modifiers::CTRL, Key::Z);
+        assert_eq!(places(&other).len(), 6);
+    }
+}
+
+#[test]
+fn points_pasted_into_a_new_document_replace_its_two() {
+    let mut one = fresh();
+    let all: Vec<usize> = (0..points(&one).len()).collect();
+    choose(&mut one, &all);
+    let text = taken(&mut one, Event::Copy).expect("a text");
+    let mut other = window(Language::English);
+    paste(&mut other, &text);
+    let paths = [&one, &other].map(|window| window.state().document.path().clone());
+    assert_eq!(paths[1].points, paths[0].points);
+    assert_eq!(paths[1].space, paths[0].space);
+    assert_eq!(poses(other.state()), poses(one.state()));
+    assert_eq!(other.state().several(), Some(&all[..]));
+    press(&mut other, Modifiers::CTRL, Key::Z);
+    assert!(other.state().document.path().is_new());
+    // Where a host fixes the base speeds the seconds stay.
+    let mut info = Document::new();
+    let mut speeds = info.path().base_frames;
+    speeds.movement *= 3.0;
+    speeds.turning *= 0.5;
+    info.apply(Edit::set(At::Path, "base_speeds", speeds))
+        .unwrap();
+    let options = Options {
+        document: info.as_opened(),
+        fixed_speeds: true,
+        ..options(Language::English)
+    };
+    let mut host = window_of(options, LARGE, 1.0, Theme::Dark);
+    paste(&mut host, &text);
+    assert_eq!(host.state().document.path().base_frames, speeds);
+    assert_eq!(seconds_between(&host, 0, 5), seconds_between(&one, 0, 5));
+    // What is not new any more keeps its points.
+    press(&mut other, Modifiers::NONE, Key::Insert);
+    paste(&mut other, &text);
+    assert_eq!(points(&other).len(), 3 + all.len());
+}
+
+#[test]
+fn keys_beside_removed_points_keep_their_times() {
+    for closed in [false, true] {
+        for removed in [
+            vec![1],
+            vec![2],
+            vec![1, 2, 3],
+            vec![2, 4],
+            vec![0],
+            vec![0, 5],
+            vec![5],
+        ] {
+            let mut window = fresh();
+            let hold = |key: &mut vides_engine::path::Orientation| key.hold = 9;
+            for at in [1, 2] {
+                window.state_mut().select(at, 0);
+                window.state_mut().set_orientation(hold);
+            }
+            if closed {
+                window.state_mut().edit(Edit::set(At::Path, "closed", true));
+            }
+            let before = points(&window);
+            let time = |window: &Window, at| frames(&window.state().document, 0, at);
+            let times: Vec<usize> = (0..6).map(|at| time(&window, at)).collect();
+            let total = poses(window.state()).len();
+            choose(&mut window, &removed);
+            press(&mut window, Modifiers::NONE, Key::Delete);
+            let left: Vec<usize> = (0..6).filter(|at| !removed.contains(at)).collect();
+            assert_eq!(points(&window).len(), left.len());
+            for (now, &at) in left.iter().enumerate() {
+                let since = times[at] - times[left[0]];
+                assert_eq!(time(&window, now), since, "{closed} {removed:?} {at}");
+            }
+            if closed || !(removed.contains(&0) || removed.contains(&5)) {
+                assert_eq!(poses(window.state()).len(), total, "{closed} {removed:?}");
+            }
+            press(&mut window, Modifiers::CTRL, Key::Z);
+            assert_eq!(points(&window), before);
+        }
+    }
 }

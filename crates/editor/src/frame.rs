@@ -122,7 +122,9 @@ fn asked(editor: &mut Editor, context: &Context) -> Vec<Action> {
         playing::take_keys(editor, context);
         windows::take_keys(editor, context);
         let scene = editor.document.edited_scene().is_some();
-        actions.extend(keys::pressed(context, scene));
+        let mut pressed = keys::pressed(context, scene);
+        pressed.retain(|action| !windows::close_front(&mut editor.windows, action));
+        actions.extend(pressed);
         let dropped: Vec<_> = context.input(|input| {
             let files = input.raw.dropped_files.iter();
             files.map(|file| file.path().to_owned()).collect()

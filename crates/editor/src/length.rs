@@ -2,7 +2,7 @@
 //! length is kept, and the frames of all sections adapt within the same step.
 
 use vides_document::error::Result;
-use vides_document::{Edit, StepName};
+use vides_document::{Document, Edit, StepName};
 use vides_engine::path::Timeline;
 
 use crate::state::length::Seen;
@@ -14,6 +14,24 @@ impl Seen {
     fn seconds(&self) -> f64 {
         self.frames as f64 / self.fps
     }
+}
+
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+fn frames_of(seconds: f64, fps: f64) -> usize {
+    (seconds * fps).round() as usize
+}
+
+/// Brings the whole path to a number of frames.
+pub(super) fn fit(document: &mut Document, frames: usize) -> Result<()> {
+    if document.timeline(Timeline::frame_count)?? == frames {
+        return Ok(());
+    }
+    let last = document.path().points.len().saturating_sub(1);
+    document.apply(Edit::FitFrames {
+        first: 0,
+        last,
+        frames,
+    })
 }
 
 impl Editor {
@@ -91,8 +109,7 @@ impl Editor {
 
     /// Fits the frames within the step that has changed them.
     fn keep_length(&mut self, seconds: f64, now: Seen) {
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-        let frames = (seconds * now.fps).round() as usize;
+        let frames = frames_of(seconds, now.fps);
         if frames == now.frames {
             return;
         }
@@ -105,15 +122,16 @@ impl Editor {
     }
 
     fn fit_newest_step(&mut self, frames: usize) -> Result<()> {
-        let last = self.document.path().points.len().saturating_sub(1);
         self.document.reopen_step();
-        let fitted = self.document.apply(Edit::FitFrames {
-            first: 0,
-            last,
-            frames,
-        });
+        let fitted = fit(&mut self.document, frames);
         self.document.end_step();
         fitted
+    }
+
+    /// The frames that the path keeps.
+    pub(super) fn kept_frames(&self) -> Option<usize> {
+        let seconds = self.length.kept?;
+        Some(frames_of(seconds, self.document.info().fps))
     }
 
     /// Says what has been added, removed or made, unless more has been said of it.

@@ -44,7 +44,7 @@ mod tests;
 
 pub use background::Start;
 pub use files::Folders;
-pub use host::{Date, Program, Warning, Warnings};
+pub use host::{Date, Program, Warning, Warnings, begin_at, check_view};
 pub use state::host::{HostPane, PlayheadState};
 pub use state::{Editor, HostView, Options, Reason, Request};
 pub use texts::Language;

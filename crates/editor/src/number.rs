@@ -11,7 +11,7 @@ use std::ops::RangeInclusive;
 
 use egui::{
     Align2, Color32, Context, CornerRadius, CursorIcon, Id, Key, Margin, Modifiers, Rect, Role,
-    Sense, Stroke, StrokeKind, TextEdit, Ui, WidgetInfo, vec2,
+    Sense, Stroke, StrokeKind, TextEdit, Ui, Vec2, WidgetInfo, vec2,
 };
 use vides_engine::path::Space;
 
@@ -282,25 +282,31 @@ impl<'a> Number<'a> {
         if response.clicked() {
             ui.memory_mut(|memory| memory.request_focus(id));
         } else if response.drag_started() {
-            ui.data_mut(|data| data.insert_temp(exact, value));
+            // How far it has moved by now counts as well, from the next pass on.
+            let moved = response.total_drag_delta().unwrap_or_default();
+            ui.data_mut(|data| data.insert_temp(exact, (value, moved)));
+            ui.ctx().request_repaint();
             entry = Entry::Begin;
-        } else if let Some(before) = ui.data(|data| data.get_temp::<f64>(exact)) {
+        } else if let Some((before, late)) = ui.data(|data| data.get_temp::<(f64, Vec2)>(exact)) {
             // egui itself ends a drag on Escape.
             let escape = ui.input(|input| input.key_pressed(Key::Escape));
-            if escape || !response.dragged() {
-                ui.data_mut(|data| data.remove::<f64>(exact));
+            if escape || (!response.dragged() && late == Vec2::ZERO) {
+                ui.data_mut(|data| data.remove::<(f64, Vec2)>(exact));
                 return if escape { Entry::Cancel } else { Entry::End };
             }
-            let moved = response.drag_delta();
+            let moved = response.drag_delta() + late;
             let fine = if ui.input(|input| input.modifiers.shift) {
                 0.1
             } else {
                 1.0
             };
             let way = f64::from(moved.x - moved.y) * self.per_point * fine;
+            let now = (before + way).clamp(*self.range.start(), *self.range.end());
+            ui.data_mut(|data| data.insert_temp(exact, (now, Vec2::ZERO)));
+            if !response.dragged() {
+                ui.ctx().request_repaint();
+            }
             if way != 0.0 {
-                let now = (before + way).clamp(*self.range.start(), *self.range.end());
-                ui.data_mut(|data| data.insert_temp(exact, now));
                 entry = Entry::Drag(self.rounded(now));
             }
         }

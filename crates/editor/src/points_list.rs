@@ -60,6 +60,14 @@ fn id() -> Id {
 }
 
 impl PointsList {
+    /// Forgets all of another document.
+    pub(super) fn show_anew(&mut self) {
+        *self = Self {
+            open: self.open,
+            ..Self::default()
+        };
+    }
+
     pub(super) fn is_open(&self, context: &Context) -> bool {
         let whole = context.content_rect().width();
         self.open.unwrap_or(whole >= MIN_WIDTH_UNFOLDED)
@@ -358,7 +366,7 @@ fn buttons(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     let points = [
         PanelButton::new(
             point.add,
-            point.add_hint,
+            editor.add_hints()[0],
             Action::Path(PathAction::AddPoint),
         ),
         PanelButton::new(

@@ -107,10 +107,11 @@ impl Editor {
         };
     }
 
-    /// Removes all selected points in one step.
+    /// Removes all selected points in one step; the keys beside keep their times.
     pub(crate) fn remove_selected(&mut self) -> bool {
         let points = self.all_selected();
-        self.edit_all(points.into_iter().rev().map(|at| Edit::RemovePoint { at }))
+        let done = self.document.remove_points(&points);
+        self.tell(done)
     }
 
     /// Moves all selected points, in their order, before the one that is number `before` now.
@@ -178,15 +179,18 @@ fn of_all(document: &Document, points: &[usize], edit: Edit) -> Result<Vec<Edit>
             ..
         } => {
             let by = of(*at).map(|point| position - point.position);
-            let points: Vec<_> = others(*at).collect();
-            all.extend(
-                by.filter(|_| !points.is_empty())
-                    .map(|by| Edit::TransformPoints {
-                        points,
-                        matrix: DMat4::from_translation(by),
-                        with_targets: false,
-                    }),
-            );
+            let mut points: Vec<_> = others(*at).collect();
+            if let Some(by) = by.filter(|_| !points.is_empty()) {
+                // All at once, so that tangents which keep a motion stay; then the exact place.
+                points.push(*at);
+                all.push(Edit::TransformPoints {
+                    points,
+                    matrix: DMat4::from_translation(by),
+                    with_targets: false,
+                });
+            }
+            all.push(edit);
+            return Ok(all);
         }
         Edit::Set {
             place: At::Point(at),

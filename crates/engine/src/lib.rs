@@ -1,20 +1,24 @@
 //! The engine of VIDES: from the data of a path to every pose on it.
 //!
-//! [`path`] is the engine itself, [`math`] what it stands on; [`property`] its table of fields; [`scene`] is everything that moves on
-//! one timeline, [`deform`] deforms objects and paths, [`tools`] make paths of paths, [`planner`]
-//! plans how they are flown. It is a crate
-//! of its own to be optimised for speed, while the rest of the library is for size.
+//! [`path`] is the engine itself, [`math`] what it stands on; [`property`] its table of fields;
+//! [`shared_list`] the lists whose copies share their elements; [`scene`] is everything that moves
+//! on one timeline, [`deform`] deforms objects and paths, [`tools`] make paths of paths,
+//! [`planner`] plans how they are flown. It is a crate of its own to be optimised for speed, while
+//! the rest of the library is for size.
 
 pub mod deform;
+pub mod descriptor;
 pub mod error;
 #[doc(hidden)]
 pub mod inject;
 pub mod limits;
+
 pub mod math;
 pub mod path;
 pub mod planner;
 pub mod property;
 pub mod scene;
+pub mod shared_list;
 pub mod tools;
 
 pub use error::{Error, Result};

@@ -58,6 +58,10 @@ pub const ZOOM_UNIT: f64 = 99.0;
 /// Frames of one path: an hour at 25,000 frames a second, 8 GB of poses; the count fits C's `int`.
 pub const MAX_FRAMES: usize = 100_000_000;
 
+/// Frames at which keys or a path are sampled to fit a path to them: eleven hours at 25 a second,
+/// and about a gigabyte of memory.
+pub const MAX_SAMPLED_FRAMES: usize = 1_000_000;
+
 /// Frames that one key may rest.
 pub const MAX_HOLD: u32 = 1_000_000;
 
@@ -69,6 +73,13 @@ pub const MAX_FILE_BYTES: u64 = 972 << 20;
 /// the largest object, written as it is saved, and a little more.
 pub const MAX_PARSE_BYTES: usize = 2 << 30;
 
+/// Bytes of memory that a piece of a file may take that is written as VIDES writes it: the largest
+/// mesh with its colours. Nothing is saved that would take more.
+pub const MAX_TREE_BYTES: usize = 3 << 30;
+
+/// Frames of one section: the first pose of a path belongs to none.
+pub const MAX_SECTION_FRAMES: usize = MAX_FRAMES - 1;
+
 /// Keys of one section's given distance: few enough that slopes need no memory of their own.
 pub const MAX_DISTANCE_KEYS: usize = 32;
 
@@ -78,7 +89,8 @@ pub const MAX_RATE: f64 = 1e6;
 /// Undo steps: more than a day's work by hand.
 pub const MAX_HISTORY_STEPS: usize = 10_000;
 
-/// Bytes, about, that the undo steps may hold; the newest is kept whatever its size.
+/// Bytes, about, that the undo steps may hold beyond what they share; the newest is kept whatever
+/// its size.
 pub const MAX_HISTORY_BYTES: usize = 256 << 20;
 
 /// Points of the wireframe object that a host or a file hands over.

@@ -21,7 +21,7 @@ pub use same_bits::SameBits;
 pub use table::{
     Affects, Check, Copied, Property, Row, Stored, Table, Unit, choices, find, properties,
 };
-pub use value::{Kind, Quoted, Value};
+pub use value::{Kind, Quoted, Value, steers};
 
 #[cfg(test)]
 #[path = "property_tests.rs"]

@@ -7,6 +7,7 @@ use std::io::Write;
 
 use glam::DVec3;
 use vides_engine::math::camera::CameraAxes;
+use vides_engine::math::euler::{euler, of_euler};
 
 use super::content::{Content, Recording};
 use super::convention;
@@ -57,7 +58,7 @@ fn read(source: &Source, options: &Options, report: &mut Report) -> Result<Conte
             lenses.without()
         };
         let turn = [a, b, c].map(f64::to_radians);
-        let turn = convention::of_euler(turn, &options.rotation_order);
+        let turn = of_euler(turn, &options.rotation_order);
         let position = DVec3::new(x, y, z);
         recording.push(place.pose(position, turn, CameraAxes::OpenGl, zoom)?)?;
         frames.try_reserve(1)?;
@@ -75,7 +76,7 @@ fn write(flight: &mut Flight<'_>, out: &mut dyn Write, _: &mut Report) -> Result
     let before = Cell::new([0.0; 3]);
     flight.write_poses(Vec::new(), out, |_, text, index, pose| {
         let turn = convention::rotation(pose, CameraAxes::OpenGl);
-        let mut angles = convention::euler(turn, order).map(f64::to_degrees);
+        let mut angles = euler(turn, order).map(f64::to_degrees);
         // What is drawn between frames runs on, not once round.
         for (angle, before) in angles.iter_mut().zip(before.get()) {
             *angle += 360.0 * ((before - *angle) / 360.0).round();

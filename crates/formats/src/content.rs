@@ -67,7 +67,9 @@ impl Recording {
     /// [`super::error::Error::Document`] for too many or if memory runs out.
     pub fn push(&mut self, pose: Pose) -> Result<()> {
         if self.poses.len() >= MAX_FRAMES {
-            return Err(super::error::Error::Document(TooMany::SceneFrames.into()));
+            return Err(super::error::Error::Document(
+                TooMany::SceneFrames(MAX_FRAMES).into(),
+            ));
         }
         self.poses.try_reserve(1)?;
         self.poses.push(pose);

@@ -11,6 +11,7 @@ use super::blocks::Progress;
 use super::content::{Content, Recording};
 use super::error::{Cause, Error, Place, Result};
 use super::flight::Flight;
+use super::foreign::Foreign;
 use super::format::Format;
 use super::loss::{Loss, Report};
 use super::options::{As, Options};
@@ -124,8 +125,8 @@ pub fn losses(document: &SceneDocument, format: &Format, options: &Options) -> R
 /// What a file holds, in its format or the one that its content shows.
 ///
 /// # Errors
-/// [`Error::NotRecognised`], [`Error::Ambiguous`], [`Error::NotRead`]; those of the format; each with
-/// the file's name.
+/// [`Error::NotRecognised`], [`Error::Foreign`], [`Error::Ambiguous`], [`Error::NotRead`]; those of
+/// the format; each with the file's name.
 pub fn read(
     source: &Source,
     format: Option<&Format>,
@@ -161,7 +162,10 @@ fn recognised(source: &Source) -> Result<&'static Format> {
     let found: Vec<_> = read.iter().copied().filter(fits).collect();
     let file = Path::new(&source.name);
     match *found {
-        [] => named(file, &read).ok_or(Error::NotRecognised),
+        [] => match Foreign::of(&source.name, &source.bytes, source.beginning()) {
+            Some(foreign) => Err(Error::Foreign(foreign)),
+            None => named(file, &read).ok_or(Error::NotRecognised),
+        },
         [one] => Ok(one),
         _ => named(file, &found)
             .ok_or_else(|| Error::Ambiguous(found.iter().map(|format| format.name).collect())),

@@ -2,8 +2,9 @@
 
 use std::fmt;
 
-use vides_document::error::{EngineError, ErrorKind, Text};
+use vides_document::error::{Called, EngineError, ErrorKind, Text};
 
+use super::foreign::Foreign;
 use super::options::OPTIONS;
 
 /// The names of all formats, in the order in which they are offered, which errors tell.
@@ -28,6 +29,14 @@ pub(super) const NAMES: [&str; 19] = [
     "osg",
     "chan",
 ];
+
+/// How a format is named for writing: as people do it, and as a C program does.
+const NAMED_TO: Called = Called("name it, with --to in the command", "name it, with format");
+/// The same for reading.
+const NAMED_FROM: Called = Called(
+    "name it, with --from in the command",
+    "name it, with format",
+);
 
 /// Why a file cannot be read or written.
 #[derive(Debug, thiserror::Error)]
@@ -74,10 +83,10 @@ pub enum Error {
     #[error("there is no format \"{0}\"; formats are {names}", names = names(NAMES.into_iter()))]
     UnknownFormat(Text),
     /// No format is written into files of this name.
-    #[error("{0}: no format has this ending: name it, with --to in the command")]
+    #[error("{0}: no format has this ending: {NAMED_TO}")]
     UnknownEnding(Text),
     /// Several formats are written into files of this ending.
-    #[error("{file}: this may be {}: name it, with --to in the command", or_names(.formats))]
+    #[error("{file}: this may be {}: {NAMED_TO}", or_names(.formats))]
     SharedEnding {
         /// The file.
         file: Text,
@@ -85,13 +94,16 @@ pub enum Error {
         formats: Vec<&'static str>,
     },
     /// No format reads this content.
-    #[error("this is no file of a format that is read: name it, with --from in the command")]
+    #[error("this is no file of a format that is read: {NAMED_FROM}")]
     NotRecognised,
+    /// The content is that of another program, and not read.
+    #[error("{} files are not read: {}", .0.name, .0.way)]
+    Foreign(&'static Foreign),
     /// A list of poses is wanted.
     #[error("this is a path or a scene, not a list of poses")]
     NotPoses,
     /// Several formats could read this content.
-    #[error("this may be {}: name it, with --from in the command", or_names(.0))]
+    #[error("this may be {}: {NAMED_FROM}", or_names(.0))]
     Ambiguous(Vec<&'static str>),
     /// The format is written only.
     #[error("the format {0} is written, not read")]
@@ -150,7 +162,9 @@ impl Error {
     pub fn kind(&self) -> ErrorKind {
         match self {
             Self::Document(error) => error.kind(),
-            Self::Content { .. } | Self::NotRecognised | Self::Ambiguous(_) => ErrorKind::Format,
+            Self::Content { .. } | Self::NotRecognised | Self::Foreign(_) | Self::Ambiguous(_) => {
+                ErrorKind::Format
+            }
             Self::NoFrames { .. } => ErrorKind::Range,
             Self::In(_, error) => error.kind(),
             _ => ErrorKind::Argument,

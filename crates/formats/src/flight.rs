@@ -73,9 +73,11 @@ impl<'a> Flight<'a> {
         let fps = options.fps.unwrap_or(document.info.fps);
         // Finite, so that the first pose of the slowest rate is at a frame.
         let step = (document.info.fps / fps).min(f64::MAX);
-        let frames = ((to - from) / step + HAIR).floor();
-        if frames >= MAX_FRAMES as f64 {
-            return Err(Error::Document(TooMany::SceneFrames.into()));
+        // As many as last as long as the frames do, each of which is shown until the next.
+        let frames = ((to - from) / step + 1.0).max((to - from + 1.0) / step);
+        let frames = (frames + HAIR).floor();
+        if frames > MAX_FRAMES as f64 {
+            return Err(Error::Document(TooMany::SceneFrames(MAX_FRAMES).into()));
         }
         let up = options.up.or(format.up).unwrap_or(scene.space().up);
         if let Some(fixed) = format.up.filter(|fixed| *fixed != up) {
@@ -92,7 +94,7 @@ impl<'a> Flight<'a> {
             node,
             first: from,
             step,
-            count: frames as usize + 1,
+            count: frames as usize,
             fps,
             up,
             progress: Some(progress),

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use vides_document::error::Text;
+use vides_document::error::{Index, Text};
 use vides_engine::limits::MAX_FPS;
 
 /// Something that is lost on the way, or worth a word.
@@ -167,7 +167,7 @@ impl fmt::Display for Loss {
                 f,
                 "the times are those of the frames; by the seconds pose {} would be at {seconds} s, \
                  by its frame it is at {by_frame} s",
-                pose + 1
+                Index(*pose)
             ),
             Self::Upright(axis) => {
                 write!(f, "the file has {axis} upright, and this document has not")

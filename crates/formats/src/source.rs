@@ -1,8 +1,8 @@
 //! A file that is read, and the files beside it.
 
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 
-use vides_document::read_bytes;
+use vides_document::{inside, read_bytes};
 use vides_engine::limits::MAX_FILE_BYTES;
 
 use super::error::{Cause, Error, Place, Result};
@@ -80,16 +80,13 @@ impl Source {
     /// # Errors
     /// [`Cause::Outside`] for any other place; [`Cause::Missing`] without a folder.
     pub fn place_beside(&self, name: &str) -> Result<PathBuf> {
-        let inside = Path::new(name)
-            .components()
-            .all(|part| matches!(part, Component::Normal(_) | Component::CurDir));
-        if !inside || name.is_empty() {
+        let Some(folder) = &self.folder else {
+            return Err(Place::Whole.wrong(Cause::Missing(name.into())));
+        };
+        if name.is_empty() || inside(folder, name).is_err() {
             return Err(Place::Whole.wrong(Cause::Outside(name.into())));
         }
-        match &self.folder {
-            Some(folder) => Ok(folder.join(name)),
-            None => Err(Place::Whole.wrong(Cause::Missing(name.into()))),
-        }
+        Ok(folder.join(name))
     }
 
     /// The content of a file that the content names, at most `most` bytes.

@@ -45,9 +45,9 @@ fn frames_of_channels_are_counted_at_the_rate_that_is_written() {
     let document = example("pyramid.vid");
     let (text, _) = written(&document, "chan", "fps=50\nframes=3..6");
     let frames: Vec<f64> = rows(&text).iter().map(|row| row[0]).collect();
-    assert_eq!(frames, [3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0]);
+    assert_eq!(frames, [3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0, 10.0]);
     let back = taken("chan", &text, "fps=50\nas=keys").unwrap().document;
-    assert_eq!(back.scene.frame_range(), (1.0, 7.0));
+    assert_eq!(back.scene.frame_range(), (1.0, 8.0));
     assert_eq!(back.info.first_frame, 3);
 }
 
@@ -299,5 +299,60 @@ fn content_is_recognised_by_its_own_format_alone() {
                 _ => assert_eq!(found, [own], "{own} of {name}"),
             }
         }
+    }
+}
+
+/// What is not read is named, with the way out of it.
+#[test]
+fn files_of_other_programs_are_named() {
+    let said = |name: &str, bytes: &[u8]| {
+        let source = Source::of_bytes(name, bytes.to_vec());
+        import(&source, None, &Options::default())
+            .unwrap_err()
+            .to_string()
+    };
+    let gltf = "files are not read: export glTF from the program that made it";
+    assert_eq!(
+        said("a.fbx", b"Kaydara FBX Binary  \0\x1a\0"),
+        format!("a.fbx: FBX {gltf}")
+    );
+    assert_eq!(said("a", b"BLENDER-v405"), format!("a: Blender {gltf}"));
+    assert_eq!(
+        said("b.BLEND", b"\x28\xb5\x2f\xfd"),
+        format!("b.BLEND: Blender {gltf}")
+    );
+    let known: [(&str, &[u8], &str); 17] = [
+        ("a.abc", b"\x89HDF\r\n", "Alembic"),
+        (
+            "a.dae",
+            b"<?xml version=\"1.0\"?>\n<COLLADA xmlns=\"\">",
+            "Collada",
+        ),
+        ("a.kml", b"<?xml version=\"1.0\"?><kml>", "KML"),
+        ("a.kmz", b"PK\x03\x04", "KMZ"),
+        ("a.gpx", b"<?xml version=\"1.0\"?><gpx>", "GPX"),
+        ("a.bag", b"#ROSBAG V2.0\n", "ROS bag"),
+        ("a.mcap", b"\x89MCAP0\r\n", "MCAP"),
+        ("a.db3", b"SQLite format 3\0", "ROS 2 bag"),
+        ("database.db", b"SQLite format 3\0", "COLMAP database"),
+        ("a.out", b"# Bundle file v0.3\n2 0\n", "Bundler"),
+        ("a.mlp", b"<!DOCTYPE MeshLabDocument>\n", "MeshLab"),
+        (
+            "a.pvcc",
+            b"<?xml version=\"1.0\"?>\n<PVCameraConfiguration>",
+            "ParaView camera",
+        ),
+        ("a.ma", b"//Maya ASCII 2025 scene\n", "Maya"),
+        ("a.nk", b"Camera3 {\n", "Nuke"),
+        ("a.bvh", b"HIERARCHY\nROOT hip\n", "BVH"),
+        ("a.srt", b"1\n00:00:00,000 --> 00:00:00,033\n", "SRT"),
+        ("a.r3d", b"PK\x03\x04", "Record3D"),
+    ];
+    for (name, bytes, kind) in known {
+        let said = said(name, bytes);
+        assert!(
+            said.starts_with(&format!("{name}: {kind} files are not read: ")),
+            "{said}"
+        );
     }
 }

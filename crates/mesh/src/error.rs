@@ -8,7 +8,7 @@ pub enum Error {
     Line {
         /// Counted from 1.
         line: usize,
-        /// What is wrong with it.
+        /// The problem in that line.
         problem: Problem,
     },
     /// An error of the whole file.
@@ -26,10 +26,10 @@ pub enum Error {
     /// `go_on` returned false.
     #[error("reading was stopped")]
     Stopped,
-    /// The file's extension is none of [`super::Format`]'s.
+    /// The file's extension belongs to no [`super::Format`].
     #[error("the names of files with meshes end in .obj, .ply, .stl, .gltf or .glb")]
     UnknownFormat,
-    /// This build reads no files of this format: PLY and glTF are features.
+    /// This build does not read files of this format: PLY and glTF are features.
     #[error("this program is built without meshes of this format")]
     LeftOut,
     /// A warning: the file has changed since the scene was saved.
@@ -40,13 +40,13 @@ pub enum Error {
     Mesh(#[from] vides_engine::Error),
 }
 
-/// What is wrong in a file.
+/// A problem in a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum Problem {
     /// Not three finite coordinates.
     #[error("expected three finite numbers")]
     Coordinates,
-    /// A line or polygon with too few points, or with one that does not exist.
+    /// A line or polygon with too few points, or with a point that does not exist.
     #[error("expected numbers of points that are in the file")]
     Indices,
     /// The file is truncated.
@@ -74,10 +74,10 @@ pub enum Problem {
         "a mesh compressed by meshoptimizer (EXT_meshopt_compression) is not read; export it uncompressed"
     )]
     Meshopt,
-    /// A part that the file does not have.
+    /// The file has no such part.
     #[error("this file has no such part")]
     NoPart,
-    /// A glTF node below itself, or in two places.
+    /// A glTF node that is its own ancestor, or has two parents.
     #[error("a node of this file lies below itself or in two places; each may stand in one")]
     Cycle,
     /// Not a file of this format.
@@ -91,7 +91,7 @@ impl From<std::collections::TryReserveError> for Error {
     }
 }
 
-/// Gives an external buffer by the name in the file.
+/// Returns an external buffer by the name in the file.
 pub type Beside<'a> = &'a mut dyn FnMut(&str) -> Option<Vec<u8>>;
 
 pub(crate) type Result<T, E = Error> = std::result::Result<T, E>;

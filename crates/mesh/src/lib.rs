@@ -1,9 +1,9 @@
 //! Meshes and point clouds from Wavefront OBJ, PLY, STL (both ASCII and binary) and glTF or GLB.
 //!
-//! Files are read from memory; nothing is allocated because a header claims a number. Only geometry
-//! is taken: points, their colours, lines, and polygons as fans of triangles; of glTF also morph
-//! targets, for readers of scenes (module `gltf`). The crate opens no
-//! files and knows neither scenes nor windows.
+//! Files are read from memory, and no count in a header causes an allocation. Only geometry is
+//! read: points, their colours, lines, and polygons as fans of triangles; from glTF also morph
+//! targets, for readers of scenes (module `gltf`). The crate opens no files and knows neither
+//! scenes nor windows.
 
 #![forbid(unsafe_code)]
 

@@ -1,4 +1,5 @@
-//! Wavefront OBJ, by hand: other readers drop points without faces and give no line numbers.
+//! Wavefront OBJ. Written by hand: other readers drop points without faces and give no line
+//! numbers.
 
 use vides_engine::scene::Mesh;
 
@@ -52,7 +53,7 @@ pub(super) fn read(bytes: &[u8], go_on: &mut dyn FnMut(f64) -> bool) -> Result<M
         let problem = Problem::Indices;
         return Err(Error::Line { line, problem });
     }
-    // Colours must be given for all points or none.
+    // Either all points have a colour or none.
     if mesh.colours.len() != mesh.points.len() {
         mesh.colours = Vec::new();
     }

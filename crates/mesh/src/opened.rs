@@ -1,4 +1,4 @@
-//! A mesh file that is read in parts.
+//! A mesh file that is read part by part.
 
 use glam::DVec3;
 use vides_engine::scene::Mesh;
@@ -9,7 +9,7 @@ use super::read::read;
 #[cfg(feature = "gltf")]
 use super::shared::checked;
 
-/// A file whose meshes are asked for one after the other.
+/// A file whose meshes are read one after another.
 pub struct Opened {
     format: Format,
     content: Content,
@@ -22,10 +22,10 @@ enum Content {
 }
 
 impl Opened {
-    /// Opens a file, with the external buffers that `beside` gives by name.
+    /// Opens a file; `beside` returns external buffers by name.
     ///
     /// # Errors
-    /// [`Error`] if a glTF file cannot be taken apart.
+    /// [`Error`] if a glTF file is malformed.
     pub fn new(format: Format, bytes: Vec<u8>, beside: Beside<'_>) -> Result<Self> {
         #[cfg(feature = "gltf")]
         if format == Format::Gltf {
@@ -42,7 +42,7 @@ impl Opened {
     /// The mesh of the whole file.
     ///
     /// # Errors
-    /// As [`super::read()`].
+    /// Those of [`super::read()`].
     pub fn whole(&self, go_on: &mut dyn FnMut(f64) -> bool) -> Result<Mesh> {
         match &self.content {
             Content::Bytes(bytes) => read(self.format, bytes, go_on),
@@ -51,11 +51,12 @@ impl Opened {
         }
     }
 
-    /// One mesh of a glTF file, counted from 0 as there, and the places of its points in each
-    /// morph target. All parts together are bounded by the file's size.
+    /// One mesh of a glTF file, by its index from 0, and the positions of its points in each morph
+    /// target. The file's size bounds all parts together.
     ///
     /// # Errors
-    /// As [`super::read()`]; [`Problem::NoPart`] if there is none, as in all other formats.
+    /// Those of [`super::read()`]; [`Problem::NoPart`] if there is no such part, as in all other
+    /// formats.
     pub fn part(
         &mut self,
         number: usize,

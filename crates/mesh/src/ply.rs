@@ -11,7 +11,7 @@ use super::shared::fan;
 
 impl From<ParseError> for Error {
     fn from(error: ParseError) -> Self {
-        // On one line: the reader quotes the file's contents, whatever they are, on separate lines.
+        // On one line: the reader quotes the file's contents on separate lines.
         let words = error.to_string();
         let between = |letter: char| letter.is_whitespace() || letter.is_control();
         let words = words.split(between).filter(|word| !word.is_empty());
@@ -32,7 +32,8 @@ pub(super) fn read(bytes: &[u8], go_on: &mut dyn FnMut(f64) -> bool) -> Result<M
         if !go_on(1.0 - left as f64 / bytes.len() as f64) {
             return Err(Error::Stopped);
         }
-        // A record takes at least one byte, which bounds the count; one without properties none.
+        // A record takes at least one byte, which bounds the count; a record without properties
+        // takes none.
         if element.properties.is_empty() {
             continue;
         }

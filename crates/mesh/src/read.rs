@@ -1,4 +1,4 @@
-//! Meshes of files of all formats.
+//! Reads meshes of all formats.
 
 use vides_engine::scene::Mesh;
 
@@ -11,7 +11,7 @@ use super::ply;
 use super::shared::checked;
 use super::{obj, stl};
 
-/// Reads a mesh. `go_on` is called now and then with the share done, in 0…1.
+/// Reads a mesh. `go_on` is called repeatedly with the share that is done, from 0 to 1.
 ///
 /// # Errors
 /// [`Error`]; [`Error::Stopped`] if `go_on` returns false.
@@ -19,10 +19,10 @@ pub fn read(format: Format, bytes: &[u8], go_on: &mut dyn FnMut(f64) -> bool) ->
     read_with(format, bytes, &mut |_| None, go_on)
 }
 
-/// As [`read`], for files with external buffers, which `beside` gives by name.
+/// Like [`read`], for files with external buffers, which `beside` returns by name.
 ///
 /// # Errors
-/// As [`read`].
+/// Those of [`read`].
 pub fn read_with(
     format: Format,
     bytes: &[u8],

@@ -1,4 +1,4 @@
-//! What the readers of all formats share.
+//! Helpers that the readers of all formats share.
 
 use vides_engine::scene::Mesh;
 
@@ -7,7 +7,7 @@ use super::error::{Error, Problem, Result};
 /// Lines or records between two calls of `go_on`.
 pub(super) const EVERY: usize = 1 << 14;
 
-/// The words of each non-empty line, with the line's number; calls `go_on`.
+/// The words of each non-empty line, with the line number; calls `go_on`.
 pub(super) fn lines<'a>(
     bytes: &'a [u8],
     go_on: &'a mut dyn FnMut(f64) -> bool,
@@ -21,7 +21,7 @@ pub(super) fn lines<'a>(
             if at % EVERY == 0 && !go_on(done as f64 / bytes.len().max(1) as f64) {
                 return Some(Err(Error::Stopped));
             }
-            // Anything but UTF-8 is a name or a comment, or no valid number.
+            // Anything but UTF-8 is a name, a comment, or not a valid number.
             let text = str::from_utf8(line).unwrap_or("?").trim();
             (!text.is_empty()).then(|| Ok((at + 1, text.split_ascii_whitespace())))
         })
@@ -53,7 +53,7 @@ pub fn fan(corners: &[u32], triangles: &mut Vec<[u32; 3]>) -> Result<(), Error> 
     Ok(())
 }
 
-/// A mesh of some points that fits the engine.
+/// Checks that a mesh has points and is within the engine's limits.
 pub(super) fn checked(mesh: Mesh) -> Result<Mesh> {
     if mesh.points.is_empty() {
         return Err(Error::File(Problem::Empty));

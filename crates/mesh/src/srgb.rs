@@ -1,6 +1,6 @@
-//! Colours as pixels have them and as light adds up (IEC 61966-2-1).
+//! Conversion of colours between bytes of pixels and linear light (IEC 61966-2-1).
 
-/// The byte of a linear share; one beyond 0 to 1 is the nearest.
+/// The byte of a linear share, which is clamped to 0 to 1.
 #[must_use]
 pub fn byte(linear: f64) -> u8 {
     let share = if linear <= 0.003_130_8 {
@@ -11,7 +11,7 @@ pub fn byte(linear: f64) -> u8 {
     (255.0 * share).round() as u8
 }
 
-/// The linear share of a byte, 0 to 1.
+/// The linear share of a byte, from 0 to 1.
 #[must_use]
 pub fn linear(byte: u8) -> f64 {
     let share = f64::from(byte) / 255.0;
@@ -29,7 +29,7 @@ mod tests {
     #[test]
     fn bytes_come_back() {
         assert!((0..=255).all(|byte| super::byte(linear(byte)) == byte));
-        // Half the light is 188, the byte 128 is 0.2159 of it.
+        // Half the light is byte 188; byte 128 is 0.2159 of the light.
         assert_eq!(byte(0.5), 188);
         assert!((linear(128) - 0.215_861).abs() < 1e-6);
         assert_eq!([-1.0, 2.0, f64::NAN].map(byte), [0, 255, 0]);

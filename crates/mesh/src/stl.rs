@@ -1,5 +1,5 @@
-//! STL. Read by hand: readers take every file that begins with `solid` for text, as many binary
-//! ones do, and keep only 32 bits of numbers written as text.
+//! STL. Written by hand: other readers take every file that begins with `solid` for text, although
+//! many binary ones do, and keep only 32 bits of numbers in text.
 
 use std::collections::HashMap;
 
@@ -12,7 +12,7 @@ use super::shared::{EVERY, coordinates, lines};
 /// Bytes before the first triangle: a comment and the number of triangles.
 const HEAD: usize = 84;
 
-/// Bytes of a triangle: its normal, three corners, two more.
+/// Bytes of a triangle: its normal, three corners, and two more bytes.
 const RECORD: usize = 50;
 
 pub(super) fn read(bytes: &[u8], go_on: &mut dyn FnMut(f64) -> bool) -> Result<Mesh> {

@@ -1,6 +1,6 @@
-//! Pixels saved below moving things. During a drag the same few layers change in the same tiles,
-//! and most of such a tile lies below them. So a tile painted a second time saves its pixels below
-//! the lowest changed layer, and the next painting starts there.
+//! Saved pixels below moving things. During a drag, the same few layers change in the same tiles,
+//! and most of such a tile is below them. So a tile that is painted a second time saves its pixels
+//! below the lowest changed layer, and the next painting starts there.
 
 use super::tile::{SIDE, Tile};
 
@@ -51,7 +51,7 @@ impl Backdrop {
         pixels.copy_from_slice(tile.pixels());
     }
 
-    /// The tile shows nothing but its ground.
+    /// The tile shows only its ground.
     pub(super) fn pass_over(&mut self) {
         self.hashes.clear();
     }

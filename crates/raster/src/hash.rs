@@ -1,5 +1,5 @@
-//! Hashes of what is painted, to recognize it in the next frame. They are compared within one
-//! process only and need not resist an adversary; two pictures collide with a chance of about 2⁻⁶⁴.
+//! Hashes of what is painted, to recognise it in the next frame. They are compared only within one
+//! process and need not resist an adversary; two pictures collide with a probability of about 2⁻⁶⁴.
 
 use egui::Color32;
 

@@ -1,4 +1,4 @@
-//! Recognizing a primitive in the next frame.
+//! Recognises a primitive in the next frame.
 
 use std::any::Any;
 use std::sync::Arc;
@@ -16,7 +16,7 @@ use super::tile::PixelRect;
 pub(super) struct Key {
     clip: PixelRect,
     content: Content,
-    /// Its texture has changed where it shows it.
+    /// Its texture has changed where the primitive shows it.
     changed: bool,
 }
 
@@ -48,7 +48,7 @@ impl PartialEq for Key {
             && match (&self.content, &other.content) {
                 (Content::Nothing, Content::Nothing) => true,
                 (Content::Mesh(a), Content::Mesh(b)) => a == b,
-                // Rebuilt callbacks may still be equal.
+                // Callbacks that were rebuilt may still be equal.
                 (Content::Ours(a), Content::Ours(b)) => Arc::ptr_eq(a, b) || same(a, b),
                 _ => false,
             }
@@ -106,7 +106,7 @@ impl Key {
 }
 
 fn fingerprint(mesh: &Mesh) -> u64 {
-    // Independent states, since each step waits for the one before.
+    // Independent states, because each step waits for the one before.
     let texture = match mesh.texture_id {
         TextureId::Managed(number) => mix(0, number),
         TextureId::User(number) => mix(1, number),

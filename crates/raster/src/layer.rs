@@ -148,7 +148,8 @@ impl Layer {
         let (mut cells, mut links) = memory.map_or_else(Default::default, |l| (l.cells, l.links));
         links.clear();
         cells.clear();
-        // Cells cover only the primitive's extent: most layers fill a small part of their clip.
+        // Cells cover only the primitive's extent: most layers fill a small part of their clip
+        // rectangle.
         let tiles = Tiles::of(
             key.clip()
                 .intersect(extent(primitive, pixels_per_point, target)),
@@ -345,7 +346,7 @@ impl Layer {
         self.links.push(Link { item, next: END });
         let cell = &mut self.cells[index];
         if cell.first == END {
-            // How the clip cuts this tile is part of its look.
+            // How the clip rectangle cuts this tile is part of its look.
             let within = self.key.clip().intersect(pixels_of(x, y));
             cell.hash = mix(cell.hash, word(within.x0, within.y0));
             cell.hash = mix(cell.hash, word(within.x1, within.y1));

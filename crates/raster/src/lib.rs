@@ -1,10 +1,10 @@
 //! A software rasterizer for egui's output and for anti-aliased lines.
 //!
-//! The window must come up on any X server, even over a network and without OpenGL, and a program
-//! from 1994 that links the library must not get a second graphics stack. Only what changed is
-//! painted again.
+//! The window must open on any X server, even over a network and without OpenGL, and a program from
+//! 1994 that links the library must not get a second graphics stack. Only what has changed is
+//! repainted.
 //!
-//! This crate knows triangles, lines and a pixel buffer, but no X and no camera.
+//! This crate knows triangles, lines and a pixel buffer, but neither X nor cameras.
 
 #![forbid(unsafe_code)]
 
@@ -56,8 +56,8 @@ pub struct Target<'a> {
     pub height: u32,
 }
 
-/// Turns egui's shapes into what [`Raster::paint`] takes: many small meshes, and callbacks for what
-/// the raster paints itself. Replaces [`Context::tessellate`], which makes triangles of everything.
+/// Converts egui's shapes for [`Raster::paint`]: into many small meshes, and callbacks for what the
+/// raster paints itself. It replaces [`Context::tessellate`], which makes triangles of everything.
 pub fn primitives(
     context: &Context,
     mut shapes: Vec<ClippedShape>,
@@ -86,9 +86,10 @@ pub struct Raster {
     /// The same parameters of `layers`.
     sorted_for: Option<(u32, u32, f32)>,
     layers: Vec<Layer>,
-    /// Textures changed since the last call, so any primitive may look different.
+    /// Textures have changed since the last call, so any primitive may look different.
     other_textures: bool,
-    /// Tiles that may have changed. This and the scratch buffers below are kept for their memory.
+    /// Tiles that may have changed. This and the scratch buffers below are reused to save
+    /// allocations.
     touched: Vec<bool>,
     backdrop: Vec<Backdrop>,
     /// The layers that reach the current row of tiles, and those in the current tile.
@@ -124,26 +125,26 @@ impl Raster {
         }
     }
 
-    /// Repaints everything next time: the target's pixels were lost, or the target was replaced.
+    /// Repaints everything next time, because the target was replaced or its pixels were lost.
     pub fn forget(&mut self) {
         self.shown_for = None;
     }
 
-    /// Frees caches that speed up animation; call when nothing moves any more.
+    /// Frees caches that speed up animation; call it when nothing moves any more.
     pub fn trim(&mut self) {
         self.backdrop.iter_mut().for_each(Backdrop::trim);
         self.layers.iter_mut().for_each(Layer::trim);
     }
 
-    /// Applies egui's texture changes. Call with every output of egui, before [`Raster::paint`].
+    /// Applies egui's texture changes. Call it with every output of egui, before [`Raster::paint`].
     pub fn update_textures(&mut self, delta: TexturesDelta) {
         self.other_textures |= !delta.is_empty();
         self.textures.update(delta);
     }
 
-    /// Paints what changed since the last call and returns the areas painted. Only paint callbacks
-    /// made by [`primitives`], [`Lines::shape`] and [`Surfaces::shape`] are painted. A target smaller than it claims is
-    /// left alone.
+    /// Paints what has changed since the last call, and returns the painted areas. It only paints
+    /// callbacks made by [`primitives`], [`Lines::shape`] and [`Surfaces::shape`]. A target with
+    /// fewer pixels than it claims is not painted.
     pub fn paint(
         &mut self,
         primitives: &[ClippedPrimitive],
@@ -258,7 +259,7 @@ impl Raster {
             return false;
         }
         let tiles = Tiles::of(target);
-        // Reuse a layer from before if it is near its old place.
+        // Reuse a former layer if it is near its old index.
         let mut old: Vec<Option<Layer>> = self.layers.drain(..).map(Some).collect();
         let mut start = 0;
         let found: Vec<Option<Layer>> = keys
@@ -290,8 +291,9 @@ impl Raster {
     }
 }
 
-/// Collects a tile's layers, from the topmost that covers it wholly; returns the colour it does so
-/// with, and whether nothing lies above it. `row` lists the layers that reach this row of tiles.
+/// Collects a tile's layers, from the topmost that covers the whole tile. Returns the colour with
+/// which it does so, and whether nothing is above it. `row` lists the layers that reach this row of
+/// tiles.
 fn steps(
     layers: &[Layer],
     row: &[u32],
@@ -320,7 +322,7 @@ fn steps(
 }
 
 impl Target<'_> {
-    /// All its pixels; `None` if there are none, or fewer than it claims.
+    /// All its pixels; `None` if there are none, or fewer than the target claims.
     fn whole(&self) -> Option<PixelRect> {
         let (width, rows) = (self.width as usize, (self.height as usize).checked_sub(1)?);
         let room = self.stride.saturating_mul(rows).saturating_add(width);

@@ -1,4 +1,4 @@
-//! Lines in large numbers, such as scenes are drawn with.
+//! Large numbers of lines, as in drawings of scenes.
 
 use std::sync::Arc;
 
@@ -17,9 +17,9 @@ pub struct Line {
     pub color: Color32,
 }
 
-/// Lines painted together, first one lowest. egui would make eight triangles of each; these go to
-/// the raster as they are, and an unchanged part of a scene can be shown again without being
-/// rebuilt.
+/// Lines painted together, the first one lowest. egui would make eight triangles of each; these go
+/// to the raster as they are, and an unchanged part of a scene can be shown again without
+/// rebuilding it.
 #[derive(Clone, Debug, Default)]
 pub struct Lines {
     /// The lines in painting order.

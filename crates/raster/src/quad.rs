@@ -1,6 +1,5 @@
 //! Two triangles that form an axis-aligned rectangle: filled areas, glyphs, images. The result is
-//! that of the triangles, only faster: glyphs map texels to pixels one to one and need no
-//! filtering.
+//! that of the triangles, but faster: glyphs map texels to pixels one to one and need no filtering.
 
 use egui::{Color32, Mesh};
 
@@ -59,7 +58,7 @@ impl Quad {
             (low.x, low.y) = (low.x.min(corner.x), low.y.min(corner.y));
             (high.x, high.y) = (high.x.max(corner.x), high.y.max(corner.y));
         }
-        // The corners that each triangle lacks: one each, opposite to each other.
+        // The corners that each triangle lacks: one each, at opposite corners.
         let mut lacking = [0b1111_u8; 2];
         for (lacking, triangle) in lacking.iter_mut().zip([first, next]) {
             for corner in triangle {
@@ -120,7 +119,7 @@ impl Quad {
         ])
     }
 
-    /// Paints its pixels within `cut`, which lies in the tile.
+    /// Paints its pixels within `cut`, which is in the tile.
     pub(super) fn paint(&self, tile: &mut Tile, texture: &Texture, cut: PixelRect) {
         let cut = cut.intersect(self.bounds());
         if cut.is_empty() {
@@ -177,7 +176,7 @@ struct Rows<'a> {
 }
 
 impl<'a> Rows<'a> {
-    /// `None` if it is not wholly within the texture.
+    /// `None` unless it is entirely within the texture.
     fn new(texture: &'a Texture, [x, y]: [i32; 2], cut: PixelRect) -> Option<Self> {
         let start = |at: i32, from: i32, to: i32, count: usize| {
             let end = usize::try_from(at.checked_add(to)?).ok()?;

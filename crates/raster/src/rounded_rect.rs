@@ -24,8 +24,8 @@ pub(super) struct RoundedRect {
     pub(super) border_color: Color32,
 }
 
-/// Replaces rectangles and circles by rounded rectangles, and other lines by [`Lines`], where the
-/// result looks the same. Their number stays.
+/// Replaces rectangles and circles by rounded rectangles, and other lines by [`Lines`], if the
+/// result looks the same. The number of shapes is unchanged.
 pub(super) fn replace_shapes(shapes: &mut [ClippedShape], pixels_per_point: f32) {
     for shape in shapes {
         // Shapes transformed later are not aligned with pixels here.
@@ -72,7 +72,6 @@ fn replace_shape(shape: &mut Shape, pixels_per_point: f32) {
     }
 }
 
-/// A polyline.
 fn lines(points: &[Pos2], width: f32, color: Color32) -> Lines {
     let lines = points.windows(2).map(|ends| Line {
         from: ends[0],
@@ -107,7 +106,7 @@ impl RoundedRect {
         bits(self) == bits(other) && colors(self) == colors(other)
     }
 
-    /// `None` for what egui must paint: images, shadows, rotated or very thin rectangles.
+    /// `None` for shapes that egui must paint: images, shadows, rotated or very thin rectangles.
     fn of_rect(shape: &RectShape, pixels_per_point: f32) -> Option<Self> {
         let stroke = seen(shape.stroke);
         let plain = shape.brush.is_none() && shape.blur_width <= 0.0 && shape.angle == 0.0;
@@ -135,7 +134,7 @@ impl RoundedRect {
             }
         }
         let rect = rect.expand(outside);
-        // egui aligns thinner ones in its own way.
+        // egui aligns thinner ones in a different way.
         let thin = 2.0 * stroke.width.max(1.0 / pixels_per_point);
         let size = rect.size().min_elem();
         if !rect.is_finite() || !(size > thin + 0.5 / pixels_per_point) {

@@ -1,8 +1,8 @@
 //! Rounded rectangles as pixels, by their coverage within the border and within the fill.
 //!
 //! In thin vertical slices the edges are known exactly, and so is the covered part of each pixel; a
-//! pixel's coverage is the mean of its slices. Only the columns at the left and right, where the
-//! corners are, need this: between them, all pixels of a row are covered alike.
+//! pixel's coverage is the mean of its slices. Only the columns at the left and right, with the
+//! corners, need this: between them, all pixels of a row have the same coverage.
 
 use egui::Color32;
 use glam::Vec4;
@@ -182,7 +182,7 @@ impl RoundedRectPainter {
         mix(mix(round, word), u64::from(self.inner.x[0].to_bits()))
     }
 
-    /// Whether these pixels are wholly covered by the fill alone.
+    /// Whether the fill alone covers these pixels completely.
     pub(super) fn fills(&self, cut: PixelRect) -> bool {
         let within = |(low, high): Range, from: i32, to: i32| low <= from && to <= high;
         let whole = |[low, high]: [f32; 2]| (up(low), down(high));
@@ -195,7 +195,7 @@ impl RoundedRectPainter {
         self.fill
     }
 
-    /// Paints its pixels within `cut`, which lies in the tile.
+    /// Paints its pixels within `cut`, which is in the tile.
     pub(super) fn paint(&self, tile: &mut Tile, cut: PixelRect) {
         let cut = cut.intersect(self.bounds());
         if cut.is_empty() {
@@ -210,7 +210,7 @@ impl RoundedRectPainter {
         if start == end {
             return;
         }
-        // Between the top and bottom border all is fill.
+        // Everything between the top and bottom border is fill.
         let from = up(self.inner.y[0]).clamp(cut.y0, cut.y1);
         let to = down(self.inner.y[1]).clamp(from, cut.y1);
         for y in (cut.y0..from).chain(to..cut.y1) {
@@ -226,7 +226,7 @@ impl RoundedRectPainter {
 
     fn paint_column(&self, tile: &mut Tile, cut: PixelRect, x: i32, inks: &Inks) {
         let (outer, inner) = (self.outer.column(x), self.inner.column(x));
-        // Between the corners all pixels are covered alike.
+        // Between the corners all pixels have the same coverage.
         let start = self.down.0.clamp(cut.y0, cut.y1);
         let end = self.down.1.clamp(start, cut.y1);
         for y in (cut.y0..start).chain(end..cut.y1) {

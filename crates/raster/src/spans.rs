@@ -1,7 +1,7 @@
 //! Scan conversion of convex outlines.
 //!
 //! The pixels of a row between the crossings of two edges are inside. A crossing is computed in
-//! integers from its edge alone, so along a shared edge every pixel belongs to exactly one outline:
+//! integers from its edge alone. So along a shared edge every pixel belongs to exactly one outline:
 //! the one that contains its centre or, for a centre on the edge, has it as a left or top edge.
 
 use super::tile::{PixelRect, SIDE};
@@ -15,7 +15,7 @@ pub(super) struct Spans {
 }
 
 impl Spans {
-    /// An empty outline; `cut` lies within one tile.
+    /// An empty outline; `cut` is within one tile.
     #[inline]
     pub(super) fn new(cut: PixelRect) -> Self {
         Self {
@@ -26,7 +26,7 @@ impl Spans {
     }
 
     /// Adds an edge in either direction. Everything between a row's first and last crossing is
-    /// inside, so inner edges do no harm.
+    /// inside, so inner edges are harmless.
     #[inline]
     pub(super) fn add(&mut self, a: (i32, i32), b: (i32, i32)) {
         let (a, b) = if a.1 <= b.1 { (a, b) } else { (b, a) };
@@ -58,7 +58,7 @@ impl Spans {
 
 /// The first pixels whose centres are not left of an edge, row by row.
 struct Crossings {
-    /// The pixel is `whole`, and the crossing lies `part` of `parts` further.
+    /// The pixel is `whole`, and the crossing is `part` of `parts` further.
     whole: i64,
     part: i64,
     parts: i64,
@@ -78,8 +78,8 @@ impl Crossings {
         let half = steps / 2;
         let parts = dy * steps;
         let inverse = 1.0 / parts as f64;
-        // Coordinates have 29 bits, so the products fit. Rounded up, since a centre on the edge is
-        // not left of it.
+        // Coordinates have 29 bits, so the products fit. Rounded up, because a centre on the edge
+        // is not left of it.
         let middle = i64::from(y) * steps + half;
         let (whole, part) = divided(
             (ax - half) * dy + (middle - ay) * dx + parts - 1,

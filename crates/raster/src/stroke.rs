@@ -5,8 +5,8 @@
 //! slices. A border climbs at most one pixel per pixel, so with four slices the error is at most
 //! 1/128 where it enters another pixel. The caps climb faster and take eight.
 //!
-//! Where a polyline goes on, neither piece has a cap: the joint's pixel belongs to one of them,
-//! whose borders stay straight. Two caps would cost more than everything between them, and blend
+//! Where a polyline continues, neither piece has a cap: the joint's pixel belongs to one of them,
+//! whose borders remain straight. Two caps would cost more than everything between them, and blend
 //! twice at their rims.
 
 use egui::Color32;
@@ -15,7 +15,6 @@ use glam::Vec4;
 use super::lines::Line;
 use super::tile::{Blend, FULL, Ink, PixelRect, SIDE, Tile};
 
-/// Slices per pixel.
 const SLICES: usize = 4;
 
 /// The middles of a pixel's slices.
@@ -27,7 +26,7 @@ const RUN: usize = 4;
 /// The greatest width, in pixels.
 const THICKEST: f32 = 1e6;
 
-/// Up to this many pixels from the tile, 32-bit floats are exact enough.
+/// Within this many pixels of the tile, 32-bit floats are exact enough.
 const NEAR: f32 = 2048.0;
 
 /// The greatest change of slope at a joint; the border is off by as many pixels at its end.
@@ -48,9 +47,9 @@ pub(super) struct Stroke {
     joined: [bool; 2],
 }
 
-/// Whether the second line continues the first with so small a bend that both are painted as one.
+/// Whether the second line continues the first with a bend so small that both are painted as one.
 pub(super) fn joined(first: &Line, second: &Line, pixels_per_point: f32) -> bool {
-    // Plain floats, since egui's comparison rejects NaN.
+    // Plain floats, because egui's comparison rejects NaN.
     let [end, start] = [first.to, second.from].map(|at| (at.x, at.y));
     if end != start || first.width != second.width || first.color != second.color {
         return false;
@@ -69,7 +68,7 @@ pub(super) fn joined(first: &Line, second: &Line, pixels_per_point: f32) -> bool
 }
 
 impl Stroke {
-    /// `joined` tells where another line continues. `None` if there is nothing to see.
+    /// `joined` is whether another line continues at each end. `None` if there is nothing to see.
     #[inline]
     pub(super) fn new(line: &Line, joined: [bool; 2], pixels_per_point: f32) -> Option<Self> {
         let scale = pixels_per_point;

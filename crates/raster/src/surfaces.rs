@@ -1,4 +1,4 @@
-//! Flat triangles of which only what is nearest is seen: a depth buffer (Catmull 1974).
+//! Flat triangles with hidden surfaces removed: a depth buffer (Catmull 1974).
 
 use std::collections::TryReserveError;
 use std::sync::Arc;
@@ -8,14 +8,14 @@ use egui::{Color32, PaintCallback, Rect, Shape};
 use super::area::Area;
 use super::tile::PixelRect;
 
-/// Triangles painted into pixels of their own, and how near each of them is.
+/// Triangles painted into a separate buffer, with the nearness of each pixel.
 #[derive(Clone, Debug, Default)]
 pub struct Surfaces {
     area: Area,
-    /// Samples in a pixel along each side.
+    /// The number of samples along each side of a pixel.
     fine: u32,
     colors: Vec<Color32>,
-    /// The greater, the nearer; −∞ where there is nothing.
+    /// Greater is nearer; −∞ if nothing is painted.
     nearness: Vec<f32>,
 }
 
@@ -30,7 +30,7 @@ fn filled<T: Clone>(value: T, count: usize) -> Result<Vec<T>, TryReserveError> {
 }
 
 impl Surfaces {
-    /// Nothing yet, for these pixels of the target; `fine` smooths outlines, for four times the
+    /// An empty buffer for these pixels of the target. `fine` smooths outlines, for four times the
     /// time, once [`Surfaces::settle`] is called.
     ///
     /// # Errors
@@ -54,7 +54,7 @@ impl Surfaces {
         })
     }
 
-    /// Adds a triangle where it is nearer than what is there. One that is not finite is left out.
+    /// Paints a triangle where it is nearer than what is there. One that is not finite is ignored.
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     pub fn triangle(&mut self, corners: [Corner3; 3], color: Color32) {
         let fine = f64::from(self.fine);
@@ -64,12 +64,12 @@ impl Surfaces {
         let [a, b, c] = corners;
         let wide = (self.area.width * self.fine) as usize;
         let high = (self.area.height * self.fine) as usize;
-        // Samples lie in the middles. What is not a number becomes 0.
+        // Samples are in the middles. NaN becomes 0.
         let first = |at: f64, end: usize| ((at + 0.5).max(0.0) as usize).min(end);
         let rows = first(a[1], high)..first(c[1], high);
         let [to_b, to_c] = [b, c].map(|p| [p[0] - a[0], p[1] - a[1], p[2] - a[2]]);
         let twice = to_b[0] * to_c[1] - to_c[0] * to_b[1];
-        // A sliver's plane is known badly, its corners are.
+        // The plane of a sliver is inexact, so the corners bound it.
         let low = a[2].min(b[2]).min(c[2]) as f32;
         let top = a[2].max(b[2]).max(c[2]) as f32;
         if rows.is_empty() || twice == 0.0 || !twice.is_finite() || low.is_nan() {
@@ -89,7 +89,7 @@ impl Surfaces {
             let (begins, along) = (begins as f32, along as f32);
             let places = row * wide + from..row * wide + to.max(from);
             let known = self.nearness[places.clone()].iter_mut();
-            // Written in any case, so that several are filled at once.
+            // Written unconditionally, so that several are filled at once.
             for (step, (known, shown)) in (0_i32..).zip(known.zip(&mut self.colors[places])) {
                 let near = (begins + along * step as f32).max(low).min(top);
                 let nearer = near > *known;
@@ -99,7 +99,7 @@ impl Surfaces {
         }
     }
 
-    /// Makes pixels of the samples. Call when all triangles are there.
+    /// Combines the samples to pixels. Call it after all triangles.
     ///
     /// # Errors
     /// Out of memory.
@@ -119,7 +119,7 @@ impl Surfaces {
                 ((sum + 2) / 4) as u8
             });
             *color = Color32::from_rgba_premultiplied(r, g, b, a);
-            // What lies at an outline is seen.
+            // The farthest sample, so that a position at an outline is visible.
             *near = samples
                 .map(|sample| self.nearness[sample])
                 .into_iter()
@@ -135,13 +135,14 @@ impl Surfaces {
         self.colors.is_empty()
     }
 
-    /// The pixels of the target that it was made for.
+    /// The pixels of the target that it covers.
     #[must_use]
     pub fn area(&self) -> Area {
         self.area
     }
 
-    /// Whether a place is behind what is painted: it is hidden in its pixel and in those beside.
+    /// Whether a position is hidden: behind what is painted in its pixel and in the neighbouring
+    /// ones.
     #[must_use]
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     pub fn hides(&self, [x, y, near]: Corner3) -> bool {
@@ -152,7 +153,7 @@ impl Surfaces {
         }
         let [x, y] = place.map(|at| at as usize);
         let (wide, high) = (self.area.width as usize, self.area.height as usize);
-        // What lies beyond the area is not seen.
+        // Anything beyond the area is invisible.
         let columns = x.saturating_sub(1)..=(x + 1).min(wide - 1);
         let rows = y.saturating_sub(1)..=(y + 1).min(high - 1);
         let across = columns.map(|x| y * wide + x);
@@ -177,7 +178,7 @@ impl Surfaces {
         }
     }
 
-    /// The rows of `within` that it has: y, the first x, and the colours.
+    /// Its rows within `within`: y, the first x, and the colours.
     pub(super) fn rows(&self, within: PixelRect) -> impl Iterator<Item = (i32, i32, &[Color32])> {
         let all = self.bounds();
         let cut = if self.is_empty() {

@@ -1,5 +1,5 @@
-//! Our copies of egui's textures. The font atlas is white with varying alpha; such textures are
-//! kept as one byte per texel, a quarter of egui's size.
+//! Copies of egui's textures. The font atlas is white with varying alpha; such textures are stored
+//! as one byte per texel, a quarter of egui's size.
 
 use std::collections::{HashMap, HashSet};
 
@@ -18,7 +18,7 @@ pub(super) struct Texture {
     pub(super) width: usize,
     pub(super) height: usize,
     options: TextureOptions,
-    /// A new number for each new content.
+    /// A new number for each change of the content.
     pub(super) generation: u64,
     changed: Changed,
 }
@@ -38,7 +38,7 @@ const BLOCK: usize = 8;
 #[derive(Default)]
 pub(super) struct Textures {
     textures: HashMap<TextureId, Texture>,
-    /// Freed by egui, but still used by the frame that came with it.
+    /// Freed by egui, but still used by the frame that is being painted.
     released: HashSet<TextureId>,
     generation: u64,
 }
@@ -48,8 +48,8 @@ impl Textures {
         self.textures.get(&id)
     }
 
-    /// Applies egui's changes. Textures are dropped one call late, since the frame that comes with
-    /// the news may still show them.
+    /// Applies egui's changes. Textures are dropped one call late, because the frame that comes
+    /// with the changes may still show them.
     pub(super) fn update(&mut self, mut delta: TexturesDelta) {
         for id in self.released.drain() {
             self.textures.remove(&id);
@@ -73,7 +73,7 @@ impl Textures {
         self.released.extend(delta.free.drain());
     }
 
-    /// Call once everything that shows changed texels is known.
+    /// Call it once everything that shows changed texels is known.
     pub(super) fn all_seen(&mut self) {
         for texture in self.textures.values_mut() {
             texture.changed = Changed::None;
@@ -109,7 +109,7 @@ impl Texture {
     }
 
     /// Whether a mesh shows changed texels of this texture. A new glyph in the font atlas changes
-    /// no text already shown.
+    /// no text that is already shown.
     pub(super) fn is_changed_for(&self, mesh: &Mesh) -> bool {
         let marks = match &self.changed {
             Changed::None => return false,

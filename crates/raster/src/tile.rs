@@ -1,7 +1,7 @@
 //! Tiles, the small squares painted one at a time, and blending.
 //!
 //! Blending is egui's: premultiplied alpha in gamma space. A tile fits into the L1 cache, and its
-//! rows are at fixed places whatever the target.
+//! rows have fixed addresses whatever the target.
 
 use egui::Color32;
 

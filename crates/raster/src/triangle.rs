@@ -12,7 +12,7 @@ use super::tile::{self, FULL, Ink, PixelRect, Tile};
 /// Subpixel steps per pixel.
 pub(super) const STEPS: i32 = 256;
 
-/// Coordinates are clamped to this many steps, a million pixels, so that their products fit.
+/// Coordinates are clamped to this many steps, a million pixels, so that products do not overflow.
 const FARTHEST: f32 = (1_u32 << 28) as f32;
 
 #[derive(Clone, Copy, Debug)]

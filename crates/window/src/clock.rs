@@ -1,8 +1,9 @@
-//! The clock by which windows know what is due, and what took how long.
+//! The clock for timers and durations.
 
 use std::time::Instant;
 
-/// The time. In tests it stands still until they let it pass: no machine is too slow for them.
+/// The current time. Tests advance it themselves, so they do not depend on the speed of the
+/// machine.
 pub(super) fn now() -> Instant {
     #[cfg(not(test))]
     return Instant::now();

@@ -1,15 +1,17 @@
 //! The one descriptor that a host watches for all windows of a thread: an epoll of their
 //! connections and one timer.
 //!
-//! A timer that is due at once serves as the bell for work that no connection announces: a new
-//! window, events read along with a reply, a round cut short. So a host needs no timers of its own,
-//! and an idle window wakes nobody.
+//! The timer also announces work that no connection announces: a new window, events that were read
+//! along with a reply, a round that was cut short. The host needs no timers of its own, and an idle
+//! window never wakes it.
 
 #![allow(unsafe_code)] // system calls
 
 use std::io;
 use std::os::fd::{AsRawFd, BorrowedFd, FromRawFd, OwnedFd, RawFd};
 use std::time::{Duration, Instant};
+
+use vides_engine::descriptor::off_standard;
 
 use crate::clock;
 use crate::error::{Error, Result};
@@ -23,7 +25,7 @@ pub(super) struct Descriptors {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Armed {
     No,
-    /// Readable until it is set anew.
+    /// Readable until the timer is set again.
     Now,
     At(Instant),
 }
@@ -45,7 +47,7 @@ impl Descriptors {
         Ok(made)
     }
 
-    /// What the host watches.
+    /// The descriptor that the host watches.
     pub(super) fn raw(&self) -> RawFd {
         self.epoll.as_raw_fd()
     }
@@ -54,7 +56,7 @@ impl Descriptors {
         self.control(libc::EPOLL_CTL_ADD, connection.as_raw_fd())
     }
 
-    /// Stops watching a connection; it is no error if it was not watched.
+    /// Stops watching a connection. It is no error if it was not watched.
     pub(super) fn leave(&self, connection: BorrowedFd<'_>) {
         let _ = self.control(libc::EPOLL_CTL_DEL, connection.as_raw_fd());
     }
@@ -70,14 +72,14 @@ impl Descriptors {
         if done == 0 { Ok(()) } else { Err(refused()) }
     }
 
-    /// Makes the descriptor readable at this time, at once if it has passed; `None`: never.
+    /// Makes the descriptor readable at this time, at once if it has passed; never for `None`.
     pub(super) fn wake_at(&mut self, due: Option<Instant>, now: Instant) {
         let wanted = match due {
             None => Armed::No,
             Some(due) if due <= now => Armed::Now,
             Some(due) => Armed::At(due),
         };
-        // An expired timer stays readable until it is set anew.
+        // An expired timer remains readable until it is set again.
         let rang = matches!(self.armed, Armed::At(due) if due <= now);
         if wanted == self.armed && !rang {
             return;
@@ -91,7 +93,7 @@ impl Descriptors {
             it_interval: timespec(Duration::ZERO),
             it_value: timespec(wait),
         };
-        // SAFETY: `setting` is alive during the call; the old one is unwanted.
+        // SAFETY: `setting` is alive during the call; the old setting is not requested.
         let done = unsafe {
             libc::timerfd_settime(
                 self.timer.as_raw_fd(),
@@ -119,20 +121,21 @@ impl Descriptors {
         }
     }
 
-    /// Keeps the descriptors open for good, since an Xt context still watches them.
+    /// Keeps the descriptors open for good, because an Xt context still watches them.
     pub(super) fn leak(self) {
         std::mem::forget(self);
     }
 }
 
-/// Sleeps until the epoll of this number, which must be open, is readable or a signal comes.
+/// Sleeps until the epoll with this descriptor, which must be open, is readable or a signal
+/// arrives.
 pub(super) fn sleep_on(epoll: RawFd) {
     let mut event = libc::epoll_event { events: 0, u64: 0 };
-    // SAFETY: room for the one event that is asked for.
+    // SAFETY: room for the one event that is requested.
     let _ = unsafe { libc::epoll_wait(epoll, &mut event, 1, -1) };
 }
 
-/// Which of these events of poll(2) a descriptor has now, or that it is at its end.
+/// Which of these poll(2) events a descriptor has now, or whether it is at its end.
 pub(super) fn events_of(descriptor: RawFd, events: libc::c_short) -> libc::c_short {
     let mut poll = libc::pollfd {
         fd: descriptor,
@@ -147,7 +150,7 @@ pub(super) fn events_of(descriptor: RawFd, events: libc::c_short) -> libc::c_sho
 fn timespec(duration: Duration) -> libc::timespec {
     libc::timespec {
         tv_sec: libc::time_t::try_from(duration.as_secs()).unwrap_or(libc::time_t::MAX),
-        // Less than 1e9: fits any long.
+        // Less than 1e9, so it fits any long.
         tv_nsec: duration.subsec_nanos() as libc::c_long,
     }
 }
@@ -157,13 +160,13 @@ fn refused() -> Error {
 }
 
 /// # Safety
-/// The descriptor is nobody else's, or -1.
+/// No one else owns the descriptor, or it is -1.
 unsafe fn owned(descriptor: RawFd) -> Result<OwnedFd> {
     if descriptor < 0 {
         return Err(refused());
     }
     // SAFETY: as the caller promises.
-    Ok(unsafe { OwnedFd::from_raw_fd(descriptor) })
+    off_standard(unsafe { OwnedFd::from_raw_fd(descriptor) }).map_err(|_| refused())
 }
 
 #[cfg(test)]

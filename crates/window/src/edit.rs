@@ -1,5 +1,5 @@
-//! The editor window for a Rust program: opened on a file, run until it is closed. The command
-//! `vides edit` is no more than that.
+//! The editor window for a Rust program: opens a file and runs until the window is closed. The
+//! command `vides edit` does the same.
 
 use std::path::Path;
 use std::rc::Rc;
@@ -9,13 +9,14 @@ use crate::{Host, Options, document_of, main_loop, open, own_program};
 use vides_document::{Document, Edit, load_object};
 use vides_editor::{Folders, Warnings};
 
-/// Opens the editor in a window of its own and returns when it is closed; other windows of the
-/// calling thread are served meanwhile. `file` is what is edited and saved to, a new path if it
-/// does not exist yet. `object` is a mesh (OBJ, PLY, STL, glTF) shown in place of the path's own;
-/// a new path gets a space around it.
+/// Opens the editor in a window and returns when it is closed; other windows of the calling thread
+/// are served meanwhile. `file` is loaded and saved to; if it does not exist, it becomes a new
+/// path. `object` is a mesh (OBJ, PLY, STL, glTF) to show instead of the path's object; a new path
+/// gets a space around it.
 ///
 /// # Errors
-/// `ErrorKind::Display`: no X server, or it goes away; as [`Document::load`] and [`load_object`].
+/// `ErrorKind::Display` if there is no X server or it goes away; those of [`Document::load`] and
+/// [`load_object`].
 pub fn edit(file: Option<&Path>, object: Option<&Path>) -> Result<()> {
     let (document, warnings) = beginning(file, object)?;
     let mut about_meshes = Warnings::default();
@@ -45,7 +46,7 @@ pub fn edit(file: Option<&Path>, object: Option<&Path>) -> Result<()> {
     }
 }
 
-/// What the window begins with, as if just opened: the object is no change of the user's.
+/// The document of the new window. Setting the object does not count as a change.
 fn beginning(
     file: Option<&Path>,
     object: Option<&Path>,
@@ -65,7 +66,7 @@ fn beginning(
     Ok((document.as_opened(), warnings))
 }
 
-/// Takes no poses, and lets the user close at will.
+/// A host that takes no poses and lets the user close the window.
 struct Nobody;
 
 impl Host for Nobody {

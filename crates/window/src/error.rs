@@ -4,16 +4,16 @@ pub(crate) use vides_document::error::EngineError;
 use vides_document::error::{Error as DocumentError, ErrorKind, reason};
 pub(crate) use vides_engine::error::{complain, panic_said};
 
-/// What can go wrong with a window.
+/// An error of a window.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    /// An error of the document, or memory ran out.
+    /// An error of the document, or a lack of memory.
     #[error(transparent)]
     Document(#[from] DocumentError),
-    /// There is no screen for the window, or it is gone.
+    /// There is no screen for the window, or it went away.
     #[error(transparent)]
     Screen(#[from] vides_x11::Error),
-    /// The system gives no descriptor.
+    /// The system has no descriptor left.
     #[error("no descriptor for the windows: {}", reason(.0))]
     NoDescriptor(io::Error),
     /// The window was lost, for this reason.
@@ -25,7 +25,7 @@ pub enum Error {
 pub type Result<T, E = Error> = std::result::Result<T, E>;
 
 impl Error {
-    /// What kind it is.
+    /// The kind of this error.
     #[must_use]
     pub fn kind(&self) -> ErrorKind {
         match self {

@@ -6,8 +6,8 @@ use std::rc::Rc;
 use crate::host::Id;
 use crate::registry::close;
 
-/// An open window, closed without asking when this is dropped; [`Handle::keep`] leaves it to the
-/// user. It stays on its thread.
+/// An open window. Dropping this closes it without asking; [`Handle::keep`] leaves it to the user.
+/// It stays on its thread.
 #[derive(Debug)]
 #[must_use = "the window closes when this is dropped"]
 pub struct Handle {
@@ -21,7 +21,7 @@ impl Handle {
         Self { id, thread }
     }
 
-    /// What the functions of this crate call the window.
+    /// The id of the window, for the functions of this crate.
     #[must_use]
     pub const fn id(&self) -> Id {
         self.id

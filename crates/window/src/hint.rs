@@ -1,8 +1,8 @@
-//! A hint for whoever wonders why no picture comes: nobody has served the windows.
+//! A hint for a programmer whose window shows nothing because the program never serves it.
 //!
-//! Whether a host will do so cannot be known when it opens a window, since most begin right
-//! afterwards. So the hint is given once, at exit or when a window is opened later, if none was
-//! served until then. Of a program that runs Xt more can be known, see [`super::lookout`].
+//! When a host opens a window, VIDES cannot know whether it will serve it, because most begin to do
+//! so afterwards. So the hint is given once, at exit or when a later window is opened, if no window
+//! was served until then. For hosts that run Xt, [`super::lookout`] finds out more.
 
 #![allow(unsafe_code)] // atexit
 
@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 
 use crate::error::complain;
 
-/// A host that has not served its first window for this long has no loop that does.
+/// A host that has not served its first window for this long has no loop that serves it.
 const PATIENCE: Duration = Duration::from_secs(2);
 
 /// When the first window was opened.
@@ -37,7 +37,8 @@ pub(super) fn opened() {
         give();
     }
     WATCH.call_once(|| {
-        // SAFETY: the function stays, as the library is never unloaded. A refusal does no harm.
+        // SAFETY: the function remains, because the library is never unloaded. A failure does no
+        // harm.
         let _ = unsafe { libc::atexit(at_exit) };
     });
 }
@@ -56,7 +57,7 @@ fn give() {
     }
 }
 
-/// Gives the hint to a host that runs Xt but sleeps where Xt's inputs are not seen.
+/// Gives the hint to a host that runs Xt but sleeps without watching Xt's inputs.
 pub(super) fn give_to_xt() {
     say(
         "a window waits to be served: this program runs Xt, but its own loop does not see \

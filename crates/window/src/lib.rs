@@ -1,14 +1,13 @@
-//! The open windows under the host's event loop: each an editor with its X window and its pixels.
+//! The open windows under the host's event loop: each is an editor with an X window and its pixels.
 //!
 //! All calls concern the windows of the calling thread. Host code is called only while nothing is
 //! borrowed, so a callback may call anything.
 //!
-//! It knows nothing of C: the host is reached through [`Host`].
+//! This crate does not know C; it reaches the host through [`Host`].
 
 mod clock;
 mod descriptors;
 mod edit;
-mod ending;
 mod error;
 mod handle;
 mod hint;
@@ -44,31 +43,32 @@ pub use error::{Error, Result};
 pub use handle::Handle;
 pub use host::{Gone, Host, Id};
 pub use program::{host_program, own_program};
-pub use pump::{close_all, dispatch, host_serves, main_loop};
+pub use pump::{Closing, close_all, dispatch, host_serves, main_loop};
 pub use registry::{Lost, is_open, within_a_call};
 pub use vides_editor::Reason;
 pub use xt::{Refusal, own_thread};
 
-/// How a window is opened.
+/// The options for opening a window.
 pub struct Options {
-    /// What it shows.
+    /// The document, and what the editor shows.
     pub editor: vides_editor::Options,
-    /// The X display's name; by default the environment's.
+    /// The name of the X display; by default that of the program's Xt, then that of the
+    /// environment.
     pub display: Option<String>,
-    /// What the program is called; by default the name of the running one.
+    /// The name of the application; by default that of the running program.
     pub application: Option<String>,
-    /// An X window to be embedded in; `None`: a top-level window.
+    /// The X window to embed this one in; `None` for a top-level window.
     pub parent: Option<u32>,
-    /// The host's X window that this one belongs to.
+    /// The X window of the host that this window belongs to.
     pub transient_for: Option<u32>,
-    /// What was wrong with the host's arguments; shown in the output field at first.
+    /// Errors in the host's arguments, shown first in the output field.
     pub warnings: Warnings,
     /// Its owner.
     pub host: Rc<dyn Host>,
 }
 
 impl Options {
-    /// A top-level window on a path, for a program that takes its poses when handed over.
+    /// Options for a top-level window with a path, for a program that takes its poses on hand-over.
     pub fn new(document: Document, host: Rc<dyn Host>) -> Self {
         Self {
             editor: vides_editor::Options {
@@ -95,21 +95,22 @@ impl Options {
 /// Inner size of a new window in points.
 const SIZE: [f32; 2] = [1200.0, 800.0];
 
-/// The smallest inner size in which one can work: it fits small screens of high density, too.
+/// The smallest inner size in which the window is usable; it also fits small screens of high
+/// density.
 const SMALLEST: [f32; 2] = [640.0, 440.0];
 
-/// Opens a window, and returns before anything is drawn. It closes when the handle is dropped.
+/// Opens a window, and returns before anything is drawn. Dropping the handle closes it.
 ///
 /// # Errors
-/// `ErrorKind::Display` without an X server, `ErrorKind::Argument` if a window of the host's does
-/// not exist, `ErrorKind::Memory`, `ErrorKind::Limit` without descriptors.
+/// `ErrorKind::Display` without an X server, `ErrorKind::Argument` if a given X window of the host
+/// does not exist, `ErrorKind::Memory`, `ErrorKind::Limit` if no descriptor is left.
 pub fn open(options: Options) -> Result<Handle> {
     let mut editor = Editor::new(options.editor)?;
     editor.warn(&options.warnings);
     editor.work_beside(start);
     let title = editor.window_title();
     let screen = vides_x11::Window::open(&vides_x11::Options {
-        display: options.display,
+        display: options.display.or_else(xt::display),
         title: title.clone(),
         application: options.application.unwrap_or_else(program::name),
         size: SIZE,
@@ -128,13 +129,13 @@ pub fn open(options: Options) -> Result<Handle> {
     Ok(handle)
 }
 
-/// Starts a thread for work that takes long; whether that could be.
+/// Starts a thread for long work; false if that failed.
 fn start(work: Box<dyn FnOnce() + Send>) -> bool {
     let thread = std::thread::Builder::new().name("vides work".to_owned());
     vides_x11::without_signals(|| thread.spawn(work)).is_ok()
 }
 
-/// Loads a path or scene, with what was wrong with its meshes; a new path if the file is missing.
+/// Loads a path or scene, with warnings about its meshes; a new path if the file is missing.
 ///
 /// # Errors
 /// Those of [`Document::load`].
@@ -149,24 +150,25 @@ pub fn document_of(file: &Path) -> vides_document::Result<(Document, Vec<vides_d
     }
 }
 
-/// Closes a window without asking, after a callback of its own if one runs. False if none is open.
+/// Closes a window without asking, or after its own callback if one is running. Unsaved work is
+/// offered at the next start. False if the window is not open.
 pub fn close(id: Id) -> bool {
     registry::close(id)
 }
 
-/// Looks at the path of a window; `None` if it is not open.
+/// Reads the path of a window; `None` if it is not open.
 pub fn read<R>(id: Id, f: impl FnOnce(&Document) -> R) -> Option<R> {
     look(id, |editor| f(editor.document()))
 }
 
-/// Changes the path of a window; `None` if it is not open. The host is not called for what its own
-/// callback changes.
+/// Changes the path of a window; `None` if it is not open. A change that the host's own callback
+/// makes is not reported to the host.
 pub fn change<R>(id: Id, f: impl FnOnce(&mut Document) -> R) -> Option<R> {
-    command(id, |editor| f(editor.document_mut()))
+    command(id, |editor| editor.change(f))
 }
 
-/// Changes what a window does or shows, see [`Editor`]; `None` if it is not open. The host is not
-/// called for what its own callback changes.
+/// Changes what a window does or shows, see [`Editor`]; `None` if it is not open. A change that the
+/// host's own callback makes is not reported to the host.
 pub fn command<R>(id: Id, f: impl FnOnce(&mut Editor) -> R) -> Option<R> {
     let within = within_a_call();
     let done = registry::work(id, |window, _| window.command(within, f));
@@ -174,7 +176,7 @@ pub fn command<R>(id: Id, f: impl FnOnce(&mut Editor) -> R) -> Option<R> {
     done
 }
 
-/// Looks at the editor of a window; `None` if it is not open.
+/// Reads the editor of a window; `None` if it is not open.
 pub fn look<R>(id: Id, f: impl FnOnce(&Editor) -> R) -> Option<R> {
     registry::look(id, |window| f(window.editor()))
 }
@@ -192,29 +194,29 @@ pub fn raise(id: Id) -> Option<Result<()>> {
 /// The descriptor that is readable when [`dispatch`] has something to do; one for the whole thread.
 ///
 /// # Errors
-/// `ErrorKind::Limit` where the system gives no more descriptors.
+/// `ErrorKind::Limit` if no descriptor is left.
 pub fn descriptor() -> Result<RawFd> {
     host_serves();
     registry::descriptor()
 }
 
-/// How long until [`dispatch`] has something to do without any news.
+/// How long until [`dispatch`] has something to do without input.
 pub fn wait() -> Option<Duration> {
     registry::wait()
 }
 
-/// Serves the windows of this thread in an Xt application context, for a host that makes its
-/// context after it has opened windows. Within the result is whether Xt takes them.
+/// Serves the windows of this thread in an Xt application context, for a host that creates its
+/// context after it opened windows. The inner result is whether Xt accepts them.
 ///
 /// # Errors
-/// `ErrorKind::Limit` where the system gives no more descriptors.
+/// `ErrorKind::Limit` if no descriptor is left.
 pub fn set_app_context(context: *mut c_void) -> Result<std::result::Result<(), Refusal>> {
     Ok(xt::watch_in(context, registry::descriptor()?, host_called))
 }
 
 static ON_INPUT: OnceLock<fn()> = OnceLock::new();
 
-/// Sets what is done when an Xt loop finds the descriptor readable: [`dispatch`] and what follows.
+/// Sets what to call when an Xt loop finds the descriptor readable: [`dispatch`] and what follows.
 pub fn on_input(serve: fn()) {
     let _ = ON_INPUT.set(serve);
 }

@@ -1,25 +1,25 @@
-//! When the host is told what the user does while it is done.
+//! Decides when to call the host while the user is editing.
 //!
-//! The calls have a clock of their own, sixty a second, since a window that is covered, iconified or
-//! behind a slow line shows no picture: all that came between two ticks is one call. A slow host
-//! gets as much time for itself as it took, so that the window can follow the pointer. The last
-//! call always gives the current state, and once nothing moves the host is told so.
+//! The calls have their own clock, sixty a second, because a window that is covered, iconified or
+//! behind a slow line shows no picture. Everything between two ticks is one call. A slow host gets
+//! as much time for itself as its call took, so that the window can follow the pointer. The last
+//! call always has the current state, and one more call reports that nothing moves.
 
 use std::time::{Duration, Instant};
 
 use vides_editor::{Editor, PlayheadState, Reason};
 use vides_engine::path::Pose;
 
-/// The least time between pictures of an animation, or of a mere motion of the pointer.
+/// The least time between frames of an animation, or of mere pointer motion.
 pub(super) const FRAME: Duration = Duration::from_nanos(1_000_000_000 / 60);
 
 /// A call that takes longer delays the next one by as long as it took.
 const SLOW: Duration = Duration::from_millis(30);
 
-/// How long nothing must have moved for it to be at rest.
+/// How long nothing must move before the host is called with [`Reason::Rested`].
 const REST: Duration = Duration::from_millis(100);
 
-/// The least time between two hand-overs that nobody asked for.
+/// The least time between two automatic hand-overs.
 const BETWEEN_HAND_OVERS: Duration = Duration::from_millis(100);
 
 #[derive(Debug)]
@@ -29,31 +29,31 @@ pub(super) enum HostEvent {
     /// The frame of the scene at the playhead, and the reason.
     Frame(f64, Reason),
     Changed,
-    /// All poses are taken.
+    /// The host takes all poses.
     HandOver,
 }
 
-/// What the host has been told.
+/// What the host knows already.
 #[derive(Debug, Default)]
 pub(super) struct Live {
     seen: Option<PlayheadState>,
     view: Notified<(Pose, f64)>,
-    /// The revision and the frame: after a change the same frame may look different.
+    /// The revision and the frame: after a change, the same frame may look different.
     frame: Notified<(u64, f64)>,
-    /// The last step it knows of.
+    /// The last step that the host knows of.
     step: Option<(u64, u64)>,
-    /// When it may be told of the next one.
+    /// When the next step may be reported.
     steps: Clock,
-    /// It wants to know.
+    /// Whether the host wants these calls.
     watches: bool,
-    /// The revision of the path whose poses it has.
+    /// The revision of the path whose poses the host has.
     handed: Option<u64>,
     next_hand_over: Option<Instant>,
-    /// It is left alone until then.
+    /// No calls until then.
     busy: Option<Instant>,
 }
 
-/// When the next call of one kind may come.
+/// When the next call of this kind may come.
 #[derive(Debug, Default)]
 struct Clock(Option<Instant>);
 
@@ -62,26 +62,26 @@ impl Clock {
         self.0.is_none_or(|at| now >= at)
     }
 
-    /// For a call now. One that was a little late, behind a picture, does not delay the next.
+    /// Notes a call. A call that is slightly late because of a frame does not delay the next one.
     fn strike(&mut self, now: Instant) {
         let tick = self.0.filter(|at| now < *at + FRAME / 2);
         self.0 = Some(tick.unwrap_or(now) + FRAME);
     }
 }
 
-/// What the host has been told of one thing that follows the pointer.
+/// What the host knows of a value that follows the pointer.
 #[derive(Debug, Default)]
 struct Notified<T> {
-    /// The reason for what is still to be told.
+    /// The reason for a call that is due.
     waits: Option<Reason>,
     last: Option<T>,
     clock: Clock,
-    /// When it is told that nothing moves.
+    /// When to report that nothing moves.
     rest: Option<Instant>,
 }
 
 impl<T: Copy + PartialEq> Notified<T> {
-    /// What to tell now, if it differs from what was told last.
+    /// What to report now, if it differs from the last report.
     fn next(&mut self, now: Instant, what: impl FnOnce() -> Option<T>) -> Option<(T, Reason)> {
         if !self.clock.is_due(now) {
             return None;
@@ -96,7 +96,7 @@ impl<T: Copy + PartialEq> Notified<T> {
         Some((what, reason))
     }
 
-    /// What to tell when nothing moves any more.
+    /// What to report once nothing moves any more.
     fn at_rest(
         &mut self,
         now: Instant,
@@ -112,30 +112,36 @@ impl<T: Copy + PartialEq> Notified<T> {
         self.last
     }
 
-    /// When there may be something to tell, if not now.
+    /// When something may be due, if not now.
     fn due(&self) -> Option<Instant> {
         self.waits.and(self.clock.0)
     }
 
-    /// Host code changed it.
+    /// Host code changed the value.
     fn known(&mut self) {
         if self.waits.is_none() {
-            // What was told last is no longer current.
+            // The last report is no longer current.
             self.last = None;
         }
     }
 }
 
 impl Live {
-    /// For a window that opens: the host knows its path.
+    /// For a new window, whose path the host knows.
     pub(super) fn new(editor: &Editor) -> Self {
-        Self {
+        let mut new = Self {
             step: Some(editor.step_number()),
             ..Self::default()
+        };
+        new.look(editor);
+        if editor.keeps_host_view() {
+            new.view.waits = None;
         }
+        new
     }
 
-    /// The next call into the host, if any; only poses unless it watches. `held`: a button is.
+    /// The next call into the host, if any; only poses unless the host watches. `held`: a button is
+    /// held.
     pub(super) fn next(
         &mut self,
         editor: &Editor,
@@ -157,7 +163,7 @@ impl Live {
                 return Some(HostEvent::Changed);
             }
         }
-        // A path that cannot be sampled has no poses; the window says so.
+        // A path that cannot be sampled has no poses; the window shows why.
         let view = || editor.view().ok();
         let frame = || Some((editor.document().revision(), editor.frame().ok()?));
         if watches && let Some(((pose, at), reason)) = self.view.next(now, view) {
@@ -178,7 +184,7 @@ impl Live {
         Some(HostEvent::Frame(at, Reason::Rested))
     }
 
-    /// Notes what has happened since the last look.
+    /// Notes what has changed since the last time.
     fn look(&mut self, editor: &Editor) {
         let standing = editor.standing();
         let reason = match self.seen.replace(standing) {
@@ -200,7 +206,7 @@ impl Live {
         !editor.document().in_step() && self.step != Some(editor.step_number())
     }
 
-    /// When there is something to do without news from the screen.
+    /// When something is due without input from the screen.
     pub(super) fn due(&self, editor: &Editor, held: bool) -> Option<Instant> {
         let moves = held || editor.is_under_way();
         let rest = [self.view.rest, self.frame.rest];
@@ -213,19 +219,20 @@ impl Live {
         let told = told.into_iter().flatten().filter(|_| self.watches).min();
         let poses = self.owes_poses(editor).then_some(self.next_hand_over);
         let next = [told, poses.flatten(), rest].into_iter().flatten().min();
-        // While the host is left alone nothing comes, and then what waits.
+        // Nothing while the host is left alone; afterwards whatever is due.
         self.busy
             .map_or(next, |busy| Some(next.map_or(busy, |at| at.max(busy))))
     }
 
-    /// A call into the host, or preparing one, has ended.
+    /// A call into the host, or its preparation, has ended.
     pub(super) fn called(&mut self, took: Duration, now: Instant) {
         if took > SLOW {
             self.busy = Some(now + took);
         }
     }
 
-    /// Lets host code change something within a call: only what it was not told before is left.
+    /// Lets host code change something within a call; only changes that are not reported yet remain
+    /// due.
     pub(super) fn known<R>(
         &mut self,
         editor: &mut Editor,

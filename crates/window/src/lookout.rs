@@ -1,16 +1,16 @@
-//! Finds out whether an Xt host serves its windows.
+//! Finds out whether a host that runs Xt serves its windows.
 //!
-//! An Xt program that sleeps in a `select()` of its own over its X connection looks like any other
-//! when a window is opened: Xt takes our input. But while it sleeps it does not see that input, the
-//! window is dead, and no code of ours runs that could say why: Xt's timers do not run either,
-//! signals are the host's, and nothing that the X server could send reaches a program that does not
-//! ask for it.
+//! An Xt program that sleeps in its own `select()` over its X connection looks like any other when
+//! it opens a window: Xt accepts our input. While it sleeps, it does not see that input, and the
+//! window is dead. No code of ours runs to report it: Xt's timers do not run either, signals belong
+//! to the host, and nothing that the X server could send reaches a program that does not ask for
+//! it.
 //!
-//! So a thread looks. It is started with a window in a program that runs Xt and has called nothing
-//! that serves windows, and ends as soon as the host has shown what it does: Xt slept on our input;
+//! So a thread watches. It starts with a window, in a program that runs Xt and has called nothing
+//! that serves windows. It ends as soon as the host has shown what it does: Xt slept on our input;
 //! windows were served a few times without delay; the host called `v_fd()`, `v_dispatch()` or
-//! `v_main_loop()`; the last window is gone; or nobody serves and the hint is given. It takes no
-//! signal and touches no window.
+//! `v_main_loop()`; the last window is gone; or nothing serves the windows and the hint is given.
+//! The thread takes no signals and touches no window.
 
 #![allow(unsafe_code)] // system calls
 
@@ -21,22 +21,23 @@ use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
+use vides_engine::descriptor::off_standard;
 use vides_x11::without_signals;
 
-/// How often and how many times it checks: less than the two seconds promised for the hint.
+/// How often, and how many times, to check: in less than the two seconds promised for the hint.
 const STEP: Duration = Duration::from_millis(100);
 const STEPS: u32 = 15;
 
-/// How often windows must have been served for the host to be believed. One with a `select()` of
-/// its own serves them now and then by chance, along with events of its own.
+/// How often windows must have been served before the host counts as serving them. A host with its
+/// own `select()` serves them now and then by chance, along with its own events.
 const BELIEVED: u32 = 20;
 
 enum State {
-    /// Nobody looks.
+    /// No thread is watching.
     Unknown,
-    /// A thread of this process looks, and ends when this descriptor is rung.
+    /// A thread of this process is watching, and ends when this descriptor is rung.
     Looking { bell: OwnedFd, process: u32 },
-    /// Nothing is left to find out.
+    /// The answer is known.
     Known,
 }
 
@@ -64,8 +65,8 @@ impl Drop for Serving {
     }
 }
 
-/// Begins to look whether the calling thread's host serves this descriptor, which stays open,
-/// unless that is known. A failure does no harm.
+/// Starts to find out whether the host of the calling thread serves this descriptor, which stays
+/// open, unless that is known. A failure does no harm.
 pub(super) fn begin(windows: RawFd) {
     let mut state = state();
     if !matches!(*state, State::Unknown) {
@@ -79,8 +80,9 @@ pub(super) fn begin(windows: RawFd) {
     if bell < 0 {
         return;
     }
-    // SAFETY: a new descriptor, which nobody else has.
+    // SAFETY: a new descriptor, which no one else owns.
     let bell = unsafe { OwnedFd::from_raw_fd(bell) };
+    let Ok(bell) = off_standard(bell) else { return };
     let Ok(end) = bell.try_clone() else { return };
     let look = move || {
         if look(windows, &end, host) {
@@ -94,7 +96,7 @@ pub(super) fn begin(windows: RawFd) {
     }
 }
 
-/// Ends the looking: for good if `known`, else until the next window.
+/// Ends the watching: for good if `known`, otherwise until the next window.
 pub(super) fn end(known: bool) {
     let mut state = state();
     if let State::Looking { bell, process } = &*state
@@ -121,7 +123,7 @@ pub(super) fn is_looking() -> bool {
     matches!(*state(), State::Looking { .. })
 }
 
-/// Looks until it is known what the host does (true) or until it is told to end.
+/// Watches until it is known what the host does (true) or until the thread must end.
 fn look(windows: RawFd, end: &OwnedFd, host: libc::pid_t) -> bool {
     let mut times = 0;
     while times < BELIEVED {
@@ -134,7 +136,10 @@ fn look(windows: RawFd, end: &OwnedFd, host: libc::pid_t) -> bool {
             if wait(&[end.as_raw_fd()], Some(STEP))[0] {
                 return false;
             }
-            served = SERVED.load(Ordering::Relaxed) != count || SERVING.load(Ordering::Relaxed) > 0;
+            // Input that is gone was served, perhaps before the count was read.
+            served = SERVED.load(Ordering::Relaxed) != count
+                || SERVING.load(Ordering::Relaxed) > 0
+                || !wait(&[windows], Some(Duration::ZERO))[0];
             if served {
                 break;
             }
@@ -144,7 +149,7 @@ fn look(windows: RawFd, end: &OwnedFd, host: libc::pid_t) -> bool {
             times += 1;
             continue;
         }
-        // A host that computes will come back.
+        // A host that is computing will come back.
         if asleep > STEPS / 2 {
             super::hint::give_to_xt();
             return true;
@@ -157,6 +162,7 @@ fn look(windows: RawFd, end: &OwnedFd, host: libc::pid_t) -> bool {
 fn sleeps(thread: libc::pid_t) -> bool {
     let mut line = [0; 256];
     let read = File::open(format!("/proc/self/task/{thread}/stat"))
+        .and_then(off_standard)
         .and_then(|mut file| file.read(&mut line));
     let line = &line[..read.unwrap_or(0)];
     // The state follows the name, which is in parentheses and may hold any character.
@@ -164,7 +170,7 @@ fn sleeps(thread: libc::pid_t) -> bool {
     name.and_then(|end| line.get(end + 2)) == Some(&b'S')
 }
 
-/// Waits until one of the descriptors is readable or the limit is over; tells which are.
+/// Waits until one of the descriptors is readable or the time is over; returns which are readable.
 fn wait<const N: usize>(descriptors: &[RawFd; N], limit: Option<Duration>) -> [bool; N] {
     let mut polled = descriptors.map(|fd| libc::pollfd {
         fd,
@@ -172,7 +178,7 @@ fn wait<const N: usize>(descriptors: &[RawFd; N], limit: Option<Duration>) -> [b
         revents: 0,
     });
     let limit = limit.map_or(-1, |limit| limit.as_millis().min(60_000) as libc::c_int);
-    // SAFETY: so many elements, alive during the call.
+    // SAFETY: N elements, alive during the call.
     let _ = unsafe { libc::poll(polled.as_mut_ptr(), N as libc::nfds_t, limit) };
     polled.map(|one| one.revents != 0)
 }

@@ -1,4 +1,4 @@
-//! The program that this process runs, and its user's clock.
+//! The program that this process runs, and its user's local time.
 
 #![allow(unsafe_code)] // a system call
 
@@ -8,15 +8,15 @@ use std::time::{SystemTime, UNIX_EPOCH};
 
 use vides_editor::{Date, Program};
 
-/// The name the program was called by, without folders; empty if there was none. By it a desktop
-/// groups our windows with the program's own, and unsaved work is found again.
+/// The name by which the program was called, without folders; empty if there is none. Desktops
+/// group our windows with the program's by this name, and unsaved work is found by it.
 pub(super) fn name() -> String {
     let called = std::env::args_os().next().unwrap_or_default();
     let name = Path::new(&called).file_name().unwrap_or_default();
     name.to_string_lossy().into_owned()
 }
 
-/// The host, by its name. `hand_over_saves`: after a hand-over nothing counts as unsaved.
+/// The host program, by its name. `hand_over_saves`: nothing counts as unsaved after a hand-over.
 pub fn host_program(hand_over_saves: bool) -> Program {
     Program {
         name: name(),
@@ -26,7 +26,7 @@ pub fn host_program(hand_over_saves: bool) -> Program {
     }
 }
 
-/// The command `vides edit`: it offers the unsaved work of any program.
+/// The command `vides edit`, which offers the unsaved work of any program.
 pub fn own_program() -> Program {
     Program {
         name: "vides".to_owned(),
@@ -40,7 +40,7 @@ fn local_time(time: SystemTime) -> Option<Date> {
     let seconds = time.duration_since(UNIX_EPOCH).ok()?.as_secs();
     let seconds = libc::time_t::try_from(seconds).ok()?;
     let mut parts = MaybeUninit::<libc::tm>::zeroed();
-    // SAFETY: both live during the call; what it does not fill in is zero.
+    // SAFETY: both live during the call; fields that it does not fill in are zero.
     let parts = unsafe {
         let done = libc::localtime_r(&seconds, parts.as_mut_ptr());
         (!done.is_null()).then(|| parts.assume_init())

@@ -1,32 +1,32 @@
-//! The loop under the host's loop: every window has its turn until none has anything to do.
+//! Serves all windows until none has anything left to do; the host's loop calls it.
 //!
-//! It takes rounds, since waiting for a reply also reads events from the connection, of which the
-//! descriptor then says nothing: each window is asked again until it has done nothing. A flooded
-//! window must not keep the host from its own work: after some rounds the call returns, and the
-//! timer brings it back at once.
+//! Serving takes several rounds: waiting for a reply also reads events from the connection, which
+//! the descriptor then does not announce. So each window is asked again until it has done nothing.
+//! Because a flooded window must not keep the host from its own work, the call returns after some
+//! rounds, and the timer makes the descriptor readable at once.
 
-use super::host::Id;
+use super::host::{Gone, Id};
 use super::live::HostEvent;
 use super::registry::Lost;
 use super::window::HostRequest;
-use super::{clock, hint, lookout, registry};
+use super::{clock, hint, lookout, registry, xt};
 use crate::error::Result;
 use vides_engine::inject;
 
-/// Rounds in one call: a picture, what its reply brings along, and a few more.
+/// Rounds in one call: a frame, the events that its reply brings along, and a few more.
 const ROUNDS: u32 = 8;
 
-/// What happened in a call that served the windows.
+/// The outcome of a call that served the windows.
 #[derive(Debug)]
 pub struct Served {
-    /// Windows that are open now.
+    /// The number of windows that are still open.
     pub open: usize,
-    /// Why the last of the windows is gone that were lost since the last such call.
+    /// Why the last of the windows lost since the previous call is gone.
     pub lost: Option<Lost>,
 }
 
-/// Serves the thread's windows until there is nothing to do, or for a fair while; never waits.
-/// Calls the host.
+/// Serves the thread's windows until there is nothing left to do, or for a limited time. Never
+/// waits. Calls the host.
 pub fn dispatch() -> Served {
     hint::served();
     let _serving = lookout::serving();
@@ -46,7 +46,7 @@ pub fn dispatch() -> Served {
     }
 }
 
-/// Gives every window one turn; true if one of them did anything.
+/// Serves every window once; true if any of them did something.
 fn round() -> bool {
     let mut busy = false;
     let mut last = None;
@@ -57,10 +57,10 @@ fn round() -> bool {
     busy
 }
 
-/// Gives one window its turn, and calls the host for it.
+/// Serves one window, and calls the host for it.
 fn serve(id: Id) -> bool {
     let Some(polled) = registry::work(id, |window, host| window.poll(id, host)) else {
-        // Gone by a fault: there may be work for the others.
+        // The window was lost by a fault; others may have work.
         return true;
     };
     let polled = match polled {
@@ -99,18 +99,18 @@ fn serve(id: Id) -> bool {
         }
         Some(HostRequest::Close) => {
             if registry::call(id, |host| host.may_close(id)) == Some(true) {
-                registry::close_for_the_user(id);
+                registry::close_and_tell(id, Gone::ByUser);
             }
         }
     }
     true
 }
 
-/// Serves the windows until the last one is closed. Not from within a callback: see
+/// Serves the windows until the last one is closed. Must not be called within a callback: see
 /// [`registry::within_a_call`].
 ///
 /// # Errors
-/// `ErrorKind::Limit` without descriptors.
+/// `ErrorKind::Limit` if no descriptor is left.
 pub fn main_loop() -> Result<Served> {
     host_serves();
     let mut lost = None;
@@ -124,17 +124,44 @@ pub fn main_loop() -> Result<Served> {
     }
 }
 
-/// Closes all windows of this thread. With `ask`, each in turn asks its user about unsaved work and
-/// then its host, while all are served; false if one refused. Not from within a callback.
+/// The outcome of closing all windows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Closing {
+    /// All are closed.
+    Done,
+    /// A user or a host refused.
+    Refused,
+    /// An earlier call is still asking; its question is now in front.
+    Asking,
+}
+
+/// Closes all windows that are open on this thread now. With `ask`, each in turn asks its user
+/// about unsaved work, and then its host. Meanwhile all windows are served, and so is a host that
+/// runs Xt, which may call this again. Must not be called within a callback.
 ///
 /// # Errors
-/// `ErrorKind::Limit` without descriptors.
-pub fn close_all(ask: bool) -> Result<bool> {
-    while let Some(id) = registry::first() {
+/// `ErrorKind::Limit` if no descriptor is left.
+pub fn close_all(ask: bool) -> Result<Closing> {
+    if let (true, Some(id)) = (ask, registry::asking()) {
+        registry::work(id, |window, _| window.raise()).transpose()?;
+        return Ok(Closing::Asking);
+    }
+    // Without those that a host opens meanwhile, for example one for each that is closed.
+    let closing = close_before(registry::next(), ask);
+    if ask {
+        xt::go_on();
+    }
+    closing
+}
+
+/// Closes the windows opened before `end`.
+fn close_before(end: Id, ask: bool) -> Result<Closing> {
+    while let Some(id) = registry::first().filter(|id| *id < end) {
         if !ask {
-            registry::close(id);
+            registry::close_and_tell(id, Gone::WithAll);
             continue;
         }
+        let _asking = registry::ask(id);
         registry::work(id, |window, _| window.ask_to_close()).transpose()?;
         loop {
             dispatch();
@@ -142,16 +169,18 @@ pub fn close_all(ask: bool) -> Result<bool> {
                 break;
             }
             if registry::look(id, |window| window.editor().asks_to_close()) != Some(true) {
-                return Ok(false);
+                return Ok(Closing::Refused);
             }
             host_serves();
-            registry::sleep()?;
+            if !xt::process_one() {
+                registry::sleep()?;
+            }
         }
     }
-    Ok(true)
+    Ok(Closing::Done)
 }
 
-/// The host serves its windows itself, or is about to: it needs no hint.
+/// The host serves its windows itself, or is about to, and needs no hint.
 pub fn host_serves() {
     hint::served();
     lookout::end(true);

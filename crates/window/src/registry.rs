@@ -1,14 +1,13 @@
 //! The windows of a thread.
 //!
-//! A window is taken out of the table while it works and put back afterwards, and host code runs
-//! with nothing borrowed: so a callback may open windows, close them, serve the others, or change
-//! this one. While host code runs for a window, that window is not served, and it is closed only
-//! when the call has ended.
+//! While a window works, it is taken out of the table. Host code runs with nothing borrowed, so a
+//! callback may open windows, close them, serve the others, or change this one. While host code
+//! runs for a window, that window is not served, and it is closed only after the call.
 //!
-//! A panic in one window's work closes that window alone.
+//! A panic in the work of one window closes that window only.
 //!
-//! After a `fork` the child has no windows. It shares their connections with the parent, so they
-//! are forgotten there without a word to the server.
+//! After a `fork` the child has no windows. Because it shares their connections with the parent, it
+//! drops them without a message to the server.
 
 use std::any::Any;
 use std::cell::RefCell;
@@ -21,11 +20,11 @@ use std::time::Duration;
 use super::descriptors::Descriptors;
 use super::host::{Gone, Host, Id};
 use super::window::Window;
-use super::{clock, ending, lookout, thread_end, xt};
+use super::{clock, lookout, thread_end, xt};
 use crate::error::{EngineError, Error, Result, panic_said};
 use vides_engine::inject;
 
-/// Ids are never used again in a process.
+/// Ids are never reused within a process.
 static NEXT: AtomicU64 = AtomicU64::new(1);
 
 thread_local! {
@@ -33,18 +32,21 @@ thread_local! {
 }
 
 struct Table {
-    /// Not that of a forked child.
+    /// The process that owns the windows, not a forked child.
     process: u32,
-    /// In the order of their ids.
+    /// Ordered by id.
     slots: Vec<Slot>,
-    /// Made with the first window or when the host asks; then kept, since the host may watch them.
+    /// Created with the first window or when the host asks; then kept, because the host may watch
+    /// them.
     descriptors: Option<Descriptors>,
-    /// Calls into the host under way.
+    /// The number of calls into the host that are running.
     calls: usize,
-    /// The last loss that a host was told: a server that goes away takes many windows, and one
-    /// line is enough.
+    /// The last loss that was reported to a host. A server that goes away takes many windows, and
+    /// one report is enough.
     last_loss: String,
-    /// The last loss, until a call that serves has returned it.
+    /// The window whose user is being asked whether all may be closed.
+    asking: Option<Id>,
+    /// The last loss, until a call that serves windows returns it.
     lost: Option<Lost>,
 }
 
@@ -55,18 +57,17 @@ struct Slot {
     window: Option<Box<Window>>,
     /// Host code runs for it.
     calling: bool,
-    /// To be closed as soon as it neither works nor calls.
+    /// To be closed as soon as neither its work nor host code is running.
     closing: bool,
-    /// Its connection is watched.
     watched: bool,
 }
 
-/// Why a window is gone that nobody closed.
+/// Why a window was lost.
 #[derive(Clone, Debug)]
 pub struct Lost {
     /// One sentence.
     pub why: String,
-    /// What its owner is told.
+    /// The reason for its owner.
     pub gone: Gone,
 }
 
@@ -78,6 +79,7 @@ impl Table {
             descriptors: None,
             calls: 0,
             last_loss: String::new(),
+            asking: None,
             lost: None,
         }
     }
@@ -94,7 +96,6 @@ impl Table {
     fn remove(&mut self, id: Id) -> Option<Slot> {
         let place = self.place(id)?;
         let slot = self.slots.remove(place);
-        ending::closed(id);
         if let (Some(window), Some(descriptors), true) =
             (&slot.window, &self.descriptors, slot.watched)
         {
@@ -110,7 +111,7 @@ impl Table {
         if self.descriptors.is_none() {
             self.descriptors = Some(Descriptors::new()?);
         }
-        // Just made if it was not there.
+        // Created above if it was missing.
         self.descriptors.as_mut().ok_or(EngineError::Memory.into())
     }
 }
@@ -125,9 +126,8 @@ impl Drop for Table {
             lookout::end(false);
             thread_end::takes(slots.len());
             for slot in slots {
-                ending::dropped(slot.id);
                 discard(slot.window);
-                // No host code.
+                // Calls no host code.
                 slot.host.closed(slot.id, Gone::Thread);
             }
         }
@@ -139,40 +139,50 @@ impl Drop for Table {
     }
 }
 
-/// Borrows the thread's table. `f` runs no host code and no window's.
+/// Borrows the thread's table. `f` must not run host code or a window's work.
 fn table<R>(f: impl FnOnce(&mut Table) -> R) -> R {
     TABLE.with_borrow_mut(|table| {
         if table.process != std::process::id() {
-            // A forked child: what is here is the parent's.
+            // A forked child: the windows belong to the parent.
             std::mem::forget(std::mem::replace(table, Table::new()));
         }
         f(table)
     })
 }
 
-/// Drops a window, whatever panics; true if [`pane_closed`] must tell its host.
+/// Drops a window, even if that panics; true if [`pane_closed`] must be called.
 fn discard(window: Option<Box<Window>>) -> bool {
     let shows_pane = window.as_ref().is_some_and(|window| window.shows_pane());
     let _ = catch_unwind(AssertUnwindSafe(|| drop(window)));
     shows_pane
 }
 
-/// Tells the host of a window that is gone that its pane is closed. Calls host code.
-fn pane_closed(id: Id, host: &Rc<dyn Host>) {
+/// Runs host code for a window that is already gone.
+fn call_afterwards(call: impl FnOnce()) {
     table(|table| table.calls += 1);
-    let _ = catch_unwind(AssertUnwindSafe(|| host.pane(id, 0, [0; 2])));
+    let _ = catch_unwind(AssertUnwindSafe(call));
     table(|table| table.calls = table.calls.saturating_sub(1));
 }
 
-/// Discards a window that its owner closed: its unsaved work is not offered again.
-fn discard_closed(slot: Option<Slot>) {
-    let Some(mut slot) = slot else {
-        return;
-    };
-    if let Some(window) = &mut slot.window {
-        let _ = catch_unwind(AssertUnwindSafe(|| window.editor_mut().forget_unsaved()));
+/// Reports to the host of a window that is gone that its pane is closed. Calls host code.
+fn pane_closed(id: Id, host: &Rc<dyn Host>) {
+    call_afterwards(|| host.pane(id, 0, [0; 2]));
+}
+
+/// Reports to the host that a window is gone that it did not close. Calls host code.
+fn tell_gone(id: Id, host: &Rc<dyn Host>, why: Gone, shows_pane: bool) {
+    host.closed(id, why);
+    if shows_pane {
+        pane_closed(id, host);
     }
-    if discard(slot.window) {
+    call_afterwards(|| host.gone(id, why));
+}
+
+/// Discards a window that its owner closed.
+fn discard_closed(slot: Option<Slot>) {
+    if let Some(slot) = slot
+        && discard(slot.window)
+    {
         pane_closed(slot.id, &slot.host);
     }
 }
@@ -188,9 +198,6 @@ pub(super) fn insert(window: Box<Window>, host: Rc<dyn Host>) -> Result<Id> {
         if table.calls == 0 {
             table.lost = None;
         }
-        if let Some(work) = window.editor().work_file() {
-            ending::opened(id, work.to_owned(), window.screen().socket());
-        }
         table.slots.push(Slot {
             id,
             host,
@@ -203,12 +210,37 @@ pub(super) fn insert(window: Box<Window>, host: Rc<dyn Host>) -> Result<Id> {
     })
 }
 
-/// The open window that was opened first.
+/// The id of the next window; all open windows have lower ones.
+pub(super) fn next() -> Id {
+    Id(NEXT.load(Ordering::Relaxed))
+}
+
+/// The oldest open window.
 pub(super) fn first() -> Option<Id> {
     table(|table| {
         let mut open = table.slots.iter().filter(|slot| !slot.closing);
         open.next().map(|slot| slot.id)
     })
+}
+
+/// While this exists, all windows are being closed and the user of one is being asked.
+pub(super) struct Asking;
+
+/// Notes that the user of a window is asked.
+pub(super) fn ask(id: Id) -> Asking {
+    table(|table| table.asking = Some(id));
+    Asking
+}
+
+impl Drop for Asking {
+    fn drop(&mut self) {
+        table(|table| table.asking = None);
+    }
+}
+
+/// The window whose user is being asked, if all windows are being closed.
+pub(super) fn asking() -> Option<Id> {
+    table(|table| table.asking)
 }
 
 pub(super) fn count() -> usize {
@@ -224,7 +256,7 @@ pub(super) fn descriptor() -> Result<RawFd> {
     table(|table| Ok(table.descriptors()?.raw()))
 }
 
-/// Why the last window was lost; once, except to callbacks.
+/// Why the last window was lost; returned once, and never to a callback.
 pub(super) fn last_lost() -> Option<Lost> {
     table(|table| match table.calls {
         0 => table.lost.take(),
@@ -237,13 +269,13 @@ pub(super) fn wait() -> Option<Duration> {
     table(|table| table.descriptors.as_ref()?.wait(clock::now()))
 }
 
-/// Sleeps until the descriptor is readable, with nothing borrowed: a signal's handler may call in.
+/// Sleeps until the descriptor is readable, with nothing borrowed: a signal handler may call VIDES.
 pub(super) fn sleep() -> Result<()> {
     super::descriptors::sleep_on(descriptor()?);
     Ok(())
 }
 
-/// The next window that may be served, in the order of their ids.
+/// The next window that may be served, ordered by id.
 pub(super) fn next_after(id: Option<Id>) -> Option<Id> {
     table(|table| {
         let free = |slot: &&Slot| slot.window.is_some() && !slot.calling && Some(slot.id) > id;
@@ -251,8 +283,8 @@ pub(super) fn next_after(id: Option<Id>) -> Option<Id> {
     })
 }
 
-/// Stops watching windows for which host code runs: they are not served meanwhile, and must not
-/// wake anybody who waits inside that code.
+/// Stops watching windows for which host code runs. They are not served meanwhile, so they must not
+/// wake a loop in that code.
 pub(super) fn leave_those_that_call() {
     table(|table| {
         let Some(descriptors) = &table.descriptors else {
@@ -267,7 +299,7 @@ pub(super) fn leave_those_that_call() {
     });
 }
 
-/// Sets the timer for the next thing that is due; at once if a window may have more to do.
+/// Sets the timer for whatever is due next, or at once if a window may have more to do.
 pub(super) fn set_timer(more: bool) {
     table(|table| {
         let now = clock::now();
@@ -282,7 +314,7 @@ pub(super) fn set_timer(more: bool) {
     });
 }
 
-/// Has the windows served again soon.
+/// Makes the windows be served again soon.
 pub(super) fn ring() {
     table(|table| {
         if let Some(descriptors) = &mut table.descriptors {
@@ -291,13 +323,13 @@ pub(super) fn ring() {
     });
 }
 
-/// Looks at a window; `None` if there is none of this id, or if it is at work.
+/// Reads a window; `None` if there is no such window or it is working.
 pub(super) fn look<R>(id: Id, f: impl FnOnce(&Window) -> R) -> Option<R> {
     table(|table| table.slot(id)?.window.as_deref().map(f))
 }
 
-/// Takes a window out, lets `f` work with it, and puts it back. `None` if there is none of this id,
-/// if it is at work already, or after a panic: then the window is lost.
+/// Takes a window out of the table, lets `f` work with it, and puts it back. `None` if there is no
+/// such window, if it is already working, or after a panic, which loses the window.
 pub(super) fn work<R>(id: Id, f: impl FnOnce(&mut Window, &Rc<dyn Host>) -> R) -> Option<R> {
     let (mut window, host) = table(|table| {
         let slot = table.slot(id)?;
@@ -325,7 +357,7 @@ pub(super) fn work<R>(id: Id, f: impl FnOnce(&mut Window, &Rc<dyn Host>) -> R) -
 }
 
 impl Lost {
-    /// The screen is gone or refused to go on.
+    /// The X server is gone or failed.
     pub(super) fn screen(error: &Error) -> Self {
         use vides_x11::Error::{Destroyed, Reparented};
         let gone = match error {
@@ -351,7 +383,7 @@ impl Lost {
 /// Removes a window that cannot go on.
 pub(super) fn lose(id: Id, window: Option<Box<Window>>, why: Lost) {
     let (slot, new) = table(|table| {
-        // Closing the connection would not end the watch if a child shares it.
+        // If a child shares the connection, closing it would not end the watch.
         if let (Some(window), Some(descriptors)) = (&window, &table.descriptors) {
             descriptors.leave(window.screen().connection());
         }
@@ -367,14 +399,12 @@ pub(super) fn lose(id: Id, window: Option<Box<Window>>, why: Lost) {
         if new {
             slot.host.lost(&why.why);
         }
-        slot.host.closed(id, why.gone);
-        if shows_pane {
-            pane_closed(id, &slot.host);
-        }
+        tell_gone(id, &slot.host, why.gone, shows_pane);
     }
 }
 
-/// Closes a window, after its work or its call if one is under way. False if there is none.
+/// Closes a window, after its work or its callback if one is running. False if there is no such
+/// window.
 pub(super) fn close(id: Id) -> bool {
     let (found, closed) = table(|table| {
         let Some(slot) = table.slot(id) else {
@@ -389,18 +419,16 @@ pub(super) fn close(id: Id) -> bool {
     found
 }
 
-/// Closes a window for its user, and tells its owner.
-pub(super) fn close_for_the_user(id: Id) {
+/// Closes a window for which no host code runs, and reports it to its owner.
+pub(super) fn close_and_tell(id: Id, why: Gone) {
     if let Some(slot) = table(|table| table.remove(id)) {
         let shows_pane = discard(slot.window);
-        slot.host.closed(id, Gone::ByUser);
-        if shows_pane {
-            pane_closed(id, &slot.host);
-        }
+        tell_gone(id, &slot.host, why, shows_pane);
     }
 }
 
-/// Runs host code for a window, which is not served meanwhile. `None`: no such window, or a panic.
+/// Runs host code for a window, which is not served meanwhile. `None` if there is no such window,
+/// or after a panic.
 pub(super) fn call<R>(id: Id, f: impl FnOnce(&dyn Host) -> R) -> Option<R> {
     let host = table(|table| {
         let slot = table.slot(id)?;
@@ -424,7 +452,7 @@ pub(super) fn call<R>(id: Id, f: impl FnOnce(&dyn Host) -> R) -> Option<R> {
         if !slot.watched
             && let (Some(window), Some(descriptors)) = (&slot.window, &table.descriptors)
         {
-            // What was watched before can be watched again.
+            // A connection that was watched before can be watched again.
             slot.watched = descriptors.watch(window.screen().connection()).is_ok();
         }
         None

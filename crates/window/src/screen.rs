@@ -1,4 +1,4 @@
-//! What a window asks of [`vides_x11`], as a trait: the loop can be tested without an X server.
+//! The parts of [`vides_x11`] that a window uses, as a trait, so that tests need no X server.
 
 use std::os::fd::{AsFd as _, BorrowedFd};
 use std::time::Instant;
@@ -8,10 +8,9 @@ use egui::{PlatformOutput, RawInput};
 use vides_raster::{Area, Target};
 use vides_x11::{PanePlace, PaneWindow, PollResult, Result, Window};
 
-/// See the methods of [`Window`].
+/// The methods are those of [`Window`].
 pub(super) trait Screen {
     fn connection(&self) -> BorrowedFd<'_>;
-    fn socket(&self) -> BorrowedFd<'_>;
     fn poll(&mut self) -> Result<PollResult>;
     fn deadline(&self) -> Option<Instant>;
     fn still(&self) -> bool;
@@ -30,10 +29,6 @@ pub(super) trait Screen {
 impl Screen for Window {
     fn connection(&self) -> BorrowedFd<'_> {
         self.as_fd()
-    }
-
-    fn socket(&self) -> BorrowedFd<'_> {
-        self.socket()
     }
 
     fn poll(&mut self) -> Result<PollResult> {

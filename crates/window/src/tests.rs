@@ -16,7 +16,8 @@ use super::clock::{self, pass};
 use super::pump::Served;
 use super::window::Window;
 use super::{
-    Gone, Host, Id, change, close, dispatch, is_open, main_loop, registry, wait, within_a_call,
+    Closing, Gone, Host, Id, change, close, close_all, dispatch, is_open, main_loop, registry,
+    wait, within_a_call,
 };
 use crate::error::EngineError;
 use vides_document::{Document, Poses};
@@ -25,11 +26,17 @@ use vides_x11::PollResult;
 
 type OnClose = Box<dyn FnMut(Id) -> bool>;
 
+/// How a window ends.
+type End = fn(Id, &Remote);
+
 /// A host whose functions are written in each test.
 #[derive(Default)]
 struct Calls {
     asked: Cell<usize>,
     closed: Cell<usize>,
+    gone: RefCell<Vec<Gone>>,
+    /// Opens another window when one has gone.
+    opens: Cell<bool>,
     lost: RefCell<Vec<String>>,
     on_close: RefCell<Option<OnClose>>,
     /// It has no room for poses.
@@ -75,6 +82,15 @@ impl Host for Calls {
 
     fn closed(&self, _: Id, _: Gone) {
         self.closed.set(self.closed.get() + 1);
+    }
+
+    fn gone(&self, window: Id, why: Gone) {
+        assert!(within_a_call() && !is_open(window) && self.closed.get() == 1);
+        dispatch();
+        self.gone.borrow_mut().push(why);
+        if self.opens.get() {
+            open();
+        }
     }
 }
 
@@ -336,6 +352,58 @@ fn a_lost_screen_takes_its_window_alone() {
     assert_eq!(*first.lost.borrow(), ["the window was closed from outside"]);
     assert!(one.dropped.get() && is_open(id));
     close(id);
+}
+
+#[test]
+fn a_host_is_told_once_that_a_window_has_gone_unless_it_closed_that() {
+    let closes_own: End = |id, _| assert!(close(id));
+    let ends: [(End, &[Gone]); 5] = [
+        (|_, remote| remote.send(CLOSE), &[Gone::ByUser]),
+        (|_, remote| remote.fail(Fails::Gone), &[Gone::FromOutside]),
+        (|_, remote| remote.fail(Fails::Panics), &[Gone::Fault]),
+        (
+            |_, _| assert_eq!(close_all(false).expect("descriptors"), Closing::Done),
+            &[Gone::WithAll],
+        ),
+        (closes_own, &[]),
+    ];
+    for (end, told) in ends {
+        let (id, remote, calls) = open();
+        settle(&[&remote]);
+        end(id, &remote);
+        settle(&[]);
+        dispatch();
+        assert_eq!(*calls.gone.borrow(), told);
+        assert!(!is_open(id));
+    }
+}
+
+#[test]
+fn a_second_closing_of_all_asks_nobody() {
+    let (_, remote, calls) = open();
+    settle(&[&remote]);
+    *calls.on_close.borrow_mut() = Some(Box::new(|_| {
+        assert_eq!(close_all(true).expect("descriptors"), Closing::Asking);
+        false
+    }));
+    for asked in 1..=2 {
+        assert_eq!(close_all(true).expect("descriptors"), Closing::Refused);
+        assert_eq!(calls.asked.get(), asked);
+    }
+    assert_eq!(close_all(false).expect("descriptors"), Closing::Done);
+}
+
+#[test]
+fn a_host_that_always_opens_another_window_can_close_all() {
+    for ask in [true, false] {
+        let (id, remote, calls) = open();
+        settle(&[&remote]);
+        calls.opens.set(true);
+        assert_eq!(close_all(ask).expect("descriptors"), Closing::Done);
+        assert!(!is_open(id));
+        assert_eq!(dispatch().open, 1);
+        assert_eq!(close_all(false).expect("descriptors"), Closing::Done);
+    }
 }
 
 #[test]

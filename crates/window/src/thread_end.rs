@@ -1,8 +1,9 @@
-//! Reports the end of a thread with open windows: they go with it, and nobody else says why.
+//! Reports that a thread with open windows has ended: its windows close, and nothing else explains
+//! why.
 //!
-//! At the end of the process the windows of the thread that calls `exit` go the same way, which
-//! needs no word. The two are told apart by the destructors of a thread's keys: the C library runs
-//! them where a thread ends, not in `exit`.
+//! At the end of the process, the windows of the thread that calls `exit` close in the same way,
+//! which needs no report. The destructors of thread keys tell the two apart: the C library runs
+//! them when a thread ends, but not in `exit`.
 
 #![allow(unsafe_code)] // pthread_key_create
 
@@ -12,14 +13,14 @@ use std::sync::OnceLock;
 
 use crate::error::complain;
 
-/// The key whose destructor reports; `None` where the system gives no more.
+/// The key whose destructor reports; `None` if the system has no key left.
 static KEY: OnceLock<Option<libc::pthread_key_t>> = OnceLock::new();
 
-/// Notes how many windows go with the calling thread; to be called while it ends.
+/// Notes how many windows the calling thread closes; to be called while it ends.
 pub(super) fn takes(windows: usize) {
     let key = KEY.get_or_init(|| {
         let mut key = 0;
-        // SAFETY: room for the key; the function stays, as the library is never unloaded.
+        // SAFETY: room for the key; the function remains, because the library is never unloaded.
         let made = unsafe { libc::pthread_key_create(&mut key, Some(say)) };
         (made == 0).then_some(key)
     });

@@ -1,7 +1,8 @@
-//! One window at work: input to the editor, and its picture through the raster to the screen.
+//! One window at work: passes input to the editor, and its picture through the raster to the
+//! screen.
 //!
-//! [`Window::poll`] does what there is to do and never waits. What only the host can do comes out
-//! of it as one [`HostRequest`] at a time, since the host may change everything before the next.
+//! [`Window::poll`] does what is due and never waits. It returns what only the host can do, one
+//! [`HostRequest`] at a time, because the host may change everything before the next.
 
 use std::rc::Rc;
 use std::time::{Duration, Instant};
@@ -18,28 +19,29 @@ use vides_engine::inject::{self, Place};
 use vides_raster::{Area, Raster};
 use vides_x11::{PanePlace, PaneWindow};
 
-/// Passes that may follow at once without input, where a size settles. More are an animation.
+/// The number of passes that may follow at once without input until sizes settle. More are an
+/// animation.
 const SETTLING_PASSES: u32 = 3;
 
-/// egui wants to run again after every event. While a button is held the next motion sees to that;
-/// egui runs by itself when none has come for this long.
+/// egui asks for another pass after every event. While a button is held, the next motion causes it;
+/// without motion, egui runs again after this time.
 pub(super) const DRAG_PAUSE: Duration = Duration::from_millis(40);
 
 pub(super) struct Window {
     screen: Box<dyn Screen>,
     editor: Editor,
-    /// Made at the first turn, so that opening is quick.
+    /// Created when the window is first served, so that opening is quick.
     context: Option<Context>,
     raster: Raster,
-    /// There is input, or something changed from outside: egui should run.
+    /// egui should run: there is input, or something changed from outside.
     fresh: bool,
-    /// No button is held and nothing moves by itself: the next picture stays.
+    /// No button is held and nothing is animated: the next picture will last.
     resting: bool,
-    /// When egui wants to run again by itself.
+    /// When egui asks to run again.
     due: Option<Instant>,
-    /// Passes since the last input.
+    /// The number of passes since the last input.
     passes: u32,
-    /// What is to be painted, lowest first, and its pixels per point.
+    /// What to paint, lowest first, and its pixels per point.
     picture: Option<(Vec<ClippedPrimitive>, f32)>,
     /// When egui ran last.
     ran: Option<Instant>,
@@ -48,35 +50,34 @@ pub(super) struct Window {
     title: String,
     /// A button is held.
     held: bool,
-    /// The host is told what happens.
+    /// The host wants to be called while the user is editing.
     tells: bool,
     live: Live,
     /// The pane that the host knows of.
     pane: Option<PaneWindow>,
 }
 
-/// The outcome of a poll.
 pub(super) struct Polled {
-    /// Something was done: more may have come meanwhile.
+    /// Something was done, so there may be more to do.
     pub(super) busy: bool,
-    /// What to call the host for.
+    /// What the host must do.
     pub(super) request: Option<HostRequest>,
 }
 
-/// What only the host can do.
+/// A request that only the host can fulfil.
 pub(super) enum HostRequest {
-    /// It takes the poses that were made ready.
+    /// Take the poses that were prepared.
     HandOver,
-    /// It is asked whether the window may close.
+    /// Answer whether the window may close.
     Close,
-    /// It gives its own view, to be taken over.
+    /// Return its own view.
     Capture {
-        /// In place of the current orientation.
+        /// Whether the view replaces the current orientation.
         replace: bool,
     },
-    /// It is told what the user does.
+    /// Learn what the user does.
     Live(HostEvent),
-    /// It draws in this pane from now on; `None`: the pane is closed.
+    /// Draw in this pane from now on; `None`: the pane is closed.
     Pane(Option<PaneWindow>),
 }
 
@@ -108,26 +109,26 @@ impl Window {
         &*self.screen
     }
 
-    /// Whether the host knows of a pane to draw in.
+    /// Whether the host has a pane to draw in.
     pub(super) fn shows_pane(&self) -> bool {
         self.pane.is_some()
     }
 
-    /// For a change from outside: it is shown in the next turn.
+    /// For a change from outside, which is shown when the window is served next.
     pub(super) fn editor_mut(&mut self) -> &mut Editor {
         self.fresh = true;
         &mut self.editor
     }
 
-    /// When the next turn is due without news from the screen.
+    /// When the window must be served next without input from the screen.
     pub(super) fn due(&self, now: Instant) -> Option<Instant> {
         let told = self.live.due(&self.editor, self.held);
         let due = self.next_pass(now).into_iter().chain(told);
         due.chain(self.screen.deadline()).min()
     }
 
-    /// When egui should run. A picture in flight comes first, unless the host is told of what
-    /// happens meanwhile: it may be long under way.
+    /// When egui should run. A frame in flight comes first, unless the host is called meanwhile:
+    /// the frame may take long.
     fn next_pass(&self, now: Instant) -> Option<Instant> {
         let due = if self.fresh { Some(now) } else { self.due }?;
         match self.ran {
@@ -136,7 +137,7 @@ impl Window {
         }
     }
 
-    /// Does what there is to do. After an error the screen is gone, and the window with it.
+    /// Does what is due. After an error, the screen is gone, and the window with it.
     pub(super) fn poll(&mut self, id: Id, host: &Rc<dyn Host>) -> Result<Polled> {
         let news = self.screen.poll()?;
         inject::point(Place::Turn);
@@ -165,7 +166,7 @@ impl Window {
             request: None,
         };
         if self.pane.is_some() && self.screen.pane().is_none() {
-            // Its end is told before another begins.
+            // Report its end before another one begins.
             self.pane = None;
             polled.request = Some(HostRequest::Pane(None));
             return Ok(polled);
@@ -178,7 +179,7 @@ impl Window {
         }
         polled.request = self.next_host_request(id, host);
         if news.close && polled.request.is_none() {
-            // There is a question, which may be hidden behind other windows.
+            // A question is open, and may be hidden behind other windows.
             self.screen.raise()?;
         }
         polled.busy |= self.paint()?;
@@ -203,7 +204,7 @@ impl Window {
         self.live.called(now.saturating_duration_since(began), now);
     }
 
-    /// Lets host code change something. What it changes within a call it is not told.
+    /// Lets host code change something. Changes within a call are not reported back to the host.
     pub(super) fn command<R>(
         &mut self,
         within_a_call: bool,
@@ -233,7 +234,7 @@ impl Window {
         Ok(self.screen.flush()?)
     }
 
-    /// Runs egui once, which makes a picture of what there is now.
+    /// Runs egui once, which makes a picture of the current state.
     fn pass(&mut self, now: Instant) -> Result<()> {
         self.fresh = false;
         self.ran = Some(now);
@@ -289,7 +290,7 @@ impl Window {
         self.place_pane(pixels_per_point)
     }
 
-    /// Puts the pane in which the host draws where the editor has room for it.
+    /// Places the pane in which the host draws at the position that the editor has for it.
     fn place_pane(&mut self, pixels_per_point: f32) -> Result<()> {
         let pixels = |rect: &egui::Rect| {
             let [left, top, right, bottom] = [rect.left(), rect.top(), rect.right(), rect.bottom()]
@@ -314,7 +315,7 @@ impl Window {
         Ok(())
     }
 
-    /// Paints what is waiting; true if something was shown.
+    /// Paints what is due; true if something was shown.
     fn paint(&mut self) -> Result<bool> {
         if self.in_flight || self.picture.is_none() {
             return Ok(false);
@@ -338,7 +339,7 @@ impl Window {
         Ok(true)
     }
 
-    /// What the editor wants of the host, made ready.
+    /// What the editor wants from the host, prepared.
     fn next_host_request(&mut self, id: Id, host: &Rc<dyn Host>) -> Option<HostRequest> {
         let pane = self.screen.pane();
         if pane != self.pane {
@@ -359,7 +360,7 @@ impl Window {
         }
     }
 
-    /// Makes the poses ready for the host; if that fails the window says why.
+    /// Prepares the poses for the host; if that fails, the window shows why.
     fn make_ready(&mut self, id: Id, host: &Rc<dyn Host>, asked: bool) -> bool {
         inject::point(Place::HandOver);
         let count = self.editor.document().poses().and_then(|poses| {

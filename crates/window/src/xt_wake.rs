@@ -1,21 +1,22 @@
 //! Hosts that ask `XtAppPending` before they take an event.
 //!
-//! Such a host draws between its rounds, and wants to take what is there:
+//! Such a host draws between its rounds, and takes only what is pending:
 //! `while (XtAppPending(app)) { XtAppNextEvent(app, &event); XtDispatchEvent(&event); }`.
-//! But our input is pending, too, and no event: `XtAppNextEvent` has the windows served and then
-//! waits for an event of the host's own, perhaps for ever. So after they are served it gets one: an
-//! empty `NoExpose` for no window, which means nothing to anyone, put back into the host's own
-//! queue. No request is made.
+//! Our input is pending, too, but it is no event: `XtAppNextEvent` has the windows served and then
+//! waits for an event of the host's, perhaps for ever. So after serving, an event is put back into
+//! the host's own queue: an empty `NoExpose` for no window, which has no meaning for anyone. No
+//! request is made.
 //!
-//! A host that sleeps in Xt until there is something to do needs none, and would be woken for
-//! nothing. A hook of Xt's reports that sleep. What is served in it brings no event until the host
-//! has processed one, and so has come out of it.
+//! A host that sleeps in Xt until something is due needs no event, and would be woken for nothing.
+//! A hook of Xt reports that sleep. Serving within it sends no event until the host has processed
+//! one, and so has woken up.
 
 #![allow(unsafe_code)] // functions of C, found by name
 
 use std::collections::hash_map::DefaultHasher;
-use std::ffi::{c_char, c_int, c_uint, c_ulong, c_void};
+use std::ffi::{CStr, CString, c_char, c_int, c_uint, c_ulong, c_void};
 use std::hash::{Hash as _, Hasher as _};
+use std::hint::black_box;
 use std::mem::{MaybeUninit, transmute};
 use std::os::fd::RawFd;
 use std::ptr;
@@ -35,13 +36,17 @@ type GetDisplays = unsafe extern "C" fn(*mut c_void, *mut *mut Display, *mut c_u
 type Free = unsafe extern "C" fn(*mut c_char);
 type LastEvent = unsafe extern "C" fn(Display) -> *const Head;
 type LastTime = unsafe extern "C" fn(Display) -> c_ulong;
+type NameOf = unsafe extern "C" fn(Display) -> *const c_char;
 type Queued = unsafe extern "C" fn(Display, c_int) -> c_int;
 type PutBack = unsafe extern "C" fn(Display, *mut Event) -> c_int;
 type LastSerial = unsafe extern "C" fn(Display) -> c_ulong;
 
-/// `NoExpose`, and `QueuedAlready`: what is here, without looking for more.
+/// `NoExpose`, and `QueuedAlready`: only events that have been read already.
 const NO_EXPOSE: c_int = 14;
 const QUEUED_ALREADY: c_int = 0;
+
+/// More bytes than a list of a context's displays needs.
+const LIST_ROOM: usize = 4096;
 
 struct Calls {
     add_block_hook: AddBlockHook,
@@ -49,12 +54,13 @@ struct Calls {
     free: Free,
     last_event: LastEvent,
     last_time: LastTime,
+    name_of: NameOf,
     queued: Queued,
     put_back: PutBack,
     last_serial: LastSerial,
 }
 
-/// How every event begins, up to its window.
+/// The beginning of every event, up to its window.
 #[repr(C)]
 struct Head {
     kind: c_int,
@@ -67,14 +73,14 @@ struct Head {
 /// How the host of a context sleeps.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) struct Sleep {
-    /// The last event that it had processed when it went to sleep.
+    /// The last event that it had processed before.
     at: Option<u64>,
-    /// Nothing was waiting to be served then.
+    /// Nothing was waiting to be served.
     quiet: bool,
 }
 
 impl Calls {
-    /// All of them, or none.
+    /// All of the functions, or `None`.
     fn find() -> Option<&'static Self> {
         static FOUND: OnceLock<Calls> = OnceLock::new();
         if let Some(found) = FOUND.get() {
@@ -90,6 +96,7 @@ impl Calls {
                 free: transmute::<*mut c_void, Free>(named(c"XtFree")?),
                 last_event: transmute::<*mut c_void, LastEvent>(named(c"XtLastEventProcessed")?),
                 last_time: transmute::<*mut c_void, LastTime>(named(c"XtLastTimestampProcessed")?),
+                name_of: transmute::<*mut c_void, NameOf>(named(c"XDisplayString")?),
                 queued: transmute::<*mut c_void, Queued>(named(c"XEventsQueued")?),
                 put_back: transmute::<*mut c_void, PutBack>(named(c"XPutBackEvent")?),
                 last_serial: transmute::<*mut c_void, LastSerial>(named(
@@ -100,24 +107,30 @@ impl Calls {
         Some(FOUND.get_or_init(|| found))
     }
 
-    /// Runs `f` with the displays of an Xt context.
+    /// Runs `f` with the displays of an Xt context, the oldest first; with none if memory is short,
+    /// because Xt ends the program if it cannot allocate its list.
     fn displays<R>(&self, context: usize, f: impl FnOnce(&[Display]) -> R) -> R {
+        let mut room = Vec::<u8>::new();
+        if room.try_reserve(LIST_ROOM).is_err() {
+            return f(&[]);
+        }
+        drop(black_box(room));
         let (mut list, mut count) = (ptr::null_mut::<Display>(), 0);
         let context = ptr::with_exposed_provenance_mut(context);
-        // SAFETY: a context that Xt knows; room for what it gives, which is freed below.
+        // SAFETY: a context that Xt knows; room for the results, which are freed below.
         unsafe { (self.get_displays)(context, &mut list, &mut count) };
         if list.is_null() {
             return f(&[]);
         }
-        // SAFETY: so many displays, as Xt says.
+        // SAFETY: `count` displays, as Xt says.
         let result = f(unsafe { std::slice::from_raw_parts(list, count as usize) });
-        // SAFETY: the list that Xt has given.
+        // SAFETY: the list that Xt returned.
         unsafe { (self.free)(list.cast()) };
         result
     }
 
-    /// A hash of the events that a context's displays processed last. Only what all events have is
-    /// read: the rest of Xt's record may never have been set.
+    /// A hash of the events that the displays of a context processed last. It reads only the fields
+    /// that all events have: the rest of Xt's record may be uninitialised.
     fn processed(&self, context: usize) -> u64 {
         self.displays(context, |displays| {
             let mut hash = DefaultHasher::new();
@@ -143,7 +156,18 @@ impl Calls {
     }
 }
 
-/// Has Xt call this hook with this closure when the host of a context is going to sleep.
+/// The name of the display that a context opened last, as the host gave it to Xlib.
+pub(super) fn display(context: usize) -> Option<CString> {
+    let calls = Calls::find()?;
+    calls.displays(context, |displays| {
+        // SAFETY: a display of Xt's.
+        let name = unsafe { (calls.name_of)(*displays.last()?) };
+        // SAFETY: a text ended by zero, which lives as long as the display.
+        (!name.is_null()).then(|| unsafe { CStr::from_ptr(name) }.to_owned())
+    })
+}
+
+/// Makes Xt call this hook with this closure when the host of a context is about to sleep.
 pub(super) fn watch_sleep(context: usize, hook: BlockHook, closure: *mut c_void) {
     if let Some(calls) = Calls::find() {
         let context = ptr::with_exposed_provenance_mut(context);
@@ -152,7 +176,7 @@ pub(super) fn watch_sleep(context: usize, hook: BlockHook, closure: *mut c_void)
     }
 }
 
-/// Notes how the host of a context goes to sleep.
+/// Notes the state in which the host of a context falls asleep.
 pub(super) fn falls_asleep(context: usize, windows: Option<RawFd>) -> Sleep {
     let Some(calls) = Calls::find() else {
         return Sleep::default();
@@ -165,7 +189,7 @@ pub(super) fn falls_asleep(context: usize, windows: Option<RawFd>) -> Sleep {
     }
 }
 
-/// Whether the host of a context, which serves the windows now, is still in this sleep.
+/// Whether the host of a context, which is serving the windows, is still in this sleep.
 pub(super) fn sleeps(context: usize, sleep: Sleep) -> bool {
     let Some(calls) = Calls::find() else {
         return true;
@@ -174,13 +198,13 @@ pub(super) fn sleeps(context: usize, sleep: Sleep) -> bool {
 }
 
 impl Sleep {
-    /// The host fell asleep with nothing to do, and Xt woke it for our input.
+    /// Whether the host fell asleep with nothing to do, so that Xt woke it for our input.
     pub(super) fn was_sound(self) -> bool {
         self.quiet
     }
 }
 
-/// Gives a context's host an event to take, if it has none.
+/// Gives the host of a context an event to take, if none is queued.
 pub(super) fn wake(context: usize) {
     let Some(calls) = Calls::find() else { return };
     calls.displays(context, |displays| {
@@ -196,7 +220,7 @@ pub(super) fn wake(context: usize) {
             display,
             window: 0,
         };
-        // SAFETY: an event begins so, and all of it is numbers; Xlib copies it.
+        // SAFETY: an event begins like this, and consists of numbers; Xlib copies it.
         unsafe {
             event.as_mut_ptr().cast::<Head>().write(head);
             (calls.put_back)(display, event.as_mut_ptr());

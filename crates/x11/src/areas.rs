@@ -51,8 +51,8 @@ fn joined(a: Area, b: Area) -> Area {
     }
 }
 
-/// Cuts `area` into pieces of at most `most` bytes, but at least one pixel each. `row` gives the
-/// bytes in a row of so many pixels.
+/// Cuts `area` into pieces of at most `most` bytes, but at least one pixel each. `row` returns the
+/// number of bytes in a row of this many pixels.
 pub(super) fn pieces(
     area: Area,
     most: usize,

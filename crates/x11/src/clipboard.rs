@@ -1,8 +1,8 @@
 //! Text to and from other programs: the clipboard, and the primary selection (selected text, pasted
 //! with the middle button).
 //!
-//! Transfers are driven by events; [`Clipboard::deadline`] tells when one times out. Other programs
-//! are not trusted: their requests and data are bounded in size, number and time.
+//! Transfers are driven by events; [`Clipboard::deadline`] returns when one times out. Other
+//! programs are not trusted: their requests and data are bounded in size, number and time.
 
 use rustix::event::PollFlags;
 use std::cell::OnceCell;
@@ -39,7 +39,7 @@ const MOST_INCOMING: usize = 8;
 /// Concurrent transfers in pieces to others.
 const MOST_OUTGOING: usize = 16;
 
-/// Requests are refused while more unsent bytes wait, lest a client fill the memory.
+/// Requests are refused while more unsent bytes wait, so that no client can fill the memory.
 const MOST_WAITING: usize = 4 << 20;
 
 /// Pairs read from a MULTIPLE request.
@@ -103,9 +103,10 @@ impl Clipboard {
         Ok(())
     }
 
-    /// Requests a selection's text, which arrives as an [`Input::Paste`] or, with a place, as an
-    /// [`Input::MiddleClickPaste`]: at once if it is ours, else later or never. If nobody offers
-    /// text, `Paste` arrives empty, because the key may paste something other than text.
+    /// Requests the text of a selection. It arrives as an [`Input::Paste`] or, with a place, as an
+    /// [`Input::MiddleClickPaste`]: at once if the selection is ours, otherwise later or never. If
+    /// no program offers text, `Paste` arrives empty, because the key may paste something other
+    /// than text.
     pub(super) fn request(
         &mut self,
         connection: &Connection,
@@ -267,7 +268,7 @@ impl Clipboard {
         self.outgoing.iter().position(same)
     }
 
-    /// Takes a transfer to `window` a step on; false if there is none.
+    /// Continues the transfer to `window`; false if there is none.
     fn receive(
         &mut self,
         connection: &Connection,
@@ -313,7 +314,7 @@ impl Clipboard {
             let owned = self.owned(which).as_ref();
             owned.is_some_and(|owned| !is_before(event.time, owned.time))
         });
-        // Selecting events on a window of ours would replace the mask it has.
+        // Selecting events on a window of ours would replace its event mask.
         let ours = is_ours(connection, event.requestor);
         let done = match which {
             Some(which) if known && !ours => {
@@ -494,7 +495,8 @@ fn is_ours(connection: &Connection, window: Window) -> bool {
     window & !setup.resource_id_mask == setup.resource_id_base
 }
 
-/// Compares server times, which wrap after 50 days. CurrentTime is before nothing.
+/// Compares server times, which wrap around after 50 days. CurrentTime is never before another
+/// time.
 fn is_before(time: u32, other: u32) -> bool {
     let behind = other.wrapping_sub(time);
     time != CURRENT_TIME && other != CURRENT_TIME && behind != 0 && behind < u32::MAX / 2

@@ -53,7 +53,7 @@ impl Owner {
 
     fn write(&self, to: &SelectionRequestEvent, kind: Atom, bytes: &[u8]) {
         let mode = PropMode::APPEND;
-        for piece in bytes.chunks(1 << 20) {
+        for piece in bytes.chunks(1 << 17) {
             self.connection
                 .change_property8(mode, to.requestor, to.property, kind, piece)
                 .unwrap()
@@ -227,7 +227,7 @@ fn pieces_without_an_end_end() {
 
     // Large ones, until it is too much.
     let request = begin(&mut fixture);
-    let piece = vec![b'x'; 1 << 20];
+    let piece = vec![b'x'; 1 << 17];
     let mut pieces = 0;
     until("the end", || {
         if taken(&mut fixture) {
@@ -237,7 +237,7 @@ fn pieces_without_an_end_end() {
         }
         fixture.is_quiet().then_some(())
     });
-    assert!(pieces << 20 <= MAX_CLIPBOARD_BYTES + (2 << 20), "{pieces}");
+    assert!(pieces << 17 <= MAX_CLIPBOARD_BYTES + (2 << 20), "{pieces}");
     assert_eq!(fixture.pasted(), None);
 
     // Small ones, each just in time, until it has lasted too long.

@@ -13,9 +13,9 @@ use kbvm::{Keysym, syms};
 
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum Fed {
-    /// Part of no sequence: handle it as usual.
+    /// Not part of a sequence: handle it as usual.
     Plain,
-    /// Part of a sequence that is unfinished, or has just been cancelled.
+    /// Part of a sequence that is unfinished or has just been cancelled.
     Taken,
     /// Completes a sequence with this text.
     Text(String),
@@ -42,7 +42,7 @@ impl Compose {
             if matches!(keysym, syms::BackSpace | syms::Escape) {
                 return Fed::Taken;
             }
-            // A key that does not fit ends the sequence and counts by itself.
+            // A key that does not fit ends the sequence and counts on its own.
             result = table.feed(&mut state, keysym);
         }
         match result {
@@ -68,7 +68,8 @@ impl Compose {
     }
 }
 
-/// A sequence's text: the file's own string, or the keysym's where the string is not valid UTF-8.
+/// The text of a sequence: the file's string, or the keysym's text if the string is not valid
+/// UTF-8.
 fn text(string: Option<&str>, keysym: Option<Keysym>) -> Option<String> {
     let sound = |text: &&str| !text.is_empty() && !text.contains('\u{FFFD}');
     string
@@ -157,7 +158,7 @@ mod tests {
         assert_eq!(compose.feed(syms::dead_acute), Fed::Taken);
         assert_eq!(compose.feed(syms::x), Fed::Plain);
         assert_eq!(compose.feed(syms::e), Fed::Plain);
-        // What does not fit may begin a sequence of its own.
+        // A key that does not fit may begin another sequence.
         assert_eq!(compose.feed(syms::dead_acute), Fed::Taken);
         assert_eq!(compose.feed(syms::Multi_key), Fed::Taken);
         assert_eq!(compose.feed(syms::dead_acute), text("´"));
@@ -166,7 +167,7 @@ mod tests {
         assert_eq!(compose.feed(syms::e), Fed::Plain);
     }
 
-    /// "\351" is é in Latin-1, and nothing in UTF-8.
+    /// "\351" is é in Latin-1, but not valid UTF-8.
     #[test]
     fn text_in_another_encoding_gives_way_to_the_keysym() {
         let mut compose = compose("<dead_acute> <e> : \"\\351\" eacute\n");

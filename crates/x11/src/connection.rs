@@ -1,8 +1,9 @@
-//! A connection of our own to an X server, with atoms and extensions.
+//! A separate connection to an X server, with atoms and extensions.
 //!
-//! It dereferences to x11rb's connection, with two traps. Waiting for a reply lets events pile up
-//! in x11rb's queue while the descriptor is quiet, so drain events after it. A reply may fail to
-//! come, so ask with [`Connection::answer`], which tells a lost server from a slow one.
+//! It dereferences to x11rb's connection, with two traps. While a reply is waited for, events pile
+//! up in x11rb's queue and the descriptor remains quiet, so drain events afterwards. A reply may
+//! never come, so ask with [`Connection::answer`], which distinguishes a lost server from a slow
+//! one.
 
 use std::io::ErrorKind;
 use std::ops::Deref;
@@ -13,24 +14,20 @@ use x11rb::connection::{Connection as _, RequestConnection as _};
 use x11rb::cookie::{Cookie, VoidCookie};
 use x11rb::errors::{ConnectError, ConnectionError, ReplyError, ReplyOrIdError};
 use x11rb::protocol::{Event, shm, xkb, xproto};
-use x11rb::rust_connection::RustConnection;
 use x11rb::x11_utils::TryParse;
 
 use super::atoms::Atoms;
+use super::authority::authority;
 use super::connect;
+use super::raw::Raw;
 use super::stream::Stream;
 use crate::error::{Cause, Error, Result};
 use vides_engine::error::reason;
-
-pub(super) type Raw = RustConnection<Stream>;
 
 /// The smallest event, in bytes.
 const EVENT: usize = 32;
 
 const OPENING: Duration = Duration::from_secs(2);
-
-/// The bit in an event's type that marks it as sent by another client.
-pub(super) const SENT: u8 = 0x80;
 
 pub(super) struct Connection {
     raw: Raw,
@@ -43,7 +40,7 @@ pub(super) struct Connection {
 
 impl Connection {
     /// Connects to `display`, or to the environment's `DISPLAY`, and fetches the atoms. Until
-    /// [`Connection::settle`] all waiting together takes at most [`OPENING`].
+    /// [`Connection::settle`], all waits together take at most [`OPENING`].
     pub(super) fn open(display: Option<&str>) -> Result<Self> {
         let display = match display {
             Some(name) => name.to_owned(),
@@ -57,19 +54,18 @@ impl Connection {
             cause,
         };
         let peer = connect::connect(&parsed, deadline).map_err(|error| fail(no_server(&error)))?;
-        let (name, data) = connect::authority(&peer, parsed.display);
+        let (name, data) = authority(peer.name(), parsed.display, deadline);
         let local = peer.local;
         let stream = Stream::new(peer.socket, deadline).map_err(|error| fail(no_server(&error)))?;
         let screen = usize::from(parsed.screen);
-        let raw = Raw::connect_to_stream_with_auth_info(stream, screen, name, data)
-            .map_err(|error| fail(refusal(error, screen)))?;
+        let raw =
+            Raw::open(stream, screen, name, data).map_err(|error| fail(refusal(error, screen)))?;
         let lost = |error: ReplyError| fail(lost_because(error.into()));
         // Send all requests before reading replies: one round trip.
         for name in [shm::X11_EXTENSION_NAME, xkb::X11_EXTENSION_NAME] {
             raw.prefetch_extension_information(name)
                 .map_err(|error| lost(error.into()))?;
         }
-        raw.prefetch_maximum_request_bytes();
         let atoms = Atoms::new(&raw).map_err(|error| lost(error.into()))?;
         let atoms = atoms.reply().map_err(lost)?;
         Ok(Self {
@@ -81,8 +77,8 @@ impl Connection {
         })
     }
 
-    /// Ends the opening phase: from now on each reply is waited for by itself, for a second at
-    /// most, and after a timeout not at all until the server speaks again.
+    /// Ends the opening phase: from now on each reply is waited for separately, for at most a
+    /// second, and after a timeout not at all until the server speaks again.
     pub(super) fn settle(&self) {
         self.raw.stream().settle();
     }
@@ -110,10 +106,6 @@ impl Connection {
 
     pub(super) fn stream(&self) -> &Stream {
         self.raw.stream()
-    }
-
-    pub(super) fn socket(&self) -> BorrowedFd<'_> {
-        self.raw.stream().socket()
     }
 
     /// The next queued event, without waiting. Events that cannot be parsed are skipped.
@@ -161,18 +153,20 @@ impl Connection {
                 Ok(None)
             }
             Err(ReplyOrIdError::ConnectionError(
-                ConnectionError::ParseError(_) | ConnectionError::UnsupportedExtension,
+                ConnectionError::ParseError(_)
+                | ConnectionError::UnsupportedExtension
+                | ConnectionError::MaximumRequestLengthExceeded,
             )) => Ok(None),
             Err(error) => Err(self.lost(error)),
         }
     }
 
-    /// The result of sending a request; what the server has against it arrives as an event.
+    /// The result of sending a request; an error of the server arrives as an event.
     pub(super) fn sent<T>(&self, result: Result<T, impl Into<ReplyOrIdError>>) -> Result<T> {
         result.map_err(|error| self.lost(error))
     }
 
-    /// As [`Connection::sent`], with no word of an error of the server's.
+    /// Like [`Connection::sent`], but ignores an error of the server.
     pub(super) fn sent_quietly(
         &self,
         request: Result<VoidCookie<'_, Raw>, ConnectionError>,
@@ -185,7 +179,7 @@ impl Connection {
         self.sent(self.raw.flush())
     }
 
-    /// As [`Connection::flush`], of what the socket did not take before.
+    /// Like [`Connection::flush`], but only for what the socket did not take before.
     pub(super) fn push(&self) -> Result<()> {
         self.sent(self.stream().push().map_err(ConnectionError::from))
     }
@@ -258,6 +252,7 @@ fn lost_because(error: ReplyOrIdError) -> Cause {
         ReplyOrIdError::ConnectionError(ConnectionError::IoError(error)) => match error.kind() {
             ErrorKind::TimedOut => Cause::Silent,
             ErrorKind::OutOfMemory => Cause::NoRoomToSend,
+            ErrorKind::InvalidData => Cause::Senseless,
             _ => Cause::Gone,
         },
         ReplyOrIdError::ConnectionError(_) => Cause::Senseless,

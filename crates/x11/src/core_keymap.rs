@@ -28,7 +28,7 @@ pub(super) struct CoreKeymap {
 }
 
 impl CoreKeymap {
-    /// Takes the server's replies, which are not trusted; `first` is the first keycode in `keys`.
+    /// Reads the server's replies, which are not trusted; `first` is the first keycode in `keys`.
     pub(super) fn new(
         first: u8,
         keys: GetKeyboardMappingReply,
@@ -55,7 +55,7 @@ impl CoreKeymap {
         map
     }
 
-    /// Records that a key sets this modifier, and what that tells of the modifier.
+    /// Records that a key sets this modifier, and what follows for the meaning of the modifier.
     fn modifier(&mut self, bit: u8, keycode: u8) {
         if let Some(sets) = self.sets.get_mut(usize::from(keycode)) {
             *sets |= bit;

@@ -65,7 +65,7 @@ impl Cursors {
         Ok(cursor)
     }
 
-    /// The theme's shape; [`NONE`] if it lacks it.
+    /// The theme's shape; [`NONE`] if the theme lacks it.
     fn themed(
         &mut self,
         connection: &Connection,

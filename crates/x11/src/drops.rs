@@ -1,8 +1,8 @@
-//! Files dropped on the window (Xdnd, versions 3 to 5): a list of URIs is taken, as a copy, and
-//! whatever else is dragged is refused, as the protocol has it.
+//! Files dropped on the window (Xdnd, versions 3 to 5). A list of URIs is accepted, as a copy;
+//! anything else is refused, as the protocol requires.
 //!
-//! The other program is not trusted: what it sends is bounded in size and time, a drop nobody
-//! announced is ignored, and only one is under way at a time.
+//! The other program is not trusted: what it sends is bounded in size and time, a drop that was not
+//! announced is ignored, and only one drop is under way at a time.
 
 use std::ffi::OsString;
 use std::os::unix::ffi::OsStringExt as _;
@@ -24,7 +24,7 @@ use crate::error::Result;
 /// The version that the window announces.
 pub(super) const VERSION: u32 = 5;
 
-/// Earlier versions know neither the types' list nor when the drop was.
+/// Earlier versions have neither the list of types nor the time of the drop.
 const OLDEST: u32 = 3;
 
 /// Types read from a source that offers many.
@@ -32,19 +32,19 @@ const MOST_TYPES: u32 = 256;
 
 const MOST_FILES: usize = 256;
 
-/// Letters shown of what is no file.
+/// The number of letters to show of an entry that is no file.
 const MOST_LETTERS: usize = 200;
 
 #[derive(Default)]
 pub(super) struct Drops {
-    /// The window that drags over ours, and whether it has files.
+    /// The window that drags over ours, and whether it offers files.
     source: Option<(Window, bool)>,
-    /// The files of a drop, on their way from this window.
+    /// The transfer of dropped files, and the window that they come from.
     incoming: Option<(Incoming, Window)>,
     files: Vec<PathBuf>,
 }
 
-/// A file for egui: only its name is of interest.
+/// A file for egui, which only needs its name.
 #[derive(Debug)]
 struct Dropped(PathBuf);
 
@@ -59,7 +59,8 @@ impl egui::DroppedFile for Dropped {
 }
 
 impl Drops {
-    /// The files dropped since the last call; what is no file of this machine is a relative path.
+    /// The files dropped since the last call; an entry that is no file of this machine is a
+    /// relative path.
     pub(super) fn take(&mut self) -> Vec<egui::DroppedFileHandle> {
         let files = std::mem::take(&mut self.files).into_iter();
         files.map(|file| Arc::new(Dropped(file)) as _).collect()
@@ -81,7 +82,6 @@ impl Drops {
         Ok(())
     }
 
-    /// Handles a message to our window.
     pub(super) fn message(
         &mut self,
         connection: &Connection,
@@ -104,7 +104,7 @@ impl Drops {
         };
         let wanted = files && self.incoming.is_none();
         if event.type_ == atoms.XdndPosition {
-            // No rectangle: each motion may be told.
+            // An empty rectangle: the source may send every motion.
             let answer = [ours, u32::from(wanted), 0, 0, action(connection, wanted)];
             return send(connection, from, atoms.XdndStatus, answer);
         }
@@ -128,7 +128,7 @@ impl Drops {
         Ok(())
     }
 
-    /// Handles an event of a transfer; true if files have come.
+    /// Handles an event of a transfer; true if files have arrived.
     pub(super) fn handle(
         &mut self,
         connection: &Connection,
@@ -156,7 +156,7 @@ impl Drops {
         Ok(!self.files.is_empty())
     }
 
-    /// Ends a transfer, with the list if it has come, and tells its source.
+    /// Ends a transfer, with the list if it has arrived, and notifies its source.
     fn end(&mut self, connection: &Connection, ours: Window, list: Option<String>) -> Result<()> {
         let Some((incoming, source)) = self.incoming.take() else {
             return Ok(());
@@ -171,7 +171,7 @@ impl Drops {
     }
 }
 
-/// Whether a list of URIs is among the types that a source offers.
+/// Whether the types that a source offers include a list of URIs.
 fn has_files(connection: &Connection, data: &[u32; 5]) -> Result<bool> {
     const MORE_THAN_THREE: u32 = 1;
     let list = connection.atoms().TEXT_URI_LIST;
@@ -205,8 +205,8 @@ fn send(connection: &Connection, to: Window, kind: Atom, data: [u32; 5]) -> Resu
     connection.sent_quietly(connection.send_event(false, to, EventMask::NO_EVENT, message))
 }
 
-/// What a list of URIs names (RFC 2483): files of this machine, which is called `host`, by absolute
-/// paths; anything else as it stands there, for a sentence about it.
+/// The entries of a list of URIs (RFC 2483): files of this machine, which is called `host`, as
+/// absolute paths; anything else verbatim, for a message about it.
 fn files_of(list: &str, host: &[u8]) -> Vec<PathBuf> {
     let lines = list.lines().map(str::trim);
     let uris = lines.filter(|line| !line.is_empty() && !line.starts_with('#'));
@@ -237,7 +237,7 @@ fn file_of(uri: &str, host: &[u8]) -> Option<PathBuf> {
     Some(PathBuf::from(OsString::from_vec(path)))
 }
 
-/// The bytes of which some are written as `%` and two hexadecimal digits.
+/// Decodes bytes, some of which are written as `%` and two hexadecimal digits.
 fn decoded(text: &str) -> Option<Vec<u8>> {
     let digit = |byte: u8| char::from(byte).to_digit(16);
     let mut out = Vec::with_capacity(text.len());

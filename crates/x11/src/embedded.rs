@@ -1,5 +1,5 @@
-//! Embedding in a host's window: ours fills it, and takes the focus when clicked, because window
-//! managers give it to no child window.
+//! Embedding in a host's window: our window fills it, and takes the focus when clicked, because
+//! window managers do not focus child windows.
 
 use std::time::{Duration, Instant};
 
@@ -9,7 +9,8 @@ use x11rb::protocol::xproto::{
     InputFocus, WindowClass,
 };
 
-use super::connection::{Connection, SENT};
+use super::connection::Connection;
+use super::packets::SENT;
 use super::state::Window;
 use crate::error::{Error, Result};
 
@@ -29,8 +30,8 @@ pub(super) struct EmbedParent {
 }
 
 impl EmbedParent {
-    /// Checks the host's window and selects its size changes. Returns its size, too.
-    /// `ErrorKind::Argument` if it does not exist or cannot hold ours.
+    /// Checks the host's window and selects its size changes; also returns its size. Fails with
+    /// `ErrorKind::Argument` if the window does not exist or cannot hold ours.
     pub(super) fn enter(connection: &Connection, parent: u32) -> Result<(Self, (u32, u32))> {
         let unfit = |why| Error::Parent {
             parent,
@@ -67,7 +68,7 @@ impl EmbedParent {
 }
 
 impl Window {
-    /// Follows the host's window in size, and ours when it is reparented.
+    /// Follows the size of the host's window, and notices when ours is reparented.
     pub(super) fn home_event(&mut self, event: &Event) -> Result<()> {
         let (connection, ours) = (&self.connection, self.frame.window);
         let Some(home) = &mut self.home else {
@@ -106,14 +107,13 @@ impl Window {
         self.take_focus(self.time)
     }
 
-    /// Stops claiming the focus once the user has gone elsewhere.
+    /// Stops claiming the focus once the user has moved it elsewhere.
     pub(super) fn stop_claiming_focus(&mut self) {
         if let Some(home) = &mut self.home {
             home.check = None;
         }
     }
 
-    /// When to check the focus.
     pub(super) fn focus_check(&self) -> Option<Instant> {
         Some(self.home.as_ref()?.check?.0)
     }
@@ -128,7 +128,7 @@ impl Window {
         }
         let lost = !self.focus.own;
         if lost && !self.focus_is_in_host()? {
-            // A dialog of the host's or another program has it, and keeps it.
+            // A dialog of the host or another program has the focus, and keeps it.
             self.stop_claiming_focus();
             return Ok(());
         }

@@ -18,7 +18,7 @@ pub enum Error {
     /// The text is not a display name.
     #[error("\"{0}\" is not the name of a display; those look like \":0\" or \"host:0\"")]
     NotADisplay(Text),
-    /// The display cannot be used, or no longer.
+    /// The display cannot be used, or can no longer be used.
     #[error("display \"{display}\": {cause}")]
     Display {
         /// Its name.
@@ -26,14 +26,14 @@ pub enum Error {
         /// What is wrong.
         cause: Cause,
     },
-    /// The host's parent window is unfit.
+    /// The host's parent window cannot be used.
     #[error("the parent, window {parent:#x} of display \"{display}\", {why}")]
     Parent {
         /// Its number.
         parent: u32,
         /// The display's name.
         display: Text,
-        /// Why it is unfit.
+        /// Why not.
         why: &'static str,
     },
     /// The window to be transient for does not exist.

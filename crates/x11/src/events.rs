@@ -9,7 +9,7 @@ use x11rb::protocol::xproto::{
 };
 use x11rb::x11_utils::X11Error;
 
-use super::connection::SENT;
+use super::packets::SENT;
 use super::present::Surface;
 use super::state::Window;
 use super::{scale, window};
@@ -18,7 +18,8 @@ use vides_engine::inject;
 use vides_raster::Area;
 
 impl Window {
-    /// Handles one event, ignoring other windows'. Any client can send events: trust nothing.
+    /// Handles one event and ignores those of other windows. Any client can send events, so their
+    /// contents are not trusted.
     pub(super) fn handle(&mut self, event: &Event) -> Result<()> {
         inject::point(inject::Place::Event);
         if let Event::KeyPress(event) | Event::KeyRelease(event) = event {
@@ -129,8 +130,8 @@ impl Window {
     }
 
     fn focus(&mut self, event: &FocusInEvent, gained: bool) -> Result<()> {
-        // A grab takes the keys, which `Keyboard` sees to, but only for a short time: the widgets
-        // keep the focus.
+        // A grab takes the keys only for a short time, which `Keyboard` handles; the widgets keep
+        // the focus.
         if matches!(event.mode, NotifyMode::GRAB | NotifyMode::UNGRAB) {
             return Ok(());
         }
@@ -165,7 +166,7 @@ impl Window {
     }
 
     fn configured(&mut self, event: &ConfigureNotifyEvent) {
-        // Events sent by a window manager only tell the position; the server reports every size.
+        // Events sent by a window manager only give the position; the server reports every size.
         if event.response_type & SENT == 0 {
             let size = Surface::fitting(event.width.into(), event.height.into());
             self.news.input |= size != self.size;

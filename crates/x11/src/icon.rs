@@ -34,7 +34,7 @@ const CURVE_RADIUS: f32 = 0.035;
 struct Parts {
     /// The curve as line segments, from left to right.
     curve: [[f32; 2]; PIECES + 1],
-    /// The triangle a camera at the second point sees: outward normals and distances from the
+    /// The triangle that a camera at the second point sees: outward normals and distances from the
     /// origin.
     view: [([f32; 2], f32); 3],
     points: [[f32; 2]; 3],
@@ -69,7 +69,7 @@ impl Parts {
             VIEW,
             cover(outside.into_iter().fold(f32::MIN, f32::max)) * 0.85,
         );
-        // The icon delays every window opened, so only nearby segments are measured.
+        // Drawing the icon delays every opening, so only nearby segments are measured.
         let near = CURVE_RADIUS + 1.0 / size;
         let first = self.curve[1..].partition_point(|end| end[0] + near < place[0]);
         let pieces = self.curve[first..].windows(2);

@@ -1,6 +1,7 @@
-//! Receiving text, or a list of dropped files, from another program's selection, possibly in pieces (ICCCM 2.7.2, INCR).
+//! Receives text, or a list of dropped files, from another program's selection, possibly in pieces
+//! (ICCCM 2.7.2, INCR).
 //!
-//! The other program is not trusted to answer sensibly or ever to stop, so each transfer has its
+//! The other program is not trusted to answer sensibly or to stop at all, so each transfer has its
 //! own window, a size limit, and time limits.
 
 use std::time::{Duration, Instant};
@@ -32,7 +33,7 @@ const PIECE: u32 = 1 << 16;
 /// The most bytes of a list of dropped files.
 const MOST_OF_A_LIST: usize = 1 << 20;
 
-/// What is asked for.
+/// What is requested.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Wanted {
     Text,
@@ -48,7 +49,7 @@ pub(super) struct Incoming {
     /// Where in the window to paste; `None` for the keyboard focus.
     pub(super) place: Option<Pos2>,
     wanted: Wanted,
-    /// How many of its targets were requested in vain.
+    /// How many of the targets were requested in vain.
     refused: usize,
     pieces: bool,
     kind: Atom,
@@ -60,7 +61,7 @@ pub(super) struct Incoming {
 #[derive(Debug, PartialEq, Eq)]
 pub(super) enum Step {
     Underway,
-    /// The text, empty if nobody offers one; `None` if the data is unusable.
+    /// The text, empty if no program offers one; `None` if the data is unusable.
     Over(Option<String>),
 }
 
@@ -168,7 +169,7 @@ impl Incoming {
         }
     }
 
-    /// Destroys the window; whatever is still sent goes nowhere.
+    /// Destroys the window; anything that still arrives is lost.
     pub(super) fn finish(self, connection: &Connection) -> Result<()> {
         connection.sent_quietly(connection.destroy_window(self.window))
     }
@@ -203,7 +204,7 @@ impl Incoming {
         targets.get(self.refused).copied()
     }
 
-    /// Bytes that are taken.
+    /// The maximum number of bytes.
     const fn most(&self) -> usize {
         match self.wanted {
             Wanted::Text => MAX_CLIPBOARD_BYTES,

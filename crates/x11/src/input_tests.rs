@@ -3,7 +3,6 @@
 
 use std::io::Write as _;
 use std::process::{Child, Stdio};
-use std::time::Instant;
 
 use egui::{CursorIcon, Modifiers, PointerButton as PointerButtonKind, pos2};
 use x11rb::CURRENT_TIME;
@@ -13,7 +12,7 @@ use x11rb::protocol::xproto::{ConnectionExt as _, GrabMode, InputFocus};
 use x11rb::x11_utils::TryParse;
 
 use super::connection::Connection;
-use super::testing::{PATIENCE, Server, until};
+use super::testing::{Server, until};
 use super::{MOST_EVENTS, Options, Window, first_deed};
 
 /// A window with two fields, one above the other.
@@ -80,11 +79,7 @@ impl<'a> Fixture<'a> {
     }
 
     fn holds(&mut self, field: usize, text: &str) {
-        let end = Instant::now() + PATIENCE;
-        while self.fields[field] != text && Instant::now() < end {
-            self.turn();
-        }
-        assert_eq!(self.fields[field], text);
+        self.until(text, |fixture| fixture.fields[field] == text);
     }
 
     /// What xclip reads from a selection of ours.
@@ -116,10 +111,7 @@ impl<'a> Fixture<'a> {
         input.write_all(text.as_bytes()).unwrap();
         drop(input);
         // Until then it is we that are asked.
-        let end = Instant::now() + PATIENCE;
-        while self.xclip(selection) != text {
-            assert!(Instant::now() < end, "waited too long for xclip");
-        }
+        until("xclip", || (self.xclip(selection) == text).then_some(()));
         xclip
     }
 
@@ -222,13 +214,8 @@ fn one_deed_at_a_time_and_writing_at_once() {
         vec![a.clone(), written.clone(), a.clone(), written.clone()],
         vec![f1.clone()],
         vec![up.clone(), f1],
-        vec![
-            up,
-            moved.clone(),
-            down.clone(),
-            moved.clone(),
-            let_go.clone(),
-        ],
+        vec![up, moved.clone(), down.clone(), moved.clone()],
+        vec![let_go.clone()],
         vec![down.clone(), let_go.clone()],
         vec![a.clone(), written.clone(), moved.clone()],
         vec![down, let_go],

@@ -1,8 +1,8 @@
-//! From X key events to egui's: keys, text, modifiers, key repeat, dead keys, and the clipboard
+//! Converts X key events to egui's: keys, text, modifiers, key repeat, dead keys, and the clipboard
 //! shortcuts.
 //!
 //! The keymap is loaded at the first key press, so that windows open without it, and again after it
-//! changed. Each event carries the modifiers; between events XKB reports changes, but only while we
+//! has changed. Each event has the modifiers. Between events XKB reports changes, but only while we
 //! have the focus: otherwise each Shift pressed in another program would wake us.
 
 use egui::{Event as Input, Key, Modifiers};
@@ -34,7 +34,7 @@ pub(super) struct Keyboard {
     state: u16,
     /// The modifiers last reported to egui.
     told: Modifiers,
-    /// Held keys by keycode, with what egui was told of them.
+    /// Held keys by keycode, with what was reported to egui.
     held: Vec<(u8, Told)>,
     /// A release that may turn out to be part of key repeat.
     waiting: Option<Release>,
@@ -43,7 +43,7 @@ pub(super) struct Keyboard {
     paste: Option<u32>,
 }
 
-/// The logical and physical key egui was told of; `None` within a compose sequence or shortcut.
+/// The logical and physical key reported to egui; `None` within a compose sequence or shortcut.
 type Told = Option<(Key, Option<Key>)>;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,7 +56,7 @@ impl Keyboard {
     pub(super) fn new(connection: &Connection) -> Result<Self> {
         let found = connection.sent(connection.extension_information(xkb::X11_EXTENSION_NAME))?;
         if found.is_some() {
-            // Enables XKB, after which event states include the group. The reply is of no use.
+            // Enables XKB, after which event states include the group. The reply is not needed.
             drop(connection.xkb_use_extension(1, 0));
         }
         Ok(Self::with(found.is_some()))
@@ -129,7 +129,8 @@ impl Keyboard {
             }
             Event::XkbNewKeyboardNotify(_) | Event::XkbMapNotify(_) => self.stale = true,
             Event::MappingNotify(event) => self.stale |= event.request != Mapping::POINTER,
-            // A grab takes the keys, and the releases of those that are held, whoever has the focus.
+            // A grab takes the keys, including the releases of held ones, whichever window has the
+            // focus.
             Event::FocusIn(event) => {
                 if event.mode != NotifyMode::GRAB {
                     self.watch(connection, true)?;
@@ -163,7 +164,7 @@ impl Keyboard {
         Ok(())
     }
 
-    /// The keys go elsewhere: releases all, since nobody tells of it, and follows no modifiers.
+    /// The keys go elsewhere: releases all, because no event will, and stops following modifiers.
     pub(super) fn leave(&mut self, connection: &Connection, out: &mut Vec<Input>) -> Result<()> {
         self.watch(connection, false)?;
         self.waiting = None;
@@ -212,8 +213,8 @@ impl Keyboard {
         self.hold(keycode, true, out);
     }
 
-    /// Reports a press to egui and returns which key it reported; `before` is what was reported for
-    /// an earlier press that is not yet released.
+    /// Reports a press to egui, and returns the key that it reported. `before` is the report for an
+    /// earlier press that is not yet released.
     fn tell(
         &mut self,
         meaning: Meaning,
@@ -242,7 +243,7 @@ impl Keyboard {
                 Fed::Taken => return known,
             },
         };
-        // Keep the key reported first: the same key must be released.
+        // Keep the key that was reported first: the same key must be released.
         let told = known.or(meaning.key.map(|key| (key, meaning.physical)));
         if let Some((key, physical_key)) = told {
             out.push(Input::Key {
@@ -310,7 +311,7 @@ impl Keyboard {
         self.tell_modifiers(out);
     }
 
-    /// Takes the modifiers from a pointer event: those are current even without the focus.
+    /// Takes the modifiers from a pointer event: they are current even without the focus.
     fn pointer(&mut self, state: u16, out: &mut Vec<Input>) -> bool {
         self.state = state;
         self.tell_modifiers(out);

@@ -40,8 +40,8 @@ pub(super) struct Keymap {
 }
 
 impl Keymap {
-    /// Loads the keymap from the server, with `extension` from XKB, which must be in use. `None` if
-    /// the server does not answer sensibly.
+    /// Loads the keymap from the server, with `extension` from XKB, which must be enabled. `None`
+    /// if the server does not answer sensibly.
     pub(super) fn load(connection: &Connection, extension: bool) -> Result<Option<Self>> {
         let setup = connection.setup();
         let first = setup.min_keycode;
@@ -157,7 +157,7 @@ struct Xkb {
     logo: u16,
 }
 
-/// Reads the XKB keymap. A server's nonsense may make kbvm panic, which counts as no answer.
+/// Reads the XKB keymap. Invalid data from a server may make kbvm panic, which counts as no answer.
 fn read(connection: &impl RequestConnection) -> Option<Xkb> {
     let read = AssertUnwindSafe(|| {
         let keymap = connection.get_xkb_keymap(KEYBOARD).ok()?;

@@ -244,7 +244,7 @@ const PLACES: [Option<Key>; 83] = [
 mod tests {
     use super::*;
 
-    /// Names of keysyms are those of X.Org's table, by way of kbvm.
+    /// Keysyms have the names of X.Org's table, through kbvm.
     fn of(name: &str) -> Option<Key> {
         logical(Keysym::from_str(name).unwrap_or_else(|| panic!("no keysym {name}")))
     }
@@ -287,7 +287,7 @@ mod tests {
         }
     }
 
-    /// Against the kernel's numbers in `linux/input-event-codes.h`.
+    /// Compares with the kernel's numbers in `linux/input-event-codes.h`.
     #[test]
     fn places_are_those_of_the_kernel() {
         for (code, key) in [

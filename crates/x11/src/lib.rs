@@ -1,14 +1,15 @@
 //! One window on an X server: its connection, input for egui, pixels, and clipboard.
 //!
-//! Xlib is not used because it ends the process when the server goes away, and the host may use
-//! Xlib with an error handler of its own. Each window has its own connection, so windows cannot
+//! Xlib is not used, because it ends the process when the server goes away, and because the host
+//! may use Xlib with its own error handler. Each window has its own connection, so windows cannot
 //! disturb each other. No call blocks beyond a stated time, raises a signal, or ends the process;
-//! once the server is gone every call returns `ErrorKind::Display`.
+//! once the server is gone, every call returns `ErrorKind::Display`.
 //!
-//! This crate knows nothing of what the window shows, and nothing of C.
+//! This crate knows neither what the window shows nor C.
 
 mod areas;
 mod atoms;
+mod authority;
 mod clipboard;
 mod compose;
 mod connect;
@@ -26,11 +27,13 @@ mod keymap;
 mod keys;
 mod options;
 mod outgoing;
+mod packets;
 mod pane;
 mod pane_pool;
 mod pixels;
 mod pointer;
 mod present;
+mod raw;
 mod scale;
 mod settings;
 mod shared;
@@ -50,6 +53,8 @@ mod input_tests;
 #[cfg(test)]
 mod keyboard_tests;
 #[cfg(test)]
+mod opening_tests;
+#[cfg(test)]
 mod server_tests;
 #[cfg(test)]
 mod settings_tests;
@@ -62,7 +67,7 @@ use std::os::fd::{AsFd, BorrowedFd};
 use std::time::{Duration, Instant};
 
 use egui::{Pos2, Rect, Vec2, ViewportInfo};
-use x11rb::connection::{Connection as _, RequestConnection as _};
+use x11rb::connection::Connection as _;
 use x11rb::protocol::xproto::ImageOrder;
 
 use clipboard::{Clipboard, Selection};
@@ -104,7 +109,6 @@ impl Window {
         let visual = visual::choose(setup, connection.screen())
             .ok_or_else(|| connection.unfit(Cause::NoTrueColour))?;
         let layout = Layout::new(&visual, setup.image_byte_order == ImageOrder::MSB_FIRST);
-        connection.maximum_request_bytes(); // asked for long ago; now it is known
         window::watch_desktop(&connection)?;
         let resources = scale::ask(&connection)?.unwrap_or_default();
         let scale = scale::of(&resources);
@@ -153,8 +157,8 @@ impl Window {
         Ok(window)
     }
 
-    /// Reads and handles a fair share of what has arrived, without blocking. Pings, selection
-    /// requests and exposures are answered here.
+    /// Reads and handles what has arrived, up to a limit, without blocking. It also answers pings,
+    /// selection requests and exposures.
     ///
     /// # Errors
     /// `ErrorKind::Display` if the server or the window is gone.
@@ -179,8 +183,8 @@ impl Window {
         (self.drops).tick(&self.connection, self.frame.window, now)?;
         self.recheck_focus(now)?;
         self.connection.push()?;
-        // Handling an event may wait for a reply, which can bring further events into x11rb's queue
-        // that the descriptor does not show.
+        // Handling an event may wait for a reply. That can read further events into x11rb's queue,
+        // which the descriptor does not show.
         let mut left = MOST_EVENTS;
         loop {
             let mut any = false;
@@ -242,7 +246,7 @@ impl Window {
         }
     }
 
-    /// Whether the desktop asks that nothing moves by itself.
+    /// Whether the desktop asks for no animations.
     #[must_use]
     pub fn still(&self) -> bool {
         self.settings.asked().still
@@ -259,9 +263,9 @@ impl Window {
         due.into_iter().flatten().min()
     }
 
-    /// The pixels to paint into; `None` while a frame is in flight, the window is not visible or
-    /// waits for a buffer of another size, or the connection is lost. [`PollResult::shown`] or
-    /// [`PollResult::new_buffer`] tells when to ask again.
+    /// The pixels to paint into; `None` while a frame is in flight, while the window is not visible
+    /// or waits for a buffer of another size, or if the connection is lost. Ask again after
+    /// [`PollResult::shown`] or [`PollResult::new_buffer`].
     pub fn target(&mut self) -> Option<Target<'_>> {
         let fits = self.surface.size() == self.size;
         if !self.visible() || !fits || self.lost.is_some() {
@@ -348,7 +352,7 @@ impl Window {
         self.noted(result)
     }
 
-    /// Asks for the clipboard's text, as the keys do; it comes as input.
+    /// Requests the clipboard's text, as the keys do; it arrives as input.
     ///
     /// # Errors
     /// `ErrorKind::Display` if the server or the window is gone.
@@ -356,7 +360,7 @@ impl Window {
         self.alive()?;
         let result = self.paste(Selection::Clipboard, self.time, None);
         self.noted(result)?;
-        // Our own is there at once.
+        // Our own text arrives at once.
         self.news.input |= !self.events.is_empty();
         self.flush()
     }
@@ -366,11 +370,6 @@ impl Window {
         let out = &mut self.events;
         self.clipboard
             .request(&self.connection, which, time, place, out)
-    }
-
-    /// The connection's socket, for questions about it; do not read from it.
-    pub fn socket(&self) -> BorrowedFd<'_> {
-        self.connection.socket()
     }
 
     fn visible(&self) -> bool {
@@ -393,15 +392,16 @@ impl Window {
 }
 
 /// Takes the events up to the first completed key press or click: egui sees at most one of each per
-/// pass and would lose the first of two. Text before it gets a pass of its own, because a Tab or
-/// click moves the focus and the next field would receive the text too. Takes everything if very
-/// many events are queued.
+/// pass and would lose the first of two. Text before it gets a separate pass, because a Tab or
+/// click moves the focus, and the next field would also receive the text. So does a motion before a
+/// release: a drag that has stopped no longer moves what it held. If very many events are queued,
+/// all are taken.
 fn first_deed(events: &mut Vec<egui::Event>) -> Vec<egui::Event> {
-    use egui::Event::{Copy, Cut, Key, Paste, PointerButton, Text};
+    use egui::Event::{Copy, Cut, Key, Paste, PointerButton, PointerMoved, Text};
     if events.len() > MOST_EVENTS {
         return std::mem::take(events);
     }
-    let mut written = false;
+    let (mut written, mut moved) = (false, false);
     let mut end = events.len();
     for (at, event) in events.iter().enumerate() {
         let (begins, ends) = match event {
@@ -417,7 +417,18 @@ fn first_deed(events: &mut Vec<egui::Event>) -> Vec<egui::Event> {
                 let deed = *pressed && !writes;
                 (deed, deed && !repeat)
             }
-            PointerButton { pressed, .. } => (*pressed, !pressed),
+            PointerMoved(_) => {
+                moved = true;
+                (false, false)
+            }
+            PointerButton { pressed, .. } => {
+                if moved && !pressed {
+                    end = at;
+                    break;
+                }
+                moved = false;
+                (*pressed, !pressed)
+            }
             Copy | Cut | Paste(_) => (true, true),
             _ => (false, false),
         };

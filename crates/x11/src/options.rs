@@ -1,6 +1,6 @@
 //! How a window is opened.
 
-/// How to open a window. By default it is one pixel large: set [`Options::size`].
+/// Options for opening a window. By default it is one pixel large: set [`Options::size`].
 #[derive(Clone, Debug, Default)]
 pub struct Options {
     /// The display's name; `None` uses the environment variable `DISPLAY`.

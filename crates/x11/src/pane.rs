@@ -1,8 +1,8 @@
-//! A child window for the host, which draws in it or embeds a window of its own.
+//! A child window for the host, which draws in it or embeds another window in it.
 //!
-//! We select only events about the pane's children: ButtonPress and SubstructureRedirect can be
-//! selected by one client alone, which is the host. Editor widgets above the pane are cut out of
-//! its shape, since a child window covers its parent.
+//! We select only events about the pane's children: only one client can select ButtonPress and
+//! SubstructureRedirect, which is the host. Editor widgets above the pane are cut out of its shape,
+//! because a child window covers its parent.
 
 use x11rb::protocol::Event;
 use x11rb::protocol::shape::{ConnectionExt as _, SK, SO};
@@ -12,7 +12,8 @@ use x11rb::protocol::xproto::{
     Rectangle,
 };
 
-use super::connection::{Connection, SENT};
+use super::connection::Connection;
+use super::packets::SENT;
 use super::state::Window;
 use super::{pane_pool, window};
 use crate::error::Result;
@@ -77,7 +78,7 @@ impl Window {
         let Ok(Some(pane)) = pane_pool::take(connection.display()) else {
             return Ok(false);
         };
-        // As its parent we hear when it is destroyed.
+        // Its parent, our window, receives an event when it is destroyed.
         let ours = self.frame.window;
         for (window, mask) in [
             (pane, EventMask::SUBSTRUCTURE_NOTIFY),
@@ -103,7 +104,7 @@ impl Window {
         Ok(shown)
     }
 
-    /// Parks the pane: the host may go on drawing in it, unseen.
+    /// Parks the pane: the host may continue to draw in it, invisibly.
     pub(super) fn close_pane(&mut self) -> Result<()> {
         let Some(pane) = self.pane.take() else {
             return Ok(());
@@ -153,8 +154,8 @@ impl Window {
 }
 
 impl Pane {
-    /// Moves and resizes the pane and its children. Waits until a new size has taken effect, since
-    /// the host is told of it next.
+    /// Moves and resizes the pane and its children. Waits until a new size has taken effect,
+    /// because it is reported to the host next.
     fn put(&mut self, connection: &Connection, place: &PanePlace) -> Result<()> {
         if self.place == *place {
             return Ok(());
@@ -187,7 +188,7 @@ impl Pane {
         self.fill(connection, child)
     }
 
-    /// Makes a child fill the pane; one that is gone causes an error event, which is ignored.
+    /// Makes a child fill the pane. A child that is gone causes an error event, which is ignored.
     fn fill(&self, connection: &Connection, child: u32) -> Result<()> {
         let Area { width, height, .. } = self.place.area;
         let size = ConfigureWindowAux::new().x(0).y(0);

@@ -1,5 +1,5 @@
-//! Panes outlive the windows that show them: if a window that a host draws in vanishes, Xlib ends
-//! the program and OpenGL writes to freed memory. So panes belong to a separate connection per
+//! Panes outlive the windows that show them. If a window that a host draws in vanishes, Xlib ends
+//! the program, and OpenGL writes to freed memory. So panes belong to a separate connection per
 //! display, which lives as long as the process; a closed pane is parked on the root window for
 //! reuse and never destroyed.
 
@@ -24,9 +24,9 @@ struct Pool {
     free: Vec<u32>,
 }
 
-/// All pools, and the process that made them: after `fork` the child has none. Locked while a
-/// server is asked, so a silent one keeps the panes of other threads waiting, too: a second for
-/// each question at most.
+/// All pools, and the process that created them: after `fork` the child has none. The lock is held
+/// while a server is asked, so a silent server delays the panes of other threads, too: by at most a
+/// second for each request.
 static POOLS: Mutex<(u32, Vec<Pool>)> = Mutex::new((0, Vec::new()));
 
 fn pools() -> MutexGuard<'static, (u32, Vec<Pool>)> {
@@ -86,8 +86,8 @@ pub(super) fn save_in(connection: &Connection, window: u32, mode: SaveSetMode) -
     connection.sent(asked).map(drop)
 }
 
-/// Whether the server has what panes need: XFIXES save-sets with a target, and SHAPE. Query before
-/// using either.
+/// Whether the server supports what panes need: XFIXES save-sets with a target, and SHAPE. Query
+/// before using either.
 pub(super) fn can(connection: &Connection) -> Result<bool> {
     let shape = x11rb::protocol::shape::X11_EXTENSION_NAME;
     for name in [xfixes::X11_EXTENSION_NAME, shape] {
@@ -117,7 +117,7 @@ impl Pool {
         })
     }
 
-    /// Discards what has arrived, so that it does not pile up.
+    /// Discards what has arrived, so that it does not accumulate.
     fn read(&self) -> Result<()> {
         while self.connection.next()?.is_some() {}
         Ok(())

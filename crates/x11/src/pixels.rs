@@ -64,8 +64,8 @@ impl Layout {
         x * self.bytes
     }
 
-    /// Converts pixels starting at (`x`, `y`) of the window into `out`, without padding; those it
-    /// has no room for are left out.
+    /// Converts pixels starting at (`x`, `y`) of the window into `out`, without padding. Pixels for
+    /// which `out` has no room are omitted.
     pub(super) fn convert(&self, pixels: &[u32], x: usize, y: usize, out: &mut [u8]) {
         let last = self.tables.len().saturating_sub(1);
         let line = (y & 3) * 4;
@@ -135,7 +135,7 @@ mod tests {
     const FIFTEEN: [u32; 3] = [0x7c00, 0x3e0, 0x1f];
     const EIGHT: [u32; 3] = [0x7, 0x38, 0xc0];
 
-    /// One pixel, as a number read in the server's order of bytes.
+    /// One pixel, as a number in the server's byte order.
     fn one(layout: &Layout, pixel: u32, x: usize, y: usize) -> u32 {
         let mut out = vec![0xa5; layout.offset(1)];
         layout.convert(&[pixel], x, y, &mut out);
@@ -215,7 +215,7 @@ mod tests {
                         }
                     }
                     for (sum, mask) in sums.iter().zip(masks) {
-                        // A sixteenth of a level is the finest that 4×4 places show.
+                        // A sixteenth of a level is the finest that a 4×4 pattern shows.
                         let level = 255.0 / f64::from(mask >> mask.trailing_zeros());
                         let off = (sum - f64::from(value)).abs();
                         assert!(off <= level / 16.0, "{depth}: {value} is {sum}");

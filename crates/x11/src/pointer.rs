@@ -1,7 +1,7 @@
-//! X's buttons, motions and crossings become egui's events.
+//! Converts X's buttons, motions and crossings to egui's events.
 //!
-//! Consecutive motions are merged; one before a button event says where it happened. While a button
-//! is held the pointer belongs to the window, even outside it.
+//! Consecutive motions are merged; a motion before a button event gives its place. While a button
+//! is held, the pointer belongs to the window, even outside it.
 
 use egui::{
     Event, Modifiers, MouseWheelSource, MouseWheelUnit, PointerButton, Pos2, TouchPhase, Vec2,
@@ -30,7 +30,7 @@ impl Pointer {
         self.moved(pos, out);
     }
 
-    /// The pointer left; egui hears of it once no button is held.
+    /// The pointer left the window; reported to egui once no button is held.
     pub(super) fn left(&mut self, out: &mut Vec<Event>) {
         self.inside = false;
         self.forget(out);

@@ -1,8 +1,8 @@
-//! From the pixel buffer to the screen.
+//! Brings the pixel buffer to the screen.
 //!
-//! Uses shared memory if the server is on this machine and can attach it, else images in pieces.
-//! One frame is in flight at a time, so a slow link or a stalled server lowers the frame rate and
-//! never builds a queue.
+//! It uses shared memory if the server is on this machine and can attach it, otherwise images in
+//! pieces. One frame is in flight at a time, so a slow link or a stalled server lowers the frame
+//! rate and never builds a queue.
 //!
 //! The buffer keeps its pixels, so exposed areas are shown again without painting.
 
@@ -30,7 +30,7 @@ const PIECES: u32 = 3;
 /// The most spare shared memory, in bytes, kept for a window that may grow.
 const MOST_SLACK: usize = 8 << 20;
 
-/// The most pixels in a buffer, as on four of today's largest screens.
+/// The maximum number of pixels in a buffer, enough for four of today's largest screens.
 const MOST_PIXELS: u32 = 1 << 26;
 
 /// The longest side of a buffer, in pixels.
@@ -41,7 +41,7 @@ pub(super) struct Surface {
     context: u32,
     depth: u8,
     layout: Layout,
-    /// The buffer's size: the window's when the buffer was made.
+    /// The buffer's size: that of the window when the buffer was created.
     size: (u32, u32),
     store: Store,
     shares: bool,
@@ -176,7 +176,7 @@ impl Surface {
         Ok(())
     }
 
-    /// Allocates shared memory; `None` if there is none. Does not wait for the server to attach it:
+    /// Allocates shared memory; `None` if that fails. Does not wait until the server attaches it:
     /// if that fails, [`Surface::failed`] gets the error.
     fn attach(&mut self, connection: &Connection, bytes: usize) -> Result<Option<Segment>> {
         let Ok((memory, file)) = Memory::new(bytes) else {
@@ -305,7 +305,7 @@ impl Surface {
                 &self.scratch,
             );
             connection.sent(asked)?;
-            // A message to ourselves comes back when the image has been drawn.
+            // A message to ourselves arrives when the image has been drawn.
             self.serial = self.serial.wrapping_add(1);
             let kind = connection.atoms()._VIDES_SHOWN;
             let message = ClientMessageEvent::new(32, self.window, kind, [self.serial, 0, 0, 0, 0]);
@@ -333,7 +333,7 @@ impl Surface {
         arrived
     }
 
-    /// Our message behind a piece came back. True if that completes the frame.
+    /// Our message after a piece arrived. True if that completes the frame.
     pub(super) fn arrived(&mut self, connection: &Connection, serial: u32) -> Result<bool> {
         if let Flight::Pieces { under_way, .. } = &mut self.flight {
             // Check the serial: any client can send such messages.
@@ -346,7 +346,7 @@ impl Surface {
         Ok(false)
     }
 
-    /// Handles an error that concerns images: the frame is given up, and after one from shared
+    /// Handles an error that concerns images. The frame is given up; after an error of shared
     /// memory everything is sent again as images. True if a frame was in flight.
     pub(super) fn failed(&mut self, connection: &Connection, error: &X11Error) -> Result<bool> {
         let known = connection.sent(connection.extension_information(shm::X11_EXTENSION_NAME))?;
@@ -425,12 +425,12 @@ fn detach(connection: &Connection, segment: u32) -> Result<()> {
 
 #[cfg(test)]
 impl Surface {
-    /// The server takes shared memory.
+    /// Whether the server uses shared memory.
     pub(super) fn shares(&self) -> bool {
         self.shares
     }
 
-    /// Bytes that the pixels take.
+    /// The number of bytes in the pixels.
     pub(super) fn room(&self) -> usize {
         match &self.store {
             Store::None => 0,

@@ -6,6 +6,9 @@ use x11rb::resource_manager::Database;
 use super::connection::Connection;
 use crate::error::Result;
 
+/// The maximum length of the resources to read, in units of 4 bytes.
+const MAX_UNITS: u32 = 1 << 16;
+
 /// Reads the X resources from the root window; `None` without a reply.
 pub(super) fn ask(connection: &Connection) -> Result<Option<Database>> {
     let mut question = Database::GET_RESOURCE_DATABASE;
@@ -16,7 +19,7 @@ pub(super) fn ask(connection: &Connection) -> Result<Option<Database>> {
         question.property,
         question.type_,
         0,
-        question.long_length,
+        MAX_UNITS,
     ))?;
     Ok(answer.map(|answer| Database::new_from_get_property_reply(&answer).unwrap_or_default()))
 }

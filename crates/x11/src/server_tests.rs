@@ -108,6 +108,23 @@ fn a_display_that_is_none_is_named_with_the_reason() {
 }
 
 #[test]
+fn displays_of_this_machine_have_the_names_that_xlib_knows() {
+    let server = Server::start();
+    let number = &server.display()[1..];
+    for name in ["unix:", "unix/:", ":"] {
+        for end in ["", ".0"] {
+            let display = format!("{name}{number}{end}");
+            open(Some(&display)).unwrap_or_else(|error| panic!("{error}"));
+        }
+    }
+    let error = refusal("unix:59535");
+    let expected = "display \"unix:59535\": no X server is reached (No such file or directory)";
+    assert_eq!(error, expected);
+    let expected = "\"unix:0x\" is not the name of a display; those look like \":0\" or \"host:0\"";
+    assert_eq!(refusal("unix:0x"), expected);
+}
+
+#[test]
 fn without_a_display_there_is_a_sentence() {
     if is_alone() {
         let expected = match std::env::var("DISPLAY") {

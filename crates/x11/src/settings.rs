@@ -1,9 +1,9 @@
-//! What the desktop asks of its programs, by freedesktop.org's XSETTINGS: whether it is dark, by the
-//! name in `Net/ThemeName`, for example "Adwaita-dark" or "Mint-Y-Dark-Aqua", and whether nothing is
-//! to move by itself, by `Gtk/EnableAnimations`.
+//! The desktop's settings, by freedesktop.org's XSETTINGS: whether it is dark, by the name in
+//! `Net/ThemeName`, for example "Adwaita-dark" or "Mint-Y-Dark-Aqua", and whether it asks for no
+//! animations, by `Gtk/EnableAnimations`.
 //!
 //! Any client may own the selection and write anything there, so the data is parsed defensively and
-//! ignored where it makes no sense.
+//! ignored if it is not valid.
 
 use x11rb::protocol::xproto::{
     ChangeWindowAttributesAux, ClientMessageEvent, ConnectionExt as _, EventMask,
@@ -20,17 +20,17 @@ const MOST_WORDS: u32 = 16 << 10;
 const THEME: &[u8] = b"Net/ThemeName";
 const MOVES: &[u8] = b"Gtk/EnableAnimations";
 
-/// What the desktop asks, as far as it says so.
+/// The desktop's settings, as far as they are given.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Asked {
     pub(super) dark: Option<bool>,
-    /// Nothing is to move by itself.
+    /// No animations.
     pub(super) still: bool,
 }
 
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Settings {
-    /// The manager's window, 0 if there is none.
+    /// The manager's window, or 0.
     manager: u32,
     /// The manager's property has changed.
     stale: bool,
@@ -47,8 +47,8 @@ impl Settings {
         Ok(settings)
     }
 
-    /// Finds the current manager. A new one that has written nothing yet leaves the value alone;
-    /// its first write will be an event.
+    /// Finds the current manager. If a new one has not written anything yet, the value is
+    /// unchanged; its first write will be an event.
     fn find(&mut self, connection: &Connection) -> Result<()> {
         let selection = connection.atoms()._XSETTINGS_S0;
         let owner = connection.answer(connection.get_selection_owner(selection))?;
@@ -78,7 +78,7 @@ impl Settings {
         ours
     }
 
-    /// Notes a MANAGER message on the root window about a new manager.
+    /// Handles a MANAGER message on the root window, which announces a new manager.
     pub(super) fn announced(&mut self, connection: &Connection, event: &ClientMessageEvent) {
         let atoms = connection.atoms();
         self.replaced |= event.window == scale::root(connection)
@@ -87,8 +87,8 @@ impl Settings {
             && event.data.as_data32()[1] == atoms._XSETTINGS_S0;
     }
 
-    /// Reads the settings once for all changes noted, so that a flood of them costs little. True if
-    /// the value changed.
+    /// Reads the settings once for all changes so far, so that a flood of them costs little. True
+    /// if the value changed.
     pub(super) fn renew(&mut self, connection: &Connection) -> Result<bool> {
         let before = self.asked;
         let stale = std::mem::take(&mut self.stale);
@@ -111,14 +111,14 @@ impl Settings {
             0,
             MOST_WORDS,
         ))?;
-        // Without a reply the value stays as it was.
+        // Without a reply the value is unchanged.
         let Some(answer) = answer else {
             return Ok(false);
         };
         let there = answer.type_ != 0;
         self.asked = Asked::default();
         if answer.format == 8 {
-            // What is cut off says no more.
+            // Anything after a truncation is ignored.
             let _ = self.asked.read(&answer.value);
         }
         Ok(there)
@@ -133,7 +133,7 @@ fn is_dark(theme: &[u8]) -> Option<bool> {
 }
 
 impl Asked {
-    /// Takes what settings say, up to the first that makes no sense.
+    /// Reads settings, up to the first that is not valid.
     fn read(&mut self, settings: &[u8]) -> Option<()> {
         let mut rest = Reader {
             bytes: settings,
@@ -225,7 +225,7 @@ pub(super) mod tests {
     }
 
     /// Settings as a manager writes them, with this theme among others; a name that begins with
-    /// `still` asks that nothing moves.
+    /// `still` asks for no animations.
     pub(crate) fn settings(big_endian: bool, theme: &str) -> Vec<u8> {
         let moves = !theme.starts_with("still");
         let short = |value: u16| match big_endian {
@@ -313,7 +313,7 @@ pub(super) mod tests {
         assert_eq!(with(0, 0), Some(true));
         assert_eq!(with(0, 2), None, "an order of bytes that is none");
         assert_eq!(with(8, 3), None, "behind the last of them");
-        // Behind a kind that is none, be it without a value.
+        // After a kind that does not exist, even without a value.
         let colour = good.windows(4).position(|four| four == b"Some").unwrap();
         let mut other = good.clone();
         other[colour - 4] = 3;

@@ -7,6 +7,8 @@ use std::io::{Error, Result};
 use std::os::fd::{AsRawFd, OwnedFd};
 use std::ptr::NonNull;
 
+use vides_engine::descriptor::off_standard;
+
 use rustix::fs::{FallocateFlags, MemfdFlags, SealFlags, fallocate, fcntl_add_seals, memfd_create};
 
 #[derive(Debug)]
@@ -21,7 +23,7 @@ impl Memory {
     pub(super) fn new(length: usize) -> Result<(Self, OwnedFd)> {
         let length = length.max(1).next_multiple_of(4096);
         let flags = MemfdFlags::CLOEXEC | MemfdFlags::ALLOW_SEALING;
-        let file = memfd_create("vides", flags)?;
+        let file = off_standard(memfd_create("vides", flags)?)?;
         fallocate(&file, FallocateFlags::empty(), 0, length as u64)?;
         fcntl_add_seals(&file, SealFlags::SHRINK | SealFlags::GROW | SealFlags::SEAL)?;
         let protection = libc::PROT_READ | libc::PROT_WRITE;
@@ -49,7 +51,7 @@ impl Memory {
 
     pub(super) fn pixels(&mut self) -> &mut [u32] {
         // SAFETY: the mapping is `length` bytes long, page-aligned and lives as long as `self`, and
-        // any bits are a valid `u32`. Nobody else writes: the server was told to map it read-only.
+        // any bits are a valid `u32`. No one else writes: the server was asked to map it read-only.
         unsafe { std::slice::from_raw_parts_mut(self.start.as_ptr().cast(), self.length / 4) }
     }
 
@@ -61,7 +63,7 @@ impl Memory {
 
 impl Drop for Memory {
     fn drop(&mut self) {
-        // SAFETY: the mapping is ours alone, and nothing points into it any more.
+        // SAFETY: only we have the mapping, and nothing points into it any more.
         unsafe { libc::munmap(self.start.as_ptr().cast(), self.length) };
     }
 }

@@ -1,4 +1,4 @@
-//! What an open window holds.
+//! The state of an open window.
 
 use std::time::Instant;
 
@@ -18,7 +18,7 @@ use super::present::Surface;
 use super::settings::Settings;
 use super::window::Frame;
 
-/// What happened since the last poll, besides input events for egui.
+/// What happened since the last poll, apart from input events for egui.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PollResult {
     /// There is input, or the size or scale changed: run egui.
@@ -31,7 +31,7 @@ pub struct PollResult {
     pub shown: bool,
     /// The pixel buffer was replaced: paint it whole.
     pub new_buffer: bool,
-    /// Events are left over: poll again soon, even if the descriptor is not readable.
+    /// More events are waiting: poll again soon, even if the descriptor is not readable.
     pub more: bool,
 }
 
@@ -51,7 +51,7 @@ pub struct Window {
     pub(super) settings: Settings,
     pub(super) home: Option<EmbedParent>,
     pub(super) pane: Option<Pane>,
-    /// Time and place of a middle click, until egui says whether it was over editable text.
+    /// Time and place of a middle click, until egui reports whether it was over editable text.
     pub(super) middle: Option<(u32, Pos2)>,
     /// The last pointer position, in points.
     pub(super) pos: Pos2,

@@ -1,9 +1,9 @@
 //! The byte stream to and from the X server, below x11rb's connection.
 //!
-//! x11rb's own stream will not do: writing to a server that is gone must not raise SIGPIPE in the
-//! host, and a server that does not answer must not block it. Writes never wait: what the socket
-//! does not take is queued, and [`Stream::watch`] becomes readable when it can be sent. Only
-//! replies are waited for, at most for [`REPLY_TIMEOUT`].
+//! x11rb's own stream cannot be used: writing to a server that is gone must not raise SIGPIPE in
+//! the host, and a server that does not answer must not block it. Writes never wait: what the
+//! socket does not take is queued, and [`Stream::watch`] becomes readable when it can be sent. Only
+//! reads of replies wait, for at most [`REPLY_TIMEOUT`].
 
 use std::cell::{Cell, RefCell};
 use std::collections::VecDeque;
@@ -16,26 +16,30 @@ use rustix::event::epoll::{self, EventData, EventFlags};
 use rustix::event::{PollFd, PollFlags, Timespec};
 use rustix::io::{Errno, retry_on_intr};
 use rustix::net::{RecvFlags, SendAncillaryBuffer, SendAncillaryMessage, SendFlags, recv, sendmsg};
+use vides_engine::descriptor::off_standard;
 use x11rb::rust_connection::PollMode;
 use x11rb::utils::RawFdContainer;
+
+use super::packets::Packets;
 
 /// How long to wait for a reply once the window is open, whatever else arrives. After a timeout
 /// there is no waiting until the server speaks again.
 pub(super) const REPLY_TIMEOUT: Duration = Duration::from_secs(1);
 
-/// How long not to wait after a server that sent events did not reply, perhaps because it is
-/// grabbed by another client. This blocks the host for at most one second in six.
+/// How long not to wait after a server has sent events but no reply, perhaps because another client
+/// has grabbed it. So the host is blocked for at most one second in six.
 const BACKOFF: Duration = Duration::from_secs(5);
 
-/// Bytes read while waiting for replies before events must be handled: about 130,000 events, six
-/// times the bytes once in x11rb's queue. Replies are far smaller.
+/// The maximum number of bytes read while waiting for replies before events must be handled: about
+/// 130,000 events, six times the bytes once in x11rb's queue. Replies are far smaller.
 const MOST_BEFORE_ANSWER: usize = 4 << 20;
 
-/// The limit for unsent output, in bytes. Images go in pieces, each after the one before has
-/// arrived, so reaching it means that something is wrong.
+/// The limit for unsent output, in bytes. Images are sent in pieces, each after the one before has
+/// arrived, so reaching the limit means that something is wrong.
 const MOST_WAITING: usize = 16 << 20;
 
-/// Bytes read before events are handled. A faster sender waits, and takes no memory here.
+/// The maximum number of bytes read before events are handled. A faster sender waits, and takes no
+/// memory here.
 const MOST_AT_ONCE: usize = 64 << 10;
 
 const MOST_DESCRIPTORS: usize = 4;
@@ -51,12 +55,13 @@ pub(super) struct Stream {
     awaited: Cell<Option<Awaited>>,
     /// A reply timed out, and nothing was received since.
     silent: Cell<bool>,
-    /// No waiting until then, because input came but no reply.
+    /// No waiting until then, because input arrived but no reply.
     backoff_until: Cell<Option<Instant>>,
-    /// Bytes read since x11rb was last told that there is no more.
+    /// Bytes read since x11rb last got `WouldBlock`.
     taken: Cell<usize>,
     /// Bytes read but not yet handled.
     ahead: Cell<usize>,
+    packets: Cell<Packets>,
 }
 
 /// The wait for a reply, from the first poll for it until the next request.
@@ -78,7 +83,7 @@ struct Waiting {
 impl Stream {
     /// `deadline` holds for all replies together, until [`Stream::settle`].
     pub(super) fn new(socket: OwnedFd, deadline: Instant) -> Result<Self> {
-        let watch = epoll::create(epoll::CreateFlags::CLOEXEC)?;
+        let watch = off_standard(epoll::create(epoll::CreateFlags::CLOEXEC)?)?;
         epoll::add(&watch, &socket, EventData::new_u64(0), EventFlags::IN)?;
         Ok(Self {
             socket,
@@ -90,6 +95,7 @@ impl Stream {
             backoff_until: Cell::new(None),
             taken: Cell::new(0),
             ahead: Cell::new(0),
+            packets: Cell::default(),
         })
     }
 
@@ -99,10 +105,6 @@ impl Stream {
 
     pub(super) fn watch(&self) -> BorrowedFd<'_> {
         self.watch.as_fd()
-    }
-
-    pub(super) fn socket(&self) -> BorrowedFd<'_> {
-        self.socket.as_fd()
     }
 
     pub(super) fn looked_at(&self, bytes: usize) {
@@ -191,7 +193,7 @@ impl Stream {
     fn give_up(&self, awaited: Awaited) -> Error {
         self.awaited.set(None);
         if self.backs_off() {
-            // There was no waiting, so this says nothing about the server.
+            // It did not wait, so this shows nothing about the server.
         } else if awaited.taken == 0 {
             self.silent.set(true);
         } else {
@@ -214,7 +216,7 @@ impl x11rb::rust_connection::Stream for Stream {
         self.awaited.set(Some(awaited));
         let late = || Instant::now() >= awaited.end;
         let much = self.ahead.get() >= MOST_BEFORE_ANSWER;
-        // Input that is there already is read once, even after the deadline.
+        // Input that is already there is read once, even after the deadline.
         if awaited.taken > 0 && (much || late()) {
             return Err(self.give_up(awaited));
         }
@@ -236,15 +238,21 @@ impl x11rb::rust_connection::Stream for Stream {
         }
     }
 
-    /// x11rb reads until `WouldBlock`, so this returns it now and then although there is more.
+    /// x11rb reads until `WouldBlock`, so this returns it now and then even if there is more.
     fn read(&self, buf: &mut [u8], _: &mut Vec<RawFdContainer>) -> Result<usize> {
         let taken = self.taken.take();
         if taken >= MOST_AT_ONCE {
             return Err(ErrorKind::WouldBlock.into());
         }
-        // Descriptors are never requested; the kernel closes any that come.
+        // Descriptors are never requested; the kernel closes any that arrive.
         let (count, _) = retry_on_intr(|| recv(&self.socket, &mut *buf, RecvFlags::DONTWAIT))?;
-        // A silent server has spoken: waiting for it starts afresh.
+        let mut packets = self.packets.get();
+        let sensible = packets.follow(buf.get(..count).unwrap_or_default());
+        self.packets.set(packets);
+        if !sensible {
+            return Err(ErrorKind::InvalidData.into());
+        }
+        // A silent server has spoken: waiting begins afresh.
         let spoken = self.silent.replace(false);
         let awaited = self.awaited.get().filter(|_| !spoken);
         self.awaited.set(awaited.map(|awaited| Awaited {
@@ -265,7 +273,7 @@ impl x11rb::rust_connection::Stream for Stream {
     }
 }
 
-/// Waits for `events` on `socket`. Empty if the time is over.
+/// Waits for `events` on `socket`. Returns none if the time is over.
 pub(super) fn wait(socket: BorrowedFd<'_>, events: PollFlags, time: Duration) -> Result<PollFlags> {
     let mut entry = [PollFd::from_borrowed_fd(socket, events)];
     let time = Timespec::try_from(time).ok();
@@ -330,7 +338,7 @@ mod tests {
         let mut buffer = vec![0; 1 << 16];
         theirs.set_nonblocking(true).unwrap();
         while got.len() < all.len() {
-            // Room is told of when most of the socket's buffer is free again.
+            // Room is reported when most of the socket's buffer is free again.
             while let Ok(count) = theirs.read(&mut buffer) {
                 got.extend(&buffer[..count]);
             }
@@ -365,7 +373,7 @@ mod tests {
         assert_eq!(stream.reply_timeout(), Duration::ZERO);
     }
 
-    /// Asks and waits as x11rb does, until `enough` has come; how much did.
+    /// Requests and waits as x11rb does, until `enough` bytes have arrived; returns how many did.
     fn ask(stream: &Stream, enough: usize) -> Result<usize> {
         let mut buffer = [0; 4096];
         let mut got = 0;
@@ -383,7 +391,7 @@ mod tests {
         Ok(got)
     }
 
-    /// Runs `check` while somebody sends so much after each rest, for ever.
+    /// Runs `check` while another thread sends these bytes after each pause, for ever.
     fn while_sent(bytes: &[u8], rest: Duration, check: impl FnOnce(&Stream)) {
         let (stream, theirs) = pair();
         stream.settle();
@@ -413,7 +421,7 @@ mod tests {
                     time >= REPLY_TIMEOUT && time < 2 * REPLY_TIMEOUT,
                     "{time:?}"
                 );
-                // Whatever comes, and however often it is asked.
+                // Whatever arrives, and however often a reply is requested.
                 let start = Instant::now();
                 for _ in 0..100 {
                     thread::sleep(Duration::from_millis(2));
@@ -424,7 +432,7 @@ mod tests {
                 assert!(end <= start + BACKOFF, "a rest grows");
                 stream.backoff_until.set(Some(Instant::now())); // as if it were over
             }
-            // What is answered at last, in time, is waited for.
+            // A reply that arrives in time again is waited for.
             for _ in 0..3 {
                 assert!(waited(320).0.is_ok());
             }
@@ -442,7 +450,7 @@ mod tests {
             let error = ask(stream, 10 * MOST_BEFORE_ANSWER).unwrap_err();
             assert_eq!(error.kind(), ErrorKind::TimedOut);
         });
-        // However much time there is.
+        // However much time is left.
         let (stream, _theirs) = pair();
         stream.settle();
         stream.ahead.set(MOST_BEFORE_ANSWER);
@@ -451,7 +459,7 @@ mod tests {
         assert!(start.elapsed() < REPLY_TIMEOUT / 2);
     }
 
-    /// What is read for answers and not looked at lies in memory.
+    /// What is read while waiting for replies, and not yet handled, takes memory.
     #[test]
     fn however_often_is_asked_not_more_is_read_until_all_was_looked_at() {
         while_sent(&[7; 1 << 16], Duration::ZERO, |stream| {
@@ -492,7 +500,7 @@ mod tests {
             });
             let mut buffer = [0; 4096];
             for _ in 0..20 {
-                // As x11rb does, until there is nothing more.
+                // Like x11rb, until nothing is left.
                 let mut got = 0;
                 stream.poll(PollMode::Readable).unwrap();
                 let end = loop {

@@ -6,7 +6,7 @@ use x11rb::protocol::xproto::{Screen, Setup, VisualClass, Visualtype};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Visual {
     pub(super) id: u32,
-    /// Bits that mean something.
+    /// The number of significant bits.
     pub(super) depth: u8,
     /// Bits per pixel in an image: 8, 16, 24 or 32.
     pub(super) bits: u8,
@@ -22,7 +22,8 @@ pub(super) struct Visual {
 /// Best first.
 const DEPTHS: [u8; 5] = [24, 30, 32, 16, 15];
 
-/// The root's visual if usable, else the best that is; `None` if there is no TrueColor visual.
+/// The root's visual if usable, otherwise the best usable one; `None` if there is no TrueColor
+/// visual.
 pub(super) fn choose(setup: &Setup, screen: &Screen) -> Option<Visual> {
     let all = || {
         screen.allowed_depths.iter().flat_map(|depth| {

@@ -186,7 +186,7 @@ fn describe(
             &[owner],
         )?;
     }
-    // Without a window of the host's, it leads a group of its own.
+    // Without a host's window, it leads its own group.
     set(atoms.WM_CLIENT_LEADER, AtomEnum::WINDOW, &[window])?;
     let hints = WmHints {
         input: Some(true),
@@ -256,7 +256,7 @@ pub(super) fn set_title(connection: &Connection, window: u32, title: &str) -> Re
     Ok(())
 }
 
-/// WM_CLASS: the instance is the program, so that a desktop sees whose window it is; the class is
+/// WM_CLASS: the instance is the program, so that a desktop shows whose window it is; the class is
 /// always "Vides" (ICCCM 4.1.2.5).
 fn class(application: &str) -> Vec<u8> {
     let mut class = latin1(application);
@@ -278,7 +278,7 @@ fn latin1(text: &str) -> Vec<u8> {
     text.chars().map(letter).collect()
 }
 
-/// The locale, found as C programs do.
+/// The locale, determined as in C programs.
 fn locale() -> String {
     let set = |name| std::env::var(name).ok().filter(|value| !value.is_empty());
     let found = ["LC_ALL", "LC_CTYPE", "LANG"].into_iter().find_map(set);

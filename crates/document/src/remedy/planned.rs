@@ -24,6 +24,8 @@ impl Document {
             (FindingKind::Clearance | FindingKind::Through, Some(object)) => {
                 self.led_clear(object, progress)
             }
+            // Of sections with a pace of their own the ten speeds cannot be joined.
+            (FindingKind::SpeedJump, _) => self.paced(finding, progress),
             (kind, _) if is_of_pace(kind) => self.paced(finding, progress),
             _ => Ok(Vec::new()),
         }
@@ -74,7 +76,7 @@ impl Document {
             };
             let mut other = self.try_clone()?.without_history();
             other.apply(Edit::ReplacePath(Box::new(found.try_clone()?)))?;
-            let left = other.check_against(None)?;
+            let left = other.check_against(None, progress)?;
             made = Some(found);
             if !left.iter().any(|left| left.kind == finding.kind) {
                 break;

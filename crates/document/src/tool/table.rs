@@ -378,6 +378,16 @@ pub(super) const TOOLS: &[Tool] = &[
                         0.5,
                     )
                 },
+                Parameter {
+                    unit: Unit::Switch,
+                    least: 0.0,
+                    most: 1.0,
+                    ..one(
+                        "robust",
+                        "leaves out single poses that are off from those around them",
+                        0.0,
+                    )
+                },
             ],
             &[],
         ],

@@ -6,7 +6,7 @@ use vides_engine::scene::{Camera, Extrapolation, FollowPath, Kind, Scene, Values
 
 /// The path of a scene that is nothing but a camera on it.
 pub(crate) fn alone(scene: &Scene) -> Option<&FollowPath> {
-    let [node] = scene.nodes() else {
+    let [node] = scene.nodes().as_slice() else {
         return None;
     };
     let path = node.path()?;

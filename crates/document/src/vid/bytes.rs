@@ -5,6 +5,7 @@ use std::path::Path;
 
 use super::field::at_line;
 use crate::error::{EngineError, Error, Malformed, Result, can_allocate, vec_with_room};
+use crate::inputs::note_input;
 use crate::not_a_file::open;
 use vides_engine::limits::MAX_FILE_BYTES;
 
@@ -55,7 +56,9 @@ pub fn read_bytes(file: &Path, most: u64) -> Result<Vec<u8>> {
         source,
     };
     let mut opened = open(file).map_err(io)?;
-    let size = opened.metadata().map_err(io)?.len();
+    let metadata = opened.metadata().map_err(io)?;
+    note_input(&metadata, &place);
+    let size = metadata.len();
     if size > most {
         return Err(too_large(most));
     }

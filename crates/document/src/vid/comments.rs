@@ -3,8 +3,7 @@
 //! Each comment is kept with the place it is attached to (a key, a table, the end of the file) and
 //! put back into the written text there, so that reader and writer need not know of comments.
 //!
-//! A comment moves, goes and returns with its point. A removed one stays in the list, parked under
-//! the number of the removal, so that undo needs no memory.
+//! A comment hangs on its node, whatever number that has, and follows its point.
 
 use std::collections::HashMap;
 use std::ops::Range;
@@ -15,6 +14,7 @@ use crate::error::{Result, can_allocate};
 use vides_engine::limits::MAX_FILE_BYTES;
 use vides_engine::path::CameraPath;
 use vides_engine::property::find;
+use vides_engine::scene::{NodeId, Scene};
 
 /// The comments we write ourselves; `#` otherwise only occurs within strings.
 pub(super) const OURS: [&str; 3] = [
@@ -25,9 +25,7 @@ pub(super) const OURS: [&str; 3] = [
 
 #[derive(Debug, Clone)]
 struct Comment {
-    node: Option<usize>,
-    /// The removal that took its node away, as `parked`. It then has the number from before.
-    node_parked: u64,
+    node: Option<NodeId>,
     table: Table,
     name: Arc<str>,
     item: Arc<str>,
@@ -36,70 +34,17 @@ struct Comment {
     before: Arc<str>,
     /// At the end of the place's line.
     behind: Arc<str>,
-    /// The removal that took its place away, counted from 1; 0: it is there.
-    parked: u64,
-}
-
-impl Comment {
-    fn place(&self) -> Place<'_> {
-        Place {
-            node: self.node,
-            table: self.table,
-            name: &self.name,
-            item: &self.item,
-            key: &self.key,
-        }
-    }
-
-    const fn there(&self) -> bool {
-        self.parked == 0 && self.node_parked == 0
-    }
-}
-
-/// Shifts what is attached to a point for inserted ones, or restores what `removal`, unless 0,
-/// parked.
-pub(crate) const fn insert_points(
-    point: &mut usize,
-    parked: &mut u64,
-    at: usize,
-    count: usize,
-    removal: u64,
-) {
-    if *parked == 0 && *point >= at {
-        *point += count;
-    } else if *parked == removal && removal != 0 {
-        *parked = 0;
-        *point += at;
-    }
-}
-
-/// Shifts what is attached to a point for removed ones, or parks it.
-pub(crate) const fn remove_points(
-    point: &mut usize,
-    parked: &mut u64,
-    at: usize,
-    count: usize,
-    removal: u64,
-) {
-    if *parked != 0 || *point < at {
-    } else if *point >= at + count {
-        *point -= count;
-    } else {
-        *parked = removal;
-        *point -= at;
-    }
 }
 
 /// A file's comments, in the order of their places.
-#[derive(Debug, Default)]
+#[derive(Debug, Clone, Default)]
 pub(crate) struct Comments {
     all: Vec<Comment>,
-    removals: u64,
 }
 
 impl Comments {
-    /// The comments of a text that parses without an error.
-    pub(crate) fn of(text: &str) -> Result<Self> {
+    /// The comments of a text that parses without an error; `nodes`: those of its scene.
+    pub(crate) fn of(text: &str, nodes: &[NodeId]) -> Result<Self> {
         let mut comments = Self::default();
         // If every `#` is in a comment of ours there is nothing to keep.
         let marks = text.bytes().filter(|&byte| byte == b'#').count();
@@ -115,101 +60,70 @@ impl Comments {
             if !before.is_empty() || !behind.is_empty() {
                 let place = statement.place;
                 comments.all.push(Comment {
-                    node: place.node,
-                    node_parked: 0,
+                    node: place.node.and_then(|node| nodes.get(node).copied()),
                     table: place.table,
                     name: place.name.into(),
                     item: place.item.into(),
                     key: place.key.into(),
                     before: before.into(),
                     behind: behind.into(),
-                    parked: 0,
                 });
             }
         });
         Ok(comments)
     }
 
-    pub(crate) fn try_clone(&self) -> Result<Self> {
-        let mut copy = Self::default();
-        copy.all.try_reserve_exact(self.all.len())?;
-        let there = self.all.iter().filter(|comment| comment.there());
-        copy.all.extend(there.cloned());
-        Ok(copy)
+    /// The comments of a text that holds this scene.
+    pub(crate) fn of_scene(text: &str, scene: &Scene) -> Result<Self> {
+        let comments = Self::of(text, scene.ids())?;
+        Ok(match scene.ids() {
+            // A path in its short form.
+            [NodeId::OF_PATH] => comments.in_scene(),
+            _ => comments,
+        })
     }
 
     /// Those of a node's path, or of the path alone.
-    fn of_path(&mut self, node: Option<usize>) -> impl Iterator<Item = &mut Comment> {
-        let all = self.all.iter_mut();
-        all.filter(move |comment| comment.node == node && comment.node_parked == 0)
+    fn of_path(&self, node: Option<NodeId>) -> impl Iterator<Item = &Comment> {
+        self.all.iter().filter(move |comment| comment.node == node)
     }
 
-    /// Shifts comments for inserted points and restores those of `removal`, unless 0.
-    pub(crate) fn insert_points(
+    /// Whether there are any of points of a node's path.
+    pub(crate) fn has_points(&self, node: Option<NodeId>) -> bool {
+        let mut of_path = self.of_path(node);
+        of_path.any(|comment| matches!(comment.table, Table::Point(..)))
+    }
+
+    /// Lets comments follow points that have other numbers now, or none.
+    pub(crate) fn renumber_points(
         &mut self,
-        node: Option<usize>,
-        at: usize,
-        count: usize,
-        removal: u64,
+        node: Option<NodeId>,
+        number: impl Fn(usize) -> Option<usize>,
     ) {
-        for comment in self.of_path(node) {
-            if let Table::Point(point, _) = &mut comment.table {
-                insert_points(point, &mut comment.parked, at, count, removal);
-            }
-        }
+        self.all.retain_mut(|comment| match &mut comment.table {
+            Table::Point(point, _) if comment.node == node => follow(point, &number),
+            _ => true,
+        });
     }
 
-    /// Parks the comments of removed points; returns the number of the removal.
-    pub(crate) fn remove_points(&mut self, node: Option<usize>, at: usize, count: usize) -> u64 {
-        self.removals += 1;
-        let removal = self.removals;
-        for comment in self.of_path(node) {
-            if let Table::Point(point, _) = &mut comment.table {
-                remove_points(point, &mut comment.parked, at, count, removal);
+    /// The same for orientations of a point.
+    pub(crate) fn renumber_views(
+        &mut self,
+        node: Option<NodeId>,
+        of: usize,
+        number: impl Fn(usize) -> Option<usize>,
+    ) {
+        self.all.retain_mut(|comment| match &mut comment.table {
+            Table::Point(point, Some(view)) if *point == of && comment.node == node => {
+                follow(view, &number)
             }
-        }
-        removal
-    }
-
-    /// Shifts comments for inserted nodes, which get these numbers, and restores those of `removal`,
-    /// unless 0.
-    pub(crate) fn insert_nodes(&mut self, places: &[usize], removal: u64) {
-        for comment in &mut self.all {
-            let Some(node) = &mut comment.node else {
-                continue;
-            };
-            if comment.node_parked == 0 {
-                for &place in places {
-                    *node += usize::from(place <= *node);
-                }
-            } else if comment.node_parked == removal {
-                comment.node_parked = 0;
-            }
-        }
-    }
-
-    /// Parks the comments of removed nodes; returns the number of the removal.
-    pub(crate) fn remove_nodes(&mut self, places: &[usize]) -> u64 {
-        self.removals += 1;
-        for comment in self
-            .all
-            .iter_mut()
-            .filter(|comment| comment.node_parked == 0)
-        {
-            let Some(node) = &mut comment.node else {
-                continue;
-            };
-            match places.binary_search(node) {
-                Ok(_) => comment.node_parked = self.removals,
-                Err(before) => *node -= before,
-            }
-        }
-        self.removals
+            _ => true,
+        });
     }
 
     /// Those of a path in a scene of one camera on it.
-    pub(crate) fn in_scene(&self) -> Result<Self> {
-        let mut comments = self.try_clone()?;
+    pub(crate) fn in_scene(&self) -> Self {
+        let mut comments = self.clone();
         let of_path = |key: &str| find(CameraPath::PROPERTIES, key).is_some();
         for comment in comments
             .all
@@ -226,14 +140,17 @@ impl Comments {
                 (_, "presets") => "node.path.presets",
                 _ => continue,
             };
-            (comment.node, comment.name) = (Some(0), name.into());
+            (comment.node, comment.name) = (Some(NodeId::OF_PATH), name.into());
         }
-        Ok(comments)
+        comments
     }
 
-    /// The inverse of [`Comments::in_scene`]; those of the node itself go to the file's head.
-    pub(crate) fn of_path_alone(&self) -> Result<Self> {
-        let mut comments = self.try_clone()?;
+    /// The inverse of [`Comments::in_scene`], of the scene's only node; those of the node itself go
+    /// to the file's head.
+    pub(crate) fn of_path_alone(&self, node: NodeId) -> Self {
+        let mut comments = self.clone();
+        let stays = |comment: &Comment| comment.node.is_none_or(|id| id == node);
+        comments.all.retain(stays);
         for comment in comments
             .all
             .iter_mut()
@@ -255,65 +172,31 @@ impl Comments {
             };
             comment.name = name.into();
         }
-        Ok(comments)
+        comments
     }
 
     /// Those that are of no node and no point, for another scene.
-    pub(crate) fn of_file(&self) -> Result<Self> {
-        let mut comments = self.try_clone()?;
+    pub(crate) fn of_file(&self) -> Self {
+        let mut comments = self.clone();
         comments
             .all
             .retain(|comment| comment.node.is_none() && !matches!(comment.table, Table::Point(..)));
-        Ok(comments)
-    }
-
-    /// Those that are of no point of this node's path, for another path.
-    pub(crate) fn without_points(&self, node: Option<usize>) -> Result<Self> {
-        let mut comments = self.try_clone()?;
         comments
-            .all
-            .retain(|comment| comment.node != node || !matches!(comment.table, Table::Point(..)));
-        Ok(comments)
     }
 
-    pub(crate) fn insert_orientation(
-        &mut self,
-        node: Option<usize>,
-        of: usize,
-        at: usize,
-        removal: u64,
-    ) {
-        for comment in self.of_path(node) {
-            if let Table::Point(point, Some(number)) = &mut comment.table {
-                if comment.parked == 0 && *point == of && *number >= at {
-                    *number += 1;
-                } else if comment.parked == removal && removal != 0 {
-                    comment.parked = 0;
-                    (*point, *number) = (of, at);
-                }
-            }
-        }
+    pub(crate) fn heap_size(&self) -> usize {
+        let texts = self.all.iter();
+        let texts = texts.map(|comment| comment.before.len() + comment.behind.len());
+        size_of_val(&self.all[..]) + texts.sum::<usize>()
     }
 
-    pub(crate) fn remove_orientation(&mut self, node: Option<usize>, of: usize, at: usize) -> u64 {
-        self.removals += 1;
-        let removal = self.removals;
-        for comment in self.of_path(node).filter(|comment| comment.parked == 0) {
-            if let Table::Point(point, Some(number)) = &mut comment.table
-                && *point == of
-            {
-                match (*number).cmp(&at) {
-                    std::cmp::Ordering::Less => {}
-                    std::cmp::Ordering::Equal => comment.parked = removal,
-                    std::cmp::Ordering::Greater => *number -= 1,
-                }
-            }
-        }
-        removal
-    }
-
-    pub(super) fn put_into(&self, text: String) -> Result<String> {
-        let there = || self.all.iter().filter(|comment| comment.there());
+    /// A text with these comments; `nodes`: those of its scene, by their numbers.
+    pub(super) fn put_into(&self, text: String, nodes: &[NodeId]) -> Result<String> {
+        let number = |id: NodeId| nodes.binary_search(&id).ok();
+        let there = || {
+            let all = self.all.iter();
+            all.filter(|comment| comment.node.is_none_or(|id| number(id).is_some()))
+        };
         let sizes = there().map(|comment| comment.before.len() + comment.behind.len() + 2);
         let size = sizes.sum::<usize>() + text.len();
         // Better to lose the comments than to write a file too long to be read.
@@ -337,7 +220,13 @@ impl Comments {
                 Table::Root => "version",
                 _ => "",
             };
-            let place = comment.place();
+            let place = Place {
+                node: comment.node.and_then(number),
+                table: comment.table,
+                name: &comment.name,
+                item: &comment.item,
+                key: &comment.key,
+            };
             let own = places.get(&place).map(|&at| (at, true));
             let header = Place { key, ..place };
             let node = Place {
@@ -379,6 +268,13 @@ impl Comments {
         out.push_str(&text[copied..]);
         Ok(out)
     }
+}
+
+/// Gives something its new number; false: it has none.
+fn follow(number: &mut usize, new: impl Fn(usize) -> Option<usize>) -> bool {
+    let new = new(*number);
+    *number = new.unwrap_or(*number);
+    new.is_some()
 }
 
 fn push_line(out: &mut String, line: &str) {

@@ -15,10 +15,11 @@ use vides_engine::path::{
     Orientation, OrientationOverrides, Overrides, Space, SupportPoint, space,
 };
 use vides_engine::property::find;
+use vides_engine::shared_list::SharedList;
 
 pub(super) fn points(
     array: Field<'_>,
-    points: &mut Vec<SupportPoint>,
+    points: &mut SharedList<SupportPoint>,
     so_far: &mut ReadContext,
     space: Space,
 ) -> Result<()> {

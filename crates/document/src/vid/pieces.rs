@@ -12,8 +12,8 @@ use toml::de::{DeTable, Error as ParseError};
 use super::field::Source;
 use super::tree::{self, Table};
 use super::weight;
-use crate::error::{Error, Result, can_allocate};
-use vides_engine::limits::{MAX_COMMENT_BYTES, MAX_PARSE_BYTES};
+use crate::error::{EngineError, Error, Result, can_allocate};
+use vides_engine::limits::{MAX_COMMENT_BYTES, MAX_FILE_BYTES, MAX_PARSE_BYTES, MAX_TREE_BYTES};
 
 /// Minimum bytes of a piece; small for the fuzzer, so that its files are cut too.
 const PIECE: usize = if cfg!(fuzzing) { 256 } else { 128 << 10 };
@@ -43,6 +43,32 @@ pub(super) fn parse(source: Source<'_>) -> Result<(Table<'_>, usize)> {
     }
 }
 
+/// A text that we have written, if it can be read again.
+///
+/// # Errors
+/// [`Error::FileTooLarge`], [`Error::PieceTooLarge`].
+pub(super) fn readable(text: String) -> Result<String> {
+    if text.len() as u64 > MAX_FILE_BYTES {
+        return Err(Error::FileTooLarge(MAX_FILE_BYTES >> 20));
+    }
+    each_fits(&text, MAX_TREE_BYTES).map(|()| text)
+}
+
+/// Whether each piece can be read within so many bytes.
+fn each_fits(text: &str, most: usize) -> Result<()> {
+    let mut source = Source { text, start: 0 };
+    while source.start < text.len() {
+        let end = cut(source, PIECE);
+        let piece = &text[source.start..end];
+        // A short piece cannot take so much.
+        if piece.len() > most / tree::MOST && !tree::fits(piece, most) {
+            return Err(Error::PieceTooLarge(source.line(0)));
+        }
+        source.start = end;
+    }
+    Ok(())
+}
+
 /// The end of a piece of at least `least` bytes.
 fn cut(source: Source<'_>, least: usize) -> usize {
     let bytes = source.text.as_bytes();
@@ -59,15 +85,41 @@ fn cut(source: Source<'_>, least: usize) -> usize {
 
 fn parse_to(source: Source<'_>, end: usize) -> Result<Result<Table<'_>, ParseError>> {
     let piece = &source.text[source.start..end];
+    match tree::read(piece, MAX_TREE_BYTES) {
+        tree::Reading::Plain(table) => return Ok(Ok(table)),
+        tree::Reading::Dear => return Err(Error::PieceTooLarge(source.line(0))),
+        tree::Reading::NoMemory => return Err(EngineError::Memory.into()),
+        tree::Reading::Other => {}
+    }
     // A short piece cannot weigh so much.
     let long = piece.len() > MAX_PARSE_BYTES / MOST;
     if long && weight::memory(piece) > MAX_PARSE_BYTES {
         return Err(Error::PieceTooLarge(source.line(0)));
     }
-    if let Some(table) = tree::read(piece) {
-        return Ok(Ok(table));
-    }
     // The parser cannot handle running out of memory: check first, copies of its strings included.
     can_allocate(weight::memory(piece) + piece.len())?;
     Ok(DeTable::parse(piece).map(|table| table.into_inner().into()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// By the same count as reading: what is refused in one place is in the other.
+    #[test]
+    fn what_could_not_be_read_again_is_refused_with_its_line() {
+        let rows = |count: usize| "  [0, 1, 2],\n".repeat(count);
+        let node = |count| format!("[[node]]\ntriangles = [\n{}]\n", rows(count));
+        let text = format!("version = 1\n{}{}", node(PIECE / 10), node(PIECE));
+        let second = text[20..].find("[[node]]").unwrap() + 20;
+        let most = 200 * PIECE;
+        assert!(tree::fits(&text[..second], most) && !tree::fits(&text[second..], most));
+        let line = 1 + text[..second].lines().count();
+        let error = each_fits(&text, most).unwrap_err();
+        assert!(
+            matches!(error, Error::PieceTooLarge(at) if at == line),
+            "{error}"
+        );
+        assert!(each_fits(&text, 1000 * PIECE).is_ok());
+    }
 }

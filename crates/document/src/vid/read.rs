@@ -9,13 +9,14 @@ use super::path_read::{points, space};
 use super::pieces;
 use super::scene_read::Drafts;
 use super::{mesh, mesh_source, tree};
-use crate::error::{Invalid, Malformed, Refused, Result, TooMany};
+use crate::error::{Invalid, Malformed, Refused, Result, TooMany, can_allocate};
 use crate::info::{Info, Object, ObjectPoint};
 use crate::named::keys;
 use vides_engine::limits;
 use vides_engine::path::{CameraPath, Space};
 use vides_engine::property::{Table, Value, find};
 use vides_engine::scene::{Mesh, Scene};
+use vides_engine::shared_list::SharedList;
 use vides_engine::tools::check::{FindingKind, Limits, OFF};
 
 /// The keys of a file; those from `title` to `presets` are one value of the whole path each.
@@ -46,6 +47,10 @@ pub(crate) const PATH_KEYS: &[&str] = KEYS.split_at(11).0.split_at(1).1;
 
 /// Arrays of tables, which may recur in each piece of a file.
 const REPEATED: [&str; 3] = ["point", "marker", "node"];
+
+/// Bytes for a point with several views, and for what is taken beside points.
+const ROOM_OF_POINT: usize = 2000;
+const ROOM_BESIDE: usize = 64 << 10;
 
 /// The keys of a path, which in a scene belong to its nodes.
 fn of_path() -> impl Iterator<Item = &'static str> {
@@ -102,9 +107,11 @@ struct Reader {
 impl Reader {
     /// Reads a text; returns the source of its last piece as well.
     fn of(text: &str) -> Result<(Self, Source<'_>)> {
+        // Points are shared, which std cannot refuse where memory has run out.
+        can_allocate(ROOM_BESIDE + ROOM_OF_POINT * text.matches("[[point]]").count())?;
         let mut reader = Self {
             path: CameraPath {
-                points: Vec::new(),
+                points: SharedList::new(),
                 ..CameraPath::default()
             },
             info: Info::default(),

@@ -18,6 +18,7 @@ use vides_engine::scene::{
     Camera, Channel, Extrapolation, FollowPath, Interpolation, Kind, Light, Node, Object, Scene,
     Shape, Track, Values,
 };
+use vides_engine::shared_list::SharedList;
 
 /// What has been read of a scene; nodes may name nodes further down.
 #[derive(Default)]
@@ -427,7 +428,7 @@ fn path(
     space: Space,
 ) -> Result<FollowPath> {
     let mut path = CameraPath {
-        points: Vec::new(),
+        points: SharedList::new(),
         space,
         ..CameraPath::default()
     };

@@ -6,16 +6,14 @@ use std::path::Path;
 use glam::DVec3;
 
 use super::alone::alone;
-use super::bytes::too_large;
 use super::comments::Comments;
 use super::own::UpPaths;
 use super::text::{Quoted, Text, plain, rows};
 use super::write::{base_speeds, head, place, point, shape_and_modes, space, to_toml};
-use super::{mesh, mesh_source, shown};
+use super::{mesh, mesh_source, pieces, shown};
 use crate::error::{EngineError, Result};
 use crate::info::Info;
 use vides_engine::deform::{Bounds, Deformation};
-use vides_engine::limits::MAX_FILE_BYTES;
 use vides_engine::path::Space;
 use vides_engine::path::camera_path::DEFAULT_PRESETS;
 use vides_engine::property::{SameBits, Value};
@@ -33,15 +31,15 @@ pub(crate) fn scene_to_toml(
     folder: Option<&Path>,
 ) -> Result<String> {
     if let Some(path) = alone(scene) {
-        return to_toml(path.path(), info, comments, folder);
+        let comments = comments.of_path_alone(scene.ids()[0]);
+        return to_toml(path.path(), info, &comments, folder);
     }
     let mut out = Text(String::new());
     // Only running out of memory fails here.
     document(&mut out, scene, info, folder).map_err(|_| EngineError::Memory)?;
-    if out.0.len() as u64 > MAX_FILE_BYTES {
-        return Err(too_large(MAX_FILE_BYTES));
-    }
-    comments.put_into(out.0)
+    comments
+        .put_into(out.0, scene.ids())
+        .and_then(pieces::readable)
 }
 
 /// The text of these nodes of a scene, without pins; in others they are no longer.
@@ -65,10 +63,7 @@ pub(crate) fn nodes_to_toml(scene: &Scene, which: &[bool], info: &Info) -> Resul
     };
     // Only running out of memory fails here.
     write().map_err(|_: fmt::Error| EngineError::Memory)?;
-    if out.0.len() as u64 > MAX_FILE_BYTES {
-        return Err(too_large(MAX_FILE_BYTES));
-    }
-    Ok(out.0)
+    pieces::readable(out.0)
 }
 
 fn document(out: &mut Text, scene: &Scene, info: &Info, folder: Option<&Path>) -> fmt::Result {

@@ -2,10 +2,11 @@
 //!
 //! The parser lists all tokens, then all events, then builds a tree of strings; that was two thirds
 //! of the time that a file took. What is written as we write it ourselves (bare keys, numbers in
-//! base ten, strings without escapes) is therefore read here in one go, numbers as numbers. Whatever
+//! base ten, strings with the escapes that we write) is therefore read here in one go, numbers as numbers. Whatever
 //! else there is, errors above all, is left to the parser, so that only it says what is wrong.
 
 use std::borrow::Cow;
+use std::mem::size_of;
 
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -148,25 +149,46 @@ const DEPTH: usize = 8;
 /// Keys of a table, at the most: more than there are.
 const KEYS: usize = 64;
 
-/// The tree of a text that is written plainly; None if it is not, or there is no memory.
-pub(super) fn read(text: &str) -> Option<Table<'_>> {
-    let mut plain = Plain { text, at: 0 };
-    let mut root = plain.pairs()?;
-    while plain.peek().is_some() {
-        let offset = plain.at;
-        plain.at += 1;
-        let repeated = plain.take(b'[').then_some(offset);
-        let name = (plain.at, plain.while_in(|byte| bare(byte) || byte == b'.'));
-        let whole = name.1.split('.').count() <= DEPTH && !name.1.split('.').any(str::is_empty);
-        if !whole || !plain.take(b']') || (repeated.is_some() && !plain.take(b']')) {
-            return None;
-        }
-        plain.end_of_line()?;
-        let mut table = plain.pairs()?;
-        table.open = true;
-        root.attach(name, repeated, table)?;
+/// Bytes that an allocation takes besides what it holds.
+const ALLOCATION: usize = 16;
+
+/// Bytes for an element while its list grows: lists double.
+const ELEMENT: usize = 2 * size_of::<Placed<'static>>();
+
+/// Bytes for a key and its value, in a list of four at least.
+const ENTRY: usize = 2 * size_of::<(Cow<'static, str>, Placed<'static>)>();
+
+/// No byte of a text takes more than this: an array is two at least, a key and its value four.
+pub(super) const MOST: usize = 5 * ELEMENT;
+
+/// What comes of reading a text here.
+#[derive(Debug)]
+pub(super) enum Reading<'a> {
+    Plain(Table<'a>),
+    /// It is not written plainly.
+    Other,
+    /// It would take more than it may.
+    Dear,
+    NoMemory,
+}
+
+/// The tree of a text that is written plainly, of at most so many bytes.
+pub(super) fn read(text: &str, most: usize) -> Reading<'_> {
+    let mut plain = Plain::new(text, most);
+    match plain.whole() {
+        Some(table) => Reading::Plain(table),
+        None if plain.dear => Reading::Dear,
+        None if plain.no_memory => Reading::NoMemory,
+        None => Reading::Other,
     }
-    Some(root)
+}
+
+/// Whether a text that we have written can be read again within so many bytes; nothing is kept of it
+/// meanwhile.
+pub(super) fn fits(text: &str, most: usize) -> bool {
+    let mut plain = Plain::new(text, most);
+    plain.only_counts = true;
+    plain.whole().is_some() || !plain.dear
 }
 
 fn bare(byte: u8) -> bool {
@@ -176,9 +198,57 @@ fn bare(byte: u8) -> bool {
 struct Plain<'a> {
     text: &'a str,
     at: usize,
+    /// Bytes that may still be taken.
+    left: usize,
+    /// They did not suffice.
+    dear: bool,
+    no_memory: bool,
+    /// Elements of arrays are not kept.
+    only_counts: bool,
 }
 
 impl<'a> Plain<'a> {
+    fn new(text: &'a str, most: usize) -> Self {
+        Self {
+            text,
+            at: 0,
+            left: most,
+            dear: false,
+            no_memory: false,
+            only_counts: false,
+        }
+    }
+
+    fn whole(&mut self) -> Option<Table<'a>> {
+        let plain = self;
+        let mut root = plain.pairs()?;
+        while plain.peek().is_some() {
+            let offset = plain.at;
+            plain.at += 1;
+            let repeated = plain.take(b'[').then_some(offset);
+            let name = (plain.at, plain.while_in(|byte| bare(byte) || byte == b'.'));
+            let whole = name.1.split('.').count() <= DEPTH && !name.1.split('.').any(str::is_empty);
+            if !whole || !plain.take(b']') || (repeated.is_some() && !plain.take(b']')) {
+                return None;
+            }
+            plain.end_of_line()?;
+            let mut table = plain.pairs()?;
+            table.open = true;
+            plain.take_memory(ENTRY + ELEMENT)?;
+            root.attach(name, repeated, table)?;
+        }
+        Some(root)
+    }
+
+    /// Counts memory that will be taken.
+    fn take_memory(&mut self, bytes: usize) -> Option<()> {
+        self.left = self.left.checked_sub(bytes).or_else(|| {
+            self.dear = true;
+            None
+        })?;
+        Some(())
+    }
+
     fn peek(&self) -> Option<u8> {
         self.text.as_bytes().get(self.at).copied()
     }
@@ -247,18 +317,14 @@ impl<'a> Plain<'a> {
         self.spaces();
         self.take(b'=').then_some(())?;
         self.spaces();
+        let first = if into.entries.is_empty() { 4 } else { 0 };
+        self.take_memory(ENTRY * (1 + first) + ALLOCATION)?;
         into.insert(key, self.value(depth)?)
     }
 
     fn value(&mut self, depth: usize) -> Option<Value<'a>> {
         match self.peek()? {
-            b'"' => {
-                self.at += 1;
-                let inside = |byte: u8| byte >= b' ' && !matches!(byte, b'"' | b'\\' | 0x7f);
-                let text = self.while_in(inside);
-                let closed = self.take(b'"') && self.peek() != Some(b'"');
-                closed.then_some(Value::Text(Cow::Borrowed(text)))
-            }
+            b'"' => self.quoted().map(Value::Text),
             b'[' => self.array(depth.checked_sub(1)?),
             b'{' => self.inline(depth.checked_sub(1)?),
             b't' | b'f' => match self.key()?.1 {
@@ -273,14 +339,98 @@ impl<'a> Plain<'a> {
     fn array(&mut self, depth: usize) -> Option<Value<'a>> {
         self.at += 1;
         let mut elements = Vec::new();
+        let mut count = 0;
+        // A list begins with room for four.
+        self.take_memory(4 * ELEMENT + ALLOCATION)?;
         loop {
             self.blank()?;
             if self.take(b']') {
+                elements.shrink_to_fit();
+                // What was counted and is not needed.
+                self.left += 4 * ELEMENT + count * (ELEMENT - size_of::<Placed<'_>>());
                 return Some(Value::Array(elements));
             }
-            push(&mut elements, (self.at, self.value(depth)?))?;
+            self.take_memory(ELEMENT)?;
+            count += 1;
+            let element = (self.at, self.value(depth)?);
+            if !self.only_counts && push(&mut elements, element).is_none() {
+                self.no_memory = true;
+                return None;
+            }
             self.blank()?;
             (self.take(b',') || self.peek() == Some(b']')).then_some(())?;
+        }
+    }
+
+    /// A string in double quotes, on one line or, in three of them, on several.
+    fn quoted(&mut self) -> Option<Cow<'a, str>> {
+        self.at += 1;
+        let long = self.rest().starts_with("\"\"");
+        if long {
+            self.at += 2;
+            // The line break after the opening quotes is not part of the string.
+            self.take(b'\n');
+        }
+        let (mut start, mut before) = (self.at, None);
+        let inside = |byte: u8| {
+            byte == b'\t'
+                || long && byte == b'\n'
+                || byte >= b' ' && !matches!(byte, b'"' | b'\\' | 0x7f)
+        };
+        loop {
+            self.while_in(inside);
+            match self.peek()? {
+                b'\\' => {
+                    let text: &mut String = before.get_or_insert_default();
+                    self.take_memory(2 * (self.at - start + 4) + ALLOCATION)?;
+                    text.try_reserve(self.at - start + 4).ok()?;
+                    text.push_str(self.text.get(start..self.at)?);
+                    text.push(self.escaped()?);
+                    start = self.at;
+                }
+                b'"' if long && !self.rest().starts_with("\"\"") => self.at += 1,
+                b'"' => break,
+                _ => return None,
+            }
+        }
+        let rest = self.text.get(start..self.at)?;
+        let closed = self.take(b'"') && (!long || self.take(b'"') && self.take(b'"'));
+        if !closed || self.peek() == Some(b'"') {
+            return None;
+        }
+        Some(match before {
+            None => Cow::Borrowed(rest),
+            Some(mut text) => {
+                self.take_memory(2 * rest.len())?;
+                text.try_reserve(rest.len()).ok()?;
+                text.push_str(rest);
+                Cow::Owned(text)
+            }
+        })
+    }
+
+    fn rest(&self) -> &'a str {
+        self.text.get(self.at..).unwrap_or("")
+    }
+
+    /// What stands for a character, as we write it.
+    fn escaped(&mut self) -> Option<char> {
+        self.at += 1;
+        let kind = self.peek()?;
+        self.at += 1;
+        match kind {
+            b'"' | b'\\' => Some(kind.into()),
+            b'n' => Some('\n'),
+            b't' => Some('\t'),
+            b'r' => Some('\r'),
+            b'u' => {
+                let digits = self.text.get(self.at..self.at + 4)?;
+                self.at += 4;
+                let hexadecimal = digits.bytes().all(|byte| byte.is_ascii_hexdigit());
+                let code = u32::from_str_radix(digits, 16).ok().filter(|_| hexadecimal);
+                code.and_then(char::from_u32)
+            }
+            _ => None,
         }
     }
 

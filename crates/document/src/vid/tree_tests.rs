@@ -8,15 +8,23 @@ impl PartialEq for Table<'_> {
 }
 
 /// Texts with all that is written plainly, and with what is not.
-const TEXTS: [&str; 4] = [
+const TEXTS: [&str; 5] = [
     "version = 1 # one\ntitle = \"Zwölf\"\nclosed = true\n\n[base_speeds]\nmove_frames = 100.0\n\n\
      [[point]]\nposition = [-0.6, 0.2,\n  0.8e-3, ] # here\nown = { tension = 0.2, bias = -1 }\n\
      [[point.orientation]]\nspeed_curve = [1, 2.5, [3]]\n[[point.orientation]]\nroll = 0\n\
      [[point]]\n[point.up.deep]\nway = [[0.1, 1E+2], [2, 3]]\n",
+    "a = \"b\\\"c\\\\d\\te\\u00e9\"\nf = \"\"\"\ng \"h\"\n\\\"\\\"i\\r\\u202E\"\"\"\nj = \"\"\n",
     "[a]\nb = 1\n[a.c]\n[[a.d]]\n[[a.d.e]]\n[[a.d]]\nf = [{ g = 1 }]\n",
-    "a.b = 1\ni = 1\r\n'c' = 0x1f\nd = 1_000\ne = 1979-05-27\nf = inf\ng = '''\n'''\nh = \"\\t\"\n",
+    "a.b = 1\ni = 1\r\n'c' = 0x1f\nd = 1_000\ne = 1979-05-27\nf = inf\ng = '''\n'''\nh = \"\\e\"\n",
     "x = 99999999999999999999\ny = 1e999\nz = -0.0\nw = -0\nv = 00\n[[x]]\n[z]\n",
 ];
+
+fn read(text: &str) -> Option<Table<'_>> {
+    match super::read(text, usize::MAX) {
+        Reading::Plain(table) => Some(table),
+        _ => None,
+    }
+}
 
 fn parsed(text: &str) -> Option<Table<'_>> {
     let table = DeTable::parse(text).ok()?;
@@ -25,7 +33,7 @@ fn parsed(text: &str) -> Option<Table<'_>> {
 
 #[test]
 fn what_is_written_plainly_needs_no_parser() {
-    for text in &TEXTS[..2] {
+    for text in &TEXTS[..3] {
         assert_eq!(read(text), parsed(text));
         assert!(read(text).is_some());
     }
@@ -79,4 +87,38 @@ fn the_parser_agrees_about_everything_that_is_read() {
         }
     }
     assert!(read_here > 5_000, "{read_here}");
+}
+
+/// Whatever we write as a text is read without the parser.
+#[test]
+fn every_text_that_is_written_is_plain() {
+    for text in [
+        "",
+        "a",
+        "\"",
+        "\"\"\"",
+        "a\nb",
+        "\n",
+        "\"\n\"",
+        "\\\t\r\u{1}\u{202e}ü\u{10ffff}",
+        "a\n\"\"\"\"\n\t",
+    ] {
+        let file = format!("a = {}\n", crate::vid::quoted(text));
+        let table = read(&file).expect(&file);
+        assert_eq!(table.entries[0].1.1, Value::Text(text.into()), "{file}");
+        assert_eq!(Some(table), parsed(&file));
+    }
+}
+
+#[test]
+fn memory_is_counted_and_bounded() {
+    let rows = "[1, 2, 3], ".repeat(1000);
+    let text = format!("a = [{rows}]\nb = \"c\"\n");
+    let all = 1000 * (3 * size_of::<Placed<'_>>() + ALLOCATION + ELEMENT);
+    for (most, dear) in [(all / 2, true), (2 * all, false)] {
+        assert_eq!(matches!(super::read(&text, most), Reading::Dear), dear);
+        assert_eq!(fits(&text, most), !dear);
+    }
+    // What is not written plainly is not called dear.
+    assert!(matches!(super::read("a = 'b'", 1 << 20), Reading::Other));
 }

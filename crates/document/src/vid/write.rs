@@ -7,7 +7,7 @@ use super::bytes::{OFF_NAME, VERSION};
 use super::comments::{Comments, OURS};
 use super::own::UpPaths;
 use super::text::{Quoted, Text, plain};
-use super::{mesh, mesh_source, own};
+use super::{mesh, mesh_source, own, pieces};
 use crate::error::{EngineError, Result};
 use crate::info::{Info, Object};
 use vides_engine::property::{Kind, Value};
@@ -26,7 +26,7 @@ pub(crate) fn to_toml(
     let mut out = Text(String::new());
     // Only running out of memory fails here.
     document(&mut out, path, info, folder).map_err(|_| EngineError::Memory)?;
-    comments.put_into(out.0)
+    comments.put_into(out.0, &[]).and_then(pieces::readable)
 }
 
 /// A view as it stands in a file.
@@ -241,10 +241,11 @@ mod tests {
                 before: DVec3::splat(LONGEST),
                 after: DVec3::splat(LONGEST),
             }),
+            keeps_motion: true,
             orientations: Vec::new(),
         };
         let mut path = CameraPath {
-            points: Vec::new(),
+            points: vides_engine::shared_list::SharedList::new(),
             presets: [tcb; limits::PRESETS],
             space: Space {
                 centre: DVec3::splat(LONGEST),

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use vides_document::{Document, Edit};
+use vides_document::{Document, Edit, SceneDocument};
 use vides_engine::scene::{Channel, KeyList, Kind, Light, Node, Part};
 
 use crate::part;
@@ -215,4 +215,37 @@ target = [1.0, 0.0, 0.0]
     assert!(document.undo());
     assert_eq!(document.to_toml().unwrap(), first);
     assert!(document.edited_scene().is_none() && !document.is_modified());
+}
+
+/// A program that changes a scene and saves it loses no comment but those of what it removes.
+#[test]
+fn comments_of_a_scene_that_a_program_changes_stay() {
+    let mut document = SceneDocument::from_toml(COMMENTED).unwrap();
+    let all = comments(COMMENTED);
+    assert_eq!(comments(&document.to_toml().unwrap()), all);
+    document.scene.add(Node::new("more", Kind::Group)).unwrap();
+    assert_eq!(comments(&document.to_toml().unwrap()), all);
+    document.scene.remove(0).unwrap();
+    let text = document.to_toml().unwrap();
+    let car = [
+        "the car",
+        "a group",
+        "its way",
+        "where",
+        "when",
+        "of the load",
+    ];
+    let gone = |comment: &&String| !car.iter().any(|of| comment.starts_with(of));
+    assert_eq!(comments(&text), all.iter().filter(gone).cloned().collect());
+    let copy = document.try_clone().unwrap();
+    assert_eq!(copy.to_toml().unwrap(), text);
+    // One camera is left: it is written as a path.
+    document.scene.remove(1).unwrap();
+    document.scene.remove_marker("begin");
+    document.scene.set_name(0, "camera").unwrap();
+    let text = document.to_toml().unwrap();
+    assert!(
+        text.contains("[[point]]") && text.contains("# second\nposition"),
+        "{text}"
+    );
 }

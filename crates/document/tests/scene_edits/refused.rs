@@ -130,7 +130,11 @@ fn keys_and_tracks() -> Wrong {
             part(Part::Track {
                 node: 1,
                 channel: position.clone(),
-                track: Some(Box::new(linear(intensity.clone(), &[1.0], &[2.0]))),
+                track: Some(std::sync::Arc::new(linear(
+                    intensity.clone(),
+                    &[1.0],
+                    &[2.0],
+                ))),
             }),
             "keys of \"intensity\" do not fit the channel \"position\"",
         ),

@@ -2,6 +2,8 @@
 
 use std::path::PathBuf;
 
+use vides_engine::path::Up;
+
 use crate::state::files::{AfterSave, Purpose};
 
 /// What opens and saves.
@@ -22,6 +24,8 @@ pub(crate) enum FileAction {
     /// Write into this file, in the format of this name, whatever is lost.
     WriteAs(PathBuf, &'static str),
     Import,
+    /// Take over poses from this file, in which this axis stands upright.
+    ImportUpright(PathBuf, Up),
     LoadSetup,
     Recent(usize),
     /// Open unsaved work that was found, by its number in the window.
@@ -34,6 +38,8 @@ pub(crate) enum FileAction {
     /// Go on, whatever is lost.
     GoOn(AfterSave),
     Reload,
+    /// Open the file again, with what it names outside its folder.
+    ReadOutside,
     /// Save under another name, and then go on.
     SaveAsBefore(Option<AfterSave>),
     /// Overwrite the file that has changed, and then go on.
@@ -46,20 +52,29 @@ impl FileAction {
         !matches!(
             self,
             Self::FileChosen(..)
+                | Self::ImportUpright(..)
                 | Self::Discard(_)
                 | Self::SaveBefore(_)
                 | Self::GoOn(_)
                 | Self::Reload
+                | Self::ReadOutside
                 | Self::SaveAsBefore(_)
                 | Self::Overwrite(_)
         )
     }
 
-    /// Whether a shown tool stays as it is: the file is for the tool.
+    /// Whether a shown tool stays as it is: all but what changes the document. Files do not get what
+    /// the tool shows.
     pub(super) const fn leaves_tool(&self) -> bool {
-        matches!(
+        !matches!(
             self,
-            Self::FileChosen(Purpose::LoadBlock | Purpose::Import | Purpose::SaveBlock, _)
+            Self::FileChosen(
+                Purpose::LoadObject(_)
+                    | Purpose::AddObject
+                    | Purpose::LoadMesh(_)
+                    | Purpose::LoadShape(_),
+                _
+            )
         )
     }
 }

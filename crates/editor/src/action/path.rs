@@ -9,8 +9,10 @@ use crate::state::space::Joint;
 /// What adds, removes and changes points and views, and goes to them.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) enum PathAction {
-    /// `Pos.+`.
+    /// `Pos.+`, as this window does it; with Shift the other way.
     AddPoint,
+    /// The other way: a copy of this point, or one that leaves the flight as it is.
+    AddPointOtherwise,
     /// `Pos.++`: ask how many.
     AskPoints,
     /// `Pos.++`: insert this many.

@@ -17,6 +17,8 @@ pub(crate) enum TimeAction {
     PlayOrPause,
     /// An entry into the play bar's frame.
     Playhead(Entry),
+    /// So many frames a second; whatever happens keeps its second.
+    Rate(f64),
     SwitchLoops,
     SwitchOnlySelected,
     /// Keep the length of the path whatever is changed, or no longer.

@@ -29,12 +29,17 @@ impl Editor {
     pub(super) fn path_action(&mut self, action: PathAction, context: &egui::Context) {
         let Selection { point, orientation } = self.document.selection();
         match action {
-            PathAction::AddPoint => self.add_points(1, context),
+            PathAction::AddPoint => {
+                self.add_points(1, context.input(|input| input.modifiers.shift))
+            }
+            PathAction::AddPointOtherwise => self.add_points(1, true),
             PathAction::AskPoints if self.has_segment() => {
                 windows::open::<PointsWindow>(self, context);
             }
             PathAction::AskPoints => self.complain(self.texts().position.last_point),
-            PathAction::AddPoints(points) => self.add_points(points, context),
+            PathAction::AddPoints(points) => {
+                self.add_points(points, context.input(|input| input.modifiers.shift));
+            }
             PathAction::AddHere => {
                 self.add_here();
             }
@@ -104,12 +109,13 @@ impl Editor {
         }
     }
 
-    /// Puts points at equal distances on the way to the next one, without changing the flight. With
-    /// Shift, and where the way has too few frames, copies of the point before, as in 1994.
-    fn add_points(&mut self, points: usize, context: &egui::Context) {
+    /// Puts points at equal distances on the way to the next one: as this window does it, or the
+    /// other way. One way makes copies of the point before, the other leaves the flight as it is.
+    /// Where the way has too few frames for that, they are copies.
+    fn add_points(&mut self, points: usize, otherwise: bool) {
         let segment = self.document.selection().point;
         let frames = insertion::dividing_frames(self.document.path(), segment, points);
-        let copies = context.input(|input| input.modifiers.shift);
+        let copies = self.adds_copies() != otherwise;
         let Some(frames) = frames.ok().filter(|_| !copies) else {
             self.edit(Edit::DivideSegment { segment, points });
             return;

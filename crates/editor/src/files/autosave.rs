@@ -29,6 +29,7 @@ impl Editor {
     /// To be called at the end of each pass. Asks for no wake-up where nothing is to be written.
     pub(crate) fn keep_work(&mut self, context: &egui::Context) {
         let unsaved = self.is_unsaved();
+        let document = self.windows.without_preview(&self.document);
         let Some(autosave) = &mut self.autosave else {
             return;
         };
@@ -38,7 +39,7 @@ impl Editor {
             known: self.known,
         };
         let now = Duration::from_secs_f64(context.input(|input| input.time).max(0.0));
-        match autosave.look_after(&self.document, unsaved, &origin, now) {
+        match autosave.look_after(document, unsaved, &origin, now) {
             Saved::Idle => {}
             Saved::In(time) => context.request_repaint_after(time),
             Saved::Failed(error) => {
@@ -48,14 +49,6 @@ impl Editor {
                 self.complain(fill(text, &[&folder.display(), &why]));
                 context.request_repaint();
             }
-        }
-    }
-
-    /// Leaves nothing to be offered at the next start: the window closes because its user or its
-    /// host wants it to. Otherwise, when the X server or the process goes away, unsaved work stays.
-    pub fn forget_unsaved(&mut self) {
-        if let Some(mut autosave) = self.autosave.take() {
-            autosave.forget();
         }
     }
 
@@ -70,11 +63,7 @@ impl Editor {
             ))?;
             document = unsaved_copy(&document)?;
         }
-        self.document = document;
-        self.windows.path_replaced();
-        self.file.clone_from(&found.original);
-        self.known = found.known;
-        self.handed_state = None;
+        self.take_up(document, found.original.as_deref(), found.known);
         // Kept as this window's before the old file is removed.
         self.write_work()?;
         self.say(self.texts().recovery.restored);
@@ -110,6 +99,7 @@ impl Editor {
     }
 
     fn write_work(&mut self) -> Result<()> {
+        let document = self.windows.without_preview(&self.document);
         let Some(autosave) = &mut self.autosave else {
             return Ok(());
         };
@@ -118,12 +108,7 @@ impl Editor {
             file: self.file.as_deref(),
             known: self.known,
         };
-        autosave.write(&self.document, &origin)
-    }
-
-    /// The file that keeps unsaved work while there is some, if the window has one.
-    pub fn work_file(&self) -> Option<&Path> {
-        self.autosave.as_ref().map(Autosave::path)
+        autosave.write(document, &origin)
     }
 }
 
@@ -135,14 +120,15 @@ fn unsaved_copy(document: &Document) -> Result<Document> {
 }
 
 impl Drop for Editor {
-    /// If the X server went away or the host ended, unsaved work stays for the next start, up to
-    /// the last change. A user who closes the window has been asked about it, and leaves nothing.
+    /// Unsaved work stays for the next start, up to the last change, whoever ended the window. A user
+    /// who closes it has been asked about that work, and leaves nothing.
     fn drop(&mut self) {
         let unsaved = self.is_unsaved() && !self.closing;
+        let document = self.windows.without_preview(&self.document);
         if let Some(autosave) = &mut self.autosave {
             if !unsaved {
                 autosave.forget();
-            } else if autosave.is_behind(&self.document) {
+            } else if autosave.is_behind(document) {
                 // Nobody is left to be told.
                 let _ = self.write_work();
             }

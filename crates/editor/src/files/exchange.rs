@@ -4,6 +4,7 @@ use std::path::Path;
 
 use vides_document::tool::{Needs, ToolInput, tools};
 use vides_document::{Edit, SceneDocument};
+use vides_engine::path::Up;
 use vides_formats::{Content, Flight, Format, Loss, Options, Report, Source};
 
 use crate::files::short;
@@ -22,7 +23,7 @@ impl Editor {
         let written = |error| self.not_written(file, &error);
         let format = self.format_of(file, chosen).map_err(written)?;
         let document = self
-            .document
+            .document()
             .scene_document()
             .map_err(|error| self.not_written(file, &error.into()))?;
         let report = vides_formats::losses(&document, format, &Options::default());
@@ -54,7 +55,7 @@ impl Editor {
     pub(crate) fn write_as(&mut self, file: &Path, format: &str) -> Result<(), String> {
         let mut count = 0;
         let mut written = || -> vides_formats::Result<()> {
-            let document = self.document.scene_document()?;
+            let document = self.document().scene_document()?;
             let (format, options) = (vides_formats::by_name(format)?, Options::default());
             let mut ignored = |_, _| {};
             count = Flight::new(&document, &options, format, &mut ignored)?.count();
@@ -72,8 +73,9 @@ impl Editor {
     }
 
     /// Takes over a file of another program: a scene in place of the document, in one step; of
-    /// poses a path, by the tool that fits it.
-    pub(super) fn import(&mut self, file: &Path) -> Result<(), String> {
+    /// poses a path, by the tool that fits it. Asks which axis stands upright in poses whose file
+    /// does not say, unless `up` does.
+    pub(super) fn import(&mut self, file: &Path, up: Option<Up>) -> Result<(), String> {
         let mut report = Report::default();
         let read = |report: &mut Report| {
             let source = Source::open(file)?;
@@ -85,13 +87,18 @@ impl Editor {
         })?;
         match content {
             Content::Poses(recording) => {
+                let Some(up) = recording.up.or(up) else {
+                    self.windows.question = Some(Question::upright(file));
+                    return Ok(());
+                };
                 let fps = recording.rate().unwrap_or(self.document.info().fps);
                 let seconds = recording.seconds_at(fps);
-                let up = self.document.path().space.up;
-                if let Some(other) = recording.up.filter(|other| *other != up) {
-                    report.add(Loss::Upright(other.name()));
+                // The path alone is turned upright, not the scene around it.
+                let scene = self.document.edited_scene();
+                if scene.is_some_and(|edited| edited.scene().space().up != up) {
+                    report.add(Loss::Upright(up.name()));
                 }
-                let poses = ToolInput::Poses(recording.poses, seconds);
+                let poses = ToolInput::Poses(recording.poses, seconds, up);
                 let waits = self
                     .windows
                     .tool
@@ -109,9 +116,10 @@ impl Editor {
                     Edit::SetInfo(Box::new(info)),
                     Edit::ReplaceScene(Box::new(scene)),
                 ];
+                self.cancel_tool();
                 let done = self.document.apply_all(edits);
                 done.map_err(|error| self.refusal(self.texts().errors.cannot_load, file, &error))?;
-                self.windows.path_replaced();
+                self.show_anew();
                 self.tell_loaded(file, &report);
             }
         }

@@ -2,9 +2,11 @@
 
 use std::path::Path;
 
-use vides_formats::{Loss, Report};
+use vides_engine::path::Up;
+use vides_formats::{Loss, Options, Report};
 
 use super::tests::{modified, name, window_in};
+use crate::screenshots::screenshot;
 use crate::state::files::Purpose;
 use crate::tests::*;
 use crate::texts::formats::losses_of;
@@ -121,6 +123,56 @@ fn poses_are_fitted_and_the_unknown_is_refused() {
         };
         assert!(said.contains(why), "{said}");
         assert_eq!(window.state().document.path(), &before);
+    }
+}
+
+/// Poses whose file does not say which axis stands upright wait for the answer; the path takes that
+/// axis, and one that the file says without a question. No camera is turned on its side.
+#[test]
+fn the_upright_axis_of_poses_is_asked_for_where_the_file_does_not_say() {
+    for language in BOTH {
+        let texts = &language.texts().questions;
+        let folder = tempfile::tempdir().expect("a folder");
+        let window = window_in(language, folder.path());
+        let recorded = poses(window.state());
+        for (format, name, asks) in [
+            ("tum", "a.tum", true),
+            ("nerfstudio", "camera_path.json", false),
+        ] {
+            let file = folder.path().join(name);
+            let state = window.state();
+            let document = state.document.scene_document().expect("a scene");
+            let options = Options {
+                up: Some(Up::Z),
+                ..Options::default()
+            };
+            let by = vides_formats::by_name(format).expect("a format");
+            vides_formats::export(&document, &file, by, &options, &mut |_, _| {}).expect("written");
+            let mut window = window_in(language, folder.path());
+            window.state_mut().file_chosen(Purpose::Import, &file);
+            window.run();
+            assert_eq!(
+                window.query_by_label(texts.z_up).is_some(),
+                asks,
+                "{format}"
+            );
+            if asks {
+                assert!(window.state().windows.tool.is_none());
+                click(&mut window, texts.cancel);
+                assert!(!modified(&window) && window.state().windows.tool.is_none());
+                window.state_mut().file_chosen(Purpose::Import, &file);
+                window.run();
+                screenshot(&mut window, &format!("import-upright-{language:?}.png"));
+                click(&mut window, texts.z_up);
+            }
+            click(&mut window, "OK");
+            let state = window.state();
+            assert_eq!(state.document.path().space.up, Up::Z, "{format}");
+            for (now, then) in poses(state).iter().zip(&recorded) {
+                // What was upright is upright in the axes of the file.
+                assert!((now.vup[2] - then.vup[1]).abs() < 0.01, "{now:?} {then:?}");
+            }
+        }
     }
 }
 

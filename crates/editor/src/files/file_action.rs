@@ -1,5 +1,7 @@
 //! What is done with files.
 
+use vides_document::trusting;
+
 use crate::action::FileAction;
 use crate::state::Editor;
 use crate::state::files::{AfterSave, Purpose};
@@ -18,6 +20,11 @@ impl Editor {
             FileAction::LoadObject => self.choose_file(Purpose::LoadObject(None)),
             FileAction::Export => self.choose_file(Purpose::Export),
             FileAction::Import => self.choose_file(Purpose::Import),
+            FileAction::ImportUpright(file, up) => {
+                if let Err(text) = self.import(&file, Some(up)) {
+                    self.complain(text);
+                }
+            }
             FileAction::WriteAs(file, format) => {
                 if let Err(text) = self.write_as(&file, format) {
                     self.complain(text);
@@ -32,6 +39,7 @@ impl Editor {
             FileAction::SaveBefore(then) => self.save(Some(then)),
             FileAction::GoOn(then) => self.go_on(then),
             FileAction::Reload => self.reload(),
+            FileAction::ReadOutside => trusting(|| self.reload()),
             FileAction::SaveAsBefore(then) => self.choose_file(Purpose::SavePath(then)),
             FileAction::Overwrite(then) => self.overwrite(then),
         }

@@ -4,7 +4,13 @@
 //! By the XDG Base Directory Specification. A window without folders, as in tests, keeps nothing.
 
 use std::ffi::OsString;
+use std::fs::{self, DirBuilder, Metadata};
+use std::io;
+use std::os::unix::fs::{DirBuilderExt, MetadataExt};
 use std::path::{Path, PathBuf};
+
+use rustix::io::Errno;
+use rustix::process::geteuid;
 
 /// The folders of one window.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -56,12 +62,23 @@ pub(crate) fn home() -> Option<PathBuf> {
 pub(crate) const SETUP_NAME: &str = "setup.toml";
 
 /// Makes a folder and those above it, private as the specification asks, unless it exists.
-pub(crate) fn make(folder: &Path) -> std::io::Result<()> {
-    use std::os::unix::fs::DirBuilderExt;
-    std::fs::DirBuilder::new()
-        .recursive(true)
-        .mode(0o700)
-        .create(folder)
+pub(crate) fn make(folder: &Path) -> io::Result<()> {
+    DirBuilder::new().recursive(true).mode(0o700).create(folder)
+}
+
+/// As [`make`]; fails if the folder is not [`ours`].
+pub(crate) fn make_ours(folder: &Path) -> io::Result<()> {
+    make(folder)?;
+    match ours(folder) {
+        true => Ok(()),
+        false => Err(Errno::PERM.into()),
+    }
+}
+
+/// Whether a folder is ours alone to write to: what lies in another one may be somebody's trap.
+pub(crate) fn ours(folder: &Path) -> bool {
+    let ours = |there: Metadata| there.uid() == geteuid().as_raw() && there.mode() & 0o002 == 0;
+    fs::metadata(folder).is_ok_and(ours)
 }
 
 #[cfg(test)]

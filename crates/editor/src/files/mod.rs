@@ -19,6 +19,8 @@ mod exchange_tests;
 #[cfg(test)]
 mod object_tests;
 #[cfg(test)]
+mod opened_tests;
+#[cfg(test)]
 mod recent_tests;
 #[cfg(test)]
 mod recovery_window_tests;
@@ -163,7 +165,7 @@ impl Editor {
             Purpose::LoadSetup => self.load_setup(file),
             Purpose::SaveSetup => self.save_setup(file),
             Purpose::LoadBlock => self.load_block(file),
-            Purpose::Import => self.import(file),
+            Purpose::Import => self.import(file, None),
             Purpose::SaveBlock => self.save_block(file),
             Purpose::LoadMesh(node) => self.load_mesh_of(node, file),
             Purpose::LoadShape(node) => self.load_shape(node, file),
@@ -192,7 +194,8 @@ impl Editor {
             loaded.map_err(|error| self.refusal(texts.errors.cannot_load, file, &error))?;
         // What is begun around an object has no file yet.
         let is_path = Format::of(file).is_none();
-        self.take_up(document, is_path.then_some(file));
+        let known = document.fingerprint();
+        self.take_up(document, is_path.then_some(file), known);
         self.note_file(file);
         self.say(fill(texts.output.loaded, &[&short(file)]));
         let mut meshes = Warnings::default();
@@ -201,20 +204,20 @@ impl Editor {
         Ok(())
     }
 
-    /// Edits another document from now on, and with it its file.
-    fn take_up(&mut self, document: Document, file: Option<&Path>) {
-        self.known = document.fingerprint();
+    /// Edits another document from now on, and with it its file, which had these contents. It is
+    /// shown as in a new window.
+    fn take_up(&mut self, document: Document, file: Option<&Path>, known: Option<Fingerprint>) {
         self.document = document;
-        self.playing.see(None);
-        self.handed_state = None;
-        self.windows.path_replaced();
         self.file = file.map(Path::to_owned);
+        self.known = known;
+        self.handed_state = None;
+        self.show_anew();
     }
 
     /// An empty path in place of the open one, with what is the host's.
     fn begin_anew(&mut self) {
         match self.of_host(Document::new()) {
-            Ok(document) => self.take_up(document, None),
+            Ok(document) => self.take_up(document, None, None),
             Err(error) => self.complain_of(&error),
         }
     }
@@ -258,14 +261,25 @@ impl Editor {
 
     /// The same; false, without writing, if the file was changed and is not to be `replaced`.
     pub(crate) fn write(&mut self, file: &Path, replaced: bool) -> Result<bool> {
-        let text = self.document.to_toml_for(file)?;
+        let text = self.document().to_toml_for(file)?;
         let bytes = text.as_bytes();
         if replaced {
             save::save(file, bytes)?;
         } else if !save::save_unless_changed(file, bytes, self.known)? {
             return Ok(false);
         }
-        self.document.mark_saved();
+        match self
+            .windows
+            .tool
+            .as_mut()
+            .and_then(|tool| tool.unapplied.as_mut())
+        {
+            Some(unapplied) => {
+                unapplied.mark_saved();
+                self.document.mark_saved_before_step();
+            }
+            None => self.document.mark_saved(),
+        }
         self.file = Some(file.to_owned());
         self.known = Some(Fingerprint::of(bytes));
         self.note_file(file);
@@ -277,6 +291,7 @@ impl Editor {
     /// yet gets a space around it, unless its own is somebody's choice.
     fn load_object(&mut self, file: &Path) -> Result<(), String> {
         let texts = self.texts();
+        let file = &self.beside_document(file, self.document.info().object.source());
         let object = load_object(file);
         let object =
             object.map_err(|error| self.refusal(texts.errors.cannot_load, file, &error))?;

@@ -1,6 +1,8 @@
 //! Objects from files.
 
 use super::tests::{modified, name, window_in};
+use crate::screenshots::screenshot;
+use crate::state::files::Purpose;
 use crate::tests::*;
 use crate::texts::fill;
 
@@ -124,5 +126,77 @@ fn a_chosen_space_stays_and_what_is_done_is_no_beginning() {
         assert!(!document.path().is_new(), "{key}");
         document.undo();
         assert!(document.path().is_new());
+    }
+}
+
+/// A mesh that is not there is found by a button, and named from the document's folder as before.
+#[test]
+fn a_missing_mesh_is_found_and_stays_relative() {
+    for language in BOTH {
+        let texts = language.texts();
+        let folder = tempfile::tempdir().expect("a folder");
+        let at = |name: &str| folder.path().join(name);
+        for name in ["work", "work/meshes", "moved"] {
+            std::fs::create_dir(at(name)).expect("a folder");
+        }
+        let mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+        std::fs::write(at("work/meshes/a.obj"), mesh).unwrap();
+        let file = at("work/flight.vid");
+        let text = || std::fs::read_to_string(&file).expect("text");
+        for purpose in [Purpose::LoadObject(None), Purpose::AddObject] {
+            let mut window = window_in(language, folder.path());
+            let state = window.state_mut();
+            state.file_chosen(purpose, &at("work/meshes/a.obj"));
+            state.save_path(&file).expect("saved");
+            assert!(text().contains("\"meshes/a.obj\""), "{}", text());
+            std::fs::rename(at("work/meshes/a.obj"), at("moved/a.obj")).unwrap();
+            let mut window = window_in(language, folder.path());
+            window.state_mut().load_path(&file).expect("loaded");
+            window.run();
+            screenshot(&mut window, &format!("find-mesh-{language:?}.png"));
+            click(&mut window, &fill(texts.node.find_mesh, &[&"a.obj"]));
+            let asked = window.state().windows.files.as_ref();
+            let asked = asked.map(|asked| asked.purpose).expect("a window");
+            window.state_mut().file_chosen(asked, &at("moved/a.obj"));
+            window.run();
+            assert_eq!(window.state().first_missing_mesh(), None);
+            window.state_mut().save_path(&file).expect("saved");
+            assert!(text().contains("\"../moved/a.obj\""), "{}", text());
+            std::fs::rename(at("moved/a.obj"), at("work/meshes/a.obj")).unwrap();
+        }
+    }
+}
+
+/// A file that somebody sent names a mesh elsewhere: the window asks, and reads it only then.
+#[test]
+fn a_mesh_outside_the_folder_is_asked_for() {
+    for language in BOTH {
+        let texts = language.texts();
+        let folder = tempfile::tempdir().expect("a folder");
+        let at = |name: &str| folder.path().join(name);
+        std::fs::create_dir(at("work")).expect("a folder");
+        let mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+        std::fs::write(at("out.obj"), mesh).unwrap();
+        let node = "[[node]]\nname = \"a\"\nkind = \"object\"\n[node.mesh]\n";
+        // A wrong length must not have it read when the window looks after its meshes.
+        let named = "file = \"../out.obj\"\nbytes = 5\nchecksum = \"0\"\n";
+        std::fs::write(at("work/a.vid"), format!("version = 1\n{node}{named}")).unwrap();
+        for agreed in [false, true] {
+            let mut window = window_in(language, folder.path());
+            window.state_mut().load_path(&at("work/a.vid")).unwrap();
+            window.run();
+            screenshot(&mut window, &format!("outside-{language:?}.png"));
+            let answer = match agreed {
+                true => texts.questions.read_outside,
+                false => texts.questions.leave_outside,
+            };
+            click(&mut window, answer);
+            window.run();
+            window.state_mut().look_after_meshes();
+            window.state_mut().look_after_meshes();
+            let missing = window.state().missing_mesh(Some(0)).is_some();
+            assert_eq!(missing, !agreed);
+            assert!(window.state().windows.question.is_none());
+        }
     }
 }

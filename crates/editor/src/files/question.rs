@@ -1,16 +1,21 @@
 //! The questions before unsaved work is lost, or a file changed elsewhere since it was read here.
 
+use std::ffi::OsStr;
 use std::path::Path;
 
 use egui::{Button, vec2};
+use vides_engine::path::Up;
 
 use crate::action::{Action, FileAction};
-use crate::files::short;
+use crate::files::{readable, short};
 use crate::keys;
 use crate::state::Editor;
 use crate::state::files::{About, AfterSave, Question};
 use crate::texts::fill;
 use crate::windows::sub_window::{modal, row_at_right, takes_keyboard};
+
+/// Files that a question names at most.
+const MAX_NAMED: usize = 8;
 
 /// An answer: its words, its hint, what it does.
 type Answer = (&'static str, &'static str, Option<Action>);
@@ -40,6 +45,18 @@ impl Question {
     /// The file could be read again.
     pub(crate) fn newer() -> Self {
         let about = About::Newer;
+        Self { about, fresh: true }
+    }
+
+    /// Which axis stands upright in a file that does not say.
+    pub(crate) fn upright(file: &Path) -> Self {
+        let about = About::Upright(file.to_owned());
+        Self { about, fresh: true }
+    }
+
+    /// Whether files are read that the open one names outside its folder.
+    pub(crate) fn outside(named: Vec<String>) -> Self {
+        let about = About::Outside(named);
         Self { about, fresh: true }
     }
 
@@ -102,7 +119,7 @@ impl Question {
                 }
             }
             About::Newer => {
-                let modified = editor.document.is_modified();
+                let modified = editor.document().is_modified();
                 let text = if modified {
                     texts.newer_unsaved
                 } else {
@@ -132,6 +149,23 @@ impl Question {
                     safe: 1,
                 }
             }
+            About::Upright(file) => {
+                let axis = |up, (text, hint)| {
+                    let import = FileAction::ImportUpright(file.clone(), up);
+                    (text, hint, Some(Action::File(import)))
+                };
+                Parts {
+                    place: ("upright", texts.upright, 420.0, 112.0),
+                    text: fill(texts.which_upright, &[&short(file)]),
+                    answers: vec![
+                        axis(Up::Y, (texts.y_up, texts.y_up_hint)),
+                        axis(Up::Z, (texts.z_up, texts.z_up_hint)),
+                        cancel,
+                    ],
+                    safe: usize::from(editor.document.path().space.up == Up::Z),
+                }
+            }
+            About::Outside(named) => outside(editor, named, &name?),
             About::Losses { file, format, lost } => {
                 let mut text = fill(texts.lossy, &[&short(file)]);
                 for loss in lost {
@@ -174,5 +208,24 @@ impl Question {
             open = false;
         }
         open
+    }
+}
+
+/// Whether files are read that the open one, of this name, names outside its folder.
+fn outside(editor: &Editor, named: &[String], name: &str) -> Parts {
+    let texts = &editor.texts().questions;
+    let mut text = fill(texts.names_outside, &[&name]);
+    for file in named.iter().take(MAX_NAMED) {
+        text += &format!("\n•  {}", readable(OsStr::new(file)));
+    }
+    let read = Action::File(FileAction::ReadOutside);
+    Parts {
+        place: ("outside", texts.outside, 480.0, 112.0),
+        text,
+        answers: vec![
+            (texts.read_outside, texts.read_outside_hint, Some(read)),
+            (texts.leave_outside, texts.leave_outside_hint, None),
+        ],
+        safe: 1,
     }
 }

@@ -23,9 +23,18 @@ const NAME: &str = "recent";
 
 /// Those that still exist. A list that cannot be read is empty.
 fn load(folder: &Path) -> Vec<PathBuf> {
-    let text = read_text(&folder.join(NAME), MAX_BYTES).unwrap_or_default();
+    let text = match list(folder) {
+        Some(list) => read_text(&list, MAX_BYTES).unwrap_or_default(),
+        None => String::new(),
+    };
     let files = text.lines().filter_map(unescaped);
     files.filter(|file| file.is_file()).take(MOST).collect()
+}
+
+/// The list, unless the folder is not ours or a link stands there.
+fn list(folder: &Path) -> Option<PathBuf> {
+    let list = folder.join(NAME);
+    (folders::ours(folder) && !list.is_symlink()).then_some(list)
 }
 
 fn note(folder: &Path, file: &Path) -> vides_document::Result<()> {
@@ -35,11 +44,11 @@ fn note(folder: &Path, file: &Path) -> vides_document::Result<()> {
     files.insert(0, file.to_owned());
     files.truncate(MOST);
     let lines: Vec<String> = files.iter().map(|file| escaped(file) + "\n").collect();
-    folders::make(folder).map_err(|source| vides_document::Error::Io {
+    folders::make_ours(folder).map_err(|source| vides_document::Error::Io {
         place: folder.display().to_string(),
         source,
     })?;
-    save::save(&folder.join(NAME), lines.concat().as_bytes())
+    list(folder).map_or(Ok(()), |list| save::save(&list, lines.concat().as_bytes()))
 }
 
 /// Size of a recent file's picture.

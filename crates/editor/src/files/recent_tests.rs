@@ -79,3 +79,23 @@ fn recent_files_are_in_the_menu_and_load() {
         assert!(message.error && message.text.contains("two.vid"));
     }
 }
+
+#[test]
+fn a_link_in_place_of_the_list_is_not_followed() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name);
+    std::fs::create_dir(at("state")).unwrap();
+    std::fs::write(at("precious"), "kept").unwrap();
+    std::os::unix::fs::symlink(at("precious"), at("state/recent")).unwrap();
+    let options = Options {
+        folders: Folders {
+            state: Some(at("state")),
+            ..Folders::default()
+        },
+        ..options(Language::English)
+    };
+    let mut window = window_of(options, SMALL, 1.0, Theme::Dark);
+    window.state_mut().save_path(&at("one.vid")).unwrap();
+    assert!(window.state().recent.is_empty());
+    assert_eq!(std::fs::read_to_string(at("precious")).unwrap(), "kept");
+}

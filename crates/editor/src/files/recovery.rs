@@ -18,8 +18,11 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
+use rustix::fs::OFlags;
+use rustix::process::geteuid;
 use vides_document::error::{Error, Result};
-use vides_document::{Document, Fingerprint};
+use vides_document::{Document, Fingerprint, trusting};
+use vides_engine::descriptor::off_standard;
 use vides_engine::limits::MAX_FILE_BYTES;
 
 use super::folders;
@@ -144,7 +147,7 @@ impl Autosave {
             place: self.folder.display().to_string(),
             source,
         };
-        folders::make(&self.folder).map_err(io)?;
+        folders::make_ours(&self.folder).map_err(io)?;
         let written = self.replace(&header(origin), &text).map_err(io)?;
         self.held = Some(written);
         Ok(())
@@ -179,11 +182,6 @@ impl Autosave {
     pub(crate) fn is_behind(&self, document: &Document) -> bool {
         document.state_number() != self.settled
     }
-
-    /// The file that holds the work, if there is any.
-    pub(crate) fn path(&self) -> &Path {
-        &self.path
-    }
 }
 
 /// A new file, locked, that only we may read. Another process that looks around may lock it for a
@@ -201,7 +199,8 @@ fn locked_new(path: &Path) -> io::Result<File> {
             .write(true)
             .create_new(true)
             .mode(0o600)
-            .open(path)?;
+            .open(path)
+            .and_then(off_standard)?;
         match file.try_lock() {
             Ok(()) if is_still(&file, path) => return Ok(file),
             // A file system without locks: better kept than locked.
@@ -312,7 +311,8 @@ impl Found {
     pub(crate) fn document(&self) -> Result<Document> {
         // Names of meshes are absolute. A mesh that cannot be read is reported where it is missed.
         let text = without_header(&self.text);
-        let (mut document, _) = Document::scene_from_toml(text, Path::new(""))?;
+        let read = trusting(|| Document::scene_from_toml(text, Path::new("")));
+        let (mut document, _) = read?;
         document.mark_unsaved();
         Ok(document)
     }
@@ -326,6 +326,9 @@ impl Found {
 
 /// The unsaved work of dead processes of a program (`None`: any), newest first, where readable.
 pub(crate) fn find(folder: &Path, program: Option<&str>) -> Vec<Found> {
+    if !folders::ours(folder) {
+        return Vec::new();
+    }
     let Ok(entries) = fs::read_dir(folder) else {
         return Vec::new();
     };
@@ -354,11 +357,13 @@ pub(crate) fn find(folder: &Path, program: Option<&str>) -> Vec<Found> {
 fn take(path: &Path) -> Option<Found> {
     let mut file = OpenOptions::new()
         .read(true)
-        .custom_flags(libc::O_NONBLOCK | libc::O_NOFOLLOW)
+        .custom_flags((OFlags::NONBLOCK | OFlags::NOFOLLOW).bits().cast_signed())
         .open(path)
+        .and_then(off_standard)
         .ok()?;
     let metadata = file.metadata().ok()?;
-    if !metadata.is_file() || metadata.len() > MAX_FILE_BYTES {
+    let ours = metadata.is_file() && metadata.uid() == geteuid().as_raw();
+    if !ours || metadata.len() > MAX_FILE_BYTES {
         return None;
     }
     file.try_lock().ok()?;
@@ -394,8 +399,9 @@ fn take(path: &Path) -> Option<Found> {
 fn remove_unfinished(path: &Path) {
     let Ok(file) = OpenOptions::new()
         .read(true)
-        .custom_flags(libc::O_NONBLOCK | libc::O_NOFOLLOW)
+        .custom_flags((OFlags::NONBLOCK | OFlags::NOFOLLOW).bits().cast_signed())
         .open(path)
+        .and_then(off_standard)
     else {
         return;
     };

@@ -1,4 +1,5 @@
 use std::io::{BufRead, BufReader};
+use std::os::unix::fs::{PermissionsExt, chown};
 use std::process::{Child, Command, Stdio};
 use std::time::Instant;
 
@@ -9,6 +10,7 @@ use super::*;
 use crate::files::folders::Folders;
 use crate::host::program::Program;
 use crate::state::{Editor, Options};
+use crate::tests::{started, work_folder};
 use crate::texts::Language;
 
 fn document() -> Document {
@@ -36,7 +38,7 @@ fn names(folder: &Path) -> Vec<String> {
 
 #[test]
 fn a_change_is_written_within_a_second_and_no_sooner_asked_again() {
-    let folder = tempfile::tempdir().unwrap();
+    let folder = work_folder();
     let state = folder.path().join("deep/state");
     let mut document = document();
     let mut autosave = Autosave::new(&state, &document);
@@ -96,7 +98,7 @@ fn a_change_is_written_within_a_second_and_no_sooner_asked_again() {
 
 #[test]
 fn saving_and_undoing_to_the_saved_state_remove_it() {
-    let folder = tempfile::tempdir().unwrap();
+    let folder = work_folder();
     let mut document = document();
     let mut autosave = Autosave::new(folder.path(), &document);
     for way in [Document::mark_saved as fn(&mut Document), |document| {
@@ -120,7 +122,7 @@ fn saving_and_undoing_to_the_saved_state_remove_it() {
 
 #[test]
 fn what_lives_is_offered_to_nobody() {
-    let folder = tempfile::tempdir().unwrap();
+    let folder = work_folder();
     let mut document = document();
     change(&mut document, 0.25);
     let file = Path::new("/tmp/näher 100%\n.vid");
@@ -150,22 +152,14 @@ fn what_lives_is_offered_to_nobody() {
         .unwrap();
     assert!(find(folder.path(), None).is_empty());
     drop(first);
-    // A process that another test starts may hold the lock with it for a moment.
-    let found_soon = || {
-        let tries = std::iter::repeat_with(|| {
-            std::thread::sleep(std::time::Duration::from_millis(5));
-            find(folder.path(), None)
-        });
-        tries.take(1000).find(|found| !found.is_empty())
-    };
-    let found = found_soon().unwrap();
+    let found = find(folder.path(), None);
     assert_eq!(found.len(), 1);
     assert_eq!(found[0].original.as_deref(), Some(file));
     assert!(found[0].document().unwrap().is_modified());
     // Whoever found it holds it.
     assert!(find(folder.path(), None).is_empty());
     drop(found);
-    found_soon().unwrap().pop().unwrap().discard();
+    find(folder.path(), None).pop().unwrap().discard();
     assert_eq!(names(folder.path()).len(), 1, "the other one lives");
 }
 
@@ -190,7 +184,7 @@ fn paths_survive_as_one_line() {
 
 #[test]
 fn odd_things_in_the_folder_do_no_harm() {
-    let folder = tempfile::tempdir().unwrap();
+    let folder = work_folder();
     let at = |name: &str| folder.path().join(name);
     fs::write(at("unsaved-1-1-1.vid.new"), "half").unwrap();
     fs::write(at("unsaved-2-2-2.vid"), "no path at all").unwrap();
@@ -250,16 +244,16 @@ fn editor(folder: &Path) -> Editor {
 /// The X server goes away: the editor is dropped in the middle of work.
 #[test]
 fn a_window_that_vanishes_leaves_its_work() {
-    let folder = tempfile::tempdir().unwrap();
+    let folder = work_folder();
     let mut vanished = editor(folder.path());
     change(vanished.document_mut(), 0.125);
     drop(vanished);
     let found = find(folder.path(), None);
     assert_eq!(x_of(&found[0].document().unwrap()), 0.125);
     drop(found);
-    // One that was asked to close, or forgets, leaves nothing.
+    // One that was asked to close, or that its host has kept, leaves nothing.
     for answered in [true, false] {
-        let folder = tempfile::tempdir().unwrap();
+        let folder = work_folder();
         let mut closed = editor(folder.path());
         change(closed.document_mut(), 0.5);
         closed
@@ -272,13 +266,13 @@ fn a_window_that_vanishes_leaves_its_work() {
             closed.requests.push(crate::Request::Close);
             assert!(closed.next_request().is_some());
         } else {
-            closed.forget_unsaved();
+            closed.mark_saved();
         }
         drop(closed);
         assert_eq!(names(folder.path()), [""; 0]);
     }
     // Unmodified: nothing either.
-    let folder = tempfile::tempdir().unwrap();
+    let folder = work_folder();
     drop(editor(folder.path()));
     assert_eq!(names(folder.path()), [""; 0]);
 }
@@ -325,7 +319,8 @@ struct AtWork {
 
 fn at_work() -> AtWork {
     let folder = tempfile::tempdir().unwrap();
-    let process = Command::new(std::env::current_exe().unwrap())
+    let mut command = Command::new(std::env::current_exe().unwrap());
+    command
         .args([
             "--exact",
             "files::recovery::tests::a_process_at_work",
@@ -333,10 +328,11 @@ fn at_work() -> AtWork {
         ])
         .env(AT_WORK, folder.path())
         .stdout(Stdio::piped())
-        .stderr(Stdio::null())
-        .spawn()
-        .unwrap();
-    AtWork { process, folder }
+        .stderr(Stdio::null());
+    AtWork {
+        process: started(&mut command),
+        folder,
+    }
 }
 
 /// kill -9 at random moments: the last second's work is lost at most. The time
@@ -398,4 +394,35 @@ fn lost(mut work: AtWork) -> u64 {
     let end = passes.last().map_or(0, |&(_, began)| began);
     let mut lost = passes.iter().filter(|(number, _)| *number > restored);
     lost.next().map_or(0, |(_, began)| end - began)
+}
+
+/// Root alone can try it: others cannot give a folder away.
+#[test]
+fn a_folder_of_another_user_is_neither_read_nor_written() {
+    let folder = work_folder();
+    let mut document = document();
+    change(&mut document, 0.1);
+    let mut autosave = Autosave::new(folder.path(), &document);
+    autosave.write(&document, &Origin::default()).unwrap();
+    drop(autosave);
+    assert_eq!(find(folder.path(), None).len(), 1);
+    let open_to_all = fs::Permissions::from_mode(0o777);
+    fs::set_permissions(folder.path(), open_to_all).unwrap();
+    assert!(find(folder.path(), None).is_empty());
+    fs::set_permissions(folder.path(), fs::Permissions::from_mode(0o700)).unwrap();
+    let planted = folder.path().join(&names(folder.path())[0]);
+    if chown(&planted, Some(65534), None).is_err() {
+        return;
+    }
+    assert!(find(folder.path(), None).is_empty(), "a planted file");
+    chown(&planted, Some(geteuid().as_raw()), None).unwrap();
+    assert_eq!(find(folder.path(), None).len(), 1);
+    chown(folder.path(), Some(65534), None).unwrap();
+    assert!(find(folder.path(), None).is_empty(), "another's folder");
+    let mut autosave = Autosave::new(folder.path(), &document);
+    let error = autosave.write(&document, &Origin::default()).unwrap_err();
+    let place = folder.path().display().to_string();
+    assert!(error.to_string().starts_with(&place), "{error}");
+    assert_eq!(names(folder.path()).len(), 1);
+    chown(folder.path(), Some(geteuid().as_raw()), None).unwrap();
 }

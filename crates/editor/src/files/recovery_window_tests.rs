@@ -46,7 +46,7 @@ fn files(folder: &std::path::Path) -> usize {
 fn it_is_restored() {
     for language in BOTH {
         let texts = &language.texts().recovery;
-        let folder = tempfile::tempdir().unwrap();
+        let folder = work_folder();
         vanish(folder.path(), 0.25);
         let mut window = start(language, folder.path());
         assert!(window.query_by_label(texts.title).is_some());
@@ -79,7 +79,7 @@ fn it_is_restored() {
 fn it_is_discarded_or_left_for_later() {
     for language in BOTH {
         let texts = &language.texts().recovery;
-        let folder = tempfile::tempdir().unwrap();
+        let folder = work_folder();
         vanish(folder.path(), 0.5);
         for by_key in [true, false] {
             let mut window = start(language, folder.path());
@@ -106,7 +106,7 @@ fn it_is_discarded_or_left_for_later() {
 /// What is offered stands beside the work, and waits as long as it likes.
 #[test]
 fn nothing_waits_for_an_answer() {
-    let folder = tempfile::tempdir().unwrap();
+    let folder = work_folder();
     vanish(folder.path(), 0.5);
     let mut window = start(Language::English, folder.path());
     let texts = Language::English.texts();
@@ -138,7 +138,7 @@ fn nothing_waits_for_an_answer() {
 /// Each program is offered its own work, the command all there is.
 #[test]
 fn work_is_offered_to_the_program_that_it_was_made_in() {
-    let folder = tempfile::tempdir().unwrap();
+    let folder = work_folder();
     vanish(folder.path(), 0.5);
     let mut other = start_of(Program::of_tests("other"), Language::English, folder.path());
     assert!(other.state().windows.recovery.is_none());
@@ -164,7 +164,7 @@ fn work_is_offered_to_the_program_that_it_was_made_in() {
 #[test]
 fn a_file_that_changed_since_the_crash_is_not_overwritten_unasked() {
     for changed in [false, true] {
-        let folder = tempfile::tempdir().unwrap();
+        let folder = work_folder();
         let file = folder.path().join("flight.vid");
         Document::new().save(&file).unwrap();
         let state = folder.path().join("state");
@@ -192,7 +192,7 @@ fn later(window: &mut Window) {
 /// An idle window asks for no wake-up, modified or not.
 #[test]
 fn an_idle_window_sleeps() {
-    let folder = tempfile::tempdir().unwrap();
+    let folder = work_folder();
     let mut window = start(Language::English, folder.path());
     let sleeps = |window: &Window| {
         let viewport = window.output().viewport_output.values().next().unwrap();
@@ -214,7 +214,7 @@ fn an_idle_window_sleeps() {
 #[test]
 fn a_window_that_cannot_keep_its_work_says_so_once() {
     for language in BOTH {
-        let folder = tempfile::tempdir().unwrap();
+        let folder = work_folder();
         let blocked = folder.path().join("file");
         std::fs::write(&blocked, "").unwrap();
         let mut window = start(language, &blocked.join("state"));
@@ -236,7 +236,7 @@ fn a_window_that_cannot_keep_its_work_says_so_once() {
 
 #[test]
 fn tab_goes_through_the_answers_as_they_are_read() {
-    let folder = tempfile::tempdir().unwrap();
+    let folder = work_folder();
     vanish(folder.path(), 0.25);
     let mut window = start(Language::English, folder.path());
     let texts = &Language::English.texts().recovery;

@@ -1,6 +1,7 @@
 //! What passes between the window and its host's own picture: where the playhead is and what the
 //! camera sees there; the host's camera, shown as a ghost and taken over into the path.
 
+mod first;
 mod pane;
 pub(crate) mod program;
 pub(crate) mod warning;
@@ -21,11 +22,16 @@ use crate::state::host::{HostPane, PlayheadState};
 use crate::state::{Editor, Reason, Request};
 use crate::texts::fill;
 use crate::texts::refusals::reason_of;
+pub use first::{begin_at, check_view};
 pub use program::{Date, Program};
 pub use warning::{Warning, Warnings};
 
 /// The distance to the target of a view that was taken over, in half sizes.
 const TARGET: f64 = 0.4;
+
+/// What a view may differ from another by to be the same, in half sizes, radians and shares of the
+/// zoom: a hundred roundings of `float`.
+const SAME_VIEW: f64 = 1e-5;
 
 impl PlayheadState {
     fn shows_another(&self, before: &Self) -> bool {
@@ -58,6 +64,12 @@ impl Editor {
         self.host_pane.as_ref()
     }
 
+    /// The host is not told of the camera until that has changed.
+    #[must_use]
+    pub fn keeps_host_view(&self) -> bool {
+        self.host_view.keeps_view
+    }
+
     /// The host cannot draw what the camera sees: the editor does.
     pub fn draw_pane_itself(&mut self) {
         self.host_view.fills_pane = false;
@@ -66,13 +78,21 @@ impl Editor {
 
     /// Where the playhead stands.
     pub fn standing(&self) -> PlayheadState {
+        let frame = self.playing.frame();
         PlayheadState {
-            revision: self.document.revision(),
-            camera: self.document.edited_scene().map(|edited| {
+            frame: frame.map(|frame| self.without_preview(frame)),
+            ..self.standing_in(self.document())
+        }
+    }
+
+    fn standing_in(&self, document: &Document) -> PlayheadState {
+        PlayheadState {
+            revision: document.revision(),
+            camera: document.edited_scene().map(|edited| {
                 let scene = edited.scene();
                 (scene.shown_camera(), scene.nodes().len())
             }),
-            selection: self.document.selection(),
+            selection: document.selection(),
             frame: self.playing.frame(),
             plays: self.playing.is_playing(),
             scrubbed: self.playing.was_scrubbed(),
@@ -81,12 +101,12 @@ impl Editor {
 
     /// Whether it plays or a step of the document is open: more is to come.
     pub fn is_under_way(&self) -> bool {
-        self.playing.is_playing() || self.document.in_step()
+        self.playing.is_playing() || self.document().in_step()
     }
 
     /// Identifies the path after each step; after undo it is an old number again.
     pub fn step_number(&self) -> (u64, u64) {
-        (self.windows.paths, self.document.state_number())
+        (self.windows.paths, self.document().state_number())
     }
 
     /// The frame at the playhead, from 1; in a scene, the scene's.
@@ -94,16 +114,38 @@ impl Editor {
     /// # Errors
     /// `ErrorKind::Memory`; `ErrorKind::Limit` for too many frames.
     pub fn frame(&self) -> Result<f64> {
+        let frame = self.frame_in(self.document())?;
+        Ok(self.without_preview(frame))
+    }
+
+    /// The same with what a tool shows.
+    pub(crate) fn previewed_frame(&self) -> Result<f64> {
+        self.frame_in(&self.document)
+    }
+
+    /// A frame of what is shown in [`Editor::document`], which may be shorter.
+    fn without_preview(&self, frame: f64) -> f64 {
+        let document = self.document();
+        if std::ptr::eq(document, &raw const self.document) {
+            return frame;
+        }
+        let range = document.frame_range();
+        range.map_or(frame, |(first, last)| frame.clamp(first, last))
+    }
+
+    fn frame_in(&self, document: &Document) -> Result<f64> {
         if let Some(frame) = self.playing.frame() {
             return Ok(frame);
         }
-        let Selection { point, orientation } = self.document.selection();
-        let sampler = self.document.sampler()?;
-        let section = self.document.timeline(|timeline| {
+        let Selection { point, orientation } = document.selection();
+        let sampler = document.sampler()?;
+        let section = document.timeline(|timeline| {
             let at = timeline.section_from(point, orientation)?;
             Some((at, timeline.section(at).change))
         })?;
-        let hold = self.orientation().map_or(0, |key| key.hold as usize);
+        let point = document.path().points.get(point);
+        let key = point.and_then(|point| point.orientations.get(orientation));
+        let hold = key.map_or(0, |key| key.hold as usize);
         let frame = match section {
             None => sampler.frame_count() - hold,
             // Nothing rests there.
@@ -111,7 +153,7 @@ impl Editor {
             Some((at, _)) => sampler.first_frame(at) - 1 - hold,
         };
         #[allow(clippy::cast_precision_loss)]
-        Ok(self.document.frame_of_scene(frame as f64))
+        Ok(document.frame_of_scene(frame as f64))
     }
 
     /// The camera at the playhead, with its frame.
@@ -122,7 +164,7 @@ impl Editor {
         let frame = self.frame()?;
         let pose = match self.scene_pose()? {
             Some(pose) => pose,
-            None => self.document.sampler()?.pose(frame)?,
+            None => self.document().sampler()?.pose(frame)?,
         };
         Ok((pose, frame))
     }
@@ -133,10 +175,11 @@ impl Editor {
     /// # Errors
     /// `ErrorKind::Range` if there is no such frame; as [`Editor::frame`].
     pub fn set_frame(&mut self, frame: f64) -> Result<()> {
-        if self.document.edited_scene().is_none() {
-            self.document.sampler()?.pose(frame)?;
+        let document = self.document();
+        if document.edited_scene().is_none() {
+            document.sampler()?.pose(frame)?;
         }
-        let (first, last) = self.document.frame_range()?;
+        let (first, last) = document.frame_range()?;
         if !(first..=last).contains(&frame) {
             return Err(OutOfRange::NoFrame { frame, first, last }.into());
         }
@@ -155,7 +198,7 @@ impl Editor {
         self.playing.will_play()
     }
 
-    /// Makes a point and one of its orientations current, both counted from 0.
+    /// Makes a point and one of its orientations current, both counted from 0. Ends an open tool.
     ///
     /// # Errors
     /// `ErrorKind::Range` if there is no such one; `ErrorKind::Argument` if no path is edited.
@@ -163,20 +206,23 @@ impl Editor {
         if !self.document.edits_path() {
             return Err(Refused::NoPathEdited.into());
         }
-        self.document.select(point, orientation)?;
+        self.document_mut().select(point, orientation)?;
         self.select(point, orientation);
         Ok(())
     }
 
-    /// Changes the document; the playhead stays where it was put, if that frame is still there.
+    /// Changes the document; the playhead stays where it was put, if that frame is still there, else
+    /// it goes to the current point.
     pub fn change<R>(&mut self, change: impl FnOnce(&mut Document) -> R) -> R {
-        let frame = self.playing.frame();
-        let done = change(self.document_mut());
+        let document = self.document_mut();
+        let done = change(document);
         let range = self.document.frame_range();
-        if let (Some(frame), Ok((first, last))) = (frame, range)
-            && (first..=last).contains(&frame)
-        {
-            self.stay_at(frame);
+        match (self.playing.frame(), range) {
+            (Some(frame), Ok((first, last))) if (first..=last).contains(&frame) => {
+                self.stay_at(frame);
+            }
+            (Some(_), _) if !self.playing.is_playing() => self.playing.leave(),
+            _ => {}
         }
         done
     }
@@ -186,7 +232,7 @@ impl Editor {
     /// # Errors
     /// `ErrorKind::Memory`.
     pub fn set_object(&mut self, object: Object) -> Result<()> {
-        self.take_tool();
+        self.cancel_tool();
         let mut info = self.document.info().clone();
         info.object = object;
         self.document.apply(Edit::SetInfo(Box::new(info)))
@@ -203,7 +249,6 @@ impl Editor {
     /// `ErrorKind::Argument` without a name, or if its own file has changed since it was read or
     /// written here: nothing is written then. `ErrorKind::Io`.
     pub fn save_as(&mut self, file: Option<&Path>) -> Result<()> {
-        self.take_tool();
         let own = self.file.clone();
         let Some(name) = file.or(own.as_deref()) else {
             return Err(Refused::NoFile.into());
@@ -228,14 +273,14 @@ impl Editor {
     /// Where the camera of the picture has flown, until something else is shown.
     pub(crate) fn flown(&self) -> Option<Camera> {
         let (camera, standing) = self.flown?;
-        (standing == self.standing()).then_some(camera)
+        (standing == self.standing_in(&self.document)).then_some(camera)
     }
 
     pub(crate) fn fly(&mut self, camera: Option<Camera>) {
         if camera.is_some() && self.playing.is_playing() {
             self.playing.order(false);
         }
-        let standing = self.standing();
+        let standing = self.standing_in(&self.document);
         self.flown = camera.map(|camera| (camera, standing));
     }
 
@@ -276,6 +321,11 @@ impl Editor {
         let Some(current) = self.orientation() else {
             return;
         };
+        if self.has_view(&pose) {
+            let number = (point + 1).to_string();
+            self.say(fill(self.texts().space.same_view, &[&number]));
+            return;
+        }
         let taken = seen_by(&pose, space, current);
         let position = DVec3::from_array(pose.vrp);
         self.document.begin_step();
@@ -299,6 +349,22 @@ impl Editor {
         } else {
             self.document.cancel_step();
         }
+    }
+
+    /// Whether the current orientation looks as a valid pose does, which a host may have rounded.
+    fn has_view(&self, pose: &Pose) -> bool {
+        let Selection { point, orientation } = self.document.selection();
+        let Some(key) = Camera::at(&self.document, point, orientation) else {
+            return false;
+        };
+        let near = |a: DVec3, b: [f64; 3], most: f64| a.distance(DVec3::from_array(b)) <= most;
+        near(
+            key.position,
+            pose.vrp,
+            SAME_VIEW * self.document.path().space.half_size,
+        ) && near(key.view, pose.vpn, SAME_VIEW)
+            && near(key.up, pose.vup, SAME_VIEW)
+            && (key.zoom - pose.zoom).abs() <= SAME_VIEW * key.zoom
     }
 
     fn add_point_at(&mut self, at: usize, position: DVec3, orientation: Orientation) -> bool {

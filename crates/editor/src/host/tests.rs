@@ -166,6 +166,45 @@ fn a_view_is_taken_over_as_it_is() {
     assert_eq!(window.state().document.path().points.len(), before + 22);
 }
 
+/// A host that follows `on_view` has the view of the current key, rounded to `float`.
+#[test]
+fn the_view_of_the_current_key_is_not_taken_over_again() {
+    let mut window = window();
+    window.state_mut().select_key(1, 0).unwrap();
+    window.run();
+    let (pose, _) = window.state().view().unwrap();
+    let rounded = |v: [f64; 3]| v.map(|x| f64::from(x as f32));
+    let held = Pose {
+        vrp: rounded(pose.vrp),
+        vpn: rounded(pose.vpn),
+        vup: rounded(pose.vup),
+        zoom: f64::from(pose.zoom as f32),
+    };
+    let before = window.state().document.path().clone();
+    for replace in [false, true] {
+        window.state_mut().take_over(Some(&held), replace);
+        window.run();
+        assert_eq!(
+            said(&window).as_deref(),
+            Some("Point 2 already has this view")
+        );
+        assert_eq!(*window.state().document.path(), before);
+        assert!(!window.state().is_unsaved());
+    }
+    // Another one is.
+    let [x, y, z] = held.vrp;
+    let aside = Pose {
+        vrp: [x + 0.001, y, z],
+        ..held
+    };
+    window.state_mut().take_over(Some(&aside), false);
+    window.run();
+    assert_eq!(
+        window.state().document.path().points.len(),
+        before.points.len() + 1
+    );
+}
+
 #[test]
 fn what_is_no_view_is_refused_in_words() {
     for language in BOTH {

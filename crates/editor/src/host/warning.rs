@@ -61,6 +61,14 @@ impl Warnings {
         self.0.is_empty()
     }
 
+    /// Files that were not read since they lie outside the folder of the file that names them.
+    pub(crate) fn outside(&self) -> impl Iterator<Item = String> {
+        self.0.iter().filter_map(|warning| match warning {
+            Warning::Mesh(error) => error.outside().map(ToString::to_string),
+            _ => None,
+        })
+    }
+
     pub(crate) fn iter(&self) -> impl Iterator<Item = &Warning> {
         self.0.iter()
     }

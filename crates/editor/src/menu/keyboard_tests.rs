@@ -79,6 +79,63 @@ fn f10_opens_the_first_menu_and_shift_f10_does_not() {
     assert!(window.query_by_label(texts.load).is_none());
 }
 
+/// Of the menus' titles the open one alone is highlighted, also where the pointer rests on another.
+#[test]
+fn one_title_is_highlighted() {
+    let texts = &Language::English.texts().menu;
+    let mut window = window(Language::English);
+    let place = |window: &Window, title: &str| window.get_by_label(title).rect();
+    let [file, edit] = [texts.file, texts.edit].map(|title| place(&window, title));
+    click(&mut window, texts.file);
+    window.hover_at(file.center());
+    window.run();
+    press(&mut window, Modifiers::NONE, Key::ArrowRight);
+    let image = crate::screenshots::screenshot(&mut window, "menu-highlight.png");
+    let ground = |rect: egui::Rect| {
+        let corner = rect.left_center() + vec2(2.0, 0.0);
+        *image.get_pixel(corner.x as u32, corner.y as u32)
+    };
+    let help = place(&window, texts.help);
+    assert_eq!(ground(file), ground(help));
+    assert_ne!(ground(edit), ground(help));
+}
+
+/// The key that opens a window closes it again; where no path is edited there is no speed curve.
+#[test]
+fn the_key_that_opens_a_window_closes_it() {
+    for language in BOTH {
+        let mut window = window(language);
+        let open = |window: &Window| {
+            let windows = &window.state().windows;
+            let speed = windows.speed.is_some();
+            [
+                windows.help.is_some(),
+                windows.curve.is_some(),
+                speed,
+                windows.check.is_some(),
+            ]
+        };
+        for (at, key) in [Key::F1, Key::F2, Key::F3, Key::F8].into_iter().enumerate() {
+            press(&mut window, Modifiers::NONE, key);
+            assert!(open(&window)[at], "{key:?}");
+            press(&mut window, Modifiers::NONE, key);
+            assert_eq!(open(&window), [false; 4], "{key:?}");
+        }
+        press(&mut window, Modifiers::NONE, Key::F3);
+        let light =
+            crate::state::scene_view::NodeCommand::Add(crate::state::scene_view::NewNode::Light);
+        window.state_mut().do_to_nodes(light);
+        window.run();
+        assert_eq!(open(&window), [false; 4]);
+        press(&mut window, Modifiers::NONE, Key::F3);
+        assert_eq!(open(&window), [false; 4]);
+        assert_eq!(
+            said(&window).as_deref(),
+            Some(language.texts().tools.only_path)
+        );
+    }
+}
+
 #[test]
 fn a_pointer_at_rest_leaves_the_menus_to_the_keyboard() {
     let texts = &Language::German.texts().menu;

@@ -98,16 +98,19 @@ fn edit(editor: &Editor) -> Vec<Entry> {
         travel(editor, false, back).only_if(editor.document.can_undo(), output.nothing_to_undo),
         travel(editor, true, forth).only_if(editor.document.can_redo(), output.nothing_to_redo),
     ];
+    let [add_hint, add_many_hint] = editor.add_hints();
+    let (otherwise, otherwise_hint) = match editor.adds_copies() {
+        true => (texts.add_keeping, position.only_keep_hint),
+        false => (texts.add_copy, position.only_copy_hint),
+    };
     let of_path = [
-        Entry::new(texts.add_point, position.add_hint, PathAction::AddPoint)
+        Entry::new(texts.add_point, add_hint, PathAction::AddPoint)
             .only_if(editor.has_segment(), position.last_point)
             .apart(),
-        Entry::new(
-            texts.add_points,
-            position.add_many_hint,
-            PathAction::AskPoints,
-        )
-        .only_if(editor.has_segment(), position.last_point),
+        Entry::new(otherwise, otherwise_hint, PathAction::AddPointOtherwise)
+            .only_if(editor.has_segment(), position.last_point),
+        Entry::new(texts.add_points, add_many_hint, PathAction::AskPoints)
+            .only_if(editor.has_segment(), position.last_point),
         Entry {
             text: editor.removal(),
             ..Entry::new("", position.remove_hint, PathAction::RemovePoint)
@@ -355,6 +358,9 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui) -> Option<Action> {
         if open == Some(index) {
             let fill = theme::palette(ui).hovered;
             title = title.frame_when_inactive(true).fill(fill);
+        } else if open.is_some() {
+            // The pointer may rest on another one.
+            title = title.fill(Color32::TRANSPARENT).stroke(Stroke::NONE);
         }
         let response = ui.add(title);
         let mut popup = Popup::menu(&response);

@@ -154,6 +154,7 @@ fn every_entry_has_a_tooltip() {
                     (menu.undo, texts.output.nothing_to_undo),
                     (menu.redo, texts.output.nothing_to_redo),
                     (menu.add_point, position.add_hint),
+                    (menu.add_copy, position.only_copy_hint),
                     (menu.add_points, position.add_many_hint),
                     (menu.remove_point, position.two_remain),
                     (menu.append, hints.append),

@@ -8,7 +8,7 @@ use vides_engine::path::{CurveKind, CurveParameters, Tcb};
 
 use crate::action::{Action, PathAction};
 use crate::number::Number;
-use crate::panels::parts::{Heading, share};
+use crate::panels::parts::{Heading, PanelButton, share};
 use crate::playing::playhead::Missing;
 use crate::setup::Fold;
 use crate::state::Editor;
@@ -37,6 +37,12 @@ pub(super) fn show(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     if !open || shown.missing != Missing::Nothing {
         return;
     }
+    if editor.point().is_some_and(|point| point.keeps_motion) {
+        let (text, hint) = (texts.keeps_motion, texts.keeps_motion_hint);
+        let action = Action::Path(PathAction::OwnTangents(false));
+        let button = PanelButton::new(text, hint, action).chosen(true);
+        button.show(editor, ui, ui.available_width(), actions);
+    }
     shape(editor, ui, false, actions);
     shape(editor, ui, true, actions);
 }
@@ -64,9 +70,10 @@ fn others(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
     };
     let joint = editor.joint();
     let owned = (texts.own_tangents, texts.own_tangents_hint);
+    let keeps_motion = editor.point().is_some_and(|point| point.keeps_motion);
     entry(
         ui,
-        joint.is_some(),
+        joint.is_some() && !keeps_motion,
         owned,
         Action::Path(PathAction::OwnTangents(true)),
     );
@@ -174,6 +181,8 @@ fn words_of(editor: &Editor, kind: CurveKind) -> (&'static str, &'static str) {
     let texts = &editor.texts().position;
     match kind {
         CurveKind::Tcb => (texts.tcb, texts.tcb_hint),
+        CurveKind::Centripetal => (texts.centripetal, texts.centripetal_hint),
+        CurveKind::Chordal => (texts.chordal, texts.chordal_hint),
         CurveKind::Cubic => (texts.cubic, texts.cubic_hint),
         CurveKind::Linear => (texts.linear, texts.linear_hint),
     }

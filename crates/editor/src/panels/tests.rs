@@ -1,8 +1,8 @@
 //! The panels (thesis A.4.1, A.4.4), sentence by sentence; those of views are beside theirs.
 
 use egui_kittest::kittest::NodeT as _;
-use vides_document::{At, Selection};
-use vides_engine::path::{CurveParameters, Tcb};
+use vides_document::{At, Edit, Selection};
+use vides_engine::path::{CurveParameters, SupportPoint, Target, Tcb};
 
 use crate::tests::*;
 
@@ -117,6 +117,108 @@ fn with_shift_a_new_point_has_all_of_its_predecessor() {
     assert_eq!(path.points[1].orientations, path.points[0].orientations);
     assert_eq!(path.points[1].orientations[0].zoom, 35.0);
     assert_eq!(said(&window).as_deref(), Some("Neuer Punkt"));
+}
+
+/// A.4.1 and 7.3: half-way, with all properties of the current point but its name.
+#[test]
+fn in_a_window_of_a_host_of_1994_a_new_point_is_a_copy() {
+    for language in BOTH {
+        let texts = language.texts();
+        let mut window = window_of(
+            Options {
+                fixed_speeds: true,
+                ..options(language)
+            },
+            LARGE,
+            1.0,
+            Theme::Dark,
+        );
+        enter(&mut window, texts.zoom.value, "35");
+        window.state_mut().set_orientation(|orientation| {
+            orientation.target = Target::Absolute(DVec3::new(0.0, 0.5, 0.0));
+            orientation.speeds[0] = 3.0;
+        });
+        window.run();
+        let copied = |window: &Window, at: usize| {
+            let path = window.state().document.path();
+            let points = &path.points;
+            assert_eq!(points[at].tangents, None);
+            assert_eq!(points[at].orientations, points[0].orientations);
+        };
+        press(&mut window, Modifiers::NONE, Key::Insert);
+        assert_eq!((points(&window), selection(&window).point), (3, 1));
+        copied(&window, 1);
+        press(&mut window, Modifiers::CTRL, Key::I);
+        click(&mut window, "4");
+        assert_eq!((points(&window), selection(&window).point), (7, 2));
+        (2..6).for_each(|at| copied(&window, at));
+        // Its button says so, and the menu has the other way by name.
+        let [hint, _] = window.state().add_hints();
+        assert_eq!(hint, texts.position.copy_hint);
+        let before = poses(window.state());
+        open_menu(&mut window, 1);
+        click(&mut window, texts.menu.add_keeping);
+        assert_eq!((points(&window), selection(&window).point), (8, 3));
+        assert_eq!(poses(window.state()).len(), before.len());
+        assert!(window.state().document.path().points[3].keeps_motion);
+        press(&mut window, Modifiers::CTRL, Key::Z);
+        window
+            .get_by_label(texts.position.add)
+            .click_modifiers(Modifiers::SHIFT);
+        window.run();
+        assert!(window.state().document.path().points[3].keeps_motion);
+    }
+}
+
+/// The panel says that tangents came of an insertion, and they are over when a point beside moves.
+#[test]
+fn tangents_that_keep_the_motion_lapse_and_the_panel_says_so() {
+    for language in BOTH {
+        let texts = &language.texts().position;
+        let mut window = window(language);
+        let kept = |window: &Window| -> Vec<bool> {
+            let path = window.state().document.path();
+            let own = |point: &SupportPoint| (point.keeps_motion, point.tangents.is_some());
+            path.points
+                .iter()
+                .map(|point| {
+                    let (keeps, owns) = own(point);
+                    assert_eq!(keeps, owns);
+                    keeps
+                })
+                .collect()
+        };
+        let named = |window: &Window| window.query_by_label(texts.keeps_motion).is_some();
+        // Not straight, where a new point needs no tangents.
+        let position = DVec3::new(0.1, 0.9, -0.2);
+        let document = &mut window.state_mut().document;
+        document
+            .apply(Edit::InsertPoint { at: 2, position })
+            .unwrap();
+        document.select(0, 0).unwrap();
+        window.run();
+        assert!(!named(&window));
+        for _ in 0..3 {
+            press(&mut window, Modifiers::NONE, Key::Insert);
+        }
+        assert!(named(&window));
+        assert_eq!(kept(&window), [true; 6]);
+        // The new point is moved: its tangents and those beside it are over.
+        let name = fill(texts.coordinate, &[&"y"]);
+        enter(&mut window, &name, "0.5");
+        assert_eq!(kept(&window), [true, true, false, false, false, true]);
+        assert!(!named(&window));
+        press(&mut window, Modifiers::CTRL, Key::Z);
+        assert_eq!(kept(&window), [true; 6]);
+        // A click takes them away at once.
+        click(&mut window, texts.keeps_motion);
+        assert_eq!(kept(&window), [true, true, true, false, true, true]);
+        press(&mut window, Modifiers::CTRL, Key::Z);
+        // All points moved together keep the motion.
+        press(&mut window, Modifiers::CTRL, Key::A);
+        enter(&mut window, &name, "0.25");
+        assert_eq!(kept(&window), [true; 6]);
+    }
 }
 
 #[test]

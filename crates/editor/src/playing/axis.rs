@@ -15,8 +15,8 @@ const BEYOND: f32 = 8.0;
 /// The frames at the two ends of the rail, where not all are seen.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Seen {
-    first: f64,
-    last: f64,
+    pub(crate) first: f64,
+    pub(crate) last: f64,
 }
 
 impl Seen {

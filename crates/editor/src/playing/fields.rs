@@ -2,12 +2,13 @@
 //! kept while keys move, what else is shown.
 
 use egui::{Align, Button, Layout, Pos2, Rect, Role, Shape, Stroke, Ui, WidgetInfo, vec2};
-use vides_document::{Edit, Info};
+use vides_document::Edit;
 use vides_engine::limits::{MAX_FPS, MAX_FRAMES};
 use vides_engine::scene::Part;
 
 use super::buttons::{BUTTON, camera_button, play_button, speed_button};
 use crate::action::{Action, TimeAction};
+use crate::entry::Entry;
 use crate::number::Number;
 use crate::playing::axis::as_frame;
 use crate::state::Editor;
@@ -175,11 +176,14 @@ fn numbers(
         .unit(texts.rate_unit)
         .decimals(if fps.fract() == 0.0 { 0 } else { 3 })
         .range(0.001..=MAX_FPS)
-        .steps(1.0, 0.5)
+        .typed()
+        .steps(1.0, 0.0)
         .show(ui, language, "playing.fps", field);
-    let info = editor.document.info().clone();
-    let entry = entry.map(|fps| Edit::SetInfo(Box::new(Info { fps, ..info })));
-    actions.push(Action::Enter(entry));
+    match entry {
+        Entry::Set(fps) => actions.push(Action::Time(TimeAction::Rate(fps))),
+        Entry::Wrong(why) => actions.push(Action::Complain(why)),
+        _ => {}
+    }
 }
 
 /// The button by which what follows a key moves along with it.

@@ -49,6 +49,7 @@ use crate::entry::Entry;
 use crate::space::cameras::Camera;
 use crate::state::Editor;
 use crate::state::playing::{Mark, Pace, Playing};
+use crate::texts::refusals::of_edit;
 use crate::{theme, windows};
 
 /// A lower window has little room for the graph.
@@ -122,6 +123,21 @@ impl Playing {
         if let Some(frame) = self.frame {
             self.seen = self.seen.map(|seen| seen.showing(frame, pages));
         }
+    }
+
+    /// Forgets all of another document; what the user prefers stays.
+    pub(super) fn show_anew(&mut self, selection: Selection) {
+        *self = Self {
+            loops: self.loops,
+            pace: self.pace,
+            low: self.low,
+            low_graph: self.low_graph,
+            graph_height: self.graph_height,
+            shown: self.shown,
+            moves_along: self.moves_along,
+            selection,
+            ..Self::default()
+        };
     }
 
     pub(super) fn put_back(&mut self, frame: Option<f64>, selection: Selection) {
@@ -237,6 +253,20 @@ impl Editor {
             }
             Entry::Wrong(why) => self.complain(why),
             Entry::Idle | Entry::End => {}
+        }
+    }
+
+    /// Another rate, at which whatever happens keeps its second, the playhead too.
+    pub(super) fn set_rate(&mut self, fps: f64) {
+        let at = self.position_on_bar();
+        let ratio = fps / self.document.info().fps;
+        match self.document.rate_edits(fps) {
+            Ok(edits) => {
+                if self.edit_all(edits) {
+                    self.scrub(1.0 + (at - 1.0) * ratio);
+                }
+            }
+            Err(error) => self.complain(of_edit(self.language(), &error)),
         }
     }
 

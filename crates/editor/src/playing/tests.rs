@@ -273,13 +273,25 @@ fn frame_and_second_are_typed_and_move_the_playhead() {
         assert!(harness.state().message.as_ref().unwrap().error);
         // Looking changes nothing.
         assert_eq!(harness.state().document.to_toml().unwrap(), before);
-        // The rate does: the same frames in another time.
+        // The rate does: everything keeps its second, the playhead too.
+        let keys = |harness: &Harness<'_, Editor>| {
+            let document = &harness.state().document;
+            let sampler = document.sampler().unwrap();
+            (0..5)
+                .map(|k| (sampler.first_frame(k) - 1) as f64 / document.info().fps)
+                .collect::<Vec<_>>()
+        };
+        let seconds = keys(&harness);
         type_into(&mut harness, texts.rate, "30");
         assert_eq!(harness.state().document.info().fps, 30.0);
+        assert_eq!(harness.state().position_on_bar(), 226.0);
         assert_eq!(
             shown(&harness, texts.second),
-            format!("{} s", language.number(6.0, 2))
+            format!("{} s", language.number(7.5, 2))
         );
+        for (before, after) in seconds.iter().zip(keys(&harness)) {
+            assert!((before - after).abs() < 0.05, "{before} {after}");
+        }
         assert!(harness.state_mut().document.undo());
         assert_eq!(harness.state().document.to_toml().unwrap(), before);
     }

@@ -10,6 +10,7 @@ impl Editor {
             TimeAction::SwitchSpeedGraph => self.switch_speed_graph(),
             TimeAction::PlayOrPause => self.play_or_pause(context),
             TimeAction::Playhead(entry) => self.enter_frame(entry),
+            TimeAction::Rate(fps) => self.set_rate(fps),
             TimeAction::SwitchLoops => self.switch_loops(context),
             TimeAction::SwitchOnlySelected => self.switch_only_selected(context),
             TimeAction::SwitchKeepsLength => self.switch_keeps_length(),

@@ -182,7 +182,7 @@ impl Editor {
         let edited = self.document.edited_scene().ok_or(Refused::NoScene)?;
         let of = edited.scene().node(node)?;
         // No minus zero.
-        let by = self.frame()?.round() + 0.0;
+        let by = self.previewed_frame()?.round() + 0.0;
         let mut all = Vec::new();
         for track in tracks.iter().filter(|track| fits(of, track)) {
             let moved = moved(track, by)?;

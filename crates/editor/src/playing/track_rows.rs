@@ -1,5 +1,7 @@
 //! Rows of the keys of nodes: which there are, where they stand, what lies under the pointer.
 
+use std::sync::Arc;
+
 use egui::{Id, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, vec2};
 use vides_document::EditedScene;
 use vides_engine::scene::{Channel, Node, Track};
@@ -30,13 +32,13 @@ impl Row {
     }
 
     /// The tracks that it shows: its own, or all of its node.
-    pub(crate) fn tracks(self, edited: &EditedScene) -> &[Track] {
+    pub(crate) fn tracks(self, edited: &EditedScene) -> &[Arc<Track>] {
         let Some(node) = self.node(edited) else {
             return &[];
         };
         let all = node.keys().tracks();
         match self.track {
-            Some(at) => all.get(at..=at).unwrap_or_default(),
+            Some(at) => all.as_slice().get(at..=at).unwrap_or_default(),
             None => all,
         }
     }
@@ -85,14 +87,14 @@ impl Shown<'_> {
             return Hit::Nothing;
         };
         let tracks = row.tracks(edited);
-        let near = |track: &Track| {
+        let near = |track: &Arc<Track>| {
             let key = self.time.nearest(track.frames(), at.x)?;
             Some(track.frames()[key])
         };
         let away = |frame: &f64| (self.time.x(*frame) - at.x).abs();
         let frames = tracks.iter().filter_map(near);
         if let Some(frame) = frames.min_by(|a, b| away(a).total_cmp(&away(b))) {
-            let same = |track: &Track| {
+            let same = |track: &Arc<Track>| {
                 let frames = track.frames();
                 let key = frames.partition_point(|&key| key < frame);
                 (frames.get(key) == Some(&frame)).then(|| KeyAt {

@@ -59,7 +59,7 @@ fn nodes_go_from_window_to_window_with_all_that_is_in_them() {
         assert_eq!(said(&other), Some(fill(texts.nodes_pasted, &[&1])));
         let (from, to) = (scene_of(&one), scene_of(&other));
         let links = |node: &Node| (node.parent, node.aim);
-        let links: Vec<_> = to.nodes()[6..].iter().map(links).collect();
+        let links: Vec<_> = to.nodes().range(6..).map(links).collect();
         assert_eq!(
             links,
             [

@@ -99,7 +99,7 @@ impl Editor {
         path: Option<usize>,
     ) -> Result<()> {
         self.document.end_step();
-        let moment = self.frame();
+        let moment = self.previewed_frame();
         edits.push(Edit::EditNode(path));
         self.document.apply_all(edits)?;
         if let Ok(moment) = moment {

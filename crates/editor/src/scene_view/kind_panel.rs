@@ -165,7 +165,11 @@ fn colour(editor: &Editor, ui: &mut Ui, of: Shown<'_>, actions: &mut Vec<Action>
 /// The mesh: where it comes from, how large it is, another one.
 fn mesh(editor: &Editor, ui: &mut Ui, of: Shown<'_>, object: &Object, actions: &mut Vec<Action>) {
     let texts = &editor.texts().node;
-    let points = fill(texts.mesh_points, &[&object.mesh().points.len()]);
+    let missing = editor.missing_mesh(Some(of.at)).is_some();
+    let points = match missing {
+        true => texts.mesh_missing.to_owned(),
+        false => fill(texts.mesh_points, &[&object.mesh().points.len()]),
+    };
     let name = match object.source() {
         Some(source) => format!("{} · {points}", short(Path::new(&source.file))),
         None => points,
@@ -178,8 +182,12 @@ fn mesh(editor: &Editor, ui: &mut Ui, of: Shown<'_>, object: &Object, actions: &
     ui.horizontal(|ui| {
         let width = share(ui, 2);
         let size = vec2(width, theme::ROW);
-        let load = ui.add_sized(size, Button::new(texts.load));
-        if load.on_hover_text(texts.load_mesh_hint).clicked() {
+        let (word, hint) = match missing {
+            true => (texts.find, texts.find_hint),
+            false => (texts.load, texts.load_mesh_hint),
+        };
+        let load = ui.add_sized(size, Button::new(word));
+        if load.on_hover_text(hint).clicked() {
             let ask = NodeAction::AskFile(Purpose::LoadMesh(of.at));
             actions.push(Action::Node(ask));
         }

@@ -57,7 +57,7 @@ fn the_eye_hides_and_shows() {
 fn of_many_nodes_only_what_is_seen_is_made() {
     const MANY_NODES: usize = 99_990;
     let scene = parts().scene().unwrap();
-    let mut nodes = scene.nodes().to_vec();
+    let mut nodes: Vec<Node> = scene.nodes().iter().cloned().collect();
     nodes.extend((0..MANY_NODES).map(|at| {
         let mut node = Node::new(&format!("part {at}"), Kind::Group);
         node.parent = Some(if at % 100 == 0 { 1 } else { 6 + at - at % 100 });

@@ -57,7 +57,7 @@ impl Now {
             Some(old) if old.made_of == made_of && old.frame == frame => return Ok(Some(old)),
             Some(mut old) => {
                 if old.made_of != made_of {
-                    edited.update(&mut old.scene, old.made_of.0, document.path())?;
+                    edited.update(&mut old.scene, document.path())?;
                 }
                 old
             }
@@ -122,7 +122,7 @@ impl Editor {
         if self.document.edited_scene().is_none() {
             return Ok(None);
         }
-        let frame = self.frame()?;
+        let frame = self.previewed_frame()?;
         let mut slot = self.scene_view.now.borrow_mut();
         let old = slot.take();
         *slot = Now::of(&self.document, frame, old)?;
@@ -137,7 +137,12 @@ impl Editor {
 
     /// The pose of the camera that is shown; `None`: that of the path's own.
     pub(super) fn scene_pose(&self) -> Result<Option<Pose>> {
-        self.with_scene(Now::pose)?.transpose()
+        let document = self.document();
+        if std::ptr::eq(document, &raw const self.document) {
+            return self.with_scene(Now::pose)?.transpose();
+        }
+        let now = Now::of(document, self.frame()?, None)?;
+        now.as_ref().map(Now::pose).transpose()
     }
 }
 

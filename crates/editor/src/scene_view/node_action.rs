@@ -116,7 +116,7 @@ impl Editor {
         for point in &mut path.points {
             point.position = from + share * (point.position - first);
         }
-        let start = self.frame()?.round();
+        let start = self.previewed_frame()?.round();
         let follow = FollowPath::new(path, start, Extrapolation::Hold)?;
         let part = Part::path(node, Some(follow))?;
         let part = Edit::Part(Box::new(part));

@@ -1,5 +1,7 @@
 //! The panels of a node: what it is in and looks at, where it is, what its kind has, what moves it.
 
+use std::sync::Arc;
+
 use egui::{Button, Popup, Role, ScrollArea, Ui, WidgetInfo, vec2};
 use glam::DVec3;
 use vides_document::Edit;
@@ -236,7 +238,7 @@ fn node_menu(
     now: Option<usize>,
     hint: &str,
 ) -> Option<Option<usize>> {
-    let nodes: &[Node] = editor.document.edited_scene()?.scene().nodes();
+    let nodes: &[Arc<Node>] = editor.document.edited_scene()?.scene().nodes();
     let called = |at: Option<usize>| at.map_or(none, |at| nodes[at].name.as_str());
     let button = Button::new(fill(text, &[&called(now)])).truncate();
     let size = vec2(ui.available_width(), theme::ROW);
@@ -271,7 +273,7 @@ fn node_menu(
 }
 
 /// Whether a node is another one, or in it.
-fn is_in(nodes: &[Node], at: usize, other: usize) -> bool {
+fn is_in(nodes: &[Arc<Node>], at: usize, other: usize) -> bool {
     let mut above = std::iter::successors(Some(at), |&at| nodes[at].parent);
     above.any(|at| at == other)
 }

@@ -4,7 +4,7 @@ use vides_document::{Document, EditedScene};
 
 use crate::action::Action;
 use crate::state::Editor;
-use crate::state::scene_view::{KeyAt, SceneSelection};
+use crate::state::scene_view::{KeyAt, KnownNode, SceneSelection};
 
 impl SceneSelection {
     #[cfg(test)]
@@ -14,7 +14,8 @@ impl SceneSelection {
 
     #[cfg(test)]
     pub(super) fn names(&self) -> Vec<String> {
-        self.names.clone()
+        let names = self.known.iter().map(|known| known.name.clone());
+        names.collect()
     }
 
     /// Brings it up to date with the document.
@@ -23,30 +24,25 @@ impl SceneSelection {
             *self = Self::default();
             return;
         };
-        let made_of = (edited.numbering(), edited.number());
-        if self.made_of == made_of {
+        if self.made_of == edited.number() {
             return;
         }
         let scene = edited.scene();
-        let number = |nodes: &[usize], names: &[&String]| {
-            let known = edited.renumbered(nodes, self.made_of.0);
-            known.unwrap_or_else(|| names.iter().map(|name| scene.find(name)).collect())
+        // In another scene nodes are found by their names.
+        let number = |known: &KnownNode| {
+            let here = known.id.and_then(|id| scene.number_of(id));
+            here.or_else(|| scene.find(&known.name))
         };
-        let names: Vec<&String> = self.names.iter().collect();
-        let nodes = number(&self.nodes, &names);
-        let of_keys: Vec<usize> = self.keys.iter().map(|at| at.node).collect();
-        let names: Vec<&String> = self.frames.iter().map(|at| &at.1).collect();
-        let of_keys = number(&of_keys, &names);
-        self.nodes = nodes.into_iter().flatten().collect();
-        let keys = self.keys.drain(..).zip(&self.frames).zip(of_keys);
-        let keys = keys.filter_map(|((at, &(frame, _)), node)| {
-            let track = scene.nodes()[node?].keys().track(&at.channel)?;
+        self.nodes = self.known.iter().filter_map(number).collect();
+        let keys = self.keys.drain(..).zip(&self.frames);
+        let keys = keys.filter_map(|(at, (frame, known))| {
+            let (frame, node) = (*frame, number(known)?);
+            let track = scene.nodes()[node].keys().track(&at.channel)?;
             let there = |key: &usize| track.frames().get(*key) == Some(&frame);
             let key = Some(at.key).filter(there).or_else(|| {
                 let key = track.frames().partition_point(|key| *key < frame);
                 Some(key).filter(there)
             })?;
-            let node = node?;
             Some(KeyAt { node, key, ..at })
         });
         self.keys = keys.collect();
@@ -55,21 +51,22 @@ impl SceneSelection {
 
     /// Takes down what tells nodes and keys apart when numbers change.
     fn take_down(&mut self, edited: &EditedScene) {
-        self.made_of = (edited.numbering(), edited.number());
-        let nodes = edited.scene().nodes();
-        let name = |node: usize| nodes.get(node).map_or("", |of| &of.name);
-        self.names.resize(self.nodes.len(), String::new());
-        for (&node, known) in self.nodes.iter().zip(&mut self.names) {
-            if known != name(node) {
-                name(node).clone_into(known);
-            }
-        }
+        self.made_of = edited.number();
+        let scene = edited.scene();
+        let nodes = scene.nodes();
+        let known = |node: usize| KnownNode {
+            id: scene.ids().get(node).copied(),
+            name: nodes
+                .get(node)
+                .map_or_else(String::new, |of| of.name.clone()),
+        };
+        self.known = self.nodes.iter().map(|&node| known(node)).collect();
         let frame = |at: &KeyAt| {
             let track = nodes.get(at.node)?.keys().track(&at.channel)?;
             track.frames().get(at.key).copied()
         };
         let keys = self.keys.iter();
-        let frames = keys.map(|at| (frame(at).unwrap_or(f64::NAN), name(at.node).to_owned()));
+        let frames = keys.map(|at| (frame(at).unwrap_or(f64::NAN), known(at.node)));
         self.frames = frames.collect();
     }
 }

@@ -38,7 +38,9 @@ impl Editor {
         let Some(track) = of.and_then(|of| of.keys().track(channel)) else {
             return KeyState::NoTrack;
         };
-        let frame = self.frame().map(|frame| key_frame(Some(track), frame));
+        let frame = self
+            .previewed_frame()
+            .map(|frame| key_frame(Some(track), frame));
         match frame.ok().and_then(|frame| key_at(track, frame)) {
             Some(_) => KeyState::Here,
             None => KeyState::NotHere,
@@ -104,7 +106,7 @@ impl Editor {
         let Some(track) = of.keys().track(channel) else {
             return at_rest(of, node, channel, value);
         };
-        let frame = key_frame(Some(track), self.frame()?);
+        let frame = key_frame(Some(track), self.previewed_frame()?);
         Ok(Part::Keys {
             node,
             channel: channel.clone(),
@@ -116,7 +118,7 @@ impl Editor {
     fn switched(&self, node: usize, channel: &Channel) -> Result<Part> {
         let of = self.node_of_scene(node)?;
         not_by_path(of, channel)?;
-        let frame = self.frame()?;
+        let frame = self.previewed_frame()?;
         let Some(track) = of.keys().track(channel) else {
             let first = self.with_scene(|now| first_key(&now.scene, node, channel, frame))?;
             return first.ok_or(Refused::NoScene)?;

@@ -385,6 +385,7 @@ impl Editor {
 
     /// Keeps the desktop's theme.
     fn take_setup(&mut self, setup: Setup) {
+        self.first_view = setup.view;
         self.setup = Setup {
             desktop: self.setup.desktop,
             ..setup

@@ -28,24 +28,19 @@ pub(super) const SNAP: f64 = 5.0 * FLOOR_CELLS as f64 / 2.0;
 const SNAP_ROLL: f64 = 15.0;
 
 impl DragConstraint {
-    /// The plane of a button (thesis A.3.1), or the plane seen best if that one is edge-on.
-    pub(super) fn of_button(projection: &Projection, button: Axis) -> Self {
-        let fixed = if projection.share_seen(button) < EDGE_ON {
-            projection.facing()
-        } else {
-            button
-        };
-        Self { fixed, along: None }
-    }
-
-    /// The plane of a held X, Y or Z, whose coordinate stays; if it is edge-on, the line in the
-    /// plane seen best that keeps the coordinate.
-    pub(super) fn of_key(projection: &Projection, kept: Axis) -> Self {
-        let Self { fixed, .. } = Self::of_button(projection, kept);
+    /// The plane of a button (thesis A.3.1), or of a held X, Y or Z, whose coordinate stays. If it
+    /// is seen edge-on, the line in it that is seen.
+    pub(super) fn keeping(projection: &Projection, kept: Axis) -> Self {
+        let edge_on = Some(kept).filter(|&kept| projection.share_seen(kept) < EDGE_ON);
+        let fixed = edge_on.map_or(kept, |_| projection.facing());
         let along = Axis::ALL
             .into_iter()
             .find(|&axis| fixed != kept && axis != kept && axis != fixed);
-        Self { fixed, along }
+        Self {
+            fixed,
+            along,
+            edge_on,
+        }
     }
 
     fn moving(self) -> impl Iterator<Item = Axis> {

@@ -303,7 +303,7 @@ mod tests {
             orientation.target = Target::Relative(DVec3::new(-0.05, 0.0, 0.4));
             orientation.roll = f64::from(roll);
             let path = CameraPath {
-                points: points.to_vec(),
+                points: points.into(),
                 ..CameraPath::default()
             };
             let document = Document::from_parts(path, Info::default()).unwrap();

@@ -1,9 +1,11 @@
 //! Long work costs no memory: a process of its own drags and takes back, again
 //! and again, and looks at what it has.
 
-use std::process::Command;
+use std::process::{Command, Stdio};
 
 use egui::{Event, Key, Modifiers, PointerButton, vec2};
+
+use crate::tests::started;
 
 use super::tests::{image, key, motion, press, pyramid_window, release};
 
@@ -60,15 +62,16 @@ fn a_process_that_drags() {
 #[test]
 fn drags_cost_no_memory() {
     let drags: u64 = std::env::var("VIDES_DRAGS").map_or(400, |drags| drags.parse().unwrap());
-    let done = Command::new(std::env::current_exe().unwrap())
+    let mut command = Command::new(std::env::current_exe().unwrap());
+    command
         .args([
             "--exact",
             "space::memory_tests::a_process_that_drags",
             "--nocapture",
         ])
         .env(DRAGS, drags.to_string())
-        .output()
-        .unwrap();
+        .stdout(Stdio::piped());
+    let done = started(&mut command).wait_with_output().unwrap();
     let said = String::from_utf8(done.stdout).unwrap();
     let (_, numbers) = said.split_once("memory ").expect("it came to its end");
     let numbers: Vec<u64> = numbers

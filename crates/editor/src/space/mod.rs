@@ -18,6 +18,7 @@ mod held_nodes;
 mod hold;
 mod keyboard;
 mod labels;
+mod lamps;
 mod menu;
 mod nodes;
 mod of_nodes;

@@ -293,6 +293,7 @@ mod tests {
             let freedom = |along| DragConstraint {
                 fixed: Axis::Y,
                 along,
+                edge_on: None,
             };
             let [line] = &guides(&look, through, freedom(Some(axis))).lines[..] else {
                 panic!("one line along {axis:?}");

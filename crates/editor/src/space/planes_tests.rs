@@ -37,27 +37,42 @@ fn seen_from<'a>(rotation: f64, tilt: f64) -> Harness<'a, Editor> {
 }
 
 #[test]
-fn in_place_of_a_plane_seen_edge_on_the_best_one_is_taken_and_shown() {
+fn seen_edge_on_a_plane_keeps_its_coordinate_and_it_is_said() {
     for (rotation, tilt, facing) in VIEWS {
-        for (which, _) in BUTTONS {
+        let mut told = Vec::new();
+        for (which, kept) in BUTTONS {
             let mut harness = seen_from(rotation, tilt);
             let from = position(&harness, 2);
             let start = image(&harness, from);
             motion(&mut harness, start);
             let end = start + vec2(9.0, -7.0);
+            let along = Axis::ALL.into_iter();
+            let mut along = along.filter(|&axis| kept != facing && axis != kept && axis != facing);
+            let along = along.next();
+            let texts = &harness.state().texts().space;
+            let (words, hint) = match along {
+                None => (
+                    fill(texts.in_plane, &[&kept.letter()]),
+                    kept.letter().to_owned(),
+                ),
+                Some(along) => (
+                    fill(texts.edge_on, &[&kept.letter(), &along.letter()]),
+                    fill(texts.only_along, &[&kept.letter(), &along.letter()]),
+                ),
+            };
+            told.push(hint);
             press(&mut harness, start, which);
+            // As soon as the button is down, and while it is dragged.
+            assert!(shown(&harness).contains(&words), "{words}");
             motion(&mut harness, end);
+            assert!(shown(&harness).contains(&words), "{words}");
             let now = position(&harness, 2);
             let moved = Axis::ALL.map(|axis| now[axis.index()] != from[axis.index()]);
-            assert_eq!(
-                moved,
-                Axis::ALL.map(|axis| axis != facing),
-                "{facing:?} {which:?}"
-            );
-            assert!(image(&harness, now).distance(end) < 1e-3);
-            // In words while it is dragged, too.
-            let words = fill(harness.state().texts().space.in_plane, &[&facing.letter()]);
-            assert!(shown(&harness).contains(&words), "{words}");
+            let wanted = Axis::ALL.map(|axis| along.map_or(axis != kept, |along| axis == along));
+            assert_eq!(moved, wanted, "{facing:?} {which:?}");
+            if along.is_none() {
+                assert!(image(&harness, now).distance(end) < 1e-3);
+            }
             let (said, error) = message(&harness).unwrap();
             assert!(said.starts_with("Position") && !error, "{said}");
             release(&mut harness, end, which);
@@ -66,11 +81,8 @@ fn in_place_of_a_plane_seen_edge_on_the_best_one_is_taken_and_shown() {
         let mut harness = seen_from(rotation, tilt);
         let start = image(&harness, position(&harness, 2));
         motion(&mut harness, start);
-        let letter = facing.letter();
-        let hint = fill(
-            harness.state().texts().space.drag_hint,
-            &[&letter, &letter, &letter],
-        );
+        let hint = harness.state().texts().space.drag_hint;
+        let hint = fill(hint, &[&told[0], &told[1], &told[2]]);
         assert!(shown(&harness).contains(&hint), "{hint}");
     }
 }

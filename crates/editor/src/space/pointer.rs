@@ -54,10 +54,13 @@ impl PointerController {
         self.drawing.as_ref().map(Drawing::places)
     }
 
-    /// What is dragged, and in which coordinates.
+    /// What is held or dragged, and in which coordinates. A press with Shift or Ctrl may be a click
+    /// that selects, and one on something of a scene begins another drag.
     pub(super) fn dragged(&self) -> Option<(Handle, DragConstraint)> {
-        let hold = self.hold.as_deref().filter(|hold| hold.moved)?;
-        Some((hold.what?, hold.freedom))
+        let hold = self.hold.as_deref()?;
+        let what = hold.what?;
+        let holds = hold.moved || what.is_of_path() && !hold.adds;
+        holds.then_some((what, hold.freedom))
     }
 
     /// The box that selects points.
@@ -97,17 +100,26 @@ impl PointerController {
             (Some((Handle::Vup, _)), _) => Some(texts.rolling.to_owned()),
             (Some((what, freedom)), _) => Some(of_tangent(
                 what,
-                match freedom.along {
-                    None => fill(texts.in_plane, &[&freedom.fixed.letter()]),
-                    Some(along) => fill(texts.on_line, &[&along.letter()]),
+                match (freedom.along, freedom.edge_on) {
+                    (None, _) => fill(texts.in_plane, &[&freedom.fixed.letter()]),
+                    (Some(along), None) => fill(texts.on_line, &[&along.letter()]),
+                    (Some(along), Some(kept)) => {
+                        fill(texts.edge_on, &[&kept.letter(), &along.letter()])
+                    }
                 },
             )),
             (None, Some(Handle::Vup)) if !self.is_busy() => Some(texts.roll_hint.to_owned()),
             (None, Some(Handle::Node(_))) if !self.is_busy() => Some(texts.node_hint.to_owned()),
             (None, Some(Handle::Key(..))) if !self.is_busy() => Some(texts.key_hint.to_owned()),
             (None, Some(what)) if !self.is_busy() => {
-                let [left, middle, right] = PLANES
-                    .map(|(_, axis)| DragConstraint::of_button(projection, axis).fixed.letter());
+                let [left, middle, right] = PLANES.map(|(_, axis)| match DragConstraint::keeping(
+                    projection, axis,
+                )
+                .along
+                {
+                    None => axis.letter().to_owned(),
+                    Some(along) => fill(texts.only_along, &[&axis.letter(), &along.letter()]),
+                });
                 let hint = fill(texts.drag_hint, &[&left, &middle, &right]);
                 Some(of_tangent(what, hint))
             }
@@ -297,7 +309,7 @@ impl PointerController {
             )
         {
             let projection = projection_of(editor, surface.viewport);
-            hold.freedom = DragConstraint::of_key(&projection, kept);
+            hold.freedom = DragConstraint::keeping(&projection, kept);
             let now = hold.now;
             self.motion(editor, surface, now, actions);
         } else if surface.keyboard
@@ -363,10 +375,8 @@ impl PointerController {
             self.drawing = Some(Drawing::begin(editor, surface, pos));
             return;
         }
-        let freedom = match held {
-            Some(kept) if left => DragConstraint::of_key(&projection, kept),
-            _ => DragConstraint::of_button(&projection, plane),
-        };
+        let kept = held.filter(|_| left).unwrap_or(plane);
+        let freedom = DragConstraint::keeping(&projection, kept);
         let what = handle_at(editor, &projection, pos, left && held.is_none());
         let plain = left && what.is_none() && modifiers.is_none();
         let handle = transform::handle_at(editor, &projection, from_pos(pos)).filter(|_| plain);

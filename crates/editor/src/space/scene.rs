@@ -262,7 +262,7 @@ impl Chunk {
         if let Some(color) = look.of(Element::Crosses) {
             let merge = MERGE_CROSSES / look.pixels_per_point;
             let mut last = DVec2::INFINITY;
-            for point in &path.points[first..end] {
+            for point in path.points.range(first..end) {
                 let image = look.projection.image(point.position);
                 if image.distance(last) < merge {
                     continue;

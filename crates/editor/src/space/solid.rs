@@ -1,4 +1,5 @@
-//! Objects with faces, shaded: flat, one light, what is hidden left out. Made anew only where
+//! Objects with faces, shaded: flat, by the scene's lights or one at the viewer, what is hidden left
+//! out. Made anew only where
 //! something else is seen; while the view moves, coarser.
 
 use std::sync::Arc;
@@ -8,6 +9,7 @@ use glam::{DAffine3, DVec3, DVec4, Vec4Swizzles};
 use vides_engine::scene::{Kind, Mesh};
 use vides_raster::{Area, Corner3, Surfaces};
 
+use super::lamps;
 use super::strokes::part_between;
 use crate::scene_view::wires::{Seen, each_object};
 use crate::setup::Element;
@@ -194,6 +196,8 @@ impl Solid {
         let Ok(mut surfaces) = Surfaces::new(area, smooth && !quick) else {
             return false;
         };
+        let lamps = editor.with_scene(|now| lamps::lamps(now, into(now, eye.of_path)));
+        let lamps = lamps.ok().flatten().unwrap_or_default();
         each(editor, eye.of_path, |seen| {
             images.clear();
             if images.try_reserve(seen.points.len()).is_err() {
@@ -211,8 +215,9 @@ impl Solid {
                 let corners = triangle.map(|at| place(seen.points[at as usize]));
                 let lit = |turned: bool| {
                     let normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-                    let share = 0.5 * normal.normalize_or_zero().dot(eye.light);
-                    if turned { 0.5 - share } else { 0.5 + share }
+                    let normal = normal.normalize_or_zero() * if turned { -1.0 } else { 1.0 };
+                    let middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+                    lamps::lit(&lamps, middle, normal, 0.5 + 0.5 * normal.dot(eye.light))
                 };
                 let own = own_colour(seen.mesh, triangle);
                 let images = triangle.map(|at| images[at as usize]);
@@ -264,11 +269,7 @@ fn each(editor: &Editor, of_path: bool, mut take: impl FnMut(Seen<'_>)) {
         });
     }
     let _ = editor.with_scene(|now| {
-        let into = if of_path {
-            now.into_path
-        } else {
-            DAffine3::IDENTITY
-        };
+        let into = into(now, of_path);
         each_object(edges, now, |_, seen| {
             take(Seen {
                 world: into * seen.world,
@@ -278,19 +279,33 @@ fn each(editor: &Editor, of_path: bool, mut take: impl FnMut(Seen<'_>)) {
     });
 }
 
-/// Where the objects of a scene are, and how they look.
+/// From the world to the coordinates of the picture.
+fn into(now: &Now, of_path: bool) -> DAffine3 {
+    match of_path {
+        true => now.into_path,
+        false => DAffine3::IDENTITY,
+    }
+}
+
+/// Where the objects and lights of a scene are, and how they look.
 fn states(now: &Now, of_path: bool) -> Vec<f64> {
     let mut all = Vec::new();
     if of_path {
         all.extend(now.into_path.to_cols_array());
     }
     for (node, state) in now.scene.nodes().iter().zip(&now.states) {
-        let Kind::Object(object) = &node.kind else {
+        if !matches!(node.kind, Kind::Object(_) | Kind::Light(_)) {
             continue;
-        };
+        }
         all.push(f64::from(u8::from(state.visible != 0)));
         all.extend(state.colour);
         all.extend(state.world().to_cols_array());
+        let Kind::Object(object) = &node.kind else {
+            // A light that aims is turned beside its matrix.
+            all.extend(state.pose.vpn);
+            all.extend([state.intensity, state.cone[0], state.cone[1]]);
+            continue;
+        };
         if !object.shapes().is_empty() || !object.deformations().is_empty() {
             all.push(now.frame);
         }

@@ -429,7 +429,15 @@ impl Transform {
             _ => self.axis,
         };
         let fixed = projection.facing();
-        Some((through, DragConstraint { fixed, along }))
+        let edge_on = None;
+        Some((
+            through,
+            DragConstraint {
+                fixed,
+                along,
+                edge_on,
+            },
+        ))
     }
 
     /// Where nodes are held, and the ways in the space along which they move or turn.

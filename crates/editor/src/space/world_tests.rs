@@ -8,6 +8,7 @@ use image::RgbaImage;
 use vides_document::{At, Edit, ObjectPoint};
 use vides_engine::path::space::Move;
 use vides_engine::path::{Space, Up};
+use vides_engine::scene::{Kind, Light, Node};
 
 use super::projection::tests::{in_cube, view};
 use super::tests::{
@@ -217,6 +218,53 @@ fn the_space_window_changes_it_in_one_step() {
         assert!(harness.state_mut().document.undo());
         assert!(harness.state_mut().document.undo());
         assert_eq!(*harness.state().document.path(), before);
+    }
+}
+
+/// Another upright axis turns no camera on its side, in a path and in a scene, beside another middle.
+#[test]
+fn another_upright_axis_keeps_the_views_as_seen() {
+    let light = Node::new("light", Kind::Light(Light::Point));
+    let mut scene = pyramid();
+    scene.apply(Edit::AddNodes(vec![light])).unwrap();
+    for (document, language) in [
+        (pyramid(), Language::English),
+        (pyramid(), Language::German),
+        (scene, Language::English),
+    ] {
+        let texts = &language.texts().space_window;
+        let mut harness = window(editor(document, language), vec2(1200.0, 800.0), 1.0);
+        let before = crate::tests::poses(harness.state());
+        let old = harness.state().document.path().space;
+        let context = harness.ctx.clone();
+        let open = crate::action::Action::Space;
+        harness.state_mut().act(open, &context);
+        harness.run();
+        harness.get_by_label("z").click();
+        harness.run();
+        let pending = harness.state_mut().windows.space.as_mut().unwrap();
+        pending.space.centre.x += 0.25;
+        harness.get_by_label(texts.apply).click();
+        harness.run();
+        let document = &harness.state().document;
+        let space = document.path().space;
+        assert_eq!((space.up, space.centre.x), (Up::Z, old.centre.x + 0.25));
+        if let Some(edited) = document.edited_scene() {
+            assert_eq!(edited.scene().space(), space);
+        }
+        let after = crate::tests::poses(harness.state());
+        assert_eq!(after.len(), before.len());
+        for (now, then) in after.iter().zip(&before) {
+            for (a, b) in [
+                (now.vrp, then.vrp),
+                (now.vpn, then.vpn),
+                (now.vup, then.vup),
+            ] {
+                assert!(DVec3::from(a).distance(b.into()) < 1e-9, "{now:?} {then:?}");
+            }
+        }
+        assert!(harness.state_mut().document.undo());
+        assert_eq!(harness.state().document.path().space, old);
     }
 }
 

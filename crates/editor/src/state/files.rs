@@ -107,6 +107,10 @@ pub(crate) enum About {
     Changed(Option<AfterSave>),
     /// Another program has written the file.
     Newer,
+    /// Which axis stands upright in this file of poses.
+    Upright(PathBuf),
+    /// The open file names these outside its folder.
+    Outside(Vec<String>),
     /// Something would be lost in a file of this format.
     Losses {
         file: PathBuf,

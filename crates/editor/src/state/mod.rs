@@ -25,9 +25,9 @@ use crate::files::folders::Folders;
 use crate::files::recovery::Autosave;
 use crate::host::program::Program;
 use crate::host::warning::Warnings;
-use crate::setup::{Element, Setup};
+use crate::setup::{Element, Setup, View};
 use crate::space::cameras::Camera;
-use crate::state::files::{AfterSave, Pictures};
+use crate::state::files::{AfterSave, Pictures, Question};
 use crate::state::host::{HostPane, PlayheadState};
 use crate::state::length::Length;
 use crate::state::obstacles::Obstacles;
@@ -69,6 +69,9 @@ pub struct HostView {
     pub captures: bool,
     /// The host draws what the camera sees.
     pub fills_pane: bool,
+    /// Its picture shows a view of its own at first: it is told of the camera at the playhead only
+    /// when that has changed.
+    pub keeps_view: bool,
 }
 
 /// Why the host is told of the camera at the playhead.
@@ -151,6 +154,8 @@ pub struct Editor {
     /// The desktop asks that nothing moves by itself.
     pub(super) still: bool,
     pub(super) setup: Setup,
+    /// The view of the movement space with which a document is shown at first.
+    pub(super) first_view: View,
     pub(super) space: space::MovementWindow,
     pub(super) scene_view: scene_view::SceneView,
     pub(super) playing: playing::Playing,
@@ -213,6 +218,7 @@ impl Editor {
             start: None,
             still: false,
             setup: Setup::default(),
+            first_view: View::default(),
             space: space::MovementWindow::default(),
             scene_view: scene_view::SceneView::default(),
             playing: playing::Playing::default(),
@@ -236,6 +242,8 @@ impl Editor {
     /// Prepares a new egui context, once: fonts, style, no blinking caret (an idle window sleeps).
     pub fn prepare(&self, context: &egui::Context) {
         theme::apply(context, self.setup.theme());
+        // A press and a release at one place are a click, however long a busy machine takes.
+        context.options_mut(|options| options.input_options.max_click_duration = f64::INFINITY);
     }
 
     /// Whether closing was asked for and not refused yet.
@@ -296,6 +304,21 @@ impl Editor {
         });
     }
 
+    /// Shows another document as a new window does: playhead, view, selection and padlock are not
+    /// those of the one before.
+    pub(super) fn show_anew(&mut self) {
+        self.playing.show_anew(self.document.selection());
+        self.points_list.show_anew();
+        self.space = space::MovementWindow::default();
+        self.scene_view = scene_view::SceneView::default();
+        self.setup.view = self.first_view;
+        self.selected = Selected::default();
+        self.joint = Default::default();
+        self.flown = None;
+        self.length = Length::default();
+        self.windows.path_replaced();
+    }
+
     /// Puts an error into the output field.
     pub(crate) fn complain_of(&mut self, error: &Error) {
         self.complain(reason_of(self.language(), error));
@@ -325,6 +348,10 @@ impl Editor {
     pub fn warn(&mut self, warnings: &Warnings) {
         if !warnings.is_empty() {
             self.complain(self.language().warnings(warnings));
+            let outside: Vec<String> = warnings.outside().collect();
+            if self.file.is_some() && !outside.is_empty() {
+                self.windows.question = Some(Question::outside(outside));
+            }
         }
     }
 
@@ -333,7 +360,7 @@ impl Editor {
         match result {
             Ok(count) => {
                 if self.program.hand_over_saves {
-                    self.handed_state = Some(self.document.state_number());
+                    self.mark_saved();
                 }
                 if !asked {
                     return;
@@ -344,16 +371,22 @@ impl Editor {
         }
     }
 
+    /// The host has kept what is in the window.
+    pub fn mark_saved(&mut self) {
+        self.handed_state = Some(self.document().state_number());
+    }
+
     /// Whether work would be lost with the window: work in no file and, where a hand-over saves,
     /// not with the host.
     pub fn is_unsaved(&self) -> bool {
-        self.document.is_modified() && self.handed_state != Some(self.document.state_number())
+        let document = self.document();
+        document.is_modified() && self.handed_state != Some(document.state_number())
     }
 
     /// The window's title: begins with `VIDES`, marks unsaved work.
     pub fn window_title(&self) -> String {
         // A file lacks what only the host has.
-        let changed = self.document.is_modified() && self.file.is_some();
+        let changed = self.document().is_modified() && self.file.is_some();
         let mark = if changed || self.is_unsaved() {
             "*"
         } else {
@@ -375,14 +408,15 @@ impl Editor {
         self.setup.colours().of(Element::Background)
     }
 
-    /// The path that is edited.
+    /// The path that is edited, without what a tool shows of it: what is saved, kept for recovery,
+    /// handed over and shown to the host.
     pub fn document(&self) -> &Document {
-        &self.document
+        self.windows.without_preview(&self.document)
     }
 
-    /// For edits from outside, which can be undone like the user's.
+    /// For edits from outside, which can be undone like the user's. Ends an open tool.
     pub fn document_mut(&mut self) -> &mut Document {
-        self.take_tool();
+        self.cancel_tool();
         &mut self.document
     }
 
@@ -468,6 +502,21 @@ impl Editor {
     /// speeds, as those of 1994 do.
     pub(super) fn shows_sliders(&self) -> bool {
         self.setup.sliders.unwrap_or(self.fixed_speeds)
+    }
+
+    /// Whether a new point is a copy of the current one, as the manual of 1994 has it: in the
+    /// windows of hosts of that time. Else it leaves the flight as it is.
+    pub(super) const fn adds_copies(&self) -> bool {
+        self.fixed_speeds
+    }
+
+    /// What *+ Point* does, and what inserting several points does.
+    pub(super) fn add_hints(&self) -> [&'static str; 2] {
+        let texts = &self.texts().position;
+        match self.adds_copies() {
+            true => [texts.copy_hint, texts.copy_many_hint],
+            false => [texts.add_hint, texts.add_many_hint],
+        }
     }
 
     pub(super) fn texts(&self) -> &'static Texts {

@@ -5,7 +5,7 @@ use std::cell::RefCell;
 use glam::DAffine3;
 use vides_document::Edit;
 use vides_document::error::Error;
-use vides_engine::scene::{Channel, Keep, NodeState, Scene};
+use vides_engine::scene::{Channel, Keep, NodeId, NodeState, Scene};
 use vides_engine::tools::fit::Tolerance;
 
 use crate::entry::Entry;
@@ -87,19 +87,25 @@ pub(crate) struct KeyAt {
     pub(crate) key: usize,
 }
 
-/// What is selected of a scene. It follows numbers that change: those of nodes by what the document
-/// tells, in another scene by names; those of keys by their frames.
+/// A node, whatever number it has.
+#[derive(Debug)]
+pub(crate) struct KnownNode {
+    pub(crate) id: Option<NodeId>,
+    pub(crate) name: String,
+}
+
+/// What is selected of a scene. It follows numbers that change: those of keys by their frames.
 #[derive(Debug, Default)]
 pub(crate) struct SceneSelection {
     /// The current one first.
     pub(crate) nodes: Vec<usize>,
-    /// Their names.
-    pub(crate) names: Vec<String>,
+    /// Which nodes these are.
+    pub(crate) known: Vec<KnownNode>,
     pub(crate) keys: Vec<KeyAt>,
-    /// Their frames, and the names of their nodes.
-    pub(crate) frames: Vec<(f64, String)>,
-    /// `EditedScene`'s `numbering` and `number` of the scene in which it is so.
-    pub(crate) made_of: (u64, u64),
+    /// Their frames, and their nodes.
+    pub(crate) frames: Vec<(f64, KnownNode)>,
+    /// [`vides_document::EditedScene::number`] of the scene in which it is so.
+    pub(crate) made_of: u64,
 }
 
 #[derive(Debug, Default)]

@@ -5,7 +5,7 @@ use std::cell::Cell;
 use egui::{Color32, Id, Pos2, Rect, Vec2};
 use glam::DVec3;
 use vides_document::tool::{Cage, Tool, ToolInput};
-use vides_document::{Edit, Note, Selection};
+use vides_document::{Document, Edit, Note, Selection};
 use vides_engine::path::Space;
 use vides_engine::scene::Track;
 use vides_engine::tools::check::Finding;
@@ -48,7 +48,8 @@ pub(crate) struct CheckWindow {
     pub(crate) checked: Option<u64>,
     pub(crate) found: Vec<Finding>,
     /// What helps with each of those that are listed.
-    pub(crate) mends: Vec<Vec<Edit>>,
+    /// None: the planner finds it when it is asked for.
+    pub(crate) mends: Vec<Option<Vec<Edit>>>,
     pub(crate) notes: Vec<Note>,
     pub(crate) limits: bool,
     pub(crate) trouble: Option<String>,
@@ -58,7 +59,7 @@ pub(crate) struct CheckWindow {
     pub(crate) mended: Option<u64>,
     pub(crate) before: Option<usize>,
     /// What the planner makes of a finding beside the window.
-    pub(crate) curing: Option<Background<Vec<Edit>>>,
+    pub(crate) curing: Option<(Finding, Background<Vec<Edit>>)>,
 }
 
 #[derive(Debug, Default)]
@@ -167,8 +168,8 @@ pub(crate) struct ToolWindow {
     pub(crate) before: Option<Vec<f64>>,
     /// Why the numbers will not do.
     pub(crate) trouble: Option<String>,
-    /// The path is shown with the tool applied.
-    pub(crate) applied: bool,
+    /// The document without the tool, while the path is shown with the tool applied.
+    pub(crate) unapplied: Option<Box<Document>>,
     /// The cage with which it deforms, and its control point that the fields show.
     pub(crate) cage: Option<Cage>,
     pub(crate) control: usize,

@@ -312,7 +312,7 @@ fn no_text_of_the_panels_lies_over_another() {
                 }
                 point
             })
-            .to_vec(),
+            .into(),
         ..vides_engine::path::CameraPath::default()
     };
     for language in BOTH {

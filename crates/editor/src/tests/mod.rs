@@ -11,15 +11,20 @@ mod looks;
 mod manual;
 mod monkey;
 mod pictures;
+mod processes;
 mod scene_hosts;
 mod scenes;
 mod stumbles;
+#[path = "../../../../tests/common/until.rs"]
+mod waiting;
 mod words;
 
 use std::sync::{OnceLock, PoisonError, RwLock, RwLockReadGuard, RwLockWriteGuard};
 use std::time::{Duration, Instant};
 
 pub(crate) use self::manual::tip;
+pub(crate) use self::processes::{started, work_folder};
+pub(crate) use self::waiting::until;
 pub(crate) use crate::setup::Theme;
 pub(crate) use crate::texts::fill;
 pub(crate) use crate::{Editor, Folders, Language, Options, Program};

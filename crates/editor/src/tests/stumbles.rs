@@ -5,7 +5,7 @@ use vides_engine::scene::{Kind, Node, Part};
 
 use super::hands::Hands;
 use super::*;
-use crate::space::tests::motion;
+use crate::space::tests::{motion, press as press_at, release};
 
 const NONE: Modifiers = Modifiers::NONE;
 
@@ -116,4 +116,20 @@ fn what_is_turned_about_itself_stays_where_it_is() {
         assert_ne!(was.rotation, is.rotation);
         assert_eq!(was.position, is.position);
     }
+}
+
+/// On a busy machine seconds pass between a press and its release.
+#[test]
+fn a_button_that_is_held_down_long_is_clicked() {
+    let mut window = window(Language::English);
+    let points = |window: &Window| window.state().document().path().points.len();
+    let before = points(&window);
+    let at = window.get_by_label("+ Point").rect().center();
+    press_at(&mut window, at, egui::PointerButton::Primary);
+    for _ in 0..20 {
+        window.step();
+    }
+    release(&mut window, at, egui::PointerButton::Primary);
+    window.run();
+    assert_eq!(points(&window), before + 1);
 }

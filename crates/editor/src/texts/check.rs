@@ -24,6 +24,22 @@ texts! {
         go_hint: "Go to this frame and select the key before it: point {0}",
             "Zu diesem Bild gehen und die Stelle davor wählen: Punkt {0}";
         mend: "Fix", "Beheben";
+        fixed_way: "Fixed: the path keeps its distance from the object",
+            "Behoben: Die Bahn hält Abstand vom Objekt";
+        fixed_views: "Fixed: the views show the object", "Behoben: Die Blicke zeigen das Objekt";
+        fixed_pace: "Fixed from point {0}, frame {1}: the pace is within the limits",
+            "Behoben ab Punkt {0}, Bild {1}: Das Tempo liegt in den Grenzen";
+        fixed_frames: "Fixed from point {0}, frame {1}: the section has more frames",
+            "Behoben ab Punkt {0}, Bild {1}: Der Abschnitt hat mehr Bilder";
+        fixed_ahead: "Fixed at point {0}, frame {1}: the view looks farther ahead",
+            "Behoben an Punkt {0}, Bild {1}: Der Blick geht weiter voraus";
+        fixed_speeds: "Fixed at point {0}, frame {1}: one speed leads into the next",
+            "Behoben an Punkt {0}, Bild {1}: Die Geschwindigkeiten gehen ineinander über";
+        fixed_curve: "Fixed at point {0}, frame {1}: the path is smooth there",
+            "Behoben an Punkt {0}, Bild {1}: Die Bahn ist dort glatt";
+        fixed_key: "Fixed: what point {0}, frame {1} did not need is removed",
+            "Behoben: Was an Punkt {0}, Bild {1} überflüssig war, ist entfernt";
+        no_fix: "No change was found that lessens this", "Es wurde keine Änderung gefunden, die das verringert";
         limits: "Limits", "Grenzen";
         limits_hint: "What counts as wrong in this path; it is saved with the path",
             "Was in dieser Bahn als falsch gilt; es wird mit ihr gespeichert";
@@ -105,6 +121,9 @@ const GERMAN: [(&str, &str, &str, &str, &str); COUNT] = [
     ("crossing", "Zeit, in der etwas das Bild durchquert", "s",
         "Ab Punkt {2}, Blick {3} durchquert, wohin die Kamera blickt, das Bild in {0} s (Grenze {1} s).",
         "Dem Abschnitt mehr Bilder geben."),
+    ("backwards", "Rückweg, obwohl die Punkte weiterführen", "halbe Größen",
+        "Ab Punkt {2}, Blick {3} geht der Weg um {0} halbe Größen zurück, obwohl die Punkte weiterführen (Grenze {1}).",
+        "Die Kurve zentripetal machen oder die Punkte auseinanderziehen."),
 ];
 
 fn german(
@@ -129,6 +148,21 @@ impl Language {
         };
         let say = |value: f64, decimals: usize| self.number(value, decimals);
         (finding.say(sentence, say), remedy)
+    }
+
+    /// What the fix of a finding did, at its point and frame.
+    pub(crate) fn mended(self, kind: FindingKind) -> &'static str {
+        let texts = &self.texts().check;
+        match kind {
+            FindingKind::Through | FindingKind::Clearance => texts.fixed_way,
+            FindingKind::NothingToSee => texts.fixed_views,
+            FindingKind::Turning | FindingKind::Zoom => texts.fixed_frames,
+            FindingKind::ViewJump => texts.fixed_ahead,
+            FindingKind::SpeedJump => texts.fixed_speeds,
+            FindingKind::Corner | FindingKind::Cusp => texts.fixed_curve,
+            FindingKind::Redundant => texts.fixed_key,
+            _ => texts.fixed_pace,
+        }
     }
 
     /// What a kind's limit limits, and its unit.

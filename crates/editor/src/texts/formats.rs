@@ -3,7 +3,7 @@
 use vides_document::error::one_of;
 use vides_document::error::{EngineError, TooMany};
 use vides_engine::limits::{MAX_FPS, MAX_FRAMES};
-use vides_formats::{Cause, Error, Format, Loss, Place, Report, Wanted};
+use vides_formats::{Cause, Error, Format, Loss, Place, Report, Wanted, Way};
 
 use super::german::{German, german, number};
 use super::{Language, fill, refusals};
@@ -14,9 +14,9 @@ pub(crate) fn reason_of(editor: &Editor, error: &Error) -> String {
     let language = editor.language();
     match error {
         Error::In(_, error) => reason_of(editor, error),
-        Error::Document(vides_document::Error::Engine(EngineError::Limit(
-            TooMany::Frames | TooMany::SceneFrames,
-        ))) => fill(editor.texts().errors.frames, &[&MAX_FRAMES]),
+        Error::Document(vides_document::Error::Engine(EngineError::Limit(TooMany::Frames))) => {
+            fill(editor.texts().errors.frames, &[&MAX_FRAMES])
+        }
         Error::Document(error) => editor.without_name(error),
         _ if language == Language::German => German(error).to_string(),
         _ => error.to_string(),
@@ -59,6 +59,7 @@ german! {
         SharedEnding { file, formats } =>
             "{file}: das kann {} sein; bitte das Format wählen", one_of(formats, "oder");
         NotRecognised => "das ist keine Datei eines Formats, das gelesen wird";
+        Foreign(kind) => "{}-Dateien werden nicht gelesen: {}", kind.name, German(&kind.way);
         NotPoses => "das ist eine Bahn oder eine Szene, keine Liste von Posen";
         Ambiguous(names) => "das kann {} sein; die Endung des Namens entscheidet", one_of(names, "oder");
         NotRead(name) => "das Format {name} wird geschrieben, nicht gelesen";
@@ -68,6 +69,12 @@ german! {
         OtherUp { format, up } => "im Format {format} steht die Achse {up} senkrecht";
         Stopped => "es wurde angehalten";
         In(file, error) => "{file}: {}", German::<Error>(error);
+    }
+    Way {
+        Gltf => "bitte aus dem Programm, das sie schrieb, als glTF ausgeben";
+        Poses => "bitte die Posen ausgeben, etwa als TUM, CSV oder transforms.json";
+        ColmapText => "bitte das Modell mit „colmap model_converter“ als Text ausgeben";
+        Log => "bitte die Posen herausziehen, etwa mit „evo_traj“ als TUM";
     }
     Place {
         Whole => "";

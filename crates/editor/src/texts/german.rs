@@ -265,8 +265,8 @@ german! {
              auszulassen; eine größere Toleranz, oder eine Anpassung, die allen folgt", off, all;
         PoseMissed(times) =>
             "kein Pfad, dessen Punkte bei ganzen Bildern liegen, trifft sie innerhalb der \
-             Toleranz (verfehlt um das {}-Fache): mehr Bilder pro Sekunde helfen, oder eine \
-             größere Toleranz",
+             Toleranz (verfehlt um das {}-Fache): Eine größere Toleranz hilft, oder eine robuste \
+             Näherung, die einzelne abweichende Posen auslässt",
             number((times * 10.0).round() / 10.0);
         NoCheck(name) => "die Prüfung „{name}“ gibt es nicht; bekannt sind: {}",
             List(FindingKind::all().map(FindingKind::name));
@@ -289,7 +289,7 @@ german! {
             "das Bild {} gibt es nicht: sie gehen von {} bis {}",
             number(*frame), number(*first), number(*last);
         NoPose => "eine Liste hat mindestens eine Pose";
-        SectionFrames => "ein Bewegungsabschnitt hat höchstens {} Bilder", limits::MAX_FRAMES;
+        SectionFrames => "ein Bewegungsabschnitt hat höchstens {} Bilder", limits::MAX_SECTION_FRAMES;
         DistanceKeys => "ein vorgegebener Weg hat 2 bis {} Schlüssel", limits::MAX_DISTANCE_KEYS;
         DistanceOrder =>
             "die Schlüssel eines vorgegebenen Wegs müssen von 0, 0 nach 1, 1 führen, und beide Zahlen müssen steigen";
@@ -412,7 +412,14 @@ german! {
             "die Punkte einer Bahn haben zusammen höchstens {} Blicke", limits::MAX_ALL_ORIENTATIONS;
         Frames =>
             "die Bahn ergäbe mehr als 100000000 Bilder; die Grundgeschwindigkeiten sind zu hoch";
-        SceneFrames => "die Szene hat mehr als {} Bilder", limits::MAX_FRAMES;
+        SceneFrames(most) => "die Szene hat mehr als {} Bilder", most;
+        SampledFrames(frames) =>
+            "höchstens {} Bilder lassen sich anpassen, hier sind es {}",
+            limits::MAX_SAMPLED_FRAMES, frames;
+        PoseSpan(frames) =>
+            "die Zeiten der Posen umfassen {:.0} Bilder, höchstens {} sind erlaubt: ihre Einheit \
+             prüfen, Zeiten sind Sekunden",
+            frames, limits::MAX_FRAMES;
         Poses => "so viele Posen kann eine Liste nicht zählen";
         ControlPoints =>
             "eine Bézierkurve hat höchstens {} Kontrollpunkte", limits::MAX_BEZIER_POINTS;

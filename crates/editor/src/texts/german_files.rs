@@ -57,6 +57,9 @@ german! {
         NotOfKind(name, kind) => "die Eigenschaft „{name}“ lässt sich so nicht setzen; sie ist: {kind}";
         NoScene => "es gibt keine Szene, nur eine Bahn";
         NoFile => "dieser Pfad hat noch keine Datei";
+        Outside(name) =>
+            "{name} liegt außerhalb des Ordners der Datei, die es nennt, und wurde nicht gelesen";
+        Input(name) => "das würde {name} überschreiben, das gelesen wurde: bitte eine andere Datei nennen";
         FileChanged => "ein anderes Programm hat die Datei geändert, seit sie hier gelesen oder geschrieben wurde";
     }
     MeshError {

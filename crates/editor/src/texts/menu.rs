@@ -21,6 +21,8 @@ texts! {
         undo: "Undo", "Rückgängig";
         redo: "Redo", "Wiederholen";
         add_point: "Insert a point after this one", "Punkt dahinter einfügen";
+        add_copy: "Insert a copy of this point", "Kopie des Punkts einfügen";
+        add_keeping: "Insert a point, same flight", "Punkt ohne Änderung des Flugs";
         add_points: "Insert several points …", "Mehrere Punkte einfügen …";
         remove_point: "Remove this point", "Punkt löschen";
         remove_points: "Remove {0} points", "{0} Punkte löschen";

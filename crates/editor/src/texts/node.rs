@@ -77,6 +77,11 @@ texts! {
 
         mesh: "Mesh: {0}", "Netz: {0}";
         mesh_points: "{0} points", "{0} Punkte";
+        mesh_missing: "not found", "nicht gefunden";
+        find_mesh: "{0} is missing · Find …", "{0} fehlt · Suchen …";
+        find: "Find …", "Suchen …";
+        find_hint: "Choose the file of this mesh; the document names it from its own folder, as before",
+            "Die Datei dieses Netzes wählen; das Dokument nennt sie wie bisher von seinem Ordner aus";
         load: "Load …", "Laden …";
         load_mesh_hint: "A mesh or a point cloud from a file: OBJ, PLY, STL, glTF",
             "Ein Netz oder eine Punktwolke aus einer Datei: OBJ, PLY, STL, glTF";

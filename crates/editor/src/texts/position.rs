@@ -9,8 +9,16 @@ texts! {
         add: "+ Point", "+ Punkt";
         add_hint: "Insert a point half-way to the next one; the flight stays as it is. With Shift: a copy of this point (Pos.+)",
             "Einen Punkt auf halbem Weg zum nächsten einfügen; der Flug bleibt, wie er ist. Mit Umschalt: eine Kopie dieses Punkts (Pos.+)";
-        add_many_hint: "Insert 1 to 10 points at equal distances up to the next one; the flight stays as it is (Pos.++)",
-            "1 bis 10 Punkte in gleichen Abständen bis zum nächsten einfügen; der Flug bleibt, wie er ist (Pos.++)";
+        add_many_hint: "Insert 1 to 10 points at equal distances up to the next one; the flight stays as it is. With Shift: copies of this point (Pos.++)",
+            "1 bis 10 Punkte in gleichen Abständen bis zum nächsten einfügen; der Flug bleibt, wie er ist. Mit Umschalt: Kopien dieses Punkts (Pos.++)";
+        copy_hint: "Insert a copy of this point half-way to the next one. With Shift: a point that leaves the flight as it is (Pos.+)",
+            "Eine Kopie dieses Punkts auf halbem Weg zum nächsten einfügen. Mit Umschalt: ein Punkt, der den Flug lässt, wie er ist (Pos.+)";
+        copy_many_hint: "Insert 1 to 10 copies of this point at equal distances up to the next one. With Shift: points that leave the flight as it is (Pos.++)",
+            "1 bis 10 Kopien dieses Punkts in gleichen Abständen bis zum nächsten einfügen. Mit Umschalt: Punkte, die den Flug lassen, wie er ist (Pos.++)";
+        only_keep_hint: "Insert a point half-way to the next one; the flight stays as it is",
+            "Einen Punkt auf halbem Weg zum nächsten einfügen; der Flug bleibt, wie er ist";
+        only_copy_hint: "Insert a copy of this point half-way to the next one: all but its name",
+            "Eine Kopie dieses Punkts auf halbem Weg zum nächsten einfügen: alles außer dem Namen";
         remove: "− Point", "− Punkt";
         remove_hint: "Remove this point (Pos.-)", "Diesen Punkt löschen (Pos.-)";
         previous_hint: "Go to the previous point (<< Pos.)", "Zum vorherigen Punkt (<< Pos.)";
@@ -44,6 +52,12 @@ texts! {
         tcb: "By T, C and B", "Nach T, C und B";
         tcb_hint: "By tension, continuity and bias at each point (Kochanek and Bartels)",
             "Nach Tension, Continuity und Bias an jedem Punkt (Kochanek und Bartels)";
+        centripetal: "Centripetal", "Zentripetal";
+        centripetal_hint: "By T, C and B as well, without loops or ways back where points stand close",
+            "Auch nach T, C und B, ohne Schleifen und Rückwege, wo Punkte dicht stehen";
+        chordal: "Chordal", "Nach Sehnenlängen";
+        chordal_hint: "By T, C and B as well, rounder between points that are far apart",
+            "Auch nach T, C und B, runder zwischen weit entfernten Punkten";
         cubic: "Spline (C2)", "Spline (C2)";
         cubic_hint: "Cubic spline: its curvature does not jump at the points",
             "Kubischer Spline: Die Krümmung springt an den Punkten nicht";
@@ -65,6 +79,9 @@ texts! {
         corner: "Corner", "Ecke";
         corner_hint: "One tangent stays while the other is dragged (with Alt always)",
             "Eine Tangente bleibt, während man an der anderen zieht (mit Alt immer)";
+        keeps_motion: "Tangents keep the motion", "Tangenten halten die Bewegung";
+        keeps_motion_hint: "A point was inserted without changing the flight. These tangents are removed when this point or one beside it moves. Click: remove them now",
+            "Ein Punkt wurde eingefügt, ohne den Flug zu ändern. Diese Tangenten entfallen, sobald sich dieser Punkt oder einer daneben bewegt. Klick: jetzt wegnehmen";
         in_place_of_tangents: "This point has tangents of its own; what is chosen here takes their place",
             "Dieser Punkt hat eigene Tangenten; was hier gewählt wird, tritt an ihre Stelle";
         no_shape_kind: "T, C and B shape curves of the kind TCB only",

@@ -37,6 +37,23 @@ texts! {
         discard_hint: "Go on; the changes are lost", "Fortfahren; die Änderungen gehen verloren";
         cancel_hint: "Stay here; nothing happens (Esc)", "Hier bleiben; es geschieht nichts (Esc)";
 
+        upright: "Upright axis", "Senkrechte Achse";
+        which_upright: "{0} does not say which axis stands upright. Which one is it?",
+            "{0} sagt nicht, welche Achse senkrecht steht. Welche ist es?";
+        y_up: "y upright", "y senkrecht";
+        y_up_hint: "As in OpenGL, glTF and Maya", "Wie in OpenGL, glTF und Maya";
+        z_up: "z upright", "z senkrecht";
+        z_up_hint: "As in Blender, ROS and maps", "Wie in Blender, ROS und Landkarten";
+
+        outside: "Files from elsewhere", "Dateien von anderswo";
+        names_outside: "{0} names files outside its folder. Read them only if you know who made it:",
+            "{0} nennt Dateien außerhalb ihres Ordners. Nur lesen, wenn bekannt ist, von wem sie kommt:";
+        read_outside: "Read", "Lesen";
+        read_outside_hint: "Open the file again, with the meshes that it names",
+            "Die Datei noch einmal öffnen, mit den Netzen, die sie nennt";
+        leave_outside: "Do not read", "Nicht lesen";
+        leave_outside_hint: "Go on without these meshes (Esc)", "Ohne diese Netze weitermachen (Esc)";
+
         losses: "What the file cannot hold", "Was die Datei nicht fasst";
         lossy: "In {0} something is left out or taken otherwise:",
             "In {0} bleibt etwas weg oder wird anders übernommen:";

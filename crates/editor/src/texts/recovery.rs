@@ -26,7 +26,7 @@ texts! {
         days: "{0} days ago", "vor {0} Tagen";
         restored: "Unsaved work restored", "Nicht gespeicherte Arbeit wiederhergestellt";
         broken: "This cannot be restored: {0}", "Das lässt sich nicht wiederherstellen: {0}";
-        not_kept: "Unsaved work cannot be kept in {0}: {1}. If VIDES is killed it is lost",
+        not_kept: "Unsaved work cannot be kept in {0}: {1}. It is lost if the program crashes",
             "Nicht gespeicherte Arbeit lässt sich nicht in {0} aufheben: {1}. Bei einem Absturz geht sie verloren";
     }
 }

@@ -93,6 +93,9 @@ texts! {
             "Ziehen: links bleibt {0} fest, Mitte {1}, rechts {2}";
         in_plane: "In the plane {0} = const · X, Y, Z: lock one · a number: distance · Ctrl: in steps · Shift: finer",
             "In der Ebene {0} = const · X, Y, Z: festhalten · Zahl: Abstand · Strg: in Schritten · Umschalt: feiner";
+        only_along: "{0} (along {1})", "{0} (längs {1})";
+        edge_on: "{0} = const is seen edge-on: only along {1} · rotate or tilt the space for all of the plane",
+            "{0} = const ist nur von der Kante zu sehen: nur längs {1} · den Raum drehen oder kippen, um die ganze Ebene zu haben";
         on_line: "Along {0} · X, Y, Z: lock one · a number: distance · Ctrl: in steps · Shift: finer",
             "Längs {0} · X, Y, Z: festhalten · Zahl: Abstand · Strg: in Schritten · Umschalt: feiner";
         rolling: "A number: the roll · Ctrl: in steps of 15° · Shift: finer", "Zahl: die Drehung · Strg: in Schritten von 15° · Umschalt: feiner";
@@ -128,8 +131,8 @@ texts! {
         keep_length_tip: "Whatever is changed, the whole flight takes as long as now: the frames of its sections adapt",
             "Was auch geändert wird, der ganze Flug dauert so lange wie jetzt: die Bilder der Abschnitte passen sich an";
         rate: "Frames per second", "Bilder je Sekunde";
-        rate_tip: "Frames shown in a second: drag, or click and type",
-            "Bilder, die in einer Sekunde zu sehen sind: ziehen, oder klicken und tippen";
+        rate_tip: "Frames shown in a second; whatever happens keeps its second",
+            "Bilder in einer Sekunde; was geschieht, behält seine Sekunde";
         rate_unit: " fps", " B./s";
         again: "Loop", "Endlos";
         again_tip: "Begin anew at the end (L)", "Am Ende von vorn beginnen (L)";
@@ -234,8 +237,8 @@ texts! {
         menu_meaning: "What can be done with the current point",
             "Was sich mit dem aktuellen Punkt tun lässt";
         facing_mouse: "Drag where a plane is seen edge-on", "Ziehen, wo eine Ebene von der Kante zu sehen ist";
-        facing_meaning: "The plane that is seen best takes its place",
-            "Die am besten sichtbare Ebene gilt an ihrer Stelle";
+        facing_meaning: "It moves along the line of that plane that is seen",
+            "Es geht längs der Geraden dieser Ebene, die zu sehen ist";
         snap_mouse: "Ctrl while dragging", "Strg beim Ziehen";
         snap_meaning: "Go by steps of 0.05, a fifth of the grid; the arrow up by 15°",
             "In Schritten von 0,05, einem Fünftel des Gitters; den Pfeil nach oben um 15°";
@@ -247,6 +250,7 @@ texts! {
         no_host_view: "{0}: there is no view to take over", "{0}: Es gibt keine Ansicht zu übernehmen";
         host_view_refused: "{0}: the view cannot be taken over: {1}",
             "{0}: Die Ansicht lässt sich nicht übernehmen: {1}";
+        same_view: "Point {0} already has this view", "Punkt {0} hat diesen Blick schon";
         take_over: "Take over the view", "Ansicht übernehmen";
         take_over_tip: "A new point behind this one, with the program's camera (Ctrl+Enter; with Shift: in place of this one)",
             "Ein neuer Punkt hinter diesem, mit der Kamera des Programms (Strg+Enter; mit Umschalt: an Stelle von diesem)";

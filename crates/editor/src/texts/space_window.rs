@@ -16,8 +16,9 @@ texts! {
         up: "Upright", "Senkrecht";
         up_hint: "The axis of the world that stands upright", "Die Achse der Welt, die senkrecht steht";
         path: "The path", "Die Bahn";
-        keep: "keeps its numbers", "behält ihre Zahlen";
-        keep_hint: "All coordinates stay what they are", "Alle Koordinaten bleiben, wie sie sind";
+        keep: "stays as it is", "bleibt, wie sie ist";
+        keep_hint: "Points keep their coordinates and views stay as seen; rolls count from the new upright axis",
+            "Punkte behalten ihre Koordinaten, Blicke zeigen dasselbe; das Rollen zählt von der neuen senkrechten Achse";
         fit: "goes along", "geht mit";
         fit_hint: "It lies in the new space as it did in the old one; the object stays where it is",
             "Sie liegt im neuen Raum, wie sie im alten lag; das Objekt bleibt, wo es ist";

@@ -109,6 +109,7 @@ const LABELS: &[Word] = &[
     ("what", "By", "Durch"),
     ("coverage", "Coverage", "Anteil"),
     ("inside", "Inside", "Innen"),
+    ("robust", "Robust", "Robust"),
 ];
 
 /// What the parameters do, in German.
@@ -170,6 +171,7 @@ const HINTS: &[(&str, &str)] = &[
         "welcher Anteil dessen, was von der Oberfläche zu sehen ist, gezeigt wird"),
     ("how far the camera is from what it shows; 0: found",
         "wie weit die Kamera von dem weg ist, was sie zeigt; 0: wird gefunden"),
+    ("leaves out single poses that are off from those around them", "lässt einzelne Posen aus, die von denen um sie abweichen"),
     ("in the object's free space, not around it", "im freien Raum des Objekts, nicht um es herum"),
     ("how much of the other path", "wie viel von der anderen Bahn"),
     ("how far view, up and field of view may be from theirs",

@@ -5,8 +5,9 @@
 //! waits until it is asked for. The tree over the object is kept as long as the object is the same.
 
 use egui::{Button, Context, Label, RichText, Ui, vec2};
+use glam::DVec3;
 use vides_document::error::Result;
-use vides_document::{Edit, StepName, is_planned};
+use vides_document::{Edit, Selection, StepName};
 use vides_engine::tools::check::{Finding, FindingKind, OFF};
 
 use crate::action::Action;
@@ -79,7 +80,7 @@ impl SubWindow for CheckWindow {
                     self.asked |= button.clicked();
                 }
             });
-            if let Some(work) = &self.curing {
+            if let Some((_, work)) = &self.curing {
                 let cancelled = ui.horizontal(|ui| {
                     let cancel = ui.button(editor.texts().tools.cancel);
                     work.show(ui);
@@ -151,7 +152,7 @@ fn limits(editor: &Editor, ui: &mut Ui, actions: &mut Vec<Action>) {
 fn row(
     editor: &Editor,
     ui: &mut Ui,
-    (finding, mend): (&Finding, &Vec<Edit>),
+    (finding, mend): (&Finding, &Option<Vec<Edit>>),
     free: bool,
     actions: &mut Vec<Action>,
 ) {
@@ -166,6 +167,7 @@ fn row(
         fill(texts.frames, &[&from, &to])
     };
     let (words, remedy) = editor.language().finding(finding);
+    let helps = mend.as_ref().is_none_or(|edits| !edits.is_empty());
     ui.horizontal(|ui| {
         let hint = fill(texts.go_hint, &[&(finding.point + 1)]);
         // A place to go to, not a thing to be done.
@@ -180,22 +182,19 @@ fn row(
             actions.push(Action::GoTo(*finding));
         }
         // What takes longer is computed when it is asked for.
-        let planned = is_planned(finding.kind);
-        let mends = planned || !mend.is_empty();
-        if mends {
+        if helps {
             let button = Button::new(texts.mend).min_size(vec2(MEND, theme::ROW));
             let button = ui.add_enabled(free, button);
             if button.on_hover_text(remedy).clicked() {
-                actions.push(if planned {
-                    Action::Cure(*finding)
-                } else {
-                    Action::Mend(mend.clone())
+                actions.push(match mend {
+                    None => Action::Cure(*finding),
+                    Some(edits) => Action::Mend(*finding, edits.clone()),
                 });
             }
         }
     });
     ui.add(Label::new(words).wrap());
-    if !is_planned(finding.kind) && mend.is_empty() {
+    if !helps {
         // Nothing does it: what helps is told.
         let text = RichText::new(remedy).color(theme::palette(ui).weak);
         ui.add(Label::new(text).wrap());
@@ -243,12 +242,14 @@ impl CheckWindow {
         (context, current): (&Context, bool),
         actions: &mut Vec<Action>,
     ) {
-        let Some(work) = &mut self.curing else { return };
+        let Some((finding, work)) = &mut self.curing else {
+            return;
+        };
         if current && !work.is_done(context) {
             return;
         }
         match work.made().filter(|_| current) {
-            Some(Ok(edits)) => actions.push(Action::Mend(edits)),
+            Some(Ok(edits)) => actions.push(Action::Mend(*finding, edits)),
             Some(Err(error)) => {
                 actions.push(Action::Complain(of_edit(editor.language(), &error)));
             }
@@ -266,13 +267,16 @@ impl CheckWindow {
         let document = &editor.document;
         let looked = editor.obstacles().and_then(|tree| {
             self.notes = document.notes(tree.as_deref(), true)?;
-            self.found = document.check_against(tree.as_deref())?;
+            self.found = document.check_against(tree.as_deref(), &mut |_, _| true)?;
+            // What spoils the film stands before what makes it less smooth.
+            self.found.sort_by_key(|finding| match finding.kind {
+                FindingKind::Through => 0,
+                FindingKind::Clearance => 1,
+                _ => 2,
+            });
             let listed = self.found.iter().take(MOST);
             self.mends = listed
-                .map(|finding| match is_planned(finding.kind) {
-                    true => Ok(Vec::new()),
-                    false => document.remedy(finding, None, &mut |_, _| true),
-                })
+                .map(|finding| document.quick_remedy(finding))
                 .collect::<Result<_>>()?;
             Ok(())
         });
@@ -285,7 +289,7 @@ impl Editor {
     pub(crate) fn go_to(&mut self, finding: &Finding) {
         let frame = self.document.frame_of_scene(finding.first_frame);
         self.scrub(frame);
-        let selection = vides_document::Selection::at(finding.point, finding.orientation);
+        let selection = Selection::at(finding.point, finding.orientation);
         if self.document.selection() != selection
             && self
                 .document
@@ -299,6 +303,25 @@ impl Editor {
 }
 
 impl Editor {
+    /// Leaves playhead and selection where they were before an edit, as far as they are still there.
+    fn stay_at_key(&mut self, frame: Option<f64>, selection: Selection, at: Option<DVec3>) {
+        let count = self.document.sampler().map(|sampler| sampler.frame_count());
+        let frame = frame
+            .zip(count.ok())
+            .map(|(frame, count)| frame.min(count as f64));
+        let points = &self.document.path().points;
+        // Points may have come or gone before it.
+        let same = points.iter().position(|point| Some(point.position) == at);
+        let same = same.filter(|_| points.get(selection.point).map(|point| point.position) != at);
+        let point = same.unwrap_or(selection.point.min(points.len() - 1));
+        let last = points[point].orientations.len() - 1;
+        let orientation = selection.orientation.min(last);
+        if self.document.select(point, orientation).is_ok() {
+            self.playing
+                .put_back(frame, Selection::at(point, orientation));
+        }
+    }
+
     /// Mends a finding by the planner, or tells why it cannot be.
     pub(crate) fn cure(&mut self, finding: &Finding) {
         let copy = self.apart();
@@ -307,15 +330,20 @@ impl Editor {
             copy?.remedy(&finding, object?.as_deref(), progress)
         });
         match (work.made(), &mut self.windows.check) {
-            (Some(Ok(edits)), _) => self.mend(edits),
+            (Some(Ok(edits)), _) => self.mend(&finding, edits),
             (Some(Err(error)), _) => self.complain_of(&error),
-            (None, Some(window)) => window.curing = Some(work),
+            (None, Some(window)) => window.curing = Some((finding, work)),
             (None, None) => {}
         }
     }
 
-    /// Applies what mends a finding, as one step.
-    pub(crate) fn mend(&mut self, edits: Vec<Edit>) {
+    /// Applies what mends a finding, as one step, and says what it did. Frame, point and view stay.
+    pub(crate) fn mend(&mut self, finding: &Finding, edits: Vec<Edit>) {
+        if edits.is_empty() {
+            return self.complain(self.texts().check.no_fix);
+        }
+        let (frame, selection) = (self.playing.frame(), self.document.selection());
+        let at = self.point().map(|point| point.position);
         self.document.begin_step();
         self.document.name_step(StepName::Mend);
         if self.edit_together(edits) {
@@ -324,6 +352,11 @@ impl Editor {
             if let Some(check) = &mut self.windows.check {
                 check.mended = Some(revision);
             }
+            self.stay_at_key(frame, selection, at);
+            let mended = self.language().mended(finding.kind);
+            let from = self.document.number_of_frame(finding.first_frame);
+            let from = self.language().number(from.round(), 0);
+            self.say(fill(mended, &[&(finding.point + 1), &from]));
         } else {
             self.document.cancel_step();
         }

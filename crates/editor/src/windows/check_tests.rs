@@ -91,22 +91,20 @@ fn it_follows_each_change_but_not_while_something_is_dragged() {
         of(&window)
     );
     let before = of(&window);
-    // While a button is down nothing is checked.
-    let at = number(&window, Language::English.texts().space.rate)
-        .rect()
-        .center();
-    window.hover_at(at);
+    // While something is dragged nothing is checked; the button is down where nothing is.
+    let nowhere = egui::pos2(700.0, 12.0);
+    window.hover_at(nowhere);
     window.run();
-    window.drag_at(at);
+    window.drag_at(nowhere);
     window.run();
-    for x in [10.0, 60.0] {
-        window.hover_at(at + vec2(x, 0.0));
-        window.run();
-    }
-    assert!(window.state().document.in_step());
+    let moved = Edit::set(At::Point(3), "position", position + DVec3::X);
+    window.state_mut().document.begin_step();
+    window.state_mut().edit(moved);
+    window.run();
     assert_ne!(of(&window), before);
     assert_eq!(window.state().windows.check.as_ref().unwrap().found, before);
-    window.drop_at(at + vec2(60.0, 0.0));
+    window.state_mut().document.end_step();
+    window.drop_at(nowhere);
     window.run();
     assert_eq!(
         window.state().windows.check.as_ref().unwrap().found,
@@ -129,6 +127,90 @@ fn what_helps_is_one_step() {
         press(&mut window, Modifiers::CTRL, Key::Z);
         assert_eq!(*window.state().document.path(), before);
     }
+}
+
+/// A fix says what it did; playhead and selected point stay.
+#[test]
+fn a_fix_says_what_it_did_and_stays_there() {
+    for language in BOTH {
+        let mut kinds = Vec::new();
+        let window = checked(language, LARGE, Theme::Dark);
+        let check = window.state().windows.check.as_ref().unwrap();
+        for (finding, edits) in check.found.iter().zip(check.mends.clone()) {
+            let known = kinds.contains(&finding.kind);
+            let Some(edits) = edits.filter(|edits| !known && !edits.is_empty()) else {
+                continue;
+            };
+            kinds.push(finding.kind);
+            let mut window = checked(language, LARGE, Theme::Dark);
+            window.state_mut().document.select(4, 0).unwrap();
+            window.state_mut().scrub(45.0);
+            window.run();
+            let stand = |window: &Window| {
+                let editor = window.state();
+                (editor.playing.frame(), editor.document.selection())
+            };
+            let before = stand(&window);
+            window.state_mut().mend(finding, edits);
+            window.run();
+            let number = window.state().document.number_of_frame(finding.first_frame);
+            let told = [finding.point as f64 + 1.0, number.round()];
+            let told = fill(language.mended(finding.kind), &[&told[0], &told[1]]);
+            assert_eq!(said_besides_length(&window), Some(told));
+            assert_eq!(stand(&window), before, "{finding:?}");
+        }
+        assert!(kinds.len() > 1, "{kinds:?}");
+    }
+}
+
+/// What goes through the object, or near it, stands first.
+#[test]
+fn collisions_stand_first() {
+    use vides_engine::tools::check::FindingKind;
+    let mut document = wild();
+    let mut info = document.info().clone();
+    let corner = |x: f64, y: f64| DVec3::new(x, y, 0.0);
+    let wall = vides_engine::scene::Mesh {
+        points: vec![
+            corner(-1.0, -1.0),
+            corner(1.0, -1.0),
+            corner(1.0, 1.0),
+            corner(-1.0, 1.0),
+        ],
+        triangles: vec![[0, 1, 2], [0, 2, 3]],
+        ..Default::default()
+    };
+    info.object = vides_document::Object::of_mesh(wall).unwrap();
+    document.apply(Edit::SetInfo(Box::new(info))).unwrap();
+    let first = document.check(None).unwrap()[0].kind;
+    let options = crate::Options {
+        document,
+        ..options(Language::English)
+    };
+    let mut window = window_of(options, LARGE, 1.0, Theme::Dark);
+    press(&mut window, Modifiers::NONE, Key::F8);
+    screenshot(&mut window, "check-collisions.png");
+    let kinds: Vec<_> = window
+        .state()
+        .windows
+        .check
+        .as_ref()
+        .unwrap()
+        .found
+        .iter()
+        .map(|finding| finding.kind)
+        .collect();
+    let collides =
+        |kind: &FindingKind| matches!(kind, FindingKind::Through | FindingKind::Clearance);
+    assert!(
+        !collides(&first) && kinds[0] == FindingKind::Through,
+        "{kinds:?}"
+    );
+    let count = kinds.iter().filter(|kind| collides(kind)).count();
+    assert!(kinds[..count].iter().all(collides), "{kinds:?}");
+    // The key that opens it closes it.
+    press(&mut window, Modifiers::NONE, Key::F8);
+    assert!(window.state().windows.check.is_none());
 }
 
 /// Switched off, set and switched on again, each a step that is found again in the path.

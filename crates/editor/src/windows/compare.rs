@@ -153,7 +153,7 @@ fn show(
     actions: &mut Vec<Action>,
 ) {
     let (texts, language) = (&editor.texts().compare, editor.language());
-    let frame = editor.frame().unwrap_or(made.range.0);
+    let frame = editor.previewed_frame().unwrap_or(made.range.0);
     let turns = at(&made.both, frame);
     ui.add_space(theme::GAP);
     ui.horizontal(|ui| {

@@ -180,6 +180,7 @@ pub(crate) fn meaning(language: Language, action: &Action) -> Cow<'static, str> 
         Action::Undo => menu.undo.into(),
         Action::Redo => menu.redo.into(),
         Action::Path(PathAction::AddPoint) => menu.add_point.into(),
+        Action::Path(PathAction::AddPointOtherwise) => menu.add_copy.into(),
         Action::Path(PathAction::AddHere) => button(position.add_here, position.add_here_hint),
         Action::Path(PathAction::AskPoints) => menu.add_points.into(),
         Action::Path(PathAction::RemovePoint) => menu.remove_point.into(),

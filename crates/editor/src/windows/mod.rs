@@ -12,10 +12,14 @@ pub(crate) mod curve;
 pub(crate) mod dock;
 mod help;
 mod points;
+#[cfg(test)]
+mod preview_tests;
 mod space;
 pub(crate) mod speed;
 pub(crate) mod sub_window;
 mod tool;
+
+use vides_document::Document;
 
 use crate::action::Action;
 use crate::state::Editor;
@@ -37,6 +41,23 @@ pub(super) fn open<W: SubWindow>(editor: &mut Editor, context: &egui::Context) {
         editor.windows.dock(W::ID);
     }
     context.move_to_top(layer(W::ID));
+}
+
+/// Closes the window that a key opens, if it is in front: the same key opens and closes. Whether it
+/// did.
+pub(super) fn close_front(windows: &mut Windows, action: &Action) -> bool {
+    match action {
+        Action::Keys => close_one::<HelpWindow>(windows),
+        Action::Curve => close_one::<CurveWindow>(windows),
+        Action::SpeedCurve => close_one::<SpeedWindow>(windows),
+        Action::Check => close_one::<CheckWindow>(windows),
+        _ => false,
+    }
+}
+
+fn close_one<W: SubWindow>(windows: &mut Windows) -> bool {
+    let front = !W::DOCKED || windows.front() == Some(W::ID);
+    front && W::slot(windows).take().is_some()
 }
 
 pub(super) fn show(editor: &mut Editor, context: &egui::Context) {
@@ -112,6 +133,13 @@ pub(super) fn take_keys(editor: &mut Editor, context: &egui::Context) {
 }
 
 impl Windows {
+    /// The document without what a tool shows of it.
+    pub(super) fn without_preview<'a>(&'a self, document: &'a Document) -> &'a Document {
+        let tool = self.tool.as_ref();
+        let unapplied = tool.and_then(|window| window.unapplied.as_deref());
+        unapplied.unwrap_or(document)
+    }
+
     /// Another path is open: what is pending was meant for the old one.
     pub(super) fn path_replaced(&mut self) {
         self.paths += 1;

@@ -192,12 +192,16 @@ impl SpaceWindow {
         let mut info = editor.document.info().clone();
         info.unit.clone_from(&window.unit);
         let info = (info != *editor.document.info()).then(|| Edit::SetInfo(Box::new(info)));
+        let Space { up, .. } = window.space;
+        let old = editor.document.path().space.up;
+        let keeps = !window.fit && up != old && editor.document.edits_path();
+        let turned = keeps.then_some(Edit::ChangeUp(up));
         let space = Edit::SetSpace {
             space: window.space,
             fit: window.fit,
         };
         editor.message = None;
-        let done = editor.edit_all([Some(space), info].into_iter().flatten());
+        let done = editor.edit_all([turned, Some(space), info].into_iter().flatten());
         window.of = known(editor);
         if !(closes && done) {
             editor.windows.space = Some(window);

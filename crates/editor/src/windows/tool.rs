@@ -2,9 +2,10 @@
 //! applied, in a step of the document that is open as long as the window: `OK` and Enter end the
 //! step, `Cancel`, the cross and Escape take it back.
 //!
-//! Nothing else gets into that step: whatever else changes or saves the path first takes what is
-//! shown, as `OK` does; undo and another tool take it back, as `Cancel` does. Looking round,
-//! playing and choosing a point leave it alone.
+//! Nothing else gets into that step: a change that the user makes first takes what is shown, as `OK`
+//! does; a change by the host, undo and another tool take it back, as `Cancel` does. Looking round,
+//! playing, choosing a point and saving leave it alone: files, the host and recovery get
+//! [`Editor::document`], which is without it.
 
 use std::ops::Range;
 use std::path::Path;
@@ -15,11 +16,13 @@ use vides_document::error::{EngineError, Error, OutOfRange, Result};
 use vides_document::tool::{Cage, Needs, Tool, ToolInput};
 use vides_document::{Document, Edit, StepName};
 use vides_engine::path::Pose;
+use vides_engine::tools::check::FindingKind;
 use vides_engine::tools::{Parameter, Unit};
 
 use crate::action::{Action, ToolAction};
 use crate::background::Background;
 use crate::entry::Entry;
+use crate::length::fit;
 use crate::number::Number;
 use crate::panels::parts::share;
 use crate::state::Editor;
@@ -125,7 +128,7 @@ impl ToolWindow {
 
     /// Whether a tour has been made, which begins to play.
     pub(crate) fn shows_tour(&self) -> bool {
-        self.tool.makes_flight() && self.applied
+        self.tool.makes_flight() && self.unapplied.is_some()
     }
 
     /// The size of the result, in words.
@@ -335,6 +338,14 @@ fn reason(language: Language, error: &Error) -> String {
     }
 }
 
+/// Whether a check finds the path outside its space, between its points, too.
+fn leaves_space(document: &Document) -> Result<bool> {
+    let found = document.check_against(None, &mut |_, _| true)?;
+    Ok(found
+        .iter()
+        .any(|finding| finding.kind == FindingKind::Space))
+}
+
 /// How far the path is from poses at their times in seconds.
 fn missed(document: &Document, poses: &[Pose], seconds: Option<&[f64]>) -> Option<(f64, f64)> {
     let fps = document.info().fps;
@@ -366,28 +377,26 @@ impl Editor {
     pub(crate) fn prepare_tool(&mut self, tool: Tool) -> bool {
         self.cancel_tool();
         self.document.end_step();
-        let mut numbers = match tool.defaults(&self.document) {
+        let last = self.document.path().points.len().saturating_sub(1);
+        let [first, last] = match self.several() {
+            // From the first selected point to the last one.
+            Some(&[first, .., last]) => [first, last],
+            _ => [0, last],
+        };
+        let numbers = match tool.defaults_between(&self.document, first, last) {
             Ok(numbers) => numbers,
             Err(error) => {
                 self.complain_of(&error);
                 return false;
             }
         };
-        if let Some([first, .., last]) = self.several() {
-            // From the first selected point to the last one.
-            for (name, at) in [("first", first + 1), ("last", last + 1)] {
-                if let Some(number) = tool.place_of(name).and_then(|at| numbers.get_mut(at)) {
-                    *number = at as f64;
-                }
-            }
-        }
         self.windows.tool = Some(ToolWindow {
             tool,
             material: ToolInput::None,
             numbers,
             before: None,
             trouble: None,
-            applied: false,
+            unapplied: None,
             cage: None,
             control: 0,
             drawn: Vec::new(),
@@ -439,7 +448,7 @@ impl Editor {
         let Some(mut window) = self.windows.tool.take() else {
             return;
         };
-        if std::mem::take(&mut window.applied) {
+        if window.unapplied.take().is_some() {
             self.document.cancel_step();
         }
         if window.tool.asks_object() {
@@ -484,36 +493,46 @@ impl Editor {
 
     fn show_made(&mut self, mut window: ToolWindow, edit: Result<Option<Edit>>) {
         let begins = self.begins();
+        let kept = self.kept_frames().filter(|_| window.tool.name != "frames");
+        let language = self.language();
         let document = &mut self.document;
-        let done = edit.and_then(|edit| {
+        let made = edit.and_then(|edit| {
+            let unapplied = Box::new(document.try_clone()?);
             document.begin_step();
             document.name_step(StepName::Tool(window.tool.name));
             edit.map_or(Ok(()), |edit| document.apply(edit))?;
-            // A path that begins has the room that it needs.
-            match begins && document.points_outside() > 0 {
-                true => {
-                    let space = document.space_around_all()?;
-                    document.apply(Edit::SetSpace { space, fit: false })
-                }
-                false => Ok(()),
+            if let Some(frames) = kept {
+                // `OK` says why it cannot be kept.
+                let _ = fit(document, frames);
             }
+            // A path that begins, and a flight that takes its place, has the room that it needs.
+            let leaves = match window.tool.makes_flight() {
+                true => leaves_space(document)?,
+                false => begins && document.points_outside() > 0,
+            };
+            if leaves {
+                let space = document.space_around_all()?;
+                document.apply(Edit::SetSpace { space, fit: false })?;
+            }
+            Ok(unapplied)
         });
-        window.applied = done.is_ok();
+        (window.unapplied, window.trouble) = match made {
+            Ok(unapplied) => (Some(unapplied), None),
+            Err(error) => {
+                document.cancel_step();
+                (None, Some(reason(language, &error)))
+            }
+        };
         window.written = match window.tool.needs() {
-            Needs::Output if window.applied => window.to_write(document).ok(),
+            Needs::Output if window.unapplied.is_some() => window.to_write(document).ok(),
             _ => None,
         };
         window.missed = match &window.material {
-            ToolInput::Poses(poses, seconds) if window.applied => {
+            ToolInput::Poses(poses, seconds, _) if window.unapplied.is_some() => {
                 missed(document, poses, seconds.as_deref())
             }
             _ => None,
         };
-        let language = self.language();
-        window.trouble = done.err().map(|error| reason(language, &error));
-        if window.trouble.is_some() {
-            self.document.cancel_step();
-        }
         self.windows.tool = Some(window);
     }
 
@@ -532,7 +551,7 @@ impl Editor {
     /// Makes what the tool shows a step, and closes its window.
     pub(crate) fn take_tool(&mut self) {
         if let Some(window) = self.windows.tool.take()
-            && window.applied
+            && window.unapplied.is_some()
         {
             self.document.end_step();
             self.tell_ambiguities();
@@ -542,7 +561,7 @@ impl Editor {
     /// Takes back what the tool shows, and closes its window.
     pub(crate) fn cancel_tool(&mut self) {
         if let Some(window) = self.windows.tool.take() {
-            if window.applied {
+            if window.unapplied.is_some() {
                 self.document.cancel_step();
             }
             let (frame, selection) = window.stood;

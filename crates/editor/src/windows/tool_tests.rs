@@ -193,9 +193,10 @@ fn looking_round_and_choosing_a_point_leave_a_tool_alone() {
     window.run();
     assert!(window.state().windows.tool.is_some());
     assert_eq!(path(&window), mirrored);
+    // The host gets the path without the tool, which ends.
     let outside = window.state_mut().document_mut().path().clone();
-    assert_eq!(outside, mirrored);
-    assert_eq!(undo_name(&window), Some("mirror"));
+    assert_eq!(outside, some_points().path().clone());
+    assert_eq!(undo_name(&window), None);
     assert!(!window.state().document.in_step());
 }
 
@@ -339,6 +340,7 @@ fn recorded_poses_become_a_path() {
     pick(&mut window, "fit");
     window.state_mut().file_chosen(Purpose::Import, &file);
     window.run();
+    click(&mut window, Language::German.texts().questions.y_up);
     let fitted = poses(window.state());
     assert_eq!(fitted.len(), recorded.len());
     for (a, b) in fitted.iter().zip(&recorded) {
@@ -353,6 +355,38 @@ fn recorded_poses_become_a_path() {
     window.run();
     let told = said(&window).expect("a sentence");
     assert!(told.contains("10 Zahlen erwartet"), "{told}");
+}
+
+/// Round an object that is larger than the space of the path whose place the tour takes.
+#[test]
+fn a_check_finds_nothing_in_a_tour() {
+    let corner = |k: usize| [0, 1, 2].map(|bit| if k >> bit & 1 == 1 { 2.0 } else { -1.0 });
+    let sides = [
+        [0, 1, 3, 2],
+        [4, 6, 7, 5],
+        [0, 4, 5, 1],
+        [2, 3, 7, 6],
+        [0, 2, 6, 4],
+        [1, 5, 7, 3],
+    ];
+    let mesh = vides_engine::scene::Mesh {
+        points: (0..8).map(|k| DVec3::from_array(corner(k))).collect(),
+        triangles: sides
+            .iter()
+            .flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]])
+            .collect(),
+        ..Default::default()
+    };
+    for language in BOTH {
+        let mut window = fresh(language);
+        let mut info = window.state().document.info().clone();
+        info.object = Object::features_of(mesh.clone()).unwrap();
+        window.state_mut().edit(Edit::SetInfo(Box::new(info)));
+        pick(&mut window, "tour");
+        click(&mut window, "OK");
+        assert_eq!(undo_name(&window), Some("tour"));
+        assert_eq!(window.state().document.check(None).unwrap(), []);
+    }
 }
 
 /// Each of them in each look, with all its controls within the window.

@@ -6,6 +6,9 @@ use crate::error::{Invalid, Result};
 use crate::path::checks::check_coordinates;
 use crate::path::cube::Space;
 
+/// The shortest side that is not flat: coordinates relative to shorter ones would overflow.
+const SHORTEST: f64 = 1e-150;
+
 /// A box along the axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounds {
@@ -61,6 +64,12 @@ impl Bounds {
         self.max
     }
 
+    /// The length of a side, 0 if it is flat.
+    pub(super) fn size(&self, axis: usize) -> f64 {
+        let size = self.max[axis] - self.min[axis];
+        if size >= SHORTEST { size } else { 0.0 }
+    }
+
     /// A point in the coordinates of the box: −1…1 from side to side, 0 where it is flat.
     #[must_use]
     pub fn coordinates(&self, point: DVec3) -> DVec3 {
@@ -79,7 +88,7 @@ impl Bounds {
 
     pub(super) fn coordinate(&self, point: DVec3, axis: usize) -> f64 {
         let (min, max) = (self.min[axis], self.max[axis]);
-        if max > min {
+        if self.size(axis) > 0.0 {
             (2.0 * point[axis] - (min + max)) / (max - min)
         } else {
             0.0
@@ -89,7 +98,7 @@ impl Bounds {
     /// Moves a point to a coordinate; where the box is flat it stays.
     pub(super) fn place(&self, point: &mut DVec3, axis: usize, coordinate: f64) {
         let (min, max) = (self.min[axis], self.max[axis]);
-        if max > min {
+        if self.size(axis) > 0.0 {
             point[axis] = (1.0 - coordinate) / 2.0 * min + (1.0 + coordinate) / 2.0 * max;
         }
     }

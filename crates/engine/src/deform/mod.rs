@@ -162,7 +162,7 @@ fn twist(bounds: &Bounds, axis: usize, angle: f64, points: &mut [DVec3]) {
     let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
     let (low, high) = (bounds.min(), bounds.max());
     let middle = low / 2.0 + high / 2.0;
-    let size = high - low;
+    let size = [0, 1, 2].map(|axis| bounds.size(axis));
     // Of one side in the other, since u and v turn into each other; a flat side has coordinate 0.
     let ratio = |of: usize, by: usize| {
         if size[by] > 0.0 {

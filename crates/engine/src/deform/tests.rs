@@ -126,3 +126,51 @@ proptest! {
         prop_assert!((turned - angle.to_radians().cos()).abs() < 1e-2);
     }
 }
+
+/// A side too short to divide by is flat: its coordinate stays, and nothing is infinite.
+#[test]
+fn a_side_of_subnormal_length_is_flat() {
+    let points = [
+        DVec3::ZERO,
+        DVec3::new(1.0, -2.0, 3.0),
+        DVec3::splat(5e-324),
+    ];
+    for size in [5e-324, 1e-310, f64::MIN_POSITIVE, 1e-200] {
+        for sides in [
+            [1.0, 1.0, 1.0],
+            [1.0, 0.0, 0.0],
+            [0.0, 1.0, 0.0],
+            [0.0, 0.0, 1.0],
+        ] {
+            let side = |at: usize| if sides[at] > 0.0 { size } else { 1.0 };
+            let bounds = |flat: f64| {
+                let side = |at: usize| if sides[at] > 0.0 { flat } else { side(at) };
+                Bounds::new(DVec3::ZERO, DVec3::new(side(0), side(1), side(2))).unwrap()
+            };
+            let lattice = identity_lattice().map(|number| 2.0 * number);
+            for (kind, numbers) in [
+                ("taper", &[0.0, 3.0][..]),
+                ("taper", &[1.0, 3.0, 2.0]),
+                ("twist", &[2.0, 90.0]),
+                ("bend", &[1.0, 90.0]),
+                ("bend", &[0.0, 1.0, 0.5, 0.5, 10.0, 80.0]),
+                ("free-form", &lattice),
+            ] {
+                let deformation = Deformation::new(kind, numbers).unwrap();
+                let (mut short, mut flat) = (points, points);
+                deformation.apply(&bounds(size), &mut short);
+                deformation.apply(&bounds(0.0), &mut flat);
+                assert!(
+                    short.iter().all(|point| point.is_finite()),
+                    "{kind}, {size}: {short:?}"
+                );
+                for (short, flat) in short.iter().zip(flat) {
+                    assert!(
+                        short.distance(flat) < 1e-15,
+                        "{kind}, {size}: {short} {flat}"
+                    );
+                }
+            }
+        }
+    }
+}

@@ -4,7 +4,7 @@
 use std::fmt;
 
 use super::counting::{Called, Index};
-use super::range::Quantity;
+use super::range::{Bound, Quantity};
 use super::text::{List, Text};
 use crate::limits;
 use crate::scene::channel::Channel;
@@ -282,7 +282,7 @@ pub enum Invalid {
         orientation: usize,
         limit: &'static str,
     },
-    #[error("{seconds} s are too short: the limits allow it in {least:.3} s")]
+    #[error("{} s are too short: the limits allow it in {least:.3} s", Bound(*seconds))]
     PaceSeconds { seconds: f64, least: f64 },
     #[error("the seconds of a pace must be 0 or a positive number")]
     PaceTime,
@@ -393,8 +393,9 @@ pub enum Invalid {
     /// By how many times the tolerance it is missed.
     #[error(
         "no path whose points stand at whole frames passes it within the tolerance (it is \
-         missed by {0:.1} times that): a larger tolerance helps, or a robust fit (--robust), \
-         which leaves out single poses that are off"
+         missed by {0:.1} times that): use a larger tolerance, or a robust fit{robust}, which \
+         leaves out single poses that are off",
+        robust = Called("", " (v_path_fit_poses_robust())")
     )]
     PoseMissed(f64),
     #[error(
@@ -435,10 +436,24 @@ pub enum TooMany {
         limits::MAX_ALL_ORIENTATIONS
     )]
     AllOrientations,
-    #[error("the path would yield more than 100000000 frames; lower the base speeds")]
+    #[error(
+        "the path would have more than 100000000 frames: lower its base speeds or the frames of its \
+         sections"
+    )]
     Frames,
-    #[error("the scene has more than {} frames", limits::MAX_FRAMES)]
-    SceneFrames,
+    /// The limit.
+    #[error("the scene has more than {0} frames")]
+    SceneFrames(usize),
+    /// So many there are.
+    #[error("at most {most} frames can be fitted, this has {0}", most = limits::MAX_SAMPLED_FRAMES)]
+    SampledFrames(usize),
+    /// The frames from the first pose to the last.
+    #[error(
+        "the times of the poses span {0:.0} frames, at most {max} are allowed: check their unit, \
+         times are seconds",
+        max = limits::MAX_FRAMES
+    )]
+    PoseSpan(f64),
     #[error("a list cannot number so many poses")]
     Poses,
     #[error(

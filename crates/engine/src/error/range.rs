@@ -54,7 +54,7 @@ impl fmt::Display for Quantity {
     }
 }
 
-/// A bound of a range, written with an exponent from 1e9 on.
+/// A number of a caller's or a bound, written with an exponent from 1e9 on and below 1e-9.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bound(pub f64);
 
@@ -62,6 +62,7 @@ impl fmt::Display for Bound {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.0.abs() {
             1e9.. => write!(f, "{:e}", self.0),
+            small if small > 0.0 && small < 1e-9 => write!(f, "{:e}", self.0),
             _ => self.0.fmt(f),
         }
     }
@@ -90,11 +91,11 @@ pub enum OutOfRange {
     Orientations,
     #[error("{} must lie between 0 and 1000000 frames", Called("the hold", "hold"))]
     Hold,
-    #[error("there is no frame {frame}: they go from {first} to {last}")]
+    #[error("there is no frame {}: they go from {first} to {last}", Bound(*frame))]
     NoFrame { frame: f64, first: f64, last: f64 },
     #[error("a list has at least one pose")]
     NoPose,
-    #[error("a section has at most {} frames", limits::MAX_FRAMES)]
+    #[error("a section has at most {} frames", limits::MAX_SECTION_FRAMES)]
     SectionFrames,
     #[error(
         "a given distance has between 2 and {} keys",
@@ -295,7 +296,7 @@ pub enum OutOfRange {
     NumberBetween(&'static str, f64, f64),
     #[error("{given} numbers are given where there are at most {most}")]
     NumbersGiven { given: usize, most: usize },
-    #[error("the zoom would be {0} at the end; it must lie between 1 and 2000")]
+    #[error("the zoom would be {} at the end; it must lie between 1 and 2000", Bound(*.0))]
     ZoomAtEnd(f64),
     #[error("the camera must turn by more than 0 degrees")]
     NoTurn,
@@ -303,7 +304,7 @@ pub enum OutOfRange {
     NoWay,
     #[error("there is no next point at which the block could end")]
     NoNextPoint,
-    #[error("the weights must sum to 1, not to {0}")]
+    #[error("the weights must sum to 1, not to {}", Bound(*.0))]
     WeightSum(f64),
     #[error(
         "{} must be finite and greater than 0",
@@ -337,4 +338,25 @@ pub enum OutOfRange {
         Bound(limits::TOUR_DISTANCES[1])
     )]
     TourDistance,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Bound;
+
+    #[test]
+    fn numbers_of_any_size_are_short() {
+        for (number, text) in [
+            (1e-300, "1e-300"),
+            (-5e-324, "-5e-324"),
+            (1e-6, "0.000001"),
+            (0.0, "0"),
+            (999_999_999.5, "999999999.5"),
+            (1e300, "1e300"),
+            (f64::INFINITY, "inf"),
+            (f64::NAN, "NaN"),
+        ] {
+            assert_eq!(Bound(number).to_string(), text);
+        }
+    }
 }

@@ -1,9 +1,14 @@
 //! Matrices for programs that draw or compute with a camera in axes of their own.
 
-use glam::{DMat4, DVec3, DVec4};
+use glam::{DMat3, DMat4, DVec3, DVec4};
 
+use super::orientation::unit;
 use super::view::{HALF_FILM_HEIGHT, gl_matrix};
 use crate::error::{OutOfRange, Result};
+
+/// A matrix is a camera's if its axes, as long as each other, are this near to perpendicular: programs
+/// with `float` matrices that they turn again and again let rounding grow.
+const NEARLY: f64 = 1e-3;
 
 /// Which way the axes of a camera point, all right-handed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -51,6 +56,41 @@ impl CameraAxes {
             axes[2],
             position.extend(1.0),
         ))
+    }
+
+    /// The position, view and up of a camera whose matrix from the world's coordinates, or `to_world`,
+    /// this is: the other way of [`CameraAxes::from_world`] and [`CameraAxes::to_world`]. One scale of
+    /// all axes is taken out. `None` if it mirrors, shears or projects, or is not finite.
+    #[must_use]
+    pub fn of_matrix(self, matrix: DMat4, to_world: bool) -> Option<[DVec3; 3]> {
+        let (turn, offset) = (DMat3::from_mat4(matrix), matrix.w_axis.truncate());
+        // In the columns, the camera's axes in the world.
+        let axes = if to_world { turn } else { turn.transpose() };
+        let scale = axes.determinant().cbrt();
+        if !(scale > 0.0) || !matrix.is_finite() || matrix.row(3) != DVec4::W {
+            return None;
+        }
+        let axes = axes * scale.recip();
+        let square = axes.transpose() * axes;
+        if !square.abs_diff_eq(DMat3::IDENTITY, NEARLY) {
+            return None;
+        }
+        let mut opengl = [DVec3::ZERO; 3];
+        for ((row, sign), axis) in
+            self.in_opengl()
+                .into_iter()
+                .zip([axes.x_axis, axes.y_axis, axes.z_axis])
+        {
+            opengl[row] = sign * axis;
+        }
+        let view = unit(-opengl[2]);
+        let up = unit(opengl[1] - view * opengl[1].dot(view));
+        let position = if to_world {
+            offset
+        } else {
+            -(turn.inverse() * offset)
+        };
+        position.is_finite().then_some([position, view, up])
     }
 
     fn rows(self, position: DVec3, view: DVec3, up: DVec3) -> Result<[DVec4; 3]> {

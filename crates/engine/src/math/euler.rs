@@ -1,7 +1,7 @@
 //! Euler angles (thesis 4.3, 4.4.5): yaw about y, then pitch about the turned x axis, then roll
 //! about the view direction. Nothing is interpolated in them, since they tumble.
 
-use glam::{DQuat, DVec3};
+use glam::{DMat3, DQuat, DVec3};
 
 use super::orientation::{POLE, roll_from_up, view_from_quaternion};
 
@@ -50,6 +50,43 @@ impl EulerAngles {
     }
 }
 
+/// The angles about x, y and z in radians whose turns make a rotation, the axis `order[0]` first.
+/// The middle turn is within ±π/2 (Shoemake, Graphics Gems IV, 1994); where the first and the last
+/// become one, they share it.
+#[must_use]
+pub fn euler(rotation: DQuat, order: [usize; 3]) -> [f64; 3] {
+    let [first, middle, last] = order;
+    let sign = handedness(order);
+    let at = |matrix: DMat3, row: usize, column: usize| matrix.col(column)[row];
+    let whole = DMat3::from_quat(rotation);
+    let mut angles = [0.0; 3];
+    angles[first] = (sign * at(whole, last, middle)).atan2(at(whole, last, last));
+    // Without the first turn the others are exact even where it is not determined.
+    let rest = whole * DMat3::from_quat(about(first, -angles[first]));
+    angles[middle] = (-sign * at(rest, last, first)).atan2(at(rest, last, last));
+    angles[last] = (-sign * at(rest, first, middle)).atan2(at(rest, middle, middle));
+    angles
+}
+
+/// The rotation of turns by angles about x, y and z in radians, the axis `order[0]` first; axes
+/// that are not in `order` do not turn.
+#[must_use]
+pub fn of_euler(angles: [f64; 3], order: &[usize]) -> DQuat {
+    let turns = order.iter().map(|&axis| about(axis, angles[axis % 3]));
+    turns
+        .rev()
+        .fold(DQuat::IDENTITY, |turned, turn| turned * turn)
+}
+
+fn about(axis: usize, angle: f64) -> DQuat {
+    DQuat::from_axis_angle([DVec3::X, DVec3::Y, DVec3::Z][axis % 3], angle)
+}
+
+/// 1 for an order that runs x, y, z from some axis on, else −1.
+fn handedness([first, middle, _]: [usize; 3]) -> f64 {
+    if middle == (first + 1) % 3 { 1.0 } else { -1.0 }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -93,5 +130,37 @@ mod tests {
             let (view, up) = angles.view();
             assert!((view - DVec3::Y * y).length() < 1e-15 && (up - DVec3::Z).length() < 1e-15);
         }
+    }
+
+    #[test]
+    fn angles_make_their_rotation_in_any_order() {
+        let quarter = std::f64::consts::FRAC_PI_2;
+        let middles = [0.3, -1.2, quarter, -quarter, quarter - 1e-9, 0.0];
+        for order in [
+            [0, 1, 2],
+            [0, 2, 1],
+            [1, 0, 2],
+            [1, 2, 0],
+            [2, 0, 1],
+            [2, 1, 0],
+        ] {
+            for middle in middles {
+                let mut angles = [0.0; 3];
+                for (axis, angle) in order.into_iter().zip([2.5, middle, -0.7]) {
+                    angles[axis] = angle;
+                }
+                let turn = of_euler(angles, &order);
+                let again = euler(turn, order);
+                let off = turn.conjugate() * of_euler(again, &order);
+                assert!(off.xyz().length() < 1e-15, "{order:?} {middle}");
+                if middle.abs() < 1.5 {
+                    let same = |axis: usize| (angles[axis] - again[axis]).abs() < 1e-14;
+                    assert!((0..3).all(same), "{order:?} {again:?}");
+                }
+            }
+        }
+        // First about z, then x, then y: x goes to y, on to z, on to x.
+        let quarters = of_euler([quarter; 3], &[2, 0, 1]);
+        assert!((quarters * DVec3::X - DVec3::X).length() < 1e-15);
     }
 }

@@ -208,7 +208,7 @@ fn views_do_not_jump() {
 fn without_a_direction_the_last_one_holds() {
     let place = |x: f64| SupportPoint::new(DVec3::new(x, 0.2, 0.1));
     let mut path = CameraPath {
-        points: vec![place(-0.5), place(-0.5), place(0.1), place(0.1), place(0.7)],
+        points: [-0.5, -0.5, 0.1, 0.1, 0.7].map(place).into(),
         curve: CurveKind::Linear,
         ..CameraPath::default()
     };

@@ -160,7 +160,7 @@ mod tests {
 
     fn ambiguities(points: Vec<SupportPoint>) -> Vec<Option<Ambiguity>> {
         let path = CameraPath {
-            points,
+            points: points.into(),
             ..CameraPath::default()
         };
         path.check().unwrap();
@@ -224,7 +224,7 @@ mod tests {
                 ]
             };
             let path = CameraPath {
-                points: bent(DVec3::ZERO),
+                points: bent(DVec3::ZERO).into(),
                 ..CameraPath::default()
             };
             let on_it = Timeline::new(&path)

@@ -80,7 +80,7 @@ impl Builder {
         };
         let mut path = CameraPath::of_points(Vec::new());
         (path.space, path.closed, path.curve) = (space, self.closed, self.curve);
-        path.points.try_reserve_exact(self.points.len())?;
+        path.points.try_reserve(self.points.len())?;
         for position in self.points {
             let mut point = SupportPoint::try_new_in(position, space)?;
             let camera = &mut point.orientations[0];

@@ -15,6 +15,7 @@ use crate::math::orientation;
 use crate::property::{
     Affects, Check, Copied, Kind, Row, SameBits, Stored, Unit, Value, properties,
 };
+use crate::shared_list::SharedList;
 
 /// Where a point takes its tension, continuity and bias from (thesis A.4.1).
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -232,7 +233,7 @@ properties! {
             copied: Copied::Nowhere,
             ..Row::new(&["name"])
         },
-        /// World coordinates, at most [`limits::MAX_COORDINATE`] half sizes from the space's centre.
+        /// World coordinates, at most 1e9 half sizes from the space's centre.
         pub position: DVec3 = DVec3::ZERO => Row {
             unit: Unit::Length,
             check: Check::By(|place, space| space.check_place(*place)),
@@ -253,7 +254,14 @@ properties! {
             copied: Copied::Nowhere,
             ..Row::new(&["tangents"])
         },
-        /// 1…[`limits::MAX_ORIENTATIONS`] orientations in the order they are taken.
+        /// Whether these came of an insertion that keeps the motion: they are removed when the point
+        /// or one beside it moves.
+        pub keeps_motion: bool = false => Row {
+            affects: Affects::Nothing,
+            copied: Copied::Nowhere,
+            ..Row::new(&["keeps_motion"])
+        },
+        /// 1 to 10 orientations in the order they are taken.
         pub orientations: Vec<Orientation> = Vec::new() => Row::new(&[]),
     }
 }
@@ -333,8 +341,8 @@ properties! {
         },
         /// Where it lies in the world.
         pub space: Space = Space::NEW => Row::new(&[]),
-        /// ≥ [`limits::MIN_POINTS`] support points.
-        pub points: Vec<SupportPoint> = Vec::new() => Row::new(&[]),
+        /// At least 2 support points.
+        pub points: SharedList<SupportPoint> = SharedList::new() => Row::new(&[]),
     }
 }
 
@@ -418,20 +426,17 @@ impl CameraPath {
 
     pub(super) fn of_points(points: Vec<SupportPoint>) -> Self {
         Self {
-            points,
+            points: points.into(),
             ..Self::NEW
         }
     }
 
-    /// A copy.
+    /// A copy, which shares the points.
     ///
     /// # Errors
     /// [`crate::Error::Memory`].
     pub fn try_clone(&self) -> Result<Self> {
-        let mut points = vec_with_room(self.points.len())?;
-        for point in &self.points {
-            points.push(point.try_clone()?);
-        }
+        let points = self.points.try_clone()?;
         Ok(Self { points, ..*self })
     }
 

@@ -34,7 +34,9 @@ pub fn segment(path: &CameraPath, segment: usize) -> Cubic {
 /// The tangents at the start and the end of a segment, whatever tangents the points may own.
 fn tangents_of_kind(path: &CameraPath, segment: usize) -> (DVec3, DVec3) {
     match path.curve {
-        CurveKind::Tcb => kochanek_bartels::tangents(path, segment),
+        CurveKind::Tcb | CurveKind::Centripetal | CurveKind::Chordal => {
+            kochanek_bartels::tangents(path, segment)
+        }
         CurveKind::Cubic => spline_tangents(path, segment),
         CurveKind::Linear => {
             let to = path.points[(segment + 1) % path.points.len()].position;

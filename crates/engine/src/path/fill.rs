@@ -1,4 +1,4 @@
-//! The frames of one section, many at a time.
+//! The poses of one section at whole frames or between them, many at a time.
 //!
 //! Runs of frames on the same polynomial are computed vector by vector and may overshoot: the next
 //! run writes over what they spoil, and arrays are longer than a block for the last one. No frame
@@ -53,8 +53,6 @@ struct Records([f64; 10 * STRIDE]);
 pub(super) struct Scratch {
     /// The tables of a section that has none of its own yet.
     tables: Tables,
-    /// A copy of them, to be the section's own once all that is wanted has been filled.
-    pub(super) kept: Option<Box<[Tables]>>,
     /// The poses are wanted once: only long sections keep tables.
     pub(super) once: bool,
     block: Block,
@@ -72,7 +70,6 @@ impl Scratch {
         };
         Self {
             tables: Tables::default(),
-            kept: None,
             once: false,
             block,
             records: Records([0.0; 10 * STRIDE]),
@@ -84,38 +81,50 @@ impl Scratch {
 /// of its own, for nothing if every pose is wanted once.
 const KEEP: usize = 1024;
 
-widest! {
-    pub(super) fn fill_widest = self::fill;
-    (section: &SectionSampler, scratch: &mut Scratch, first: usize, poses: &mut [Pose]) -> Result<()>
+/// Which frames of a section are wanted, counted from its start.
+#[derive(Clone, Copy)]
+pub(super) enum Frames<'a> {
+    /// Whole ones in order; the number of the first, at least 1.
+    From(usize),
+    /// Any, none before its predecessor; numbers of the path, as many as there are poses.
+    At(&'a [f64]),
 }
 
-/// Fills `poses` with frames of a section; `first` is the number of the first of them, from 1.
+widest! {
+    pub(super) fn fill_widest = self::fill;
+    (section: &SectionSampler, scratch: &mut Scratch, frames: Frames<'_>, poses: &mut [Pose]) -> Result<()>
+}
+
+/// Fills `poses` with the poses of a section at `frames`.
 #[inline(always)]
 pub(super) fn fill<V: Vector>(
     section: &SectionSampler,
     scratch: &mut Scratch,
-    first: usize,
+    frames: Frames<'_>,
     poses: &mut [Pose],
 ) -> Result<()> {
-    if let Turning::Follow(_) = section.turning {
-        return fill_plainly::<V>(section, scratch, first, poses);
-    }
     let tables = match section.tables.get() {
         Some(tables) => &tables[0],
         None => {
             scratch.tables.build::<V>(section)?;
             let again = !scratch.once && section.filled.swap(true, Ordering::Relaxed);
             if section.frames >= KEEP || again {
-                scratch.kept = Some(scratch.tables.kept()?);
+                section.keep(&scratch.tables)?
+            } else {
+                &scratch.tables
             }
-            &scratch.tables
         }
     };
     let (block, records) = (&mut scratch.block, &mut scratch.records);
-    let mut number = first;
-    for poses in poses.chunks_mut(BLOCK) {
+    for (at, poses) in (0..).step_by(BLOCK).zip(poses.chunks_mut(BLOCK)) {
         let count = poses.len();
-        shares::<V>(section, number, count, &mut block.phi);
+        shares::<V>(section, frames, at, count, &mut block.phi);
+        if let Turning::Follow(_) = section.turning {
+            for (pose, &phi) in poses.iter_mut().zip(&block.phi) {
+                *pose = section.pose(tables, phi);
+            }
+            continue;
+        }
         if let Some(way) = &section.way {
             parameters::<V>(way, tables, count, block);
         }
@@ -131,41 +140,38 @@ pub(super) fn fill<V: Vector>(
         }
         write::<V>(section, block, records, poses);
         if let Turning::Tracked(target, _) = section.turning {
-            resolve_singularities(section, target, &block.phi, poses)?;
-        }
-        number += count;
-    }
-    Ok(())
-}
-
-/// [`fill`] for what has no fast way.
-#[inline(always)]
-fn fill_plainly<V: Vector>(
-    section: &SectionSampler,
-    scratch: &mut Scratch,
-    first: usize,
-    poses: &mut [Pose],
-) -> Result<()> {
-    let phi = &mut scratch.block.phi;
-    for (number, poses) in (first..).step_by(BLOCK).zip(poses.chunks_mut(BLOCK)) {
-        shares::<V>(section, number, poses.len(), phi);
-        for (pose, &phi) in poses.iter_mut().zip(phi.iter()) {
-            *pose = section.pose(phi)?;
+            resolve_singularities(section, tables, target, &block.phi, poses);
         }
     }
     Ok(())
 }
 
-/// φ of each frame.
+/// φ of `count` frames from the one `at` this place on.
 #[inline(always)]
 #[allow(clippy::cast_precision_loss)]
-fn shares<V: Vector>(section: &SectionSampler, number: usize, count: usize, phi: &mut Row) {
+fn shares<V: Vector>(
+    section: &SectionSampler,
+    frames: Frames<'_>,
+    at: usize,
+    count: usize,
+    phi: &mut Row,
+) {
     const COUNTING: [f64; 8] = [0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
-    let scale = V::splat(1.0 / section.frames as f64);
-    let counting = V::load(&COUNTING);
-    for k in (0..count).step_by(V::LANES) {
-        let frame = V::splat((number + k) as f64).add(counting);
-        frame.mul(scale).min(V::splat(1.0)).store(&mut phi[k..]);
+    let scale = 1.0 / section.frames as f64;
+    match frames {
+        Frames::From(first) => {
+            let counting = V::load(&COUNTING);
+            for k in (0..count).step_by(V::LANES) {
+                let frame = V::splat((first + at + k) as f64).add(counting);
+                let share = frame.mul(V::splat(scale));
+                share.min(V::splat(1.0)).store(&mut phi[k..]);
+            }
+        }
+        Frames::At(frames) => {
+            for (phi, frame) in phi.iter_mut().zip(&frames[at..at + count]) {
+                *phi = ((frame - section.start as f64) * scale).min(1.0);
+            }
+        }
     }
     if let Some([timing]) = section.speed.as_deref() {
         match timing.plain_curve() {
@@ -412,10 +418,11 @@ fn write_vector<V: Vector>(section: &SectionSampler, block: &Block, k: usize) ->
 /// Computes tracked frames at the target, or straight above or below it, the plain way.
 fn resolve_singularities(
     section: &SectionSampler,
+    tables: &Tables,
     target: DVec3,
     phi: &Row,
     poses: &mut [Pose],
-) -> Result<()> {
+) {
     let near = 2.0 * AT_TARGET * section.space.half_size;
     for (pose, &phi) in poses.iter_mut().zip(phi) {
         let offset = (target - DVec3::from(pose.vrp)).abs().max_element();
@@ -426,8 +433,7 @@ fn resolve_singularities(
         if far && level {
             continue;
         }
-        let plain = section.pose(phi)?;
+        let plain = section.pose(tables, phi);
         (pose.vpn, pose.vup) = (plain.vpn, plain.vup);
     }
-    Ok(())
 }

@@ -1,5 +1,6 @@
-//! A path, or a range of its points, brought to a number of frames: each section that moves has
-//! one, the rest is shared by largest remainder, so that the sum is exact.
+//! A path, or a range of its points, brought to a number of frames: sections share them in
+//! proportion to their unrounded durations, at least one each, by largest remainder, so that the
+//! sum is exact.
 
 use std::ops::Range;
 
@@ -75,11 +76,35 @@ pub fn fit_frames(
     frames: usize,
 ) -> Result<Vec<Fixed>> {
     let sections = range(path, timeline, first, last)?;
+    fit(
+        path,
+        timeline,
+        &sections,
+        1 + end_hold(path, first, last),
+        frames,
+    )
+}
+
+/// The frames of a range of points as [`fit_frames`] counts them.
+///
+/// # Errors
+/// As [`fit_frames`].
+pub fn frames_of(
+    path: &CameraPath,
+    timeline: &Timeline,
+    first: usize,
+    last: usize,
+) -> Result<usize> {
+    let sections = range(path, timeline, first, last)?;
+    let moving = moving_frames(path, timeline, sections.into_iter());
+    Ok(moving + 1 + end_hold(path, first, last))
+}
+
+/// The key in which a range ends rests too, unless it is the whole way round.
+fn end_hold(path: &CameraPath, first: usize, last: usize) -> usize {
     let round = path.closed && first == 0 && last + 1 == path.points.len();
-    // The key in which the range ends rests too.
     let end = path.points[last].orientations.last().filter(|_| !round);
-    let hold = end.map_or(0, |end| end.hold as usize);
-    fit(path, timeline, &sections, 1 + hold, frames)
+    end.map_or(0, |end| end.hold as usize)
 }
 
 /// Frames for the moving sections between two points: `last` is reached `frames` after `first`.
@@ -101,7 +126,15 @@ pub fn fit_between(
 /// The frames from reaching one point to reaching a later one, holds included.
 #[must_use]
 pub fn frames_between(path: &CameraPath, timeline: &Timeline, first: usize, last: usize) -> usize {
-    let all = between(timeline, first, last).map(|at| timeline.section(at));
+    moving_frames(path, timeline, between(timeline, first, last))
+}
+
+fn moving_frames(
+    path: &CameraPath,
+    timeline: &Timeline,
+    sections: impl Iterator<Item = usize>,
+) -> usize {
+    let all = sections.map(|at| timeline.section(at));
     let moving = all.filter(|section| section.change != Change::Nothing);
     let hold = |point: usize, at: usize| path.points[point].orientations[at].hold as usize;
     moving
@@ -142,8 +175,7 @@ fn fit(
             0 => timeline.unrounded_frames(path, section),
             fixed => f64::from(fixed),
         };
-        // Each has its first one anyway.
-        weights.push((now - 1.0).max(0.0));
+        weights.push(now);
         fixed.push(Fixed {
             point: begin.point,
             orientation: begin.orientation,
@@ -158,17 +190,18 @@ fn fit(
         let most = if fixed.is_empty() { least } else { MAX_FRAMES };
         return Err(OutOfRange::TooManyFrames { frames, most }.into());
     }
-    share(&mut fixed, &mut weights, frames - least)?;
+    share(&mut fixed, &mut weights, frames - extra - holds)?;
     Ok(fixed)
 }
 
-/// Adds `rest` frames in proportion to the weights, by largest remainder, ties to the earlier.
+/// Shares `frames` in proportion to the weights, at least 1 for each, by largest remainder, ties to
+/// the earlier. There are at least as many as there are weights.
 #[allow(
     clippy::cast_precision_loss,
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss
 )]
-fn share(fixed: &mut [Fixed], weights: &mut [f64], rest: usize) -> Result<()> {
+fn share(fixed: &mut [Fixed], weights: &mut [f64], frames: usize) -> Result<()> {
     // Beside infinite weights the others are nothing.
     let largest = weights.iter().copied().fold(0.0, f64::max);
     for weight in weights.iter_mut() {
@@ -180,17 +213,32 @@ fn share(fixed: &mut [Fixed], weights: &mut [f64], rest: usize) -> Result<()> {
             f64::from(u8::from(weight.is_infinite()))
         };
     }
-    let sum: f64 = weights.iter().sum();
-    let mut left = rest;
     let mut order: Vec<(f64, usize)> = vec_with_room(fixed.len())?;
-    for (k, (fixed, weight)) in fixed.iter_mut().zip(weights.iter()).enumerate() {
-        let quota = rest as f64 * weight / sum;
+    order.extend(weights.iter().copied().zip(0..));
+    order.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+    // The lightest first: what would have less than one frame has one, which the rest lacks.
+    let (mut left, mut sum) = (frames, weights.iter().sum::<f64>());
+    let mut single = 0;
+    for &(weight, k) in &order {
+        if weight * left as f64 >= sum {
+            break;
+        }
+        fixed[k].frames = 1;
+        left -= 1;
+        sum -= weight;
+        single += 1;
+    }
+    let shared = left;
+    let sum: f64 = order[single..].iter().map(|(weight, _)| weight).sum();
+    for (weight, k) in &mut order[single..] {
+        let quota = shared as f64 * *weight / sum;
         // Rounding must not give away more than there is.
         let whole = (quota.floor() as usize).min(left);
-        fixed.frames += whole as u32;
+        fixed[*k].frames = whole as u32;
         left -= whole;
-        order.push((quota - quota.floor(), k));
+        *weight = quota - quota.floor();
     }
+    let order = &mut order[single..];
     order.sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
     for &(_, k) in order.iter().cycle().take(left) {
         fixed[k].frames += 1;
@@ -218,7 +266,7 @@ mod tests {
         let mut path = CameraPath {
             points: points
                 .map(|x| SupportPoint::new(DVec3::new(x, 0.0, 0.5)))
-                .to_vec(),
+                .into(),
             ..CameraPath::default()
         };
         let lock = |path: &mut CameraPath, at: usize| {
@@ -282,28 +330,55 @@ mod tests {
     }
 
     #[test]
-    fn the_rest_goes_by_largest_remainder() {
-        let frames = |weights: &[f64], rest: usize| {
+    fn frames_go_by_largest_remainder() {
+        let frames = |weights: &[f64], frames: usize| {
             let one = Fixed {
                 point: 0,
                 orientation: 0,
                 frames: 1,
             };
             let mut fixed = vec![one; weights.len()];
-            share(&mut fixed, &mut weights.to_vec(), rest).unwrap();
+            share(&mut fixed, &mut weights.to_vec(), frames).unwrap();
             fixed.iter().map(|fixed| fixed.frames).collect::<Vec<_>>()
         };
         // Hare's method: 4.8, 3.6, 1.6 of 10.
-        assert_eq!(frames(&[48.0, 36.0, 16.0], 10), [6, 5, 2]);
-        assert_eq!(frames(&[1.0, 1.0, 1.0], 2), [2, 2, 1]);
-        assert_eq!(frames(&[1.0, 1.0, 1.0, 1.0], 6), [3, 3, 2, 2]);
-        assert_eq!(frames(&[0.0, 0.0], 3), [3, 2]);
-        assert_eq!(frames(&[f64::INFINITY, 1.0], 3), [4, 1]);
-        assert_eq!(frames(&[5.0, 0.0, 1e-300], 0), [1, 1, 1]);
+        assert_eq!(frames(&[48.0, 36.0, 16.0], 10), [5, 4, 1]);
+        assert_eq!(frames(&[1.0, 1.0, 1.0], 5), [2, 2, 1]);
+        assert_eq!(frames(&[1.0, 1.0, 1.0, 1.0], 10), [3, 3, 2, 2]);
+        assert_eq!(frames(&[0.0, 0.0], 5), [3, 2]);
+        assert_eq!(frames(&[f64::INFINITY, 1.0], 5), [4, 1]);
+        assert_eq!(frames(&[5.0, 0.0, 1e-300], 3), [1, 1, 1]);
+        // One each for the light ones, the rest by weight.
+        assert_eq!(frames(&[0.001, 6.0, 0.5, 3.0], 11), [1, 6, 1, 3]);
         assert_eq!(
-            frames(&[3.0, 1.0], 99_999_990).iter().sum::<u32>(),
+            frames(&[3.0, 1.0], 99_999_992).iter().sum::<u32>(),
             99_999_992
         );
+    }
+
+    /// From twice as many frames as sections on, each section's frames are within one of its share.
+    #[test]
+    fn sections_have_one_mean_speed() {
+        let points = [-0.9, -0.897, -0.6, -0.59, 0.1, 0.9];
+        let path = CameraPath {
+            points: points
+                .map(|x| SupportPoint::new(DVec3::new(x, 0.0, 0.5)))
+                .into(),
+            curve: crate::path::CurveKind::Linear,
+            ..CameraPath::default()
+        };
+        let timeline = Timeline::new(&path).unwrap();
+        for frames in [11, 50, 1000, 20_000, 1_000_000] {
+            let fixed = fit_frames(&path, &timeline, 0, 5, frames).unwrap();
+            let mut speeds = fixed.iter().zip(points.windows(2)).map(|(fixed, ends)| {
+                let share = (ends[1] - ends[0]) * (frames - 1) as f64 / 1.8;
+                (f64::from(fixed.frames), share)
+            });
+            assert!(
+                speeds.all(|(frames, share)| (frames - share).abs() <= 1.0 || frames == 1.0),
+                "{frames}: {fixed:?}"
+            );
+        }
     }
 
     #[test]

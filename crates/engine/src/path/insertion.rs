@@ -67,7 +67,7 @@ pub fn on_curve(path: &CameraPath, frame: f64) -> Result<Insertion> {
     let begin = timeline.section(section);
     let at = begin.point + 1;
     let mut new = path.try_clone()?;
-    new.points.try_reserve_exact(1)?;
+    new.points.try_reserve(1)?;
     let (point, wanted) = divide(path, &timeline, section, sampled, u)?;
     new.points.insert(at, point);
     let here = &mut new.points[begin.point].orientations[begin.orientation];
@@ -219,7 +219,7 @@ fn divide(
     if !(t > 0.0 && t < 1.0) || phi <= 0.0 || phi >= 1.0 || ends.contains(&position) {
         return Err(OutOfRange::NearPoint.into());
     }
-    let pose = sampled.pose(phi)?;
+    let pose = sampled.pose(sampled.prepared()?, phi);
     let (view, up) = (DVec3::from(pose.vpn), DVec3::from(pose.vup));
     let seen = Target::Relative(view * old.target.offset_from(source.position).length());
     let roll_there = sampled.turning_slope(phi);
@@ -291,6 +291,7 @@ fn divide(
         name: None,
         curve: source.curve,
         tangents: None,
+        keeps_motion: false,
         orientations,
     };
     Ok((point, wanted))

@@ -1,9 +1,10 @@
-//! Kochanek–Bartels splines (thesis 3.6.2; Kochanek and Bartels 1984), uniform
-//! knots, quadratic ends. The sign of the bias is the 1984 paper's.
+//! Kochanek–Bartels splines (thesis 3.6.2; Kochanek and Bartels 1984), quadratic ends. The sign of
+//! the bias is the 1984 paper's. Knots are uniform, as there, or centripetal or chordal (Yuksel,
+//! Schaefer and Keyser, Computer-Aided Design 43, 2011).
 
 use glam::DVec3;
 
-use super::camera_path::{CameraPath, Tcb};
+use super::camera_path::{CameraPath, CurveKind, Tcb};
 use super::hermite::BasisMatrix;
 
 /// The tangent with which the curve leaves a point (R1 of 3.6.2), from the chords to and from it.
@@ -48,11 +49,40 @@ pub fn basis(from: Tcb, to: Tcb) -> BasisMatrix {
     ]
 }
 
-/// The tangent of the parabola through the three points nearest to an end, (−3P₀+4P₁−P₂)/2,
-/// loosened by the tension. `near` and `far` are P₁−P₀ and P₂−P₁; at the end Pₙ−Pₙ₋₁, Pₙ₋₁−Pₙ₋₂.
-#[must_use]
-pub fn end_tangent(tension: f64, near: DVec3, far: DVec3) -> DVec3 {
-    (1.0 - tension) * (1.5 * near - 0.5 * far)
+/// The tangent of the parabola through the three points nearest to an end, loosened by the tension;
+/// of uniform knots (−3P₀+4P₁−P₂)/2. `near` and `far` are P₁−P₀ and P₂−P₁; at the end Pₙ−Pₙ₋₁,
+/// Pₙ₋₁−Pₙ₋₂.
+fn end_tangent(kind: CurveKind, tension: f64, near: DVec3, far: DVec3) -> DVec3 {
+    let [here, there] = [near, far].map(|chord| step(kind, chord));
+    let (own, other) = (
+        here / (here + there),
+        here * here / ((here + there) * there),
+    );
+    if there > 0.0 {
+        (1.0 - tension) * ((1.0 + own) * near - other * far)
+    } else {
+        (1.0 - tension) * near
+    }
+}
+
+/// From the knot of one point to that of the next.
+fn step(kind: CurveKind, chord: DVec3) -> f64 {
+    match kind {
+        CurveKind::Centripetal => chord.length().sqrt(),
+        CurveKind::Chordal => chord.length(),
+        _ => 1.0,
+    }
+}
+
+/// A segment's own chord and that beside it, each times its share of a tangent per parameter of
+/// the segment: of three-point slopes, or 1 and 1 between uniform knots.
+fn weighted(kind: CurveKind, own: DVec3, beside: DVec3) -> [DVec3; 2] {
+    let [here, there] = [own, beside].map(|chord| step(kind, chord));
+    if !(there > 0.0) {
+        return [DVec3::ZERO; 2];
+    }
+    let share = 2.0 / (here + there);
+    [share * there * own, share * here * here / there * beside]
 }
 
 /// The tangents at the start and the end of a segment, whatever tangents the points may own.
@@ -61,7 +91,7 @@ pub fn end_tangent(tension: f64, near: DVec3, far: DVec3) -> DVec3 {
 /// If there is no such segment.
 #[must_use]
 pub fn tangents(path: &CameraPath, segment: usize) -> (DVec3, DVec3) {
-    let n = path.points.len();
+    let (n, kind) = (path.points.len(), path.curve);
     let (i, j) = (segment, (segment + 1) % n);
     let at = |k: usize| path.points[k].position;
     let chord = at(j) - at(i);
@@ -81,13 +111,19 @@ pub fn tangents(path: &CameraPath, segment: usize) -> (DVec3, DVec3) {
         None
     };
     let leave = match (before, after) {
-        (Some(before), _) => outgoing_tangent(from, before, chord),
-        (None, Some(after)) => end_tangent(from.tension, chord, after),
+        (Some(before), _) => {
+            let [own, beside] = weighted(kind, chord, before);
+            outgoing_tangent(from, beside, own)
+        }
+        (None, Some(after)) => end_tangent(kind, from.tension, chord, after),
         (None, None) => (1.0 - from.tension) * chord,
     };
     let reach = match (after, before) {
-        (Some(after), _) => incoming_tangent(to, chord, after),
-        (None, Some(before)) => end_tangent(to.tension, chord, before),
+        (Some(after), _) => {
+            let [own, beside] = weighted(kind, chord, after);
+            incoming_tangent(to, own, beside)
+        }
+        (None, Some(before)) => end_tangent(kind, to.tension, chord, before),
         (None, None) => (1.0 - to.tension) * chord,
     };
     (leave, reach)
@@ -139,7 +175,99 @@ mod tests {
         assert_eq!(basis(Tcb::default(), Tcb::default()), CATMULL_ROM);
     }
 
+    fn of_kind(kind: CurveKind, points: &[DVec3]) -> Vec<Cubic> {
+        let path = CameraPath {
+            points: points.iter().map(|&at| SupportPoint::new(at)).collect(),
+            curve: kind,
+            ..CameraPath::default()
+        };
+        (0..path.segment_count())
+            .map(|i| segment(&path, i))
+            .collect()
+    }
+
+    /// Barry and Goldman's pyramid (SIGGRAPH 1988): the curve through the middle two of four points
+    /// at these knots.
+    fn pyramid(points: &[DVec3], knots: [f64; 4], at: f64) -> DVec3 {
+        let mix = |a: DVec3, b: DVec3, from: f64, to: f64| {
+            a * ((to - at) / (to - from)) + b * ((at - from) / (to - from))
+        };
+        let [k0, k1, k2, k3] = knots;
+        let a = mix(points[0], points[1], k0, k1);
+        let b = mix(points[1], points[2], k1, k2);
+        let c = mix(points[2], points[3], k2, k3);
+        mix(mix(a, b, k0, k2), mix(b, c, k1, k3), k1, k2)
+    }
+
+    const SPACED: [(CurveKind, f64); 2] =
+        [(CurveKind::Centripetal, 0.5), (CurveKind::Chordal, 1.0)];
+
+    #[test]
+    fn close_points_do_not_turn_the_camera_back() {
+        let line = [0.0, 10.0, 10.5, 40.0, 50.0].map(|x| DVec3::new(x, 0.0, 0.0));
+        let back = |kind: CurveKind| {
+            let curve = of_kind(kind, &line);
+            let slopes = curve
+                .iter()
+                .flat_map(|c| (0..=50).map(|k| c.derivative(f64::from(k) / 50.0).x));
+            slopes.fold(f64::INFINITY, f64::min)
+        };
+        assert!(back(CurveKind::Tcb) < -1.0);
+        for (kind, _) in SPACED {
+            assert!(back(kind) > 0.0, "{kind:?}");
+        }
+    }
+
+    #[test]
+    fn equal_points_are_no_trouble() {
+        let (a, b) = (DVec3::ZERO, DVec3::new(1.0, 2.0, 0.0));
+        for (kind, _) in SPACED {
+            for points in [[a, a, b, b], [a, b, b, a], [b, a, a, a], [a, a, a, a]] {
+                for piece in of_kind(kind, &points) {
+                    assert!(piece.point(0.3).is_finite() && piece.derivative(0.6).is_finite());
+                }
+            }
+        }
+    }
+
     proptest! {
+        /// Without shaping they are Catmull and Rom's over these knots.
+        #[test]
+        fn spaced_knots_are_those_of_the_pyramid(
+            points in prop::collection::vec(vector(10.0), 4..8), t in 0.0..=1.0f64,
+        ) {
+            for (kind, power) in SPACED {
+                let pieces = of_kind(kind, &points);
+                for (i, four) in points.windows(4).enumerate() {
+                    let mut knots = [0.0; 4];
+                    for k in 0..3 {
+                        knots[k + 1] = knots[k] + four[k].distance(four[k + 1]).powf(power);
+                    }
+                    let want = pyramid(four, knots, knots[1] + t * (knots[2] - knots[1]));
+                    assert_near(pieces[i + 1].point(t), want, 1e-9);
+                }
+            }
+        }
+
+        /// What Yuksel, Schaefer and Keyser prove: no segment has a cusp or meets itself.
+        #[test]
+        fn centripetal_segments_have_no_loop(points in prop::collection::vec(vector(10.0), 4)) {
+            // In the plane, and the middle two close.
+            let flat = |p: DVec3| DVec3::new(p.x, p.y, 0.0);
+            let near = points[1] + (points[2] - points[1]) * 0.02;
+            let points = [points[0], points[1], near, points[3]].map(flat);
+            let pieces = of_kind(CurveKind::Centripetal, &points);
+            let piece = &pieces[1];
+            let at: Vec<DVec3> = (0..=150).map(|k| piece.point(f64::from(k) / 150.0)).collect();
+            let side = |a: DVec3, b: DVec3, c: DVec3| (b - a).cross(c - a).z.signum();
+            for (i, one) in at.windows(2).enumerate() {
+                for two in at[i + 2..].windows(2) {
+                    let apart = |p: &[DVec3], q: &[DVec3]| side(p[0], p[1], q[0]) == side(p[0], p[1], q[1]);
+                    prop_assert!(apart(one, two) || apart(two, one));
+                }
+            }
+        }
+
         #[test]
         fn passes_through_the_points_whatever_the_shaping(keys in keys(), closed: bool) {
             for (i, piece) in curve(&keys, closed).iter().enumerate() {

@@ -3,8 +3,8 @@
 //! [`camera_path`] is the data, [`space`] where it lies. [`curve`] makes cubics of it,
 //! [`arc_length`] and [`speed_curve`] give their length and pace, [`timeline`] the sections with
 //! their frames; then the curve times are known, and with them `orientation_curve`. [`sampling`]
-//! walks through it all: `section_sampler` is the plain way to one pose, `fill` with `tables` and
-//! `arcs` the fast way to many. [`plan`] keeps what was computed while a path is edited.
+//! walks through it all: `section_sampler` is one section prepared, `fill` with `tables` and
+//! `arcs` gives its poses at any frames. [`plan`] keeps what was computed while a path is edited.
 //!
 //! [`bezier`], [`hermite`], [`catmull_rom`] and [`cubic_spline`] are the thesis's other curves,
 //! [`tessellation`] is for drawing.
@@ -30,6 +30,7 @@ pub mod curve;
 pub(crate) mod dispatch;
 pub mod ease;
 mod fill;
+mod first;
 pub mod fit_frames;
 mod frenet;
 pub mod hermite;
@@ -42,6 +43,7 @@ pub(crate) mod own_parts;
 pub mod plan;
 pub mod pose;
 pub mod quaternion_spline;
+pub mod rate;
 pub mod resample;
 pub mod sampling;
 mod section;

@@ -21,6 +21,11 @@ choices! {
         /// Kochanek and Bartels, by tension, continuity and bias.
         #[default]
         Tcb = "tcb",
+        /// The same over knots that lie apart as the square roots of the chords: without cusps and
+        /// loops however close points stand (Yuksel, Schaefer and Keyser 2011).
+        Centripetal = "centripetal",
+        /// The same over knots that lie apart as the chords are long.
+        Chordal = "chordal",
         /// Cubic spline: the second derivative is continuous too.
         Cubic = "cubic",
         /// Straight from point to point.
@@ -34,7 +39,7 @@ impl CurveKind {
     pub const fn is_straight(self) -> bool {
         match self {
             Self::Linear => true,
-            Self::Tcb | Self::Cubic => false,
+            Self::Tcb | Self::Centripetal | Self::Chordal | Self::Cubic => false,
         }
     }
 
@@ -43,7 +48,7 @@ impl CurveKind {
     pub const fn is_spline(self) -> bool {
         match self {
             Self::Cubic => true,
-            Self::Tcb | Self::Linear => false,
+            Self::Tcb | Self::Centripetal | Self::Chordal | Self::Linear => false,
         }
     }
 
@@ -51,7 +56,7 @@ impl CurveKind {
     #[must_use]
     pub const fn has_shape(self) -> bool {
         match self {
-            Self::Tcb => true,
+            Self::Tcb | Self::Centripetal | Self::Chordal => true,
             Self::Cubic | Self::Linear => false,
         }
     }

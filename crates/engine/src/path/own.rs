@@ -103,7 +103,7 @@ properties! {
         /// Frames of the section that begins here, whatever its length; 0: by length.
         pub frames: u32 = 0 => Row {
             unit: Unit::Frames,
-            check: Check::UpTo(limits::MAX_FRAMES as u32, || OutOfRange::SectionFrames),
+            check: Check::UpTo(limits::MAX_SECTION_FRAMES as u32, || OutOfRange::SectionFrames),
             copied: Copied::IfAsked,
             affects: Affects::Frames,
             ..Row::new(&["frames"])

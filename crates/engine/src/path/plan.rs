@@ -5,12 +5,14 @@
 
 use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
 
-use super::camera_path::CameraPath;
+use super::camera_path::{CameraPath, SupportPoint};
 use super::sampling::Sampler;
 use super::timeline::Timeline;
 use crate::error::Result;
+use crate::property::{Affects, Property, SameBits};
+use crate::shared_list::SharedList;
 
-/// The computed side of one path. The owner tells it what changes.
+/// The computed side of one path. The owner tells it when another takes its place.
 #[derive(Debug, Default)]
 pub struct Plan {
     lengths: Mutex<Lengths>,
@@ -58,9 +60,34 @@ impl Plan {
         }
     }
 
-    /// To be called when more has changed than the values at one point.
-    pub fn all_changed(&mut self) {
-        *self = Self::new();
+    /// To be called when one path has taken the place of another: what both share stays computed.
+    pub fn follow(&mut self, old: &CameraPath, new: &CameraPath) {
+        if std::ptr::eq(old, new) {
+            return;
+        }
+        let settings = |path: &CameraPath| CameraPath {
+            points: SharedList::new(),
+            ..*path
+        };
+        let many = old.points.len() != new.points.len();
+        if many || !settings(old).same_bits(&settings(new)) {
+            *self = Self::new();
+            return;
+        }
+        let [differ, _] = new.points.difference(&old.points);
+        for at in differ {
+            let (old, new) = (&old.points[at], &new.points[at]);
+            let same = |row: &Property<SupportPoint>| {
+                row.affects == Affects::Nothing || (row.same)(old, new)
+            };
+            if old.orientations.len() != new.orientations.len() {
+                *self = Self::new();
+                return;
+            }
+            if !std::ptr::eq(old, new) && !SupportPoint::PROPERTIES.iter().all(same) {
+                self.point_changed(at);
+            }
+        }
     }
 
     /// To be called when values at one point have changed, but not the number of its orientations.
@@ -73,8 +100,8 @@ impl Plan {
         if lengths.timeline.is_none() || lengths.changed.contains(&point) {
             return;
         }
-        if lengths.changed.len() == MANY || lengths.changed.try_reserve(1).is_err() {
-            self.all_changed();
+        if lengths.changed.len() == MANY {
+            *self = Self::new();
         } else {
             lengths.changed.push(point);
         }

@@ -2,7 +2,6 @@
 
 use glam::DVec3;
 
-use super::arc_length::ArcLength;
 use super::camera_path::{CameraPath, CurveParameters, Orientation, SupportPoint, Target};
 use super::own::Tangents;
 use super::sampling::Sampler;
@@ -51,9 +50,9 @@ pub fn resample(path: &CameraPath, count: usize) -> Result<CameraPath> {
         }
         let (sampled, way) = here;
         let share = ((s - begin) / way.length).clamp(0.0, 1.0);
-        let pose = sampled.pose(share)?;
-        let arc = ArcLength::new(&way.curve)?;
-        let slope = way.curve.derivative(arc.parameter_at(share * arc.length()));
+        let tables = sampled.prepared()?;
+        let pose = sampled.pose(tables, share);
+        let slope = way.curve.derivative(way.parameter(&tables.arc, share));
         let position = DVec3::from_array(pose.vrp);
         let view = DVec3::from_array(pose.vpn);
         let mut point = SupportPoint::try_new(position)?;
@@ -85,7 +84,10 @@ pub fn resample(path: &CameraPath, count: usize) -> Result<CameraPath> {
         }
         points.push(point);
     }
-    let new = CameraPath { points, ..*path };
+    let new = CameraPath {
+        points: points.into(),
+        ..*path
+    };
     new.check()?;
     Ok(new)
 }

@@ -6,7 +6,7 @@ use std::sync::atomic::AtomicBool;
 use super::ahead;
 use super::arc_length;
 use super::camera_path::{CameraPath, ZoomMode};
-use super::fill::{Scratch, fill_widest};
+use super::fill::{Frames, Scratch, fill_widest};
 use super::orientation_curve::{self, Key, turnings};
 use super::pose::Pose;
 use super::section_sampler::{ArcLengthCurve, Motion, SectionSampler};
@@ -237,7 +237,6 @@ impl Sampler {
             let last = first.saturating_add(poses.len().saturating_sub(1));
             return Err(self.no_frame(if inside { last } else { first } as f64));
         }
-        let mut kept = Vec::new();
         let mut rest = poses;
         let mut number = first;
         // The section whose own poses end at or after the first one wanted.
@@ -259,11 +258,12 @@ impl Sampler {
             let (moved, after) = after.split_at_mut(between);
             if between > 0 {
                 SectionSampler::fetch(&self.sections[index + 1..]);
-                fill_widest(section, scratch, number - section.start, moved)?;
-                if let Some(tables) = scratch.kept.take() {
-                    kept.try_reserve(1)?;
-                    kept.push((section, tables));
-                }
+                fill_widest(
+                    section,
+                    scratch,
+                    Frames::From(number - section.start),
+                    moved,
+                )?;
             }
             number += between;
             rest = after;
@@ -273,10 +273,6 @@ impl Sampler {
                 number += 1;
             }
             index += 1;
-        }
-        // Only now, so that a call that fails leaves nothing behind.
-        for (section, tables) in kept {
-            section.tables.get_or_init(|| tables);
         }
         Ok(())
     }
@@ -297,30 +293,52 @@ impl Sampler {
     ///
     /// # Errors
     /// [`crate::Error::Range`] outside them, [`crate::Error::Memory`].
-    #[allow(clippy::cast_precision_loss)]
     pub fn pose(&self, frame: f64) -> Result<Pose> {
-        if !(frame >= 1.0 && frame <= self.frames as f64) {
-            return Err(self.no_frame(frame));
+        let mut pose = [Pose::default()];
+        self.poses_at(&[frame], &mut pose)?;
+        Ok(pose[0])
+    }
+
+    /// The poses at any frames in any order, each as [`Sampler::pose`] gives it; fastest where
+    /// none comes before its predecessor. As many frames as poses.
+    ///
+    /// # Errors
+    /// As [`Sampler::pose`]; what `poses` holds is then unspecified.
+    ///
+    /// # Panics
+    /// If there are not as many frames as poses.
+    #[allow(clippy::cast_precision_loss)]
+    pub fn poses_at(&self, frames: &[f64], poses: &mut [Pose]) -> Result<()> {
+        assert_eq!(frames.len(), poses.len());
+        let last = self.frames as f64;
+        let mut scratch = Scratch::new();
+        let mut at = 0;
+        while let Some(&frame) = frames.get(at) {
+            if !(frame >= 1.0 && frame <= last) {
+                return Err(self.no_frame(frame));
+            }
+            let end = |section: &SectionSampler| (section.start + section.frames) as f64;
+            let index = self
+                .sections
+                .partition_point(|section| end(section) <= frame);
+            let start = self.sections.get(index).map_or(last, |s| s.start as f64);
+            // The key in which the section begins, as long as the camera rests there.
+            if frame <= start {
+                poses[at] = self.keys[index];
+                at += 1;
+                continue;
+            }
+            let section = &self.sections[index];
+            let moved = frames[at..]
+                .array_windows()
+                .take_while(|[before, frame]| before <= frame && *frame < end(section))
+                .count();
+            let run = at..at + 1 + moved;
+            at = run.end;
+            let frames = Frames::At(&frames[run.clone()]);
+            fill_widest(section, &mut scratch, frames, &mut poses[run])?;
         }
-        if frame.fract() == 0.0 {
-            let mut pose = [Pose::default()];
-            self.sample(frame as usize, &mut pose)?;
-            return Ok(pose[0]);
-        }
-        let index = self
-            .sections
-            .partition_point(|section| ((section.start + section.frames) as f64) < frame);
-        let Some(section) = self.sections.get(index) else {
-            return Ok(self.keys[self.sections.len()]);
-        };
-        let within = frame - section.start as f64;
-        if within <= 0.0 {
-            return Ok(self.keys[index]);
-        }
-        if within >= section.frames as f64 {
-            return Ok(self.keys[index + 1]);
-        }
-        section.pose(section.phi(within / section.frames as f64))
+        Ok(())
     }
 }
 

@@ -6,6 +6,7 @@ use glam::DVec3;
 use super::*;
 use crate::math::vector::Vector;
 use crate::path::fill;
+use crate::path::tables::Tables;
 use crate::path::{Orientation, OrientationMode, SupportPoint, Target, Tcb};
 
 /// Every kind of section: one long enough for pieces that are fitted, fewer
@@ -30,7 +31,7 @@ fn path(mode: OrientationMode, closed: bool) -> CameraPath {
     let mut slow = looks(aside, 30.0, 60.0);
     slow.speeds = std::array::from_fn(|k| [100.0, 5.0][k % 2]);
     slow.hold = 3;
-    path.points = vec![
+    path.points = [
         point([0.0, 0.0, 0.0], vec![looks(ahead, 0.0, 20.0), slow.clone()]),
         point([0.1, 0.1, 0.3], vec![looks(there, 0.0, 20.0)]),
         point(
@@ -43,7 +44,8 @@ fn path(mode: OrientationMode, closed: bool) -> CameraPath {
             [-0.4, 0.5, 0.6],
             vec![looks(ahead, 0.0, 24.0), looks(ahead, 0.0, 25.0)],
         ),
-    ];
+    ]
+    .into();
     path.closed = closed;
     path.orientation_mode = mode;
     path.base_frames.movement = 40.0;
@@ -69,7 +71,7 @@ fn near(a: &Pose, b: &Pose) -> bool {
 }
 
 /// Fills poses of a section from a frame on.
-type Fill<'a> = &'a dyn Fn(&SectionSampler, &mut Scratch, usize, &mut [Pose]) -> Result<()>;
+type Fill<'a> = &'a dyn Fn(&SectionSampler, &mut Scratch, Frames<'_>, &mut [Pose]) -> Result<()>;
 
 fn against_the_plain_way(name: &str, fill: Fill<'_>) {
     let never = Pose {
@@ -85,12 +87,13 @@ fn against_the_plain_way(name: &str, fill: Fill<'_>) {
     for (mode, closed) in paths.into_iter().take(if cfg!(miri) { 1 } else { 3 }) {
         let sampler = prepared(&path(mode, closed));
         for (index, section) in sampler.sections.iter().enumerate() {
-            // The plain way measures the curve for each pose: few for Miri.
+            let mut tables = Tables::default();
+            tables.build::<f64>(section).expect("memory");
             let step = if cfg!(miri) { 83 } else { 1 };
             let frames = (1..=section.frames).step_by(step);
             let plain = frames.map(|frame| {
                 let u = frame as f64 / section.frames as f64;
-                (frame, section.pose(section.phi(u)).expect("memory"))
+                (frame, section.pose(&tables, section.phi(u)))
             });
             let plain: Vec<(usize, Pose)> = plain.collect();
             let mut poses = vec![never; section.frames + 2];
@@ -100,7 +103,8 @@ fn against_the_plain_way(name: &str, fill: Fill<'_>) {
                 poses.fill(never);
                 for first in (1..=section.frames).step_by(at_once) {
                     let end = (first + at_once).min(section.frames + 1);
-                    fill(section, &mut scratch, first, &mut poses[first..end]).expect("memory");
+                    let frames = Frames::From(first);
+                    fill(section, &mut scratch, frames, &mut poses[first..end]).expect("memory");
                 }
                 assert!(poses[0] == never && poses[section.frames + 1] == never);
                 for (frame, plain) in &plain {
@@ -112,6 +116,58 @@ fn against_the_plain_way(name: &str, fill: Fill<'_>) {
                     );
                 }
             }
+        }
+    }
+}
+
+/// Poses between frames, in order, in disorder and one by one.
+#[test]
+fn a_pose_does_not_depend_on_how_it_is_asked_for() {
+    for mode in [OrientationMode::Tcb, OrientationMode::Slerp] {
+        let path = path(mode, false);
+        let sampler = prepared(&path);
+        let last = sampler.frame_count();
+        let steps = if cfg!(miri) { 20 } else { 5000 };
+        let mut frames: Vec<f64> = (0..=steps)
+            .map(|k| 1.0 + (last - 1) as f64 * f64::from(k) / f64::from(steps))
+            .collect();
+        frames.extend((1..=last.min(200)).map(|frame| frame as f64));
+        let mut rising = vec![Pose::default(); frames.len()];
+        sampler.poses_at(&frames, &mut rising).expect("frames");
+        let order: Vec<usize> = (0..frames.len()).map(|k| k * 7919 % frames.len()).collect();
+        let shuffled: Vec<f64> = order.iter().map(|&k| frames[k]).collect();
+        let mut poses = rising.clone();
+        sampler.poses_at(&shuffled, &mut poses).expect("frames");
+        let fresh = prepared(&path);
+        for (&k, pose) in order.iter().zip(&poses) {
+            assert_eq!(*pose, rising[k], "{mode:?}, frame {}", frames[k]);
+            assert_eq!(*pose, fresh.pose(frames[k]).expect("a frame"));
+        }
+        let mut list = vec![Pose::default(); last];
+        sampler.sample(1, &mut list).expect("frames");
+        for (frame, pose) in frames.iter().zip(&rising).filter(|(f, _)| f.fract() == 0.0) {
+            assert_eq!(*pose, list[*frame as usize - 1], "{mode:?}, frame {frame}");
+        }
+        for section in &sampler.sections {
+            let mut tables = Tables::default();
+            tables.build::<f64>(section).expect("memory");
+            let at = |k: usize| section.start as f64 + section.frames as f64 * k as f64 / 37.0;
+            for frame in (1..37).map(at) {
+                let u = (frame - section.start as f64) / section.frames as f64;
+                let plain = section.pose(&tables, section.phi(u));
+                assert!(
+                    near(&sampler.pose(frame).expect("a frame"), &plain),
+                    "{frame}"
+                );
+            }
+        }
+        for frame in [0.5, last as f64 + 0.25, f64::NAN] {
+            let frames = [1.0, frame];
+            assert!(
+                sampler
+                    .poses_at(&frames, &mut [Pose::default(); 2])
+                    .is_err()
+            );
         }
     }
 }

@@ -1,16 +1,16 @@
-//! One section that has frames, ready to be sampled the plain way: Newton's method on the arc
-//! length, arcs by sines. The fast way in [`super::fill`] is tested against it.
+//! One section that has frames, prepared once for whatever is asked of it: poses, many at a time by
+//! [`super::fill`], its motion at a frame, and derivatives along its way.
 
 use std::sync::OnceLock;
 use std::sync::atomic::AtomicBool;
 
 use glam::{DQuat, DVec3};
 
-use super::arc_length::ArcLength;
+use super::arc_length::{Piece, invert};
 use super::hermite::{Cubic, end_direction};
 use super::pose::Pose;
 use super::space::Space;
-use super::tables::Tables;
+use super::tables::{Tables, build_widest};
 use super::timing::Timing;
 use super::turning::Turning;
 use crate::error::Result;
@@ -54,6 +54,21 @@ pub(crate) struct Along {
 pub(super) struct ArcLengthCurve {
     pub curve: Cubic,
     pub length: f64,
+}
+
+impl ArcLengthCurve {
+    /// The curve's parameter at a share φ of the way; `pieces` are its own.
+    pub(super) fn parameter(&self, pieces: &[Piece], phi: f64) -> f64 {
+        if !(phi > 0.0) || pieces.is_empty() {
+            return 0.0;
+        }
+        if phi >= 1.0 {
+            return 1.0;
+        }
+        let mut t = [0.0];
+        invert::<f64>(pieces, &[phi * self.length], &mut t);
+        t[0].clamp(0.0, 1.0)
+    }
 }
 
 #[derive(Debug)]
@@ -189,18 +204,34 @@ impl SectionSampler {
         [0.0, 1.0].map(|u| self.speed.as_ref().map_or(1.0, |speed| speed[0].slope(u)))
     }
 
+    /// What it needs to be sampled; kept from now on.
+    pub(super) fn prepared(&self) -> Result<&Tables> {
+        if let Some(tables) = self.tables.get() {
+            return Ok(&tables[0]);
+        }
+        let mut tables = Tables::default();
+        build_widest(&mut tables, self)?;
+        self.keep(&tables)
+    }
+
+    /// Keeps a copy of its tables.
+    pub(super) fn keep(&self, tables: &Tables) -> Result<&Tables> {
+        let kept = tables.kept()?;
+        Ok(&self.tables.get_or_init(|| kept)[0])
+    }
+
     /// What changes at some shares φ of the way and of the curve time.
     pub(crate) fn along(&self, shares: &[f64], see: &mut dyn FnMut(Along)) -> Result<()> {
-        let arc = self.arc()?;
-        let place = |phi: f64| self.place(arc.as_ref(), phi);
+        let pieces = &self.prepared()?.arc;
+        let place = |phi: f64| self.place(pieces, phi);
         let up = self.space.up;
         for &phi in shares {
             let (view, level) = self.turning.view_at(phi, &place, self.space);
             let (view, level) = (up.world(view), up.world(level));
             let (mut tangent, mut bend) = (DVec3::ZERO, DVec3::ZERO);
-            if let Some((curve, arc)) = &arc {
-                let length = arc.length();
-                let t = arc.parameter_at(phi * length);
+            if let Some(way) = &self.way {
+                let (curve, length) = (&way.curve, way.length);
+                let t = way.parameter(pieces, phi);
                 let (first, second) = (curve.derivative(t), curve.second_derivative(t));
                 let speed = first.length();
                 let direction = end_direction(curve, phi > 0.5);
@@ -232,15 +263,9 @@ impl SectionSampler {
         Ok(())
     }
 
-    /// The curve of its way, measured.
-    fn arc(&self) -> Result<Option<(Cubic, ArcLength)>> {
-        let measured = |way: &ArcLengthCurve| Ok((way.curve, ArcLength::new(&way.curve)?));
-        self.way.as_ref().map(measured).transpose()
-    }
-
-    fn place(&self, arc: Option<&(Cubic, ArcLength)>, phi: f64) -> DVec3 {
-        arc.map_or(self.position, |(curve, arc)| {
-            curve.point(arc.parameter_at(phi * arc.length()))
+    fn place(&self, pieces: &[Piece], phi: f64) -> DVec3 {
+        self.way.as_ref().map_or(self.position, |way| {
+            way.curve.point(way.parameter(pieces, phi))
         })
     }
 
@@ -249,12 +274,13 @@ impl SectionSampler {
         let phi = self.phi(u);
         let slope = self.speed.as_ref().map_or(1.0, |speed| speed[0].slope(u));
         let pace = slope / self.frames as f64;
-        let arc = self.arc()?;
-        let place = |phi: f64| self.place(arc.as_ref(), phi);
-        let (distance, speed, curvature) = match &arc {
+        let pieces = &self.prepared()?.arc;
+        let place = |phi: f64| self.place(pieces, phi);
+        let (distance, speed, curvature) = match &self.way {
             None => (0.0, 0.0, 0.0),
-            Some((curve, arc)) => {
-                let t = arc.parameter_at(phi * arc.length());
+            Some(way) => {
+                let curve = &way.curve;
+                let t = way.parameter(pieces, phi);
                 let (first, second) = (curve.derivative(t), curve.second_derivative(t));
                 let curvature = first.cross(second).length() / first.length().powi(3);
                 let curvature = if curvature.is_finite() {
@@ -262,7 +288,7 @@ impl SectionSampler {
                 } else {
                     0.0
                 };
-                (phi * arc.length(), pace * arc.length(), curvature)
+                (phi * way.length, pace * way.length, curvature)
             }
         };
         let step = if phi > 0.5 { -STEP } else { STEP };
@@ -282,17 +308,18 @@ impl SectionSampler {
         })
     }
 
-    pub(super) fn pose(&self, phi: f64) -> Result<Pose> {
-        let arc = self.arc()?;
-        let place = |phi: f64| self.place(arc.as_ref(), phi);
+    /// The pose at φ where there is no polynomial for it: the view follows the way, or has no
+    /// direction of its own.
+    pub(super) fn pose(&self, tables: &Tables, phi: f64) -> Pose {
+        let place = |phi: f64| self.place(&tables.arc, phi);
         let (view, up) = self.turning.view_at(phi, &place, self.space);
         let (view, up) = (self.space.up.world(view), self.space.up.world(up));
-        Ok(Pose {
+        Pose {
             vrp: place(phi).to_array(),
             vpn: view.to_array(),
             vup: up.to_array(),
             zoom: value(&self.zoom, phi),
-        })
+        }
     }
 }
 

@@ -4,11 +4,12 @@
 
 use super::arc_length::{self, Halving, Piece};
 use super::arcs::ShortBezier;
+use super::dispatch::widest;
 use super::section_sampler::{ArcLengthCurve, SectionSampler};
 use super::turning::Turning;
 use crate::error::{Result, try_box, vec_with_room};
 use crate::math::chebyshev::{self, NODES, SHORT};
-use crate::math::vector::{Vector, fetch, horner_each};
+use crate::math::vector::{self, Vector, fetch, horner_each};
 
 /// Frames that a fitted piece must serve: about what its nodes cost.
 const WORTH: f64 = 32.0;
@@ -66,6 +67,16 @@ pub(super) struct Tables {
     pub place: Vec<Fit<1>>,
     pub turn: Vec<Fit<4>>,
     pub bezier: Option<ShortBezier>,
+}
+
+widest! {
+    pub(super) fn build_widest = self::build;
+    (tables: &mut Tables, section: &SectionSampler) -> Result<()>
+}
+
+#[inline(always)]
+fn build<V: Vector>(tables: &mut Tables, section: &SectionSampler) -> Result<()> {
+    tables.build::<V>(section)
 }
 
 impl Tables {

@@ -50,7 +50,7 @@ impl UpPath {
             });
         }
         Ok(CameraPath {
-            points,
+            points: points.into(),
             space,
             ..CameraPath::try_new()?
         })

@@ -9,13 +9,14 @@ use self::apply::Bent;
 use self::bend::{Detour, Knot};
 use self::field::Field;
 use self::route::Router;
-use crate::error::{Error, Invalid, Result, vec_with_room};
+use crate::error::{Error, Index, Invalid, Result, vec_with_room};
 use crate::path::hermite::Cubic;
 use crate::path::{CameraPath, Change, Sampler, Timeline};
 use crate::scene::Mesh;
 use crate::tools::clearance::Clearance;
 use crate::tools::enclosure::Enclosure;
 use crate::tools::fit::Progress;
+use crate::tools::watch::Watch;
 
 mod apply;
 mod bend;
@@ -57,8 +58,8 @@ impl fmt::Display for AvoidedPart {
         write!(
             f,
             "from point {} to point {}: {}, {}, at most {:.4} from the way that was",
-            self.from + 1,
-            self.to + 1,
+            Index(self.from),
+            Index(self.to),
             number(self.moved, "moved"),
             number(self.inserted, "put in"),
             self.furthest
@@ -126,10 +127,19 @@ pub fn avoid_object(
     if !(request.clearance > 0.0 && request.radius >= 0.0 && need <= farthest) {
         return Err(Invalid::AvoidClearance(farthest).into());
     }
+    let watch = &Watch::new(progress);
+    let field = Field { object, watch };
+    let made = led_clear(path, field, need);
+    watch.check()?;
+    made
+}
+
+/// As [`avoid_object`]; nothing to go by once the work does not go on.
+fn led_clear<'a>(path: &'a CameraPath, field: Field<'a>, need: f64) -> Result<Avoided> {
     let mut more = need;
     for _ in 0..ROUNDS {
-        let made = Work::new(path, object, more)?.avoided(progress)?;
-        let Some(bulge) = chords(&made.path, object)? else {
+        let made = Work::new(path, field, more)?.avoided()?;
+        let Some(bulge) = chords(&made.path, field)? else {
             return Ok(made);
         };
         more = more.max(need + 1.5 * bulge) * 1.01;
@@ -151,7 +161,7 @@ fn no_way(frame: f64, place: DVec3, need: f64) -> Error {
 }
 
 /// How far the curve bulges where the straight line from a frame to the next meets the object.
-fn chords(path: &CameraPath, object: &Clearance) -> Result<Option<f64>> {
+fn chords(path: &CameraPath, field: Field<'_>) -> Result<Option<f64>> {
     let timeline = Timeline::new(path)?;
     let sampler = Sampler::new(path, &timeline)?;
     let mut last: Option<DVec3> = None;
@@ -159,7 +169,7 @@ fn chords(path: &CameraPath, object: &Clearance) -> Result<Option<f64>> {
     for (k, pose) in sampler.iter().enumerate() {
         let here = pose?.position();
         if let Some(last) = last
-            && object.is_crossed(last, here)
+            && field.is_crossed(last, here)
         {
             let middle = sampler.pose(k as f64 + 0.5)?.position();
             let bulge = middle.distance(0.5 * (last + here));
@@ -196,7 +206,7 @@ struct Near {
 }
 
 impl<'a> Work<'a> {
-    fn new(path: &'a CameraPath, object: &'a Clearance, need: f64) -> Result<Self> {
+    fn new(path: &'a CameraPath, field: Field<'a>, need: f64) -> Result<Self> {
         let timeline = Timeline::new(path)?;
         let sampler = Sampler::new(path, &timeline)?;
         let count = path.points.len();
@@ -204,7 +214,7 @@ impl<'a> Work<'a> {
             path,
             timeline,
             sampler,
-            field: Field { object },
+            field,
             need,
             points: vec_with_room(count + 1)?,
             segments: vec_with_room(count)?,
@@ -314,7 +324,7 @@ impl<'a> Work<'a> {
         Ok(all)
     }
 
-    fn avoided(&mut self, progress: Progress<'_>) -> Result<Avoided> {
+    fn avoided(&mut self) -> Result<Avoided> {
         if self.legs.is_empty() {
             return self.resting();
         }
@@ -325,14 +335,13 @@ impl<'a> Work<'a> {
                 parts: Vec::new(),
             });
         }
-        let detours = self.detours(&faults, progress)?;
-        let mut bent: Vec<Bent<'_>> = vec_with_room(detours.len())?;
+        let detours = self.detours(&faults)?;
+        let mut bent: Vec<Bent<'_, '_>> = vec_with_room(detours.len())?;
         for stretch in self.stretches(&detours)? {
-            let found = self.bent(stretch, &detours, &mut bent, progress)?;
+            let found = self.bent(stretch, &detours, &mut bent)?;
             bent.push(found);
-            if !progress(bent.len(), detours.len()) {
-                return Err(Invalid::Cancelled.into());
-            }
+            let done = detours.len() + bent.len();
+            self.field.watch.at(done, 2 * detours.len())?;
         }
         self.applied(&bent)
     }
@@ -373,7 +382,7 @@ impl<'a> Work<'a> {
     }
 
     /// The ways round.
-    fn detours(&mut self, faults: &[Near], progress: Progress<'_>) -> Result<Vec<Detour>> {
+    fn detours(&mut self, faults: &[Near]) -> Result<Vec<Detour>> {
         let [low, high] = [self.path.space.low(), self.path.space.high()];
         let router = Router {
             field: self.field,
@@ -384,6 +393,7 @@ impl<'a> Work<'a> {
         let mut detours: Vec<Detour> = vec_with_room(faults.len())?;
         let mut k = 0;
         while k < faults.len() {
+            self.field.watch.at(k, 2 * faults.len())?;
             let [from, _] = faults[k].wide;
             let begin = self.end(from, clear)?;
             let mut found: Option<(usize, Detour)> = None;
@@ -400,10 +410,10 @@ impl<'a> Work<'a> {
                     if beyond { break } else { continue }
                 }
                 let around = self.around(from, to, ends);
-                let mut line = router.way(ends, around, clear, progress)?;
+                let mut line = router.way(ends, around, clear)?;
                 if line.is_none() && !beyond {
                     let less = self.need * (1.0 + ROOM[1]);
-                    line = router.way(ends, around, less, progress)?;
+                    line = router.way(ends, around, less)?;
                 }
                 let Some(line) = line else {
                     if beyond { break } else { continue }

@@ -20,7 +20,12 @@ pub mod tour;
 mod track;
 
 pub use avoid::{AvoidRequest, Avoided, AvoidedPart, avoid, avoid_object};
-pub use picture::{DEFAULT_MARGIN, Framed, PictureRequest, What, keep_in_picture};
+pub use picture::{
+    DEFAULT_MARGIN, Framed, PictureRequest, What, keep_all_in_picture, keep_in_picture,
+};
 pub use retime::{Request, Rest, Retimed, retime};
 pub use steady::{Steadied, SteadyRequest, steady};
 pub use tour::{Tour, TourRequest, tour};
+
+#[cfg(test)]
+mod soup_tests;

@@ -15,6 +15,7 @@ use crate::scene::Mesh;
 use crate::tools::check::Limits;
 use crate::tools::clearance::Clearance;
 use crate::tools::fit::Progress;
+use crate::tools::watch::Watch;
 use film::{Film, Spot};
 use outline::{Camera, FILM, Outline};
 
@@ -97,12 +98,9 @@ pub fn keep_all_in_picture(
     request.check()?;
     path.check()?;
     let film = Film::new(path, request.fps)?;
-    let mut work = Work::new(object, request, progress);
-    work.all = film.spots.len();
-    let framed = work.framed(path, &film);
-    if work.cancelled {
-        return Err(Invalid::Cancelled.into());
-    }
+    let watch = Watch::new(progress);
+    let framed = Work::new(object, request, &watch)?.framed(path, &film);
+    watch.check()?;
     framed
 }
 
@@ -129,7 +127,8 @@ pub fn orientation_towards(
     let known = support.orientations.get(orientation);
     let mut one = known.ok_or(OutOfRange::Orientations)?.clone();
     let go_on = &mut |_, _| true;
-    let mut work = Work::new(object, &request, go_on);
+    let watch = Watch::new(go_on);
+    let mut work = Work::new(object, &request, &watch)?;
     let middle = work.outline.middle();
     let far = middle - support.position;
     let view = far.try_normalize().ok_or(Invalid::TargetOnCamera)?;
@@ -175,28 +174,18 @@ struct Work<'a> {
     request: &'a PictureRequest,
     /// Half of the picture less margin to each side, in mm.
     room: [f64; 4],
-    outline: Outline<'a>,
-    progress: Progress<'a>,
-    /// Cameras that were looked at, and places of the film.
-    seen: usize,
-    all: usize,
-    cancelled: bool,
+    outline: Outline,
+    watch: &'a Watch<'a>,
 }
 
-/// Cameras that are looked at before it is asked whether to go on.
-const BETWEEN: usize = 128;
-
 impl<'a> Work<'a> {
-    fn new(object: &'a Clearance, request: &'a PictureRequest, progress: Progress<'a>) -> Self {
-        Self {
+    fn new(object: &Clearance, request: &'a PictureRequest, watch: &'a Watch<'a>) -> Result<Self> {
+        Ok(Self {
             request,
             room: FILM.map(|film| film * (1.0 - 2.0 * request.margin)),
-            outline: Outline::new(object),
-            progress,
-            seen: 0,
-            all: 1,
-            cancelled: false,
-        }
+            outline: Outline::new(object)?,
+            watch,
+        })
     }
 
     fn framed(&mut self, path: &CameraPath, film: &Film) -> Result<Framed> {
@@ -224,13 +213,9 @@ impl<'a> Work<'a> {
     }
 
     /// The greatest zoom with which all of the object is in the room; none where not all is before
-    /// the camera, and when it is cancelled. Infinite for a single place in the middle.
+    /// the camera, and when the work does not go on. Infinite for a single place in the middle.
     fn zoom_for(&mut self, camera: &Camera) -> Option<f64> {
-        self.seen += 1;
-        if self.seen.is_multiple_of(BETWEEN) && !self.cancelled {
-            self.cancelled = !(self.progress)(self.seen % self.all, self.all);
-        }
-        if self.cancelled {
+        if !self.watch.goes_on() {
             return None;
         }
         let reach = self.outline.reach(camera)?;

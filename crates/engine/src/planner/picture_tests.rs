@@ -219,7 +219,7 @@ fn one_orientation_shows_all_of_it() {
     }
     let sampler = Sampler::new(&made, &Timeline::new(&made).unwrap()).unwrap();
     let pose = sampler.pose(1.0).unwrap();
-    let mut outline = Outline::new(&tree);
+    let mut outline = Outline::new(&tree).unwrap();
     let reach = outline.reach(&Camera::from(&pose)).unwrap();
     let share = (reach[0].max(reach[1]) / 18.0).max(reach[2].max(reach[3]) / 12.0);
     assert!((share * pose.zoom - 0.8).abs() < 1e-4);

@@ -31,7 +31,7 @@ fn line(length: f64) -> CameraPath {
     CameraPath {
         points: [0.0, length]
             .map(|x| SupportPoint::new(DVec3::new(x, 0.0, 0.0)))
-            .to_vec(),
+            .into(),
         ..CameraPath::default()
     }
 }

@@ -9,8 +9,8 @@
 
 use glam::{DQuat, DVec3};
 
-use crate::error::{Invalid, OutOfRange, Result, vec_with_room};
-use crate::limits::{MAX_FPS, MAX_ZOOM, MIN_ZOOM};
+use crate::error::{Invalid, OutOfRange, Result, TooMany, vec_with_room};
+use crate::limits::{MAX_FPS, MAX_SAMPLED_FRAMES, MAX_ZOOM, MIN_ZOOM};
 use crate::math::orientation::{quaternion_from_view, roll_from_up, view_from_quaternion};
 use crate::math::quaternion::{angle, continue_sign, exp, log};
 use crate::path::{CameraPath, Pose, Sampler, Target, Timeline};
@@ -82,6 +82,9 @@ pub fn steady(
         return Err(OutOfRange::SteadyWithin.into());
     }
     let sampler = Sampler::new(path, &Timeline::new(path)?)?;
+    if sampler.frame_count() > MAX_SAMPLED_FRAMES {
+        return Err(TooMany::SampledFrames(sampler.frame_count()).into());
+    }
     let mut poses = vec_with_room(sampler.frame_count())?;
     poses.resize(sampler.frame_count(), Pose::default());
     sampler.sample(1, &mut poses)?;

@@ -206,10 +206,30 @@ fn what_will_not_do_is_refused() {
         );
     }
     let still = CameraPath {
-        points: vec![path.points[0].clone(), path.points[0].clone()],
+        points: [0, 0].map(|at: usize| path.points[at].clone()).into(),
         ..CameraPath::default()
     };
     assert!(refused(&still, request(0.0), true).contains("does not move"));
     refused(&path, request(1e-300), true);
     assert!(refused(&path, request(0.0), false).contains("cancelled"));
+}
+
+#[test]
+fn more_frames_than_can_be_fitted_are_refused_before_any_work() {
+    let mut path = CameraPath::default();
+    path.points[0].orientations[0].hold = 1_000_000;
+    let request = SteadyRequest {
+        seconds: SECONDS,
+        within: 0.0,
+        fps: FPS,
+    };
+    let mut asked = false;
+    let mut progress = |_, _| {
+        asked = true;
+        true
+    };
+    let error = steady(&path, &request, &mut progress).unwrap_err();
+    let said = "at most 1000000 frames can be fitted, this has 1000121";
+    assert_eq!(error.to_string(), said);
+    assert!(!asked);
 }

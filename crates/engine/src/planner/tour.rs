@@ -3,6 +3,7 @@
 //! within limits.
 
 mod cover;
+mod depths;
 mod flight;
 mod lead;
 mod places;
@@ -27,6 +28,7 @@ use crate::scene::Mesh;
 use crate::tools::check::{FindingKind, Limits};
 use crate::tools::clearance::Clearance;
 use crate::tools::fit::Progress;
+use crate::tools::watch::Watch;
 
 /// The distance that is found: so many times half the height, or half the diagonal of the ground,
 /// are whole in the picture with a tenth to spare.
@@ -68,8 +70,9 @@ pub fn tour(object: &Mesh, request: &TourRequest, progress: Progress<'_>) -> Res
         return Err(Invalid::NoSurface.into());
     }
     let tree = Clearance::new(object)?;
-    let mut work = Work::new(object, &tree, request)?;
-    work.find_views(progress)?;
+    let watch = &Watch::new(progress);
+    let mut work = Work::new(object, &tree, request, watch)?;
+    work.find_views()?;
     let roads = work.roads()?;
     work.keep_reached(&roads)?;
     let unseen = work.unseen()?;
@@ -96,7 +99,7 @@ pub fn tour(object: &Mesh, request: &TourRequest, progress: Progress<'_>) -> Res
     made.seconds = if request.stills {
         chosen.len() as f64 / request.fps
     } else {
-        work.pace(&mut made, progress)?
+        work.pace(&mut made)?
     };
     Ok(made)
 }
@@ -110,6 +113,7 @@ struct Unseen {
 struct Work<'a> {
     request: &'a TourRequest,
     tree: &'a Clearance,
+    watch: &'a Watch<'a>,
     surface: Surface<'a>,
     picture: Picture,
     bounds: Bounds,
@@ -125,7 +129,12 @@ struct Work<'a> {
 }
 
 impl<'a> Work<'a> {
-    fn new(object: &'a Mesh, tree: &'a Clearance, request: &'a TourRequest) -> Result<Self> {
+    fn new(
+        object: &'a Mesh,
+        tree: &'a Clearance,
+        request: &'a TourRequest,
+        watch: &'a Watch<'a>,
+    ) -> Result<Self> {
         let surface = Surface::new(object, request.inside)?;
         let corners = object.triangles.iter().flatten();
         let start = (DVec3::INFINITY, DVec3::NEG_INFINITY);
@@ -145,6 +154,7 @@ impl<'a> Work<'a> {
         let mut made = Self {
             request,
             tree,
+            watch,
             surface,
             picture,
             bounds,
@@ -181,19 +191,12 @@ impl<'a> Work<'a> {
     }
 
     /// The views that are tried, and what each shows.
-    fn find_views(&mut self, progress: Progress<'_>) -> Result<()> {
-        let mut stopped = |done, all| {
-            if progress(done, all) {
-                return Ok(());
-            }
-            Err(Error::from(Invalid::Cancelled))
-        };
+    fn find_views(&mut self) -> Result<()> {
         (self.places, self.views) = if self.request.inside {
-            let go_on = &mut || stopped(0, 1);
             let least = self.least.min(0.02 * self.half);
             let up = self.request.up;
             let (places, views, widest) =
-                places::inside(self.tree, &self.bounds, least, up, go_on)?;
+                places::inside(self.tree, &self.bounds, least, up, self.watch)?;
             if views.is_empty() {
                 return Err(Invalid::NoRoomInside.into());
             }
@@ -204,16 +207,22 @@ impl<'a> Work<'a> {
             (places, views)
         } else {
             let up = (self.request.up, self.effort());
-            places::outside(self.tree, &self.bounds, self.surface.distance, up)?
+            places::outside(
+                self.tree,
+                &self.bounds,
+                self.surface.distance,
+                up,
+                self.watch,
+            )?
         };
         let all = self.views.len() + MORE;
         self.sets.try_reserve(all)?;
         for at in 0..self.views.len() {
-            stopped(at, all)?;
+            self.watch.at(at, all)?;
             let set = self.look(self.views[at])?;
             self.sets.push(set);
         }
-        self.ask(&mut |more| stopped(all - MORE + more, all))
+        self.ask(all)
     }
 
     /// Fewer places are tried for a surface of very many triangles, which takes long.
@@ -235,7 +244,7 @@ impl<'a> Work<'a> {
     }
 
     /// Tries more places for what no view shows yet, and finds how much of that might be seen.
-    fn ask(&mut self, go_on: &mut dyn FnMut(usize) -> Result<()>) -> Result<()> {
+    fn ask(&mut self, all: usize) -> Result<()> {
         let mut seen = self.union(self.sets.iter())?;
         let count = self.surface.areas.len();
         let left = count - members(&seen).count();
@@ -250,7 +259,7 @@ impl<'a> Work<'a> {
         let is_seen = |seen: &Set, at: usize| seen[at / 64] >> (at % 64) & 1 == 1;
         let mut found = vec_with_room(open.len())?;
         for at in open {
-            go_on(more)?;
+            self.watch.at(all - MORE + more, all)?;
             let eyes = self.seen_from(at);
             if let (Some(Some(eye)), true) = (&eyes, more < MORE && !is_seen(&seen, at)) {
                 let view = View {
@@ -304,7 +313,9 @@ impl<'a> Work<'a> {
         };
         let near = 1e-6 * self.half;
         let free = |way: &DVec3| {
-            facing(way) > 0.1 && self.tree.ahead(middle + near * way, *way, 0.0).is_none()
+            self.watch.goes_on()
+                && facing(way) > 0.1
+                && !self.tree.is_met(middle + near * way, *way)
         };
         let mut best: Option<(f64, DVec3)> = None;
         let mut visible = false;
@@ -338,7 +349,7 @@ impl<'a> Work<'a> {
         Ok(self.surface.area_of(&self.union(sets)?))
     }
 
-    fn roads(&mut self) -> Result<Roads<'a>> {
+    fn roads(&self) -> Result<Roads<'a>> {
         let mut places = vec_with_room(self.places.len() + 1)?;
         places.extend_from_slice(&self.places);
         if let Some(start) = self.request.start {
@@ -357,7 +368,7 @@ impl<'a> Work<'a> {
             )
         };
         let up = self.request.up.world(DVec3::Y);
-        Roads::new(self.tree, clear, up, middle, places)
+        Roads::new((self.tree, self.watch), clear, up, middle, places)
     }
 
     /// Leaves out views from where there is no way to the most of them, or to the start.
@@ -464,20 +475,21 @@ impl<'a> Work<'a> {
     }
 
     /// Gives a tour's path a pace, as even as the limits allow; returns the seconds.
-    fn pace(&self, tour: &mut Tour, progress: Progress<'_>) -> Result<f64> {
+    fn pace(&self, tour: &mut Tour) -> Result<f64> {
         let mut limits = self.request.limits;
         let mean = tour.length / tour.path.space.half_size / self.request.seconds;
         let speed = limits.get(FindingKind::Speed).min(EVEN * mean);
         limits.set(FindingKind::Speed, speed)?;
         let views = self.views.len();
-        let mut paced = |limits: Limits| {
+        let paced = |limits: Limits| {
             let request = Request {
                 limits,
                 fps: self.request.fps,
                 points: None,
                 seconds: self.request.seconds,
             };
-            retime(&tour.path, &request, &mut |_, _| progress(views, views))
+            let go_on = &mut |_, _| self.watch.at(views, views).is_ok();
+            retime(&tour.path, &request, go_on)
         };
         let made = match paced(limits) {
             Err(Error::Argument(cause)) if cause != Invalid::Cancelled => {

@@ -221,12 +221,22 @@ impl fmt::Display for Quoted<'_> {
                 '\t' => out.write_char('\t')?,
                 // Escaped, since editors may change line ends.
                 '\r' => out.write_str("\\r")?,
-                control if control.is_control() => {
-                    write!(out, "\\u{:04X}", u32::from(control))?;
-                }
+                hidden if steers(hidden) => write!(out, "\\u{:04X}", u32::from(hidden))?,
                 other => out.write_char(other)?,
             }
         }
         out.write_str(if lines { "\"\"\"" } else { "\"" })
     }
+}
+
+/// Whether a character would steer a terminal and is not seen there: control characters, ends of
+/// lines and paragraphs, and what turns the direction of writing (Unicode Standard Annex 9), by
+/// which a text can look like another.
+#[must_use]
+pub fn steers(character: char) -> bool {
+    character.is_control()
+        || matches!(
+            character,
+            '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}'
+        )
 }

@@ -124,3 +124,38 @@ fn poses_are_the_matrix_made_orthonormal() {
     let pose = states(&scene, 1.0)[1].pose;
     assert!(DVec3::from(pose.vpn).is_normalized() && DVec3::from(pose.vup).is_normalized());
 }
+
+/// Work for each camera that looks for its last direction does not grow with the scene: eight
+/// times as many take as long as eight times few, not eight times longer.
+#[test]
+fn a_chain_of_cameras_at_one_place_costs_what_it_holds() {
+    let time = |count: usize, hanging: bool, times: usize| {
+        let mut scene = Scene::new();
+        let mut last = None;
+        for at in 0..count {
+            let mut node = camera(&format!("camera {at}"));
+            node.aim = last;
+            let mut here = scene.add(node).unwrap();
+            if hanging {
+                let mut group = Node::new(&format!("group {at}"), Kind::Group);
+                group.parent = Some(here);
+                here = scene.add(group).unwrap();
+            }
+            last = Some(here);
+        }
+        // The processor's time of this thread: others may be busy.
+        let used = || {
+            let line = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap();
+            line.split(' ').next().unwrap().parse::<u64>().unwrap()
+        };
+        let start = used();
+        for _ in 0..times {
+            states(&scene, 1.0);
+        }
+        (used() - start) as f64
+    };
+    for (hanging, count) in [(false, 2_000), (true, 250)] {
+        let (few, many) = (time(count, hanging, 80), time(8 * count, hanging, 10));
+        assert!(many < 3.0 * few, "{hanging}: {few} ns and {many} ns");
+    }
+}

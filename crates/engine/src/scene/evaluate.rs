@@ -1,10 +1,12 @@
 //! The scene at a frame.
 
+use std::collections::HashSet;
+
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 
 use super::aim;
 use super::channel::Channel;
-use super::hierarchy::{needs, orthonormal};
+use super::hierarchy::{local, needs, orthonormal};
 use super::motion::{Motion, check_frame};
 use super::node::{Kind, Node, Values};
 use super::rotation::wxyz;
@@ -25,10 +27,19 @@ const STEPS: usize = 33;
 const HALVINGS: usize = 40;
 
 /// Whether a camera without a direction looks for its last one.
-#[derive(Clone, Copy, PartialEq)]
 enum Search {
-    Back,
+    /// With room that is made when the first one looks.
+    Back(Room),
     Own,
+}
+
+/// What those need that look for their last direction.
+#[derive(Default)]
+struct Room {
+    /// Of all nodes.
+    states: Vec<NodeState>,
+    /// Whether each, or what its state depends on, ever moves; as far as that was asked.
+    moves: Vec<Option<bool>>,
 }
 
 impl Node {
@@ -38,6 +49,20 @@ impl Node {
             path.at(frame, &mut values, warnings)?;
         }
         self.keys.at(frame, &mut values, warnings)?;
+        Ok(values)
+    }
+
+    /// Whether anything of it is another at another frame.
+    fn may_change(&self) -> bool {
+        self.path.is_some() || !self.keys.tracks().is_empty()
+    }
+
+    /// The same, with a camera's roll in its rotation.
+    fn values_turned(&self, frame: f64, warnings: &mut Warnings) -> Result<Values> {
+        let mut values = self.values(frame, warnings)?;
+        if matches!(self.kind, Kind::Camera(_)) && values.roll != 0.0 {
+            values.rotation *= DQuat::from_rotation_z(values.roll.to_radians());
+        }
         Ok(values)
     }
 }
@@ -63,7 +88,8 @@ impl Scene {
             .into());
         }
         let packs = self.nodes.packs(&self.order, self.numbers);
-        self.run(&self.order, packs, frame, states, warnings, Search::Back)
+        let search = &mut Search::Back(Room::default());
+        self.run(&self.order, packs, frame, states, warnings, search)
     }
 
     /// Whether no host's function interpolates and nobody aims: once prepared, it needs no memory.
@@ -120,9 +146,10 @@ impl Scene {
         asked.extend(aims.filter(asks));
         let packs = Pack::all(&self.nodes, &chain, states.len()).unwrap_or_default();
         let mut scratch = self.scratch()?;
+        let search = &mut Search::Back(Room::default());
         for (at, state) in states.iter_mut().enumerate() {
             let frame = first + step * at as f64;
-            self.run(&chain, &packs, frame, &mut scratch, warnings, Search::Back)?;
+            self.run(&chain, &packs, frame, &mut scratch, warnings, search)?;
             // Of a node that is only aimed at nothing else tells what went wrong.
             for &aim in &asked {
                 warnings.node = aim;
@@ -255,25 +282,50 @@ impl Scene {
         })
     }
 
-    /// A node and all that its state depends on, in their order.
+    /// A node and all that its state depends on, each after what it needs; costs what it holds.
     pub(super) fn chain(&self, node: usize) -> Result<Vec<usize>> {
-        let mut wanted = vec_with_room(self.nodes.len())?;
-        wanted.resize(self.nodes.len(), false);
-        let mut open = vec_with_room(self.nodes.len())?;
+        let mut chain = Vec::new();
+        let mut placed = HashSet::new();
+        let mut open = vec_with_room(1)?;
         open.push(node);
-        while let Some(at) = open.pop() {
-            if std::mem::replace(&mut wanted[at], true) {
-                continue;
-            }
+        while let Some(&at) = open.last() {
             let needed = needs(&self.nodes, at).into_iter().flatten();
-            for next in needed.filter(|&next| !wanted[next]) {
-                open.try_reserve(1)?;
-                open.push(next);
+            open.try_reserve(2)?;
+            let before = open.len();
+            open.extend(needed.filter(|next| !placed.contains(next)));
+            if open.len() == before {
+                open.pop();
+                placed.try_reserve(1)?;
+                chain.try_reserve(1)?;
+                if placed.insert(at) {
+                    chain.push(at);
+                }
             }
         }
-        let mut chain = vec_with_room(self.nodes.len())?;
-        chain.extend(self.order.iter().copied().filter(|&at| wanted[at]));
         Ok(chain)
+    }
+
+    /// Where a node's coordinates are in the world, of nobody those of the world; costs what the node
+    /// hangs in, unless somebody aims there.
+    pub(super) fn world_of(&self, node: Option<usize>, frame: f64) -> Result<DAffine3> {
+        let Some(node) = node else {
+            return Ok(DAffine3::IDENTITY);
+        };
+        let chain = self.chain(node)?;
+        let warnings = &mut Warnings::default();
+        if chain.iter().any(|&at| self.nodes[at].aim.is_some()) {
+            let mut states = self.scratch()?;
+            let search = &mut Search::Back(Room::default());
+            self.run(&chain, &[], frame, &mut states, warnings, search)?;
+            return Ok(states[node].world());
+        }
+        let mut world = DAffine3::IDENTITY;
+        for &at in &chain {
+            let node = &self.nodes[at];
+            let values = node.values_turned(frame, warnings)?;
+            world *= local(node, &values);
+        }
+        Ok(world)
     }
 
     pub(super) fn scratch(&self) -> Result<Vec<NodeState>> {
@@ -289,7 +341,7 @@ impl Scene {
         frame: f64,
         states: &mut [NodeState],
         warnings: &mut Warnings,
-        search: Search,
+        search: &mut Search,
     ) -> Result<()> {
         let mut group = Group::default();
         for (at, nodes) in order.chunks(GROUP).enumerate() {
@@ -305,10 +357,7 @@ impl Scene {
                     states[at].begin(group.add(at, node, frame, warnings).looks());
                     continue;
                 }
-                let mut values = node.values(frame, warnings)?;
-                if matches!(node.kind, Kind::Camera(_)) && values.roll != 0.0 {
-                    values.rotation *= DQuat::from_rotation_z(values.roll.to_radians());
-                }
+                let values = node.values_turned(frame, warnings)?;
                 states[at].begin(values.looks());
                 group.put(at, node, &values);
                 if node.kind.looks() {
@@ -329,7 +378,7 @@ impl Scene {
         frame: f64,
         values: &Values,
         states: &mut [NodeState],
-        search: Search,
+        search: &mut Search,
     ) -> Result<()> {
         let mut world = states[at].world();
         let mut q = orthonormal(world.matrix3);
@@ -371,7 +420,7 @@ impl Scene {
         (own, world): (DQuat, DAffine3),
         values: Values,
         states: &[NodeState],
-        search: Search,
+        search: &mut Search,
     ) -> Result<DQuat> {
         let pivot = self.pivot(target, frame, states)?;
         let direction = aim::direction(world.translation, pivot, self.space());
@@ -382,7 +431,9 @@ impl Scene {
             Some(view) if good(view) => (view, None),
             other => {
                 let last = match search {
-                    Search::Back => self.last_view(at, target, frame, other.is_some())?,
+                    Search::Back(room) => {
+                        self.last_view(at, target, frame, other.is_some(), room)?
+                    }
                     Search::Own => None,
                 };
                 let view = other.or(last).unwrap_or(own_view);
@@ -405,6 +456,31 @@ impl Scene {
         })
     }
 
+    /// Whether a node moves, or something that its state depends on; `known` has what was found before.
+    fn depends_on_motion(&self, node: usize, known: &mut Vec<Option<bool>>) -> Result<bool> {
+        if known.is_empty() {
+            known.try_reserve(self.nodes.len())?;
+            known.resize(self.nodes.len(), None);
+        }
+        let mut open = vec_with_room(1)?;
+        open.push(node);
+        while let Some(&at) = open.last() {
+            let above = needs(&self.nodes, at).into_iter().flatten();
+            if let Some(next) = above.clone().find(|&up| known[up].is_none()) {
+                open.try_reserve(1)?;
+                open.push(next);
+                continue;
+            }
+            let aimed_at = self.nodes[at]
+                .aim
+                .is_some_and(|aim| self.nodes[aim].may_change());
+            let moves = aimed_at || self.nodes[at].may_change();
+            known[at] = Some(moves || above.into_iter().any(|up| known[up] == Some(true)));
+            open.pop();
+        }
+        Ok(known[node] == Some(true))
+    }
+
     /// The last direction, not steep if `with_yaw`, in which a node saw its target; else the next.
     fn last_view(
         &self,
@@ -412,15 +488,30 @@ impl Scene {
         target: usize,
         frame: f64,
         with_yaw: bool,
+        room: &mut Room,
     ) -> Result<Option<DVec3>> {
+        // Where nothing moves it is never another: so many that hang in one another cost no more than
+        // each once.
+        let mut moves = |at: usize| -> Result<bool> {
+            let parent = self.nodes[at].parent;
+            let above =
+                parent.map_or(Ok(false), |up| self.depends_on_motion(up, &mut room.moves))?;
+            Ok(above || self.nodes[at].may_change())
+        };
+        if !moves(at)? && !moves(target)? {
+            return Ok(None);
+        }
+        let room = &mut room.states;
         let mut chain = self.chain(at)?;
-        chain.retain(|&node| node != at);
-        let mut scratch = self.scratch()?;
+        chain.pop(); // the node itself
+        if room.is_empty() {
+            *room = self.scratch()?;
+        }
         let mut look = |frame: f64| -> Result<Option<DVec3>> {
             let none = &mut Warnings::default();
-            self.run(&chain, &[], frame, &mut scratch, none, Search::Own)?;
-            let eye = self.pivot(at, frame, &scratch)?;
-            let pivot = self.pivot(target, frame, &scratch)?;
+            self.run(&chain, &[], frame, room, none, &mut Search::Own)?;
+            let eye = self.pivot(at, frame, room)?;
+            let pivot = self.pivot(target, frame, room)?;
             let view = aim::direction(eye, pivot, self.space());
             Ok(view.filter(|&view| !with_yaw || !aim::steep(view, self.space().up)))
         };

@@ -5,6 +5,7 @@ use glam::{DAffine3, DMat3, DQuat, DVec3};
 use super::node::{Node, Values};
 use crate::error::{Error, Invalid, OutOfRange, Place, Result, TooMany, vec_with_room};
 use crate::limits::MAX_LEVELS;
+use crate::shared_list::SharedList;
 
 /// L = T(position)·T(pivot)·R·S·T(−pivot).
 pub(super) fn local(node: &Node, values: &Values) -> DAffine3 {
@@ -43,13 +44,13 @@ pub(super) fn orthonormal(matrix: DMat3) -> DQuat {
 }
 
 /// What must be evaluated before a node: its parent, and the parent of what it aims at.
-pub(super) fn needs(nodes: &[Node], node: usize) -> [Option<usize>; 2] {
+pub(super) fn needs(nodes: &SharedList<Node>, node: usize) -> [Option<usize>; 2] {
     let aim = nodes[node].aim.and_then(|aim| nodes[aim].parent);
     [nodes[node].parent, aim]
 }
 
 /// The nodes in an order in which each comes after what it needs; an error with its node.
-pub(super) fn order(nodes: &[Node]) -> Result<Vec<usize>, (usize, Error)> {
+pub(super) fn order(nodes: &SharedList<Node>) -> Result<Vec<usize>, (usize, Error)> {
     let memory = |error| (0, error);
     let count = nodes.len();
     for (at, node) in nodes.iter().enumerate() {
@@ -104,7 +105,7 @@ pub(super) fn order(nodes: &[Node]) -> Result<Vec<usize>, (usize, Error)> {
     Ok(order)
 }
 
-fn cycle(nodes: &[Node], node: usize, needed: usize) -> Error {
+fn cycle(nodes: &SharedList<Node>, node: usize, needed: usize) -> Error {
     let name = |at: usize| nodes[at].name.as_str();
     Error::Argument(if nodes[node].parent == Some(needed) {
         Invalid::ParentMovesWithIt {

@@ -212,7 +212,7 @@ impl Scene {
     fn steps(&self) -> Result<Vec<f64>> {
         let (first, last) = self.frame_range();
         if !(last - first < MAX_FRAMES as f64) {
-            return Err(TooMany::SceneFrames.into());
+            return Err(TooMany::SceneFrames(MAX_FRAMES).into());
         }
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
         let count = (last - first).floor() as usize + 1;
@@ -288,10 +288,9 @@ impl Scene {
 
     /// Whether a node's world matrices are the same at every frame with these parts.
     fn keeps_way(&self, at: usize, parts: &[Part]) -> Result<bool> {
-        can_allocate(self.heap_size())?;
         let mut new = self.clone();
         for part in parts {
-            new.exchange(&mut part.clone())?;
+            new.apply(part.clone())?;
         }
         let frames = self.steps()?;
         let (old, new) = (

@@ -1,5 +1,7 @@
 //! A node that moves by keys: a track for each channel that changes.
 
+use std::sync::Arc;
+
 use super::channel::Channel;
 use super::motion::Motion;
 use super::state::Warnings;
@@ -7,17 +9,18 @@ use super::track::Track;
 use super::values::Values;
 use crate::error::{Result, TooMany};
 use crate::limits::{MAX_TRACKS, MAX_ZOOM, MIN_ZOOM};
+use crate::shared_list::SharedList;
 
 /// The tracks of a node, in the order of their channels.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Keys {
-    tracks: Vec<Track>,
+    tracks: SharedList<Track>,
 }
 
 impl Keys {
     /// All tracks.
     #[must_use]
-    pub fn tracks(&self) -> &[Track] {
+    pub const fn tracks(&self) -> &SharedList<Track> {
         &self.tracks
     }
 
@@ -29,7 +32,7 @@ impl Keys {
             .find(|track| track.channel().same_as(channel))
     }
 
-    pub(super) fn set(&mut self, track: Track) -> Result<()> {
+    pub(super) fn set(&mut self, track: Arc<Track>) -> Result<()> {
         let channel = track.channel();
         let same = self
             .tracks
@@ -38,42 +41,20 @@ impl Keys {
         if same.is_none() && self.tracks.len() >= MAX_TRACKS {
             return Err(TooMany::Tracks.into());
         }
-        self.tracks.try_reserve(1)?;
         if let Some(same) = same {
             self.tracks.remove(same);
         }
-        let channel = track.channel();
-        let at = self.tracks.partition_point(|t| t.channel() < channel);
+        let at = self
+            .tracks
+            .partition_point(|t| t.channel() < track.channel());
         self.tracks.insert(at, track);
         Ok(())
     }
 
     pub(super) fn track_mut(&mut self, channel: &Channel) -> Option<&mut Track> {
-        let mut tracks = self.tracks.iter_mut();
-        tracks.find(|track| track.channel().same_as(channel))
-    }
-
-    /// Exchanges the track of a channel.
-    pub(super) fn exchange(
-        &mut self,
-        channel: &Channel,
-        track: &mut Option<Box<Track>>,
-    ) -> Result<()> {
         let mut tracks = self.tracks.iter();
-        let same = tracks.position(|track| track.channel().same_as(channel));
-        if same.is_none() && track.is_some() && self.tracks.len() >= MAX_TRACKS {
-            return Err(TooMany::Tracks.into());
-        }
-        self.tracks.try_reserve(1)?;
-        let old = same.map(|same| self.tracks.remove(same));
-        if let Some(track) = track.take() {
-            let at = self
-                .tracks
-                .partition_point(|t| t.channel() < track.channel());
-            self.tracks.insert(at, *track);
-        }
-        *track = old.map(Box::new);
-        Ok(())
+        let at = tracks.position(|track| track.channel().same_as(channel))?;
+        self.tracks.get_mut(at)
     }
 
     pub(super) fn remove(&mut self, channel: &Channel) -> bool {
@@ -83,9 +64,20 @@ impl Keys {
         self.tracks.len() < before
     }
 
-    /// Changes the tracks and drops those for which `change` gives false.
-    pub(super) fn keep(&mut self, mut change: impl FnMut(&mut Track) -> bool) {
-        self.tracks.retain_mut(&mut change);
+    /// Keeps the tracks for which `keep` is true.
+    pub(super) fn retain(&mut self, keep: impl FnMut(&Track) -> bool) {
+        self.tracks.retain(keep);
+    }
+
+    /// Gives deformations other numbers in the channels of their tracks.
+    pub(super) fn renumber_deformations(&mut self, number: impl Fn(usize) -> usize) {
+        for at in 0..self.tracks.len() {
+            if let Channel::Deformation { at: old, .. } = self.tracks[at].channel()
+                && number(*old) != *old
+            {
+                self.tracks[at].renumber_deformation(&number);
+            }
+        }
         self.tracks.sort_by(|a, b| a.channel().cmp(b.channel()));
     }
 

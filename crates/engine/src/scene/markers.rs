@@ -48,7 +48,7 @@ impl Scene {
     }
 
     /// Fits every path that is pinned to a marker.
-    fn hold_at(&mut self, marker: &str) -> Result<()> {
+    pub(super) fn hold_at(&mut self, marker: &str) -> Result<()> {
         let mut held: Vec<(usize, FollowPath)> = Vec::new();
         for pin in self.pins.iter().filter(|pin| pin.marker == marker) {
             let node = &self.nodes[pin.node];

@@ -1,6 +1,5 @@
 //! What an object is made of: points, lines and triangles, other shapes, deformations.
 
-use std::mem::swap;
 use std::sync::Arc;
 
 use glam::DVec3;
@@ -114,6 +113,13 @@ pub struct Geometry {
     source: Option<Arc<MeshSource>>,
 }
 
+impl Mesh {
+    fn heap_size(&self) -> usize {
+        let corners = size_of_val(&self.lines[..]) + size_of_val(&self.triangles[..]);
+        size_of_val(&self.points[..]) + size_of_val(&self.colours[..]) + corners
+    }
+}
+
 impl Geometry {
     /// A mesh; with `source` that file is saved in its place.
     ///
@@ -126,13 +132,6 @@ impl Geometry {
             bounds: Some(Bounds::of(&mesh.points)),
             mesh: Some(Arc::new(mesh)),
             source: source.map(Arc::new),
-        })
-    }
-
-    pub(super) fn heap_size(&self) -> usize {
-        self.mesh.as_ref().map_or(0, |mesh| {
-            let corners = size_of_val(&mesh.lines[..]) + size_of_val(&mesh.triangles[..]);
-            size_of_val(&mesh.points[..]) + size_of_val(&mesh.colours[..]) + corners
         })
     }
 
@@ -196,15 +195,13 @@ impl Object {
         Ok(())
     }
 
-    pub(super) fn exchange_mesh(&mut self, other: &mut Geometry) -> Result<()> {
+    pub(super) fn put_mesh(&mut self, other: Geometry) -> Result<()> {
         // An empty one stands for a file that is not there now.
         let mesh = other.mesh.as_deref().unwrap_or(&EMPTY);
         if other.source.is_none() || !mesh.points.is_empty() {
             self.check_shapes(mesh)?;
         }
-        swap(&mut self.mesh, &mut other.mesh);
-        swap(&mut self.bounds, &mut other.bounds);
-        swap(&mut self.source, &mut other.source);
+        (self.mesh, self.bounds, self.source) = (other.mesh, other.bounds, other.source);
         Ok(())
     }
 
@@ -246,12 +243,6 @@ impl Object {
         Ok(())
     }
 
-    pub(super) fn exchange_weights(&mut self, weights: &mut Vec<f64>) -> Result<()> {
-        self.check_weights(weights)?;
-        swap(&mut self.weights, weights);
-        Ok(())
-    }
-
     fn check_weights(&self, weights: &[f64]) -> Result<()> {
         if weights.len() != self.shapes.len() {
             return Err(OutOfRange::ShapeWeights {
@@ -273,13 +264,13 @@ impl Object {
     /// [`crate::Error::Memory`].
     pub fn add_shape(&mut self, shape: Shape) -> Result<()> {
         let at = self.shapes.len();
-        self.check_new_shape(at, &shape, 0.0)?;
-        self.insert_shape(at, try_arc(shape)?, 0.0);
+        self.check_new_shape(at, &shape)?;
+        self.insert_shape(at, try_arc(shape)?);
         Ok(())
     }
 
     /// Whether it can have this shape as number `at`.
-    pub(super) fn check_new_shape(&self, at: usize, shape: &Shape, weight: f64) -> Result<()> {
+    pub(super) fn check_new_shape(&self, at: usize, shape: &Shape) -> Result<()> {
         check_name(&shape.name).map_err(|error| error.at(Place::Name))?;
         let known = self.shapes.len();
         if at > known {
@@ -287,9 +278,6 @@ impl Object {
         }
         if known >= MAX_SHAPES {
             return Err(TooMany::Shapes.into());
-        }
-        if !(weight.abs() <= MAX_COORDINATE) {
-            return Err(Invalid::Weight.into());
         }
         // Where the mesh lies in a file that was not read, shapes agree with each other.
         let count = match self.shapes.first() {
@@ -311,14 +299,15 @@ impl Object {
     }
 
     /// Puts in a shape that was checked; tracks of the weights are the scene's part.
-    pub(super) fn insert_shape(&mut self, at: usize, shape: Arc<Shape>, weight: f64) {
+    pub(super) fn insert_shape(&mut self, at: usize, shape: Arc<Shape>) {
         self.shapes.insert(at, shape);
-        self.weights.insert(at, weight);
+        self.weights.insert(at, 0.0);
     }
 
     /// Removes a shape that is there; tracks of the weights are the scene's part.
-    pub(super) fn remove_shape(&mut self, at: usize) -> (Arc<Shape>, f64) {
-        (self.shapes.remove(at), self.weights.remove(at))
+    pub(super) fn remove_shape(&mut self, at: usize) {
+        self.shapes.remove(at);
+        self.weights.remove(at);
     }
 
     /// The deformations in the order in which they act.
@@ -363,8 +352,8 @@ impl Object {
     }
 
     /// Removes a deformation that is there.
-    pub(super) fn remove_deformation(&mut self, at: usize) -> Boxed {
-        self.deformations.remove(at)
+    pub(super) fn remove_deformation(&mut self, at: usize) {
+        self.deformations.remove(at);
     }
 
     /// One that is there.
@@ -382,10 +371,23 @@ impl Object {
         self.bounds.unwrap_or_else(|| Bounds::of(&[]))
     }
 
-    /// Bytes that a copy of it takes, without what copies share.
-    pub(super) fn heap_size(&self) -> usize {
+    /// About how many bytes it takes that another one does not share.
+    pub(super) fn heap_size_without(&self, other: Option<&Self>) -> usize {
         let deformations = self.deformations.iter();
         let numbers: usize = deformations.map(|(d, _)| d.parameters().len()).sum();
-        8 * numbers + 160 * self.deformations.len() + 16 * self.shapes.len()
+        let lists = 8 * numbers + 160 * self.deformations.len() + 16 * self.shapes.len();
+        let theirs = other.and_then(|other| other.mesh.as_ref());
+        let mesh = self
+            .mesh
+            .as_ref()
+            .filter(|mesh| theirs.is_none_or(|theirs| !Arc::ptr_eq(mesh, theirs)));
+        let known = |shape: &&Arc<Shape>| {
+            let mut theirs = other.into_iter().flat_map(|other| &other.shapes);
+            theirs.any(|theirs| Arc::ptr_eq(theirs, shape))
+        };
+        let shapes = self.shapes.iter().filter(|shape| !known(shape));
+        let shape =
+            |shape: &Arc<Shape>| size_of_val(&shape.points[..]) + size_of_val(&shape.colours[..]);
+        lists + mesh.map_or(0, |mesh| mesh.heap_size()) + shapes.map(shape).sum::<usize>()
     }
 }

@@ -1,6 +1,6 @@
 //! What moves a node.
 
-use std::mem::swap;
+use std::sync::Arc;
 
 use glam::DVec3;
 
@@ -25,10 +25,10 @@ pub trait Motion {
 }
 
 /// Motion along a path, in the parent's coordinates.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub struct FollowPath {
     path: CameraPath,
-    plan: Plan,
+    plan: Arc<Plan>,
     count: usize,
     start_frame: f64,
     extrapolation: Extrapolation,
@@ -47,7 +47,7 @@ impl FollowPath {
         if extrapolation == Extrapolation::Offset {
             return Err(Invalid::PathWithOffset.into());
         }
-        let plan = Plan::new();
+        let plan = Arc::new(Plan::new());
         let count = plan.timeline(&path, Timeline::frame_count)??;
         Ok(Self {
             path,
@@ -58,9 +58,8 @@ impl FollowPath {
         })
     }
 
-    pub(super) fn exchange_start(&mut self, start: &mut f64, beyond: &mut Extrapolation) {
-        swap(&mut self.start_frame, start);
-        swap(&mut self.extrapolation, beyond);
+    pub(super) const fn set_start(&mut self, start: f64, beyond: Extrapolation) {
+        (self.start_frame, self.extrapolation) = (start, beyond);
     }
 
     /// The path.
@@ -126,16 +125,6 @@ impl FollowPath {
             self.extrapolation,
         );
         sampler.pose(local)
-    }
-}
-
-impl Clone for FollowPath {
-    fn clone(&self) -> Self {
-        Self {
-            path: self.path.clone(),
-            plan: Plan::new(),
-            ..*self
-        }
     }
 }
 

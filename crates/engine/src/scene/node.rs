@@ -1,5 +1,7 @@
 //! A node of the scene: its kind, its rest values, what moves it.
 
+use std::sync::Arc;
+
 use glam::DVec3;
 
 use super::channel::Channel;
@@ -92,7 +94,7 @@ pub struct Node {
     pub pivot: DVec3,
     /// What holds where nothing moves.
     pub rest: Values,
-    pub(super) path: Option<Box<FollowPath>>,
+    pub(super) path: Option<Arc<FollowPath>>,
     pub(super) keys: Keys,
 }
 
@@ -135,7 +137,7 @@ impl Node {
         if path.is_some() {
             self.check_path()?;
         }
-        self.path = path.map(Box::new);
+        self.path = path.map(Arc::new);
         Ok(())
     }
 
@@ -159,7 +161,7 @@ impl Node {
     /// the width does not fit, [`Error::Limit`], [`Error::Memory`].
     pub fn set_track(&mut self, track: Track) -> Result<()> {
         self.check_track(&track)?;
-        self.keys.set(track)
+        self.keys.set(Arc::new(track))
     }
 
     /// Whether it can have this track.
@@ -188,16 +190,24 @@ impl Node {
         self.keys.remove(channel)
     }
 
-    /// About how many bytes a copy takes ([`super::Scene::heap_size`]).
-    #[must_use]
-    pub fn heap_size(&self) -> usize {
-        let path = self.path().map_or(0, FollowPath::heap_size);
-        let object = match &self.kind {
-            Kind::Object(object) => object.heap_size(),
+    /// About how many bytes it takes that another one does not share.
+    pub(super) fn heap_size_without(&self, other: Option<&Self>) -> usize {
+        let theirs = other.and_then(|other| other.path.as_ref());
+        let path = self
+            .path
+            .as_ref()
+            .filter(|path| theirs.is_none_or(|theirs| !Arc::ptr_eq(path, theirs)));
+        let path = path.map_or(0, |path| path.heap_size());
+        let object = match (&self.kind, other.map(|other| &other.kind)) {
+            (Kind::Object(own), Some(Kind::Object(theirs))) => own.heap_size_without(Some(theirs)),
+            (Kind::Object(own), _) => own.heap_size_without(None),
             _ => 0,
         };
-        let tracks = self.keys.tracks().iter().map(Track::heap_size);
-        size_of::<Self>() + 300 + path + object + tracks.sum::<usize>()
+        let none = Keys::default();
+        let theirs = other.map_or(&none, |other| &other.keys);
+        let tracks = self.keys.tracks().without(theirs.tracks());
+        let tracks = tracks.map(Track::heap_size).sum::<usize>();
+        size_of::<Self>() + self.name.len() + path + object + tracks
     }
 
     fn path_moves(&self, channel: &Channel) -> bool {

@@ -1,9 +1,8 @@
-//! Parts of a scene that are exchanged for others: the small changes that an undo can take back.
+//! Parts of a scene, each a small change that leaves everything else as it is.
 //!
 //! Everything is checked before anything changes, in one place, so that a scene stays valid
-//! whatever is exchanged, and an exchange that fails leaves no trace. One that succeeds leaves in
-//! the part what the scene had there, so that the same exchange brings back every bit. A part holds
-//! what differs and no more: keys, not their track; a name, not its node.
+//! whatever is done to it, and a change that fails leaves no trace. A part holds what differs and
+//! no more: keys, not their track; a name, not its node.
 
 use std::sync::Arc;
 
@@ -14,7 +13,6 @@ use super::key_list::{KeyList, Manner};
 use super::mesh::{Geometry, Shape};
 use super::motion::FollowPath;
 use super::node::{Kind, Node};
-use super::node_list::NodeList;
 use super::time::Extrapolation;
 use super::track::Track;
 use super::values::Values;
@@ -25,9 +23,7 @@ use crate::error::{Result, can_allocate};
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Part {
-    /// Nodes that come: what is given is put in.
-    Insert(Box<NodeList>),
-    /// Nodes that go, in rising order, with all that is in them.
+    /// Nodes that go with all that is in them. Later ones move up; aims at them end, and their pins go.
     Remove(Vec<usize>),
     /// A node's name.
     Name {
@@ -57,7 +53,7 @@ pub enum Part {
         /// The node.
         node: usize,
         /// The path, if any.
-        path: Option<Box<FollowPath>>,
+        path: Option<Arc<FollowPath>>,
     },
     /// When a node's path begins, and what comes before and after it.
     Start {
@@ -75,7 +71,7 @@ pub enum Part {
         /// The channel.
         channel: Channel,
         /// The track, if any.
-        track: Option<Box<Track>>,
+        track: Option<Arc<Track>>,
     },
     /// Keys of a track: `remove` go, `put` come, at frames where none stays. One key must be left.
     Keys {
@@ -119,11 +115,6 @@ pub enum Part {
         at: usize,
         /// The shape.
         shape: Arc<Shape>,
-        /// Its weight at rest.
-        weight: f64,
-        /// Its weights in a track of them, as [`Track::values`] and [`Track::shape`] hold them;
-        /// empty: 0 throughout.
-        weights: Vec<f64>,
     },
     /// A shape that goes; if it is the only one there must be no track of weights.
     RemoveShape {
@@ -226,7 +217,7 @@ impl Part {
     /// [`crate::Error::Memory`].
     pub fn path(node: usize, path: Option<FollowPath>) -> Result<Self> {
         can_allocate(size_of::<FollowPath>())?;
-        let path = path.map(Box::new);
+        let path = path.map(Arc::new);
         Ok(Self::Path { node, path })
     }
 
@@ -236,7 +227,7 @@ impl Part {
     /// [`crate::Error::Memory`].
     pub fn track(node: usize, channel: Channel, track: Option<Track>) -> Result<Self> {
         can_allocate(size_of::<Track>())?;
-        let track = track.map(Box::new);
+        let track = track.map(Arc::new);
         Ok(Self::Track {
             node,
             channel,
@@ -244,62 +235,7 @@ impl Part {
         })
     }
 
-    /// About how many bytes it takes besides itself.
-    #[must_use]
-    pub fn heap_size(&self) -> usize {
-        let keys = |list: &KeyList| 8 * (list.frames.len() + list.values.len() + list.shape.len());
-        match self {
-            Self::Insert(list) => list.heap_size(),
-            Self::Remove(places) => 8 * places.len(),
-            Self::Name { name, .. } => name.len(),
-            Self::Rest { .. } => size_of::<Rest>(),
-            Self::Path { path, .. } => path.as_ref().map_or(0, |path| path.heap_size()),
-            Self::Track { track, .. } => track.as_ref().map_or(0, |track| track.heap_size()),
-            Self::Keys { remove, put, .. } => 8 * remove.len() + keys(put),
-            Self::Manner { manner, .. } => size_of::<Manner>() + 8 * manner.shape.len(),
-            Self::Mesh { mesh, .. } => mesh.heap_size(),
-            Self::Weights { weights, .. } => 8 * weights.len(),
-            Self::InsertShape { shape, weights, .. } => {
-                8 * weights.len() + size_of_val(&shape.points[..]) + size_of_val(&shape.colours[..])
-            }
-            Self::InsertDeformation { deformation, .. } | Self::Deformation { deformation, .. } => {
-                8 * deformation.parameters().len()
-            }
-            Self::Marker { name, .. } => name.len(),
-            Self::Pin { marker, .. } => marker.as_ref().map_or(0, String::len),
-            _ => 0,
-        }
-    }
-
-    /// Whether both are values of the same place, so that the older one of two that a scene had
-    /// there brings back what was before both.
-    #[must_use]
-    pub fn is_at_place_of(&self, other: &Self) -> bool {
-        match (self, other) {
-            (Self::Rest { .. }, Self::Rest { .. })
-            | (Self::Path { .. }, Self::Path { .. })
-            | (Self::Mesh { .. }, Self::Mesh { .. })
-            | (Self::Weights { .. }, Self::Weights { .. }) => self.node() == other.node(),
-            (Self::Deformation { at: a, .. }, Self::Deformation { at: b, .. }) => {
-                a == b && self.node() == other.node()
-            }
-            (Self::Marker { name: a, frame: f }, Self::Marker { name: b, frame: g }) => {
-                a == b && f.is_some() && g.is_some()
-            }
-            (Self::Camera(_), Self::Camera(_)) | (Self::Range(_), Self::Range(_)) => true,
-            _ => false,
-        }
-    }
-
-    /// Whether it is such a value. Others change what numbers and names mean, or whether a value
-    /// can be there: names and parents depend on those of other nodes.
-    #[must_use]
-    pub fn is_value(&self) -> bool {
-        self.is_at_place_of(self)
-    }
-
-    /// The one node that an exchange changes and nothing else of the scene; `None` where it
-    /// changes more.
+    /// The one node that it changes; `None` where it changes more, or something else.
     #[must_use]
     pub const fn node(&self) -> Option<usize> {
         match self {
@@ -317,8 +253,7 @@ impl Part {
             | Self::RemoveDeformation { node, .. }
             | Self::Deformation { node, .. }
             | Self::MoveDeformation { node, .. } => Some(*node),
-            Self::Insert(_)
-            | Self::Remove(_)
+            Self::Remove(_)
             | Self::Name { .. }
             | Self::Links { .. }
             | Self::Marker { .. }

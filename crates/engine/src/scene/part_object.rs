@@ -1,6 +1,4 @@
-//! What an object has, exchanged ([`super::part`]): its mesh, its shapes, its deformations.
-
-use std::mem::swap;
+//! Parts of what an object has ([`super::part`]): its mesh, its shapes, its deformations.
 
 use super::channel::Channel;
 use super::mesh::{Object, Shape};
@@ -19,61 +17,41 @@ impl Part {
             node,
             at,
             shape: try_arc(shape)?,
-            weight: 0.0,
-            weights: Vec::new(),
         })
     }
 }
 
 impl Node {
-    pub(super) fn exchange_of_object(&mut self, part: &mut Part) -> Result<()> {
+    pub(super) fn apply_to_object(&mut self, part: Part) -> Result<()> {
         match part {
-            Part::Mesh { mesh, .. } => self.object_of()?.exchange_mesh(mesh),
-            Part::Weights { weights, .. } => self.object_of()?.exchange_weights(weights),
-            Part::InsertShape {
-                node,
-                at,
-                shape,
-                weight,
-                weights,
-            } => {
-                let (node, at) = (*node, *at);
-                self.object_of()?.check_new_shape(at, shape, *weight)?;
-                if let Some(track) = self.keys.track_mut(&Channel::Weights) {
-                    track
-                        .insert_column(at, weights)
-                        .map_err(|error| track.at_channel(error))?;
-                }
-                self.object_of()?.insert_shape(at, shape.clone(), *weight);
-                *part = Part::RemoveShape { node, at };
+            Part::Mesh { mesh, .. } => self.object_of()?.put_mesh(mesh),
+            Part::Weights { weights, .. } => self.object_of()?.set_weights(&weights),
+            Part::InsertShape { at, shape, .. } => {
+                self.object_of()?.check_new_shape(at, &shape)?;
+                self.change_weights(|track| track.insert_column(at))?;
+                self.object_of()?.insert_shape(at, shape);
                 Ok(())
             }
-            Part::RemoveShape { node, at } => {
-                let (node, at) = (*node, *at);
+            Part::RemoveShape { at, .. } => {
                 let count = self.object_of()?.shapes().len();
                 if at >= count {
                     return Err(OutOfRange::NoShape { at, count }.into());
                 }
-                let weights = match self.keys.track_mut(&Channel::Weights) {
-                    Some(_) if count == 1 => return Err(Invalid::NoShapes.into()),
-                    Some(track) => track.remove_column(at)?,
-                    None => Vec::new(),
-                };
-                let (shape, weight) = self.object_of()?.remove_shape(at);
-                *part = Part::InsertShape {
-                    node,
-                    at,
-                    shape,
-                    weight,
-                    weights,
-                };
+                if count == 1 && self.keys.track(&Channel::Weights).is_some() {
+                    return Err(Invalid::NoShapes.into());
+                }
+                self.change_weights(|track| track.remove_column(at))?;
+                self.object_of()?.remove_shape(at);
                 Ok(())
             }
-            Part::InsertDeformation { .. }
-            | Part::RemoveDeformation { .. }
-            | Part::Deformation { .. }
-            | Part::MoveDeformation { .. } => self.exchange_deformation(part),
-            _ => Ok(()),
+            deformations => self.apply_to_deformations(deformations),
+        }
+    }
+
+    fn change_weights(&mut self, change: impl FnOnce(&mut Track) -> Result<()>) -> Result<()> {
+        match self.keys.track_mut(&Channel::Weights) {
+            Some(track) => change(track).map_err(|error| track.at_channel(error)),
+            None => Ok(()),
         }
     }
 
@@ -84,35 +62,26 @@ impl Node {
         }
     }
 
-    fn exchange_deformation(&mut self, part: &mut Part) -> Result<()> {
+    fn apply_to_deformations(&mut self, part: Part) -> Result<()> {
         match part {
             Part::InsertDeformation {
-                node,
                 at,
                 deformation,
                 bounds,
+                ..
             } => {
-                let new = (deformation.clone(), *bounds);
-                self.object_of()?.insert_deformation(*at, new)?;
-                let (node, at) = (*node, *at);
+                self.object_of()?
+                    .insert_deformation(at, (deformation, bounds))?;
                 self.renumber(|old| if old >= at { old + 1 } else { old });
-                *part = Part::RemoveDeformation { node, at };
             }
-            Part::RemoveDeformation { node, at } => {
-                let (node, at) = (*node, *at);
+            Part::RemoveDeformation { at, .. } => {
                 self.object_of()?.check_deformation(at)?;
                 if let Some(track) = self.tracks_of(at).next() {
                     let channel = (&track.channel()).into();
                     return Err(Invalid::HasTrack { channel }.into());
                 }
-                let (deformation, bounds) = self.object_of()?.remove_deformation(at);
+                self.object_of()?.remove_deformation(at);
                 self.renumber(|old| if old > at { old - 1 } else { old });
-                *part = Part::InsertDeformation {
-                    node,
-                    at,
-                    deformation,
-                    bounds,
-                };
             }
             Part::Deformation {
                 at,
@@ -120,8 +89,8 @@ impl Node {
                 bounds,
                 ..
             } => {
-                self.object_of()?.check_deformation(*at)?;
-                for track in self.tracks_of(*at) {
+                self.object_of()?.check_deformation(at)?;
+                for track in self.tracks_of(at) {
                     if let Channel::Deformation { parameter, .. } = track.channel() {
                         let wanted = deformation.parameter(parameter)?.len();
                         if wanted != track.width() {
@@ -134,25 +103,19 @@ impl Node {
                         }
                     }
                 }
-                let here = self.object_of()?.deformation_mut(*at);
-                swap(&mut here.0, deformation);
-                swap(&mut here.1, bounds);
+                *self.object_of()?.deformation_mut(at) = (deformation, bounds);
             }
             Part::MoveDeformation { from, to, .. } => {
                 let object = self.object_of()?;
-                object.check_deformation(*from)?;
-                object.check_deformation(*to)?;
-                object.move_deformation(*from, *to);
-                let (from, to) = (*from, *to);
+                object.check_deformation(from)?;
+                object.check_deformation(to)?;
+                object.move_deformation(from, to);
                 self.renumber(|old| match old {
                     old if old == from => to,
                     old if from < old && old <= to => old - 1,
                     old if to <= old && old < from => old + 1,
                     old => old,
                 });
-                if let Part::MoveDeformation { from, to, .. } = part {
-                    swap(from, to);
-                }
             }
             _ => {}
         }
@@ -168,9 +131,6 @@ impl Node {
     }
 
     fn renumber(&mut self, number: impl Fn(usize) -> usize) {
-        self.keys.keep(|track| {
-            track.renumber_deformation(&number);
-            true
-        });
+        self.keys.renumber_deformations(number);
     }
 }

@@ -2,6 +2,9 @@
 //! once, that is the whole scene for every node. Here a removal only marks, in logarithmic time,
 //! and the scene is put right once for all of them.
 
+use std::sync::Arc;
+
+use super::membership::renumber;
 use super::scene::Scene;
 use crate::error::{OutOfRange, Result, vec_with_room};
 
@@ -107,9 +110,15 @@ impl Removal {
     ///
     /// # Errors
     /// [`crate::Error::Range`] if there is none.
-    #[allow(clippy::cast_possible_truncation)] // MAX_NODES
     pub fn remove(&mut self, number: usize) -> Result<()> {
         let place = self.place(number)?;
+        self.remove_place(place);
+        Ok(())
+    }
+
+    /// Removes the node at a place, if it is still there, and all that is in it.
+    #[allow(clippy::cast_possible_truncation)] // MAX_NODES
+    pub(super) fn remove_place(&mut self, place: usize) {
         self.open.push(place as u32);
         while let Some(node) = self.open.pop().map(|node| node as usize) {
             if std::mem::replace(&mut self.gone[node], true) {
@@ -127,7 +136,6 @@ impl Removal {
                 child = self.next[child as usize];
             }
         }
-        Ok(())
     }
 
     /// The new number of each place, [`NONE`] for those that are gone.
@@ -162,14 +170,18 @@ impl Scene {
             number => Some(number as usize),
         };
         let mut place = 0;
-        self.nodes.retain_mut(|node| {
+        self.nodes.retain(|_| {
             place += 1;
             // What is in one that is gone is gone, too.
-            node.parent = node.parent.and_then(new);
-            node.aim = node.aim.and_then(new);
             numbers[place - 1] != NONE
         });
-        for list in [&mut self.order, &mut self.names] {
+        renumber(&mut self.nodes, new);
+        let mut place = 0;
+        Arc::make_mut(&mut self.ids).retain(|_| {
+            place += 1;
+            numbers[place - 1] != NONE
+        });
+        for list in [&mut *self.order, Arc::make_mut(&mut self.names)] {
             list.retain_mut(|node| {
                 let number = new(*node);
                 *node = number.unwrap_or(0);

@@ -102,7 +102,7 @@ fn nodes_removed_one_by_one_are_those_removed_at_once() {
             assert_eq!(scene.find(&node.0), Some(number));
         }
         // Evaluated in an order in which all are, each behind what it needs.
-        let mut order = scene.order.clone();
+        let mut order = scene.order.to_vec();
         order.sort_unstable();
         assert!(order.into_iter().eq(0..model.len()));
     }

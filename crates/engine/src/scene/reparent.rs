@@ -6,7 +6,6 @@ use super::hierarchy::local;
 use super::node::{Node, Values};
 use super::part::Rest;
 use super::scene::{Scene, copy};
-use super::state::Warnings;
 use crate::error::{Error, Invalid, Place, Result};
 
 /// How well a place must be kept, relative to its size.
@@ -33,8 +32,8 @@ impl Scene {
     /// [`Scene::set_node`], for [`Keep::Way`] as [`Scene::way_in`]. Nothing has changed then.
     pub fn set_parent(&mut self, at: usize, parent: Option<usize>, keep: Keep) -> Result<()> {
         if keep == Keep::Way {
-            let mut parts = self.way_in(at, parent)?;
-            return parts.iter_mut().try_for_each(|part| self.exchange(part));
+            let parts = self.way_in(at, parent)?;
+            return parts.into_iter().try_for_each(|part| self.apply(part));
         }
         let node = self.node(at)?;
         if keep == Keep::Place {
@@ -97,13 +96,9 @@ impl Scene {
     /// Changes the rest values of `new`, node `at` in another parent, to keep its world matrix.
     pub(super) fn keep_world(&self, at: usize, new: &mut Node) -> Result<()> {
         self.check_parent(at, new.parent)?;
-        let mut states = self.scratch()?;
         let first = self.frame_range().0;
-        self.evaluate(first, &mut states, &mut Warnings::default())?;
-        let world = |parent: Option<usize>| {
-            parent.map_or(DAffine3::IDENTITY, |parent| states[parent].world())
-        };
-        let (old, other) = (world(self.nodes()[at].parent), world(new.parent));
+        let old = self.world_of(self.nodes()[at].parent, first)?;
+        let other = self.world_of(new.parent, first)?;
         if old == other {
             return Ok(());
         }

@@ -2,7 +2,7 @@ use glam::DVec3;
 use proptest::prelude::*;
 
 use super::*;
-use crate::scene::{Kind, NodeState};
+use crate::scene::{Kind, NodeState, Warnings};
 
 fn worlds(scene: &Scene) -> Vec<DAffine3> {
     let mut states = vec![NodeState::default(); scene.nodes().len()];

@@ -1,28 +1,37 @@
 //! The scene: its nodes, its markers, and every way in which they change.
 
+use std::sync::Arc;
+
 use super::channel::Channel;
 use super::hierarchy;
 use super::marker::{Marker, Pin};
+use super::membership::NodeId;
 use super::mesh::{Mesh, MeshSource, Object, Shape};
 use super::motion::FollowPath;
 use super::node::{Camera, Kind, Node};
+use super::order::Order;
 use super::part::Part;
 use super::side_by_side::Nodes;
 use super::time::Extrapolation;
 use super::track::Track;
 use crate::deform::{Bounds, Deformation};
-use crate::error::{Error, Invalid, OutOfRange, Place, Result, TooMany, vec_with_room};
+use crate::error::{
+    Error, Invalid, OutOfRange, Place, Result, TooMany, can_allocate, vec_with_room,
+};
 use crate::limits::{MAX_NODES, MAX_SCENE_NUMBERS};
 use crate::path::{CameraPath, Space};
+use crate::shared_list::SharedList;
 
 /// A tree of nodes, numbered from 0, on one timeline. Whatever is done to it, it stays valid.
 #[derive(Debug, Clone, Default)]
 pub struct Scene {
     pub(super) nodes: Nodes,
     /// Nodes in the order of evaluation.
-    pub(super) order: Vec<usize>,
+    pub(super) order: Order,
     /// Nodes by name.
-    pub(super) names: Vec<usize>,
+    pub(super) names: Arc<Vec<usize>>,
+    /// Which nodes they are, by number.
+    pub(super) ids: Arc<Vec<NodeId>>,
     pub(super) markers: Vec<Marker>,
     pub(super) pins: Vec<Pin>,
     /// All numbers of all keys.
@@ -31,7 +40,7 @@ pub struct Scene {
     pub(super) camera: Option<usize>,
     /// The first and the last frame, where they were chosen.
     pub(super) range: Option<(f64, f64)>,
-    space: Space,
+    pub(super) space: Space,
 }
 
 impl PartialEq for Scene {
@@ -65,6 +74,7 @@ impl Scene {
             ..Self::new()
         };
         scene.add(camera)?;
+        scene.ids = Arc::new(vec![NodeId::OF_PATH]);
         Ok(scene)
     }
 
@@ -90,6 +100,9 @@ impl Scene {
     /// The number of a node and what is wrong there, with its name.
     pub fn from_nodes(nodes: Vec<Node>) -> Result<Self, (usize, Error)> {
         let whole = |error| (0, error);
+        let each = size_of::<(Node, [usize; 8])>();
+        can_allocate(nodes.len() * each).map_err(whole)?;
+        let nodes = SharedList::from(nodes);
         check_count(nodes.len()).map_err(whole)?;
         let mut names: Vec<usize> = vec_with_room(nodes.len()).map_err(whole)?;
         names.extend(0..nodes.len());
@@ -106,9 +119,10 @@ impl Scene {
         let numbers = nodes.iter().map(|node| node.keys.numbers()).sum();
         check_numbers(numbers).map_err(whole)?;
         Ok(Self {
-            order: hierarchy::order(&nodes)?,
+            order: hierarchy::order(&nodes)?.into(),
+            ids: Arc::new(nodes.iter().map(|_| NodeId::fresh()).collect()),
             nodes: nodes.into(),
-            names,
+            names: Arc::new(names),
             numbers,
             ..Self::default()
         })
@@ -116,7 +130,7 @@ impl Scene {
 
     /// The nodes.
     #[must_use]
-    pub fn nodes(&self) -> &[Node] {
+    pub fn nodes(&self) -> &SharedList<Node> {
         &self.nodes
     }
 
@@ -167,9 +181,6 @@ impl Scene {
         };
         let numbers = self.numbers + node.keys.numbers();
         check_numbers(numbers)?;
-        self.nodes.try_reserve(1)?;
-        self.names.try_reserve(1)?;
-        self.order.try_reserve(1)?;
         if let Some(parent) = node.parent {
             self.check_below(parent, &node.name)?;
         }
@@ -179,10 +190,10 @@ impl Scene {
                 error.at(Place::Aim).at(place)
             })?;
         }
+        self.order.add(&node);
         self.nodes.push(node);
-        self.names.insert(place, at);
-        // Nobody needs it yet, and all that it needs is there.
-        self.order.push(at);
+        Arc::make_mut(&mut self.names).insert(place, at);
+        Arc::make_mut(&mut self.ids).push(NodeId::fresh());
         self.numbers = numbers;
         Ok(at)
     }
@@ -204,7 +215,7 @@ impl Scene {
     /// [`Error::Argument`] for the name, [`Error::Range`], [`Error::Limit`], [`Error::Memory`].
     pub fn set_name(&mut self, at: usize, name: &str) -> Result<()> {
         let (node, name) = (at, copy(name)?);
-        self.exchange(&mut Part::Name { node, name })
+        self.apply(Part::Name { node, name })
     }
 
     /// Gives a node other values: parent, aim, pivot, rest values, and what a light or a camera
@@ -236,7 +247,7 @@ impl Scene {
             self.keep_world(at, &mut new)?;
         }
         self.link(at, new.parent, new.aim)?;
-        let node = &mut self.nodes[at];
+        let node = self.nodes.still(at);
         (node.pivot, node.rest) = (new.pivot, new.rest);
         if !matches!(node.kind, Kind::Object(_)) {
             node.kind = new.kind;
@@ -251,15 +262,20 @@ impl Scene {
         parent: Option<usize>,
         aim: Option<usize>,
     ) -> Result<()> {
-        let node = &mut self.nodes[at];
+        let node = &self.nodes[at];
         let old = (node.parent, node.aim);
         if old == (parent, aim) {
             return Ok(());
         }
-        (node.parent, node.aim) = (parent, aim);
+        if self.order.moved(&self.nodes, at, (parent, aim))? {
+            let node = self.nodes.still(at);
+            (node.parent, node.aim) = (parent, aim);
+            return Ok(());
+        }
+        (self.nodes[at].parent, self.nodes[at].aim) = (parent, aim);
         match hierarchy::order(&self.nodes) {
             Ok(order) => {
-                self.order = order;
+                self.order = order.into();
                 Ok(())
             }
             Err((_, error)) => {
@@ -409,7 +425,7 @@ impl Scene {
     /// [`Error::Range`], [`Error::Argument`], [`Error::Limit`], [`Error::Memory`].
     pub fn add_shape(&mut self, at: usize, shape: Shape) -> Result<()> {
         let part = Part::insert_shape(at, self.object(at)?.shapes().len(), shape)?;
-        self.exchange_of_object(&mut { part })
+        self.apply_to_object(part)
     }
 
     /// Removes an object's shape; the others keep their weights, in a track of them too.
@@ -420,7 +436,7 @@ impl Scene {
         if which == 0 && self.object(at)?.shapes().len() == 1 {
             self.remove_track(at, &Channel::Weights)?;
         }
-        self.exchange_of_object(&mut Part::RemoveShape {
+        self.apply_to_object(Part::RemoveShape {
             node: at,
             at: which,
         })
@@ -457,20 +473,32 @@ impl Scene {
         let before = node.keys.numbers();
         let of =
             |channel: &Channel| matches!(channel, Channel::Deformation { at, .. } if *at == which);
-        node.keys.keep(|track| !of(track.channel()));
+        node.keys.retain(|track| !of(track.channel()));
         self.numbers -= before - node.keys.numbers();
-        self.exchange_of_object(&mut Part::RemoveDeformation {
+        self.apply_to_object(Part::RemoveDeformation {
             node: at,
             at: which,
         })
     }
 
-    /// About how many bytes a copy takes: to be checked before making one, which would abort.
+    /// About how many bytes it takes that another scene does not share.
     #[must_use]
-    pub fn heap_size(&self) -> usize {
-        let nodes = self.nodes.iter().map(Node::heap_size);
-        let markers = (size_of::<Marker>() + 300) * self.markers.len();
-        nodes.sum::<usize>() + markers + (size_of::<Pin>() + 300) * self.pins.len() + 4096
+    pub fn heap_size_without(&self, other: &Self) -> usize {
+        let node = |node: &Node| {
+            let theirs = other.find(&node.name).map(|at| &other.nodes[at]);
+            node.heap_size_without(theirs)
+        };
+        let nodes = self.nodes.without(&other.nodes).map(node);
+        let order = !self.order.is_shared_with(&other.order);
+        let names = !Arc::ptr_eq(&self.names, &other.names);
+        let ids = !Arc::ptr_eq(&self.ids, &other.ids);
+        let lists = size_of::<usize>()
+            * self.nodes.len()
+            * (1 + [order, names, ids].map(usize::from).iter().sum::<usize>());
+        let names = self.markers.iter().map(|marker| marker.name.len());
+        let names = names.chain(self.pins.iter().map(|pin| pin.marker.len()));
+        let markers = size_of_val(&self.markers[..]) + size_of_val(&self.pins[..]);
+        nodes.sum::<usize>() + lists + markers + names.sum::<usize>()
     }
 }
 
@@ -515,4 +543,4 @@ pub(super) fn copy(text: &str) -> Result<String> {
 mod aim_tests;
 #[cfg(test)]
 #[path = "scene_tests.rs"]
-mod tests;
+pub(super) mod tests;

@@ -17,7 +17,7 @@ pub(super) fn camera(name: &str) -> Node {
     Node::new(name, Kind::Camera(Camera::default()))
 }
 
-pub(super) fn states(scene: &Scene, frame: f64) -> Vec<NodeState> {
+pub(crate) fn states(scene: &Scene, frame: f64) -> Vec<NodeState> {
     let mut states = vec![NodeState::default(); scene.nodes().len()];
     let mut warnings = Warnings::default();
     scene.evaluate(frame, &mut states, &mut warnings).unwrap();
@@ -25,7 +25,7 @@ pub(super) fn states(scene: &Scene, frame: f64) -> Vec<NodeState> {
     states
 }
 
-pub(super) fn track(channel: &str, interpolation: &str, frames: &[f64], values: &[f64]) -> Track {
+pub(crate) fn track(channel: &str, interpolation: &str, frames: &[f64], values: &[f64]) -> Track {
     Track::new(
         Channel::parse(channel).unwrap(),
         Interpolation::parse(interpolation).unwrap(),

@@ -75,13 +75,14 @@ impl Scene {
     /// does.
     #[must_use]
     pub fn frame_range(&self) -> (f64, f64) {
-        self.range.unwrap_or_else(|| {
+        let moves = || {
             let paths = self.nodes.iter().filter_map(|node| node.path()?.frames());
             let keys = self.nodes.iter().filter_map(|node| node.keys.frames());
             let all = paths.chain(keys);
             all.reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))
-                .unwrap_or((1.0, 1.0))
-        })
+        };
+        let known = || *self.nodes.frames.get_or_init(moves);
+        self.range.or_else(known).unwrap_or((1.0, 1.0))
     }
 
     /// How many whole steps there are from the first frame to the last, both counted.
@@ -99,7 +100,7 @@ fn count(first: f64, last: f64) -> Result<usize> {
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     let count = (last - first + HAIR).floor() as usize + 1;
     if count > MAX_FRAMES {
-        return Err(TooMany::SceneFrames.into());
+        return Err(TooMany::SceneFrames(MAX_FRAMES).into());
     }
     Ok(count)
 }

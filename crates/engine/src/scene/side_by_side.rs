@@ -7,8 +7,8 @@
 //! reading at once what was written number by number makes the processor wait.
 
 use std::ops::{Deref, DerefMut};
-use std::sync::OnceLock;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{Arc, OnceLock};
 
 use glam::{DMat4, DVec3};
 
@@ -20,6 +20,7 @@ use super::track::{Interpolation, Track};
 use crate::error::{Result, vec_with_room};
 use crate::math::vector::{self, Vector, each};
 use crate::path::dispatch::widest;
+use crate::shared_list::SharedList;
 
 /// Nodes of a group.
 pub(super) const GROUP: usize = 16;
@@ -288,7 +289,11 @@ pub(super) struct Pack {
 
 impl Pack {
     /// A pack for each [`GROUP`] in this order that can have one, to be asked for so many `frames`.
-    pub(super) fn all(nodes: &[Node], order: &[usize], frames: usize) -> Result<Vec<Option<Self>>> {
+    pub(super) fn all(
+        nodes: &SharedList<Node>,
+        order: &[usize],
+        frames: usize,
+    ) -> Result<Vec<Option<Self>>> {
         let mut packs = vec_with_room(order.len().div_ceil(GROUP))?;
         for group in order.chunks(GROUP) {
             packs.push(Self::new(nodes, group, frames)?);
@@ -297,7 +302,7 @@ impl Pack {
     }
 
     /// Nodes that come one after the other; none if they are not that simple.
-    fn new(nodes: &[Node], group: &[usize], frames: usize) -> Result<Option<Self>> {
+    fn new(nodes: &SharedList<Node>, group: &[usize], frames: usize) -> Result<Option<Self>> {
         let mut clock: Option<(usize, &Track)> = None;
         for &at in group {
             let node = &nodes[at];
@@ -348,7 +353,7 @@ impl Pack {
     /// As [`Group::place`]; false, and nothing written, where the tracks go on with an offset.
     pub(super) fn place(
         &self,
-        nodes: &[Node],
+        nodes: &SharedList<Node>,
         frame: f64,
         group: &mut Group,
         states: &mut [NodeState],
@@ -376,11 +381,13 @@ impl Pack {
 /// The nodes of a scene, and what is prepared of them until one changes.
 #[derive(Debug, Default)]
 pub(super) struct Nodes {
-    all: Vec<Node>,
+    all: SharedList<Node>,
     asked: AtomicUsize,
     packs: OnceLock<Vec<Option<Pack>>>,
     /// Whether [`super::Scene::is_plain`], and whether none follows a path.
     pub plain: OnceLock<(bool, bool)>,
+    /// The first and the last frame of all that moves.
+    pub frames: OnceLock<Option<(f64, f64)>>,
 }
 
 /// Gathering numbers costs so many times less than packing them and gathering nothing.
@@ -389,7 +396,18 @@ const PACKING: usize = 16;
 impl Nodes {
     /// A node whose parent and aim stay: what is prepared of nodes in other groups stays too.
     pub(super) fn one(&mut self, at: usize, order: &[usize]) -> &mut Node {
-        self.plain = OnceLock::new();
+        self.forget(at, order);
+        &mut self.all[at]
+    }
+
+    /// Puts another one in its place, with the same parent and aim.
+    pub(super) fn put(&mut self, at: usize, node: Arc<Node>, order: &[usize]) {
+        self.forget(at, order);
+        self.all.set(at, node);
+    }
+
+    fn forget(&mut self, at: usize, order: &[usize]) {
+        (self.plain, self.frames) = Default::default();
         if let Some(packs) = self.packs.get_mut()
             && !packs.is_empty()
             && let Some(place) = order.iter().position(|&node| node == at)
@@ -397,6 +415,13 @@ impl Nodes {
         {
             *pack = None;
         }
+    }
+
+    /// A node whose path and keys stay: so do the frames of all.
+    pub(super) fn still(&mut self, at: usize) -> &mut Node {
+        let frames = std::mem::take(&mut self.frames);
+        *self = std::mem::take(&mut self.all).into();
+        self.frames = frames;
         &mut self.all[at]
     }
 
@@ -415,8 +440,8 @@ impl Nodes {
     }
 }
 
-impl From<Vec<Node>> for Nodes {
-    fn from(all: Vec<Node>) -> Self {
+impl From<SharedList<Node>> for Nodes {
+    fn from(all: SharedList<Node>) -> Self {
         Self {
             all,
             ..Self::default()
@@ -437,15 +462,15 @@ impl PartialEq for Nodes {
 }
 
 impl Deref for Nodes {
-    type Target = Vec<Node>;
-    fn deref(&self) -> &Vec<Node> {
+    type Target = SharedList<Node>;
+    fn deref(&self) -> &SharedList<Node> {
         &self.all
     }
 }
 
 /// Whoever may change a node makes what is prepared anew.
 impl DerefMut for Nodes {
-    fn deref_mut(&mut self) -> &mut Vec<Node> {
+    fn deref_mut(&mut self) -> &mut SharedList<Node> {
         *self = std::mem::take(&mut self.all).into();
         &mut self.all
     }

@@ -1,7 +1,5 @@
 //! Keys that come into a track and go out of it, and the ways between them that become others.
 
-use std::mem::{replace, swap, take};
-
 use super::interpolation::Interpolation;
 use super::key_list::{KeyList, Manner};
 use super::track::Track;
@@ -45,11 +43,11 @@ impl Track {
         }
     }
 
-    /// The keys `remove` go and those of `put` come; afterwards both say how to take that back.
-    pub(super) fn splice(&mut self, remove: &mut Vec<usize>, put: &mut KeyList) -> Result<()> {
+    /// The track without the keys `remove` and with those of `put`.
+    pub(super) fn with_keys(&self, remove: &[usize], put: &KeyList) -> Result<Self> {
         self.check_which(remove)?;
         let numbers @ [width, shape] = self.key_numbers();
-        let (gone, come) = (remove.len(), put.len());
+        let come = put.len();
         if put.values.len() != width * come || put.shape.len() != shape * come {
             return Err(OutOfRange::KeyNumbers {
                 keys: come,
@@ -57,14 +55,12 @@ impl Track {
             }
             .into());
         }
-        let count = self.frames().len() - gone + come;
+        let count = self.frames().len() - remove.len() + come;
         let mut new = KeyList::with_room(count, numbers)?;
-        let mut out = KeyList::with_room(gone, numbers)?;
         let mut places = vec_with_room(come)?;
         let (mut next, mut going) = (0, remove.iter().peekable());
         for key in 0..self.frames().len() {
             if going.next_if_eq(&&key).is_some() {
-                out.push(&self.list, key, numbers);
                 continue;
             }
             while next < come && put.frames[next] < self.frames()[key] {
@@ -78,34 +74,29 @@ impl Track {
             places.push(new.len());
             new.push(put, key, numbers);
         }
-        swap(&mut self.list, &mut new);
-        let old = replace(&mut self.prepared, super::track::Prepared::Nothing);
-        let checked = self.check_count().and_then(|()| {
-            for &key in &places {
-                for key in [key, key + 1].into_iter().filter(|&key| key < count) {
-                    self.check_key(key)
-                        .map_err(|error| error.at(Place::Key(key)))?;
-                }
+        let mut track = self.with_list(new);
+        track.check_count()?;
+        for key in places {
+            for key in [key, key + 1].into_iter().filter(|&key| key < count) {
+                track
+                    .check_key(key)
+                    .map_err(|error| error.at(Place::Key(key)))?;
             }
-            self.prepare()
-        });
-        if let Err(error) = checked {
-            (self.list, self.prepared) = (new, old);
-            return Err(error);
         }
-        (*remove, *put) = (places, out);
-        Ok(())
+        track.prepare()?;
+        Ok(track)
     }
 
-    pub(super) fn exchange_manner(&mut self, manner: &mut Manner) -> Result<()> {
-        self.swap_manner(manner);
-        let old = replace(&mut self.prepared, super::track::Prepared::Nothing);
-        let checked = self.check().and_then(|()| self.prepare());
-        if checked.is_err() {
-            self.swap_manner(manner);
-            self.prepared = old;
-        }
-        checked
+    /// The track as it goes from key to key in another manner.
+    pub(super) fn with_manner(&self, manner: Manner) -> Result<Self> {
+        let mut track = self.with_list(KeyList {
+            shape: manner.shape,
+            ..self.list.clone()
+        });
+        track.set_manner(manner.interpolation, (manner.before, manner.after));
+        track.check()?;
+        track.prepare()?;
+        Ok(track)
     }
 
     /// How it goes from key to key, and beyond.
@@ -120,73 +111,47 @@ impl Track {
         }
     }
 
-    /// Puts a number into each row of as many as the key has, `at` each; empty: zeros.
-    pub(super) fn insert_column(&mut self, at: usize, numbers: &[f64]) -> Result<()> {
-        let width = self.width();
-        let hermite = *self.interpolation() == Interpolation::Hermite;
-        let rows = self.frames().len() * if hermite { 3 } else { 1 };
-        if !numbers.is_empty() && numbers.len() != rows {
-            return Err(OutOfRange::KeyNumbers {
-                keys: self.frames().len(),
-                numbers: numbers.len(),
-            }
-            .into());
-        }
-        let mut numbers = numbers.iter().copied();
-        let mut wider = |list: &[f64]| {
-            let mut all = vec_with_room(list.len() / width * (width + 1))?;
-            for row in list.chunks_exact(width) {
-                all.extend_from_slice(&row[..at]);
-                all.push(numbers.next().unwrap_or(0.0));
-                all.extend_from_slice(&row[at..]);
-            }
-            Ok::<_, crate::Error>(all)
-        };
-        let values = wider(self.values())?;
-        let shape = if hermite {
-            wider(self.shape())?
-        } else {
-            self.list.shape.clone()
-        };
-        self.with_width(width + 1, values, shape)
+    /// Puts a zero into each row of as many as the key has, `at` each.
+    pub(super) fn insert_column(&mut self, at: usize) -> Result<()> {
+        self.change_columns(self.width() + 1, |row, into| {
+            into.extend_from_slice(&row[..at]);
+            into.push(0.0);
+            into.extend_from_slice(&row[at..]);
+        })
     }
 
-    /// Takes the number `at` out of each row, of at least two each; gives them.
-    pub(super) fn remove_column(&mut self, at: usize) -> Result<Vec<f64>> {
-        let width = self.width();
-        let hermite = *self.interpolation() == Interpolation::Hermite;
-        let mut column = vec_with_room(self.frames().len() * if hermite { 3 } else { 1 })?;
-        let mut narrower = |list: &[f64]| {
-            let mut all = vec_with_room(list.len() / width * (width - 1))?;
-            for row in list.chunks_exact(width) {
-                all.extend_from_slice(&row[..at]);
-                column.push(row[at]);
-                all.extend_from_slice(&row[at + 1..]);
-            }
-            Ok::<_, crate::Error>(all)
-        };
-        let values = narrower(self.values())?;
-        let shape = if hermite {
-            narrower(self.shape())?
-        } else {
-            self.list.shape.clone()
-        };
-        self.with_width(width - 1, values, shape)?;
-        Ok(column)
+    /// Takes the number `at` out of each row, of at least two each.
+    pub(super) fn remove_column(&mut self, at: usize) -> Result<()> {
+        self.change_columns(self.width() - 1, |row, into| {
+            into.extend_from_slice(&row[..at]);
+            into.extend_from_slice(&row[at + 1..]);
+        })
     }
 
-    fn with_width(&mut self, width: usize, values: Vec<f64>, shape: Vec<f64>) -> Result<()> {
-        let old = (
-            self.width,
-            replace(&mut self.list.values, values),
-            replace(&mut self.list.shape, shape),
-            take(&mut self.prepared),
-        );
-        self.width = width;
-        let done = self.check().and_then(|()| self.prepare());
-        if done.is_err() {
-            (self.width, self.list.values, self.list.shape, self.prepared) = old;
-        }
-        done
+    fn change_columns(
+        &mut self,
+        width: usize,
+        change: impl Fn(&[f64], &mut Vec<f64>),
+    ) -> Result<()> {
+        let changed = |list: &[f64]| {
+            let rows = list.chunks_exact(self.width());
+            let mut all = vec_with_room(rows.len() * width)?;
+            rows.for_each(|row| change(row, &mut all));
+            Ok::<_, crate::Error>(all)
+        };
+        let shape = match self.interpolation() {
+            Interpolation::Hermite => changed(self.shape())?,
+            _ => self.shape().to_vec(),
+        };
+        let mut track = self.with_list(KeyList {
+            frames: self.frames().to_vec(),
+            values: changed(self.values())?,
+            shape,
+        });
+        track.width = width;
+        track.check()?;
+        track.prepare()?;
+        *self = track;
+        Ok(())
     }
 }

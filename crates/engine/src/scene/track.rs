@@ -1,13 +1,11 @@
 //! Tracks: the keys of one channel, and the ways between them (`docs/scene.md`, tracks).
 
-use std::mem::swap;
-
 use glam::DQuat;
 
 use super::channel::Channel;
 use super::host::{self, Question};
 pub use super::interpolation::Interpolation;
-use super::key_list::{KeyList, Manner};
+use super::key_list::KeyList;
 use super::motion::check_frame;
 use super::rotation::{Between, GreatArc, Turns, quaternion, unit, wxyz};
 use super::state::Warnings;
@@ -164,9 +162,14 @@ impl Track {
         self.list.frames.len() + self.list.values.len() + self.list.shape.len()
     }
 
-    /// What is prepared of keys is at most four times as much.
+    /// About how many bytes it takes; what is prepared of rotations is at most four times as much.
     pub(super) fn heap_size(&self) -> usize {
-        400 + 8 * 5 * self.numbers_kept()
+        let prepared = match &self.prepared {
+            Prepared::Nothing => 0,
+            Prepared::Slopes(slopes) => slopes.len(),
+            Prepared::Turns(_) => 4 * self.numbers_kept(),
+        };
+        size_of::<Self>() + 8 * (self.numbers_kept() + prepared)
     }
 
     pub(super) fn renumber_deformation(&mut self, number: impl Fn(usize) -> usize) {
@@ -215,11 +218,23 @@ impl Track {
         Ok(())
     }
 
-    pub(super) fn swap_manner(&mut self, manner: &mut Manner) {
-        swap(&mut self.interpolation, &mut manner.interpolation);
-        swap(&mut self.list.shape, &mut manner.shape);
-        swap(&mut self.before, &mut manner.before);
-        swap(&mut self.after, &mut manner.after);
+    /// The same track with other keys, of which nothing is checked or prepared.
+    pub(super) fn with_list(&self, list: KeyList) -> Self {
+        Self {
+            channel: self.channel.clone(),
+            interpolation: self.interpolation.clone(),
+            list,
+            prepared: Prepared::Nothing,
+            ..*self
+        }
+    }
+
+    pub(super) fn set_manner(
+        &mut self,
+        interpolation: Interpolation,
+        (before, after): (Extrapolation, Extrapolation),
+    ) {
+        (self.interpolation, self.before, self.after) = (interpolation, before, after);
     }
 
     /// Refuses the combinations that the table of `docs/scene.md` does not have.

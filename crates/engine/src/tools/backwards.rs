@@ -64,7 +64,10 @@ pub fn reverse(path: &CameraPath) -> Result<CameraPath> {
         }
         points.push(new);
     }
-    let mut reversed = CameraPath { points, ..*path };
+    let mut reversed = CameraPath {
+        points: points.into(),
+        ..*path
+    };
     let mut ups = keep::ups(path)?;
     if !ups.is_empty() {
         ups.iter_mut().for_each(|ups| ups.reverse());

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::keep::{check_upright, keep_tangents};
 use crate::error::{Invalid, OutOfRange, Result, vec_with_room};
-use crate::limits::MAX_FRAMES;
+use crate::limits::MAX_SECTION_FRAMES;
 use crate::math::orientation::wrap_degrees;
 use crate::path::resample::resample;
 use crate::path::{
@@ -134,7 +134,7 @@ fn blended(
         parts.sum()
     };
     let fixed = |own: &OrientationOverrides| (own.frames > 0).then_some(f64::from(own.frames));
-    let frames = owned(&fixed).map(|frames| frames.round().clamp(1.0, MAX_FRAMES as f64));
+    let frames = owned(&fixed).map(|frames| frames.round().clamp(1.0, MAX_SECTION_FRAMES as f64));
     #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
     let frames = frames.map_or(first.own.frames, |frames| frames as u32);
     let (locked, slopes) = (

@@ -5,6 +5,7 @@
 
 use std::collections::HashSet;
 use std::ops::Range;
+use std::sync::Arc;
 
 use glam::{DMat4, DQuat, DVec3};
 
@@ -17,6 +18,7 @@ use crate::error::{
 use crate::limits::{MAX_NAME_BYTES, MAX_POINTS};
 use crate::path::up_vector::check_ups;
 use crate::path::{CameraPath, SupportPoint, Tangents, Up, alignment};
+use crate::shared_list::SharedList;
 
 /// Half sizes of the space that a length must have to tell a direction.
 const LEAST: f64 = 1e-9;
@@ -63,11 +65,11 @@ pub fn extract(path: &CameraPath, first: usize, last: usize) -> Result<CameraPat
     }
     let taken = (last + count - first) % count + 1;
     let all = tangents(path)?;
-    let mut points = vec_with_room(taken)?;
+    let mut points = SharedList::new();
     let mut wanted = vec_with_room(taken)?;
     for k in 0..taken {
         let point = (first + k) % count;
-        points.push(path.points[point].try_clone()?);
+        points.push(Arc::clone(&path.points.as_slice()[point]));
         wanted.push(all[point]);
     }
     let mut block = CameraPath {
@@ -268,22 +270,19 @@ struct Merge<'a> {
 }
 
 impl Merge<'_> {
-    fn points(&self) -> Result<Vec<SupportPoint>> {
+    fn points(&self) -> Result<SharedList<SupportPoint>> {
         let (before, after) = self.path.points.split_at(self.at + 1);
-        let mut points = vec_with_room(self.path.points.len() + self.put.len())?;
-        for point in before {
-            points.push(point.try_clone()?);
-        }
+        let mut points = SharedList::new();
+        points.try_reserve(self.path.points.len() + self.put.len())?;
+        points.extend(before.iter().cloned());
         let mut names = Names::of(self.path)?;
-        for point in &self.block.points[self.put.clone()] {
+        for point in self.block.points.range(self.put.clone()) {
             let mut new = point.try_clone()?;
             new.curve = shape_in(self.path, self.block, new.curve);
             new.name = new.name.map(|name| names.unique(name)).transpose()?;
             points.push(new);
         }
-        for point in after {
-            points.push(point.try_clone()?);
-        }
+        points.extend(after.iter().cloned());
         Ok(points)
     }
 
@@ -321,7 +320,7 @@ impl Merge<'_> {
     }
 
     /// The pace of the way that began at the joint goes on behind the block.
-    fn hand_on_pace(&self, points: &mut [SupportPoint]) -> Result<()> {
+    fn hand_on_pace(&self, points: &mut SharedList<SupportPoint>) -> Result<()> {
         let Some(begin) = points[self.at].orientations.last_mut() else {
             return Ok(());
         };
@@ -365,12 +364,12 @@ impl Merge<'_> {
             return Ok(());
         }
         let (old, mine) = (alignment::ups(self.path)?, alignment::ups(self.block)?);
-        let orientations = |points: &[SupportPoint]| -> usize {
-            points.iter().map(|point| point.orientations.len()).sum()
+        let before = |path: &CameraPath, point: usize| -> usize {
+            let points = path.points.range(..point);
+            points.map(|point| point.orientations.len()).sum()
         };
-        let split = orientations(&self.path.points[..=self.at]);
-        let [from, to] =
-            [self.put.start, self.put.end].map(|k| orientations(&self.block.points[..k]));
+        let split = before(self.path, self.at + 1);
+        let [from, to] = [self.put.start, self.put.end].map(|k| before(self.block, k));
         let all = [&old[..split], &mine[from..to], &old[split..]].concat();
         let all: Vec<Option<DVec3>> = all.into_iter().map(Some).collect();
         alignment::keep_ups(whole, &all)?;
@@ -445,7 +444,7 @@ pub fn repeat(path: &CameraPath, times: usize) -> Result<CameraPath> {
     let mut all = path.try_clone()?;
     if path.closed {
         let mut names = Names::of(path)?;
-        all.points.try_reserve_exact(count * (times - 1))?;
+        all.points.try_reserve(count * (times - 1))?;
         for at in count..count * times {
             let mut point = path.points[at % count].try_clone()?;
             if let Some(name) = point.name {

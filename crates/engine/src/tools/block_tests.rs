@@ -146,7 +146,7 @@ fn vary(path: &mut CameraPath, random: &mut Random) {
 fn with_a_lock() -> CameraPath {
     let mut random = Random(8);
     let mut path = CameraPath::default();
-    path.points.resize(4, path.points[0].clone());
+    path.points = std::array::from_fn::<_, 4, _>(|_| path.points[0].clone()).into();
     for point in &mut path.points {
         point.position = vector(&mut random);
     }

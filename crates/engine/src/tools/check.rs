@@ -8,16 +8,19 @@ use std::fmt;
 use glam::{DQuat, DVec3};
 
 use super::clearance::Clearance;
+use super::fit::Progress;
 pub use super::kinds::{COUNT, FindingKind, OFF};
 pub use super::limits::Limits;
 use super::redundant::without;
+use super::watch::Watch;
 use crate::deform::Bounds;
 use crate::error::{Result, vec_with_room};
 use crate::limits::{BASE_SPEED, MIN_SPEED};
 use crate::math::orientation::quaternion_from_view;
 use crate::math::quaternion::{angle, continue_sign, log};
 use crate::path::arc_length::ArcLength;
-use crate::path::{CameraPath, Change, Pose, Sampler, Section, Target, Timeline, half_turn};
+use crate::path::hermite::Cubic;
+use crate::path::{CameraPath, Change, Pace, Pose, Sampler, Section, Target, Timeline, half_turn};
 
 /// Whether a value is beyond a limit by more than rounding.
 fn beyond(value: f64, limit: f64) -> bool {
@@ -99,13 +102,28 @@ const SUSPECT: f64 = 0.01;
 /// # Errors
 /// [`crate::Error::Limit`] if the path has too many frames, [`crate::Error::Memory`].
 pub fn check(path: &CameraPath, against: &CheckContext<'_>) -> Result<Vec<Finding>> {
+    check_watched(path, against, &mut |_, _| true)
+}
+
+/// As [`check`]; `progress` gets frames that were looked at and all, and ends it with `false`.
+///
+/// # Errors
+/// As [`check`]; [`crate::Error::Argument`] where `progress` ends it.
+pub fn check_watched(
+    path: &CameraPath,
+    against: &CheckContext<'_>,
+    progress: Progress<'_>,
+) -> Result<Vec<Finding>> {
+    let watch = Watch::new(progress);
     let timeline = Timeline::new(path)?;
     let sampler = Sampler::new(path, &timeline)?;
+    let sections = sections(&timeline, &sampler)?;
     let mut scan = Scan {
         path,
         against,
         sampler: &sampler,
-        sections: sections(&timeline, &sampler)?,
+        stops: stops(path, &sections, sampler.frame_count())?,
+        sections,
         open: [None; COUNT],
         found: Vec::new(),
     };
@@ -113,7 +131,7 @@ pub fn check(path: &CameraPath, against: &CheckContext<'_>) -> Result<Vec<Findin
         scan.section(&timeline, section)?;
     }
     scan.joins(&timeline)?;
-    scan.redundant(&timeline)?;
+    scan.redundant(&timeline, &watch)?;
     let frames = sampler.frame_count();
     let mut poses = vec_with_room(BLOCK)?;
     let mut before = [None; 3];
@@ -122,7 +140,9 @@ pub fn check(path: &CameraPath, against: &CheckContext<'_>) -> Result<Vec<Findin
         let count = BLOCK.min(frames - done);
         poses.resize(count, Pose::default());
         sampler.sample(done + 1, &mut poses)?;
+        watch.at(done, frames)?;
         for pose in &poses {
+            watch.check()?;
             done += 1;
             let here = Frame::new(done, pose, before[2].as_ref());
             scan.frame(&here, before)?;
@@ -144,6 +164,34 @@ fn sections(timeline: &Timeline, sampler: &Sampler) -> Result<Vec<(usize, Sectio
     let moving = timeline.moving();
     sections.extend(moving.map(|k| (sampler.first_frame(k), timeline.section(k))));
     Ok(sections)
+}
+
+/// The frames, in order, at which the camera stops or starts moving in a section without an ease:
+/// beside a hold, and where it moves on one side only.
+fn stops(path: &CameraPath, sections: &[(usize, Section)], frames: usize) -> Result<Vec<usize>> {
+    let plain = |section: &Section| {
+        let begin = &path.points[section.point].orientations[section.orientation];
+        begin.own.pace == Pace::Speeds
+    };
+    let mut stops = vec_with_room(2 * (sections.len() + 1))?;
+    for k in 0..=sections.len() {
+        let before = k.checked_sub(1).map(|k| &sections[k]);
+        let after = sections.get(k);
+        let end = before.map_or(1, |(first, section)| first + section.frames - 1);
+        let begin = after.map_or(frames, |(first, _)| first - 1);
+        let sides = [before, after].map(|side| side.map(|(_, section)| section));
+        if begin > end {
+            let keys = sides.into_iter().zip([end, begin]);
+            stops.extend(keys.filter_map(|(side, key)| side.is_some_and(plain).then_some(key)));
+        } else if let [Some(before), Some(after)] = sides
+            && (before.change == Change::Position) != (after.change == Change::Position)
+            && plain(before)
+            && plain(after)
+        {
+            stops.push(end);
+        }
+    }
+    Ok(stops)
 }
 
 /// A pose, its quaternion with the sign that continues the one before.
@@ -172,6 +220,7 @@ struct Scan<'a> {
     against: &'a CheckContext<'a>,
     sampler: &'a Sampler,
     sections: Vec<(usize, Section)>,
+    stops: Vec<usize>,
     open: [Option<Finding>; COUNT],
     found: Vec<Finding>,
 }
@@ -259,6 +308,23 @@ impl Scan<'_> {
         self.see(kind, frames, there.then_some(value), -1.0)
     }
 
+    /// Whether a sudden stop or start at a frame is no finding: the section has no ease, and nobody
+    /// has set a limit of this kind.
+    fn may_stop(&self, kind: FindingKind, frame: usize) -> bool {
+        self.against.limits.get(kind) == kind.limit().default
+            && self.stops.binary_search(&frame).is_ok()
+    }
+
+    /// As [`Self::above`] for what three frames say about the middle one.
+    fn acceleration(&mut self, kind: FindingKind, middle: usize, value: f64) -> Result<()> {
+        let value = if self.may_stop(kind, middle) {
+            0.0
+        } else {
+            value
+        };
+        self.above(kind, (middle - 1, middle + 1), value)
+    }
+
     fn frame(&mut self, here: &Frame, before: [Option<Frame>; 3]) -> Result<()> {
         let (number, fps) = (here.number, self.against.fps);
         let size = self.path.space.half_size;
@@ -313,18 +379,17 @@ impl Scan<'_> {
         let Some(first) = before[1] else {
             return Ok(());
         };
-        let three = (number - 2, number);
         let bend = here.place - 2.0 * last.place + first.place;
-        self.above(
+        self.acceleration(
             FindingKind::Acceleration,
-            three,
+            number - 1,
             bend.length() / size * fps * fps,
         )?;
         let rate = |a: &Frame, b: &Frame| 2.0 * log(b.turn * a.turn.conjugate());
         let change = (rate(&last, here) - rate(&first, &last)).length();
-        self.above(
+        self.acceleration(
             FindingKind::TurningAcceleration,
-            three,
+            number - 1,
             change.to_degrees() * fps * fps,
         )?;
         let Some(start) = before[0] else {
@@ -411,6 +476,15 @@ impl Scan<'_> {
         if section.change == Change::Position {
             let curve = timeline.curve(section.point);
             let arc = ArcLength::new(curve)?;
+            let (back, t) = way_back(self.path, section.point, curve);
+            let back = back / self.path.space.half_size;
+            if beyond(back, limits.get(FindingKind::Backwards)) {
+                let frame = begin
+                    + time_of(&timing, arc.length_at(t) / arc.length()) * section.frames as f64;
+                let finding =
+                    self.finding(FindingKind::Backwards, [frame; 2], Some(&section), back);
+                self.add(finding)?;
+            }
             for t in (0..=256).map(places) {
                 let share = curve.derivative(t).length() / arc.length();
                 if share < least.0 {
@@ -429,12 +503,13 @@ impl Scan<'_> {
     }
 
     /// Points without which the poses would be the same.
-    fn redundant(&mut self, timeline: &Timeline) -> Result<()> {
+    fn redundant(&mut self, timeline: &Timeline, watch: &Watch<'_>) -> Result<()> {
         let most = self.against.limits.get(FindingKind::Redundant);
         if most == OFF || most == 0.0 {
             return Ok(());
         }
         for point in 1..self.path.points.len() {
+            watch.check()?;
             let Some(without) = without(self.path, point, most)? else {
                 continue;
             };
@@ -461,13 +536,23 @@ impl Scan<'_> {
         let pairs = self.sections.len().saturating_sub(1);
         for k in 0..pairs {
             let ((first, before), (next, after)) = (self.sections[k], self.sections[k + 1]);
-            let (end, begin) = ((first + before.frames - 1) as f64, next as f64 - 1.0);
+            let keys = [first + before.frames - 1, next - 1];
+            let [end, begin] = keys.map(|key| key as f64);
             let place = |frame: f64| -> Result<DVec3> { Ok(self.sampler.pose(frame)?.vrp.into()) };
             let reach = (place(end)? - place(end - BESIDE)?) / BESIDE;
             let leave = (place(begin + BESIDE)? - place(begin)?) / BESIDE;
             let rests = begin > end;
             let (a, b) = (reach.length(), leave.length());
-            let change = if rests { a.max(b) } else { (a - b).abs() };
+            let seen = |speed: f64, key: usize| {
+                let may = self.may_stop(FindingKind::SpeedJump, key);
+                if may { 0.0 } else { speed }
+            };
+            let (stops, starts) = (seen(a, keys[0]), seen(b, keys[1]));
+            let change = if rests {
+                stops.max(starts)
+            } else {
+                (stops - starts).abs()
+            };
             let jump = change / mean.max(f64::MIN_POSITIVE);
             let turned = reach.angle_between(leave).to_degrees();
             let corner = if a.min(b) > 1e-3 * mean { turned } else { 0.0 };
@@ -482,6 +567,31 @@ impl Scan<'_> {
         }
         Ok(())
     }
+}
+
+/// How far the curve of a segment goes back against its chord, and the parameter at which it has;
+/// nothing where the points around it turn back themselves.
+fn way_back(path: &CameraPath, segment: usize, curve: &Cubic) -> (f64, f64) {
+    let count = path.points.len();
+    let chord = |k: usize| path.points[(k + 1) % count].position - path.points[k % count].position;
+    let own = chord(segment);
+    let beside = match (path.closed, segment) {
+        (true, k) => [Some(chord(k + count - 1)), Some(chord(k + 1))],
+        (false, k) => [
+            k.checked_sub(1).map(chord),
+            (k + 2 < count).then(|| chord(k + 1)),
+        ],
+    };
+    let on = beside.iter().flatten().all(|chord| chord.dot(own) > 0.0);
+    let (mut most, mut found) = (0.0_f64, (0.0, 0.0));
+    for t in (0..=256).map(|k| f64::from(k) / 256.0) {
+        let along = (curve.point(t) - path.points[segment].position).dot(own.normalize_or_zero());
+        most = most.max(along);
+        if on && most - along > found.0 {
+            found = (most - along, t);
+        }
+    }
+    found
 }
 
 /// The share of the time at which such a share of the way is gone.

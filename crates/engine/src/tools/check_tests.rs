@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::path::own;
-use crate::path::{Ease, EaseKind, Orientation, Pace, SupportPoint, Tangents, UpVector};
+use crate::path::{CurveKind, Ease, EaseKind, Orientation, Pace, SupportPoint, Tangents, UpVector};
 use crate::scene::Mesh;
 
 fn path(points: &[[f64; 3]]) -> CameraPath {
@@ -123,25 +123,68 @@ fn cusp() {
 fn speed_jump() {
     let mut path = path(&LINE);
     path.points[1].orientations[0].hold = 10;
+    eased(&mut path, 0, 0.4, 0.0);
     let all = check(&path, &plain()).unwrap();
     assert_eq!(all[0].kind, FindingKind::SpeedJump);
     assert!(
-        (all[0].first_frame, all[0].last_frame) == (51.0, 61.0),
+        (all[0].first_frame, all[0].last_frame) == (60.0, 70.0),
         "{:?}",
         all[0]
     );
     // Eased on both sides of the rest.
-    for (at, rise, fall) in [(0, 0.0, 0.4), (1, 0.4, 0.0)] {
-        let ease = Pace::Ease(Ease {
-            kind: EaseKind::Sine,
-            rise,
-            fall,
-            cruise: 50.0,
-        });
-        let orientation = &mut path.points[at].orientations[0];
-        orientation.own = orientation.own.with(|own| own.pace = ease).unwrap();
-    }
+    eased(&mut path, 0, 0.0, 0.4);
+    eased(&mut path, 1, 0.4, 0.0);
     assert!(found(&path).is_empty(), "{:?}", found(&path));
+}
+
+fn eased(path: &mut CameraPath, at: usize, rise: f64, fall: f64) {
+    let ease = Pace::Ease(Ease {
+        kind: EaseKind::Sine,
+        rise,
+        fall,
+        cruise: 50.0,
+    });
+    let orientation = &mut path.points[at].orientations[0];
+    orientation.own = orientation.own.with(|own| own.pace = ease).unwrap();
+}
+
+/// A hold, and a turn on the spot, between sections without an ease are as they are meant. A limit
+/// that somebody sets counts there, too.
+#[test]
+fn a_plain_stop_is_found_only_against_a_limit_that_was_set() {
+    let mut stops = path(&LINE);
+    for point in &mut stops.points {
+        point.orientations[0].target = Target::Absolute(DVec3::ZERO);
+    }
+    let mut turns = stops.clone();
+    stops.points[1].orientations[0].hold = 10;
+    let mut aside = turns.points[1].orientations[0].clone();
+    aside.target = Target::Relative(DVec3::new(-0.5, 0.0, -0.8));
+    turns.points[1].orientations.push(aside);
+    turns.base_frames.turning = 200.0;
+    for (path, kinds) in [(&stops, 3), (&turns, 2)] {
+        assert!(found(path).is_empty(), "{:?}", found(path));
+        for (kind, limit) in [
+            (FindingKind::SpeedJump, 0.4),
+            (FindingKind::Acceleration, 5.0),
+            (FindingKind::TurningAcceleration, 299.0),
+        ]
+        .into_iter()
+        .take(kinds)
+        {
+            let mut against = plain();
+            against.limits.set(kind, limit).unwrap();
+            assert!(found_against(path, &against).contains(&kind.name()));
+        }
+    }
+    // One side with an ease that does not begin at rest.
+    let mut eased_after = stops.clone();
+    eased(&mut eased_after, 1, 0.0, 0.4);
+    assert!(found(&eased_after).contains(&"speed-jump"));
+    // Without a stop, speeds that differ are found.
+    stops.points[1].orientations[0].hold = 0;
+    stops.points[1].orientations[0].speeds = [100.0; 10];
+    assert!(found(&stops).contains(&"speed-jump"));
 }
 
 #[test]
@@ -205,9 +248,12 @@ fn turning_and_its_acceleration() {
     assert!((all[0].value - 61.0).abs() < 1e-6);
     let mut rest = turn(50.0, 25);
     rest.points[0].orientations[0].hold = 5;
+    assert!(!found(&rest).contains(&"turning-acceleration"));
+    eased(&mut rest, 0, 0.0, 0.1);
     assert!(found(&rest).contains(&"turning-acceleration"));
     let mut slow = turn(10.0, 25);
     slow.points[0].orientations[0].hold = 5;
+    eased(&mut slow, 0, 0.0, 0.1);
     assert!(!found(&slow).contains(&"turning-acceleration"));
 }
 
@@ -454,4 +500,37 @@ fn at_its_limit_nothing_is_found() {
             .unwrap();
         assert!(found_against(&path, &against).contains(&"target"), "{tilt}");
     }
+}
+
+/// The way back is the extremum of a Hermite cubic: between 10 and 10.5 the tangents are 5.25 and
+/// 15, so that s = 5.25 t − 24 t² + 19.25 t³.
+#[test]
+fn a_way_back_is_found_and_centripetal_has_none() {
+    let line = [0.0, 10.0, 10.5, 40.0, 50.0].map(|x| [x / 50.0, 0.0, 0.0]);
+    let mut path = path(&line);
+    let all = check(&path, &plain()).unwrap();
+    let back = all
+        .iter()
+        .find(|found| found.kind == FindingKind::Backwards);
+    let back = back.expect("a way back");
+    let s = |t: f64| (5.25 * t - 24.0 * t * t + 19.25 * t * t * t) / 50.0;
+    let ends = [-1.0, 1.0]
+        .map(|side| (48.0 + side * (48.0_f64.powi(2) - 4.0 * 57.75 * 5.25).sqrt()) / 115.5);
+    assert!(
+        (back.value - (s(ends[0]) - s(ends[1]))).abs() < 1e-4,
+        "{back:?}"
+    );
+    assert_eq!((back.point, back.limit), (1, 0.001));
+    for kind in [CurveKind::Centripetal, CurveKind::Chordal] {
+        path.curve = kind;
+        assert!(!found(&path).contains(&"backwards"));
+    }
+    // A way that its points lead back is none.
+    let hairpin = [
+        [0.0, 0.0, 0.0],
+        [0.5, 0.0, 0.0],
+        [0.1, 0.05, 0.0],
+        [-0.5, 0.0, 0.0],
+    ];
+    assert!(!found(&self::path(&hairpin)).contains(&"backwards"));
 }

@@ -2,12 +2,17 @@
 //! lines or points, split at the median of the longest side (C. Ericson, *Real-Time Collision
 //! Detection*, 2005, 5.1.5 for the nearest point of a triangle, 6.2 for the tree).
 
+use std::hash::{BuildHasher as _, BuildHasherDefault, DefaultHasher};
+
 use glam::DVec3;
 
 use crate::error::{Invalid, Result, vec_with_room};
 use crate::scene::Mesh;
 
 const LEAF: usize = 4;
+
+/// Deeper than a tree of 2⁶⁰ primitives, split at the median.
+const DEPTH: usize = 64;
 
 /// A point, a line or a triangle; corners repeat where there are fewer than three.
 #[derive(Debug, Clone, Copy)]
@@ -23,6 +28,20 @@ pub(crate) struct BoxNode {
     count: u32,
 }
 
+impl BoxNode {
+    /// Whether a ray passes the box before `most`, as wide as it is there.
+    fn is_passed(&self, from: DVec3, way: DVec3, spread: f64, most: f64) -> bool {
+        let far = (self.min - from).abs().max((self.max - from).abs());
+        let room = DVec3::splat(far.length() * spread);
+        let [low, high] = [self.min - room, self.max + room].map(|p| (p - from) / way);
+        // 0/0: along a side of the box.
+        let (enter, leave) = (low.min(high), low.max(high));
+        let enter = enter.to_array().into_iter().fold(0.0, f64::max);
+        let leave = leave.to_array().into_iter().fold(most, f64::min);
+        enter <= leave
+    }
+}
+
 /// The object, ready to be asked.
 #[derive(Debug)]
 pub struct Clearance {
@@ -31,7 +50,9 @@ pub struct Clearance {
 }
 
 impl Clearance {
-    /// Of all triangles and lines of a mesh, or of its points if it has neither.
+    /// Of all triangles and lines of a mesh, or of its points if it has neither. Each place counts
+    /// once: with equal ones, or triangles of which two corners are equal, every question would
+    /// visit all of them.
     ///
     /// # Errors
     /// As [`Mesh::check`]; [`crate::Error::Argument`] if it is empty, [`crate::Error::Memory`].
@@ -45,10 +66,25 @@ impl Clearance {
             return Err(Invalid::NoGeometry.into());
         }
         let mut primitives = vec_with_room(count)?;
-        primitives.extend(mesh.triangles.iter().map(|t| Primitive(t.map(at))));
+        let triangles = mesh.triangles.iter();
+        primitives.extend(triangles.map(|t| Primitive(t.map(at)).without_equal_corners()));
         let lines = mesh.lines.iter();
         primitives.extend(lines.map(|&[a, b]| Primitive([at(a), at(b), at(b)])));
         primitives.extend(mesh.points[..points].iter().map(|p| Primitive([*p; 3])));
+        Self::of(primitives)
+    }
+
+    /// Of all corners, each once.
+    pub(crate) fn of_corners(&self) -> Result<Self> {
+        let mut corners = vec_with_room(3 * self.primitives.len())?;
+        let all = self.primitives.iter().flat_map(|primitive| primitive.0);
+        corners.extend(all.map(|corner| Primitive([corner; 3])));
+        Self::of(corners)
+    }
+
+    fn of(mut primitives: Vec<Primitive>) -> Result<Self> {
+        drop_equal(&mut primitives)?;
+        let count = primitives.len();
         let mut nodes = vec_with_room(2 * count.div_ceil(LEAF / 2) + 1)?;
         build(&mut primitives, 0, &mut nodes);
         Ok(Self { primitives, nodes })
@@ -65,20 +101,53 @@ impl Clearance {
     #[must_use]
     pub fn distance(&self, place: DVec3, most: f64) -> Option<f64> {
         let mut best = most * most;
-        let reach = |node: &BoxNode| (place.clamp(node.min, node.max) - place).length_squared();
+        let reach = |at: u32| {
+            let node = &self.nodes[at as usize];
+            (place.clamp(node.min, node.max) - place).length_squared()
+        };
         let mut found = false;
-        self.walk(&mut |node, primitives| {
-            if reach(node) > best {
-                return false;
+        // The nearer child first: what is near rules out the rest.
+        let mut stack = [(0_u32, 0.0); DEPTH];
+        stack[0].1 = reach(0);
+        let mut depth = 1;
+        while depth > 0 {
+            depth -= 1;
+            let (index, far) = stack[depth];
+            if far > best {
+                continue;
             }
-            for primitive in primitives {
+            let node = &self.nodes[index as usize];
+            for primitive in self.leaf(node) {
                 let far = (primitive.nearest(place) - place).length_squared();
                 found |= far < best;
                 best = best.min(far);
             }
+            if node.count == 0 {
+                let children = [index + 1, node.at].map(|at| (at, reach(at)));
+                let near = usize::from(children[1].1 < children[0].1);
+                (stack[depth], stack[depth + 1]) = (children[1 - near], children[near]);
+                depth += 2;
+            }
+        }
+        found.then(|| best.sqrt())
+    }
+
+    /// Whether a ray meets any of it; `way` has length 1.
+    #[must_use]
+    pub fn is_met(&self, from: DVec3, way: DVec3) -> bool {
+        let mut met = false;
+        self.walk(&mut |node, primitives| {
+            if met || !node.is_passed(from, way, 0.0, f64::INFINITY) {
+                return false;
+            }
+            let meets = |primitive: &Primitive| {
+                let ahead = primitive.ahead(from, way);
+                ahead.is_some_and(|(_, beside)| beside.is_none_or(|beside| beside <= 0.0))
+            };
+            met |= primitives.iter().any(meets);
             true
         });
-        found.then(|| best.sqrt())
+        met
     }
 
     /// Whether the straight way from `a` to `b` goes through a triangle.
@@ -106,15 +175,7 @@ impl Clearance {
         // The closest line: how far beside the ray for each unit ahead, and where.
         let mut line = (spread, f64::INFINITY);
         self.walk(&mut |node, primitives| {
-            // Where it passes the box, as wide as the ray is there.
-            let far = (node.min - from).abs().max((node.max - from).abs());
-            let room = DVec3::splat(far.length() * spread);
-            let [low, high] = [node.min - room, node.max + room].map(|p| (p - from) / way);
-            // 0/0: along a side of the box.
-            let (enter, leave) = (low.min(high), low.max(high));
-            let enter = enter.to_array().into_iter().fold(0.0, f64::max);
-            let leave = leave.to_array().into_iter().fold(nearest, f64::min);
-            if enter > leave {
+            if !node.is_passed(from, way, spread, nearest) {
                 return false;
             }
             for primitive in primitives {
@@ -149,28 +210,50 @@ impl Clearance {
         seen
     }
 
+    /// The primitives of a leaf.
+    fn leaf(&self, node: &BoxNode) -> &[Primitive] {
+        // Of an inner node `at` is a node.
+        match node.count as usize {
+            0 => &[],
+            count => &self.primitives[node.at as usize..node.at as usize + count],
+        }
+    }
+
     /// Walks the tree; `look` gets a node with a leaf's primitives and tells whether to go deeper.
     pub(crate) fn walk(&self, look: &mut dyn FnMut(&BoxNode, &[Primitive]) -> bool) {
-        // Deeper than a tree of 2⁶⁰ primitives, split at the median.
-        let mut stack = [0_u32; 64];
+        let mut stack = [0_u32; DEPTH];
         let mut depth = 1;
         while depth > 0 {
             depth -= 1;
             let index = stack[depth];
             let node = &self.nodes[index as usize];
-            let first = node.at as usize;
-            let leaf = if node.count > 0 {
-                &self.primitives[first..first + node.count as usize]
-            } else {
-                &[]
-            };
-            if look(node, leaf) && node.count == 0 {
+            if look(node, self.leaf(node)) && node.count == 0 {
                 stack[depth] = node.at;
                 stack[depth + 1] = index + 1;
                 depth += 2;
             }
         }
     }
+}
+
+/// Keeps the first of each that are equal, whatever the order of their corners.
+fn drop_equal(primitives: &mut Vec<Primitive>) -> Result<()> {
+    let hasher = BuildHasherDefault::<DefaultHasher>::default();
+    let mut order: Vec<(u64, usize)> = vec_with_room(primitives.len())?;
+    let hashes = primitives.iter().map(|one| hasher.hash_one(one.key()));
+    order.extend(hashes.zip(0..));
+    order.sort_unstable();
+    let mut dropped = vec_with_room(primitives.len())?;
+    dropped.resize(primitives.len(), false);
+    for same in order.chunk_by(|a, b| a.0 == b.0) {
+        let key = primitives[same[0].1].key();
+        for &(_, at) in &same[1..] {
+            dropped[at] = primitives[at].key() == key;
+        }
+    }
+    let mut dropped = dropped.into_iter();
+    primitives.retain(|_| !dropped.next().unwrap_or_default());
+    Ok(())
 }
 
 /// The nodes over some primitives, which begin at `first` among all.
@@ -204,6 +287,29 @@ fn build(primitives: &mut [Primitive], first: usize, nodes: &mut Vec<BoxNode>) {
 }
 
 impl Primitive {
+    /// A triangle with two equal corners as its edge.
+    fn without_equal_corners(self) -> Self {
+        let [a, b, c] = self.0;
+        match a == b {
+            true => Self([a, c, c]),
+            false if b == c || c == a => Self([a, b, b]),
+            false => self,
+        }
+    }
+
+    /// The same for the same place, whatever the order of the corners.
+    fn key(&self) -> [[u64; 3]; 3] {
+        // Not -0, which is equal to 0.
+        let mut corners = self
+            .0
+            .map(|corner| (corner + 0.0).to_array().map(f64::to_bits));
+        corners.sort_unstable();
+        if corners[0] == corners[1] {
+            corners[1] = corners[2]; // one end of a line stands twice, either
+        }
+        corners
+    }
+
     fn nearest(&self, p: DVec3) -> DVec3 {
         let [a, b, c] = self.0;
         let (ab, ac) = (b - a, c - a);
@@ -348,6 +454,42 @@ mod tests {
         }
     }
 
+    /// Else each question would visit all of them.
+    #[test]
+    fn equal_and_degenerate_triangles_leave_the_tree_and_distances_stay() {
+        let mut random = Random(3);
+        let mut mesh = soup(&mut random, 40);
+        let once = Clearance::new(&mesh).unwrap();
+        let places: Vec<DVec3> = (0..50).map(|_| 1.5 * vector(&mut random)).collect();
+        for k in 0..3 {
+            let turned = mesh.triangles[..40]
+                .iter()
+                .map(|t| [t[k], t[(k + 1) % 3], t[(k + 2) % 3]]);
+            let turned: Vec<_> = turned
+                .flat_map(|[a, b, c]| [[a, b, c], [c, b, a]])
+                .collect();
+            mesh.triangles.extend(turned);
+        }
+        // On the edges that are there already.
+        mesh.triangles
+            .extend((0..40).map(|k| [3 * k, 3 * k, 3 * k + 1]));
+        mesh.triangles
+            .extend((0..40).map(|k| [3 * k + 1, 3 * k, 3 * k]));
+        let tree = Clearance::new(&mesh).unwrap();
+        assert_eq!(tree.primitives.len(), 80);
+        for place in places {
+            let far = |tree: &Clearance| tree.distance(place, 9.0).map(f64::to_bits);
+            assert_eq!(far(&tree), far(&once));
+        }
+        let equal = Mesh {
+            points: vec![DVec3::ZERO, -DVec3::X, DVec3::Y, -DVec3::ZERO],
+            triangles: [[0, 1, 2], [2, 1, 3], [0, 3, 0], [3, 3, 3]].repeat(10_000),
+            ..Mesh::default()
+        };
+        let tree = Clearance::new(&equal).unwrap();
+        assert_eq!(tree.primitives.len(), 2, "a triangle and a point");
+    }
+
     #[test]
     fn ways_and_pictures_meet_what_they_meet() {
         let mesh = Mesh {
@@ -404,6 +546,7 @@ mod tests {
             }
             let found = tree.ahead(from, way, 0.0).unwrap_or(f64::INFINITY);
             met += u32::from(first.is_finite());
+            assert_eq!(tree.is_met(from, way), found.is_finite());
             assert!(
                 found == first || (found - first).abs() < 1e-9 * first,
                 "{found} {first}"

@@ -32,7 +32,7 @@ impl<'a> Enclosure<'a> {
     /// # Errors
     /// [`crate::Error::Memory`].
     pub fn around(object: &'a Clearance, place: DVec3) -> Result<Option<Self>> {
-        let leaves = |way: DVec3| object.ahead(place, way.normalize(), 0.0).is_none();
+        let leaves = |way: DVec3| !object.is_met(place, way.normalize());
         if WAYS.iter().any(|way| leaves(*way) || leaves(-*way)) {
             return Ok(None);
         }

@@ -16,7 +16,7 @@ mod whole;
 use glam::{DMat3, DQuat, DVec3};
 
 use crate::error::{Error, Invalid, OutOfRange, Place, Result, TooMany, vec_with_room};
-use crate::limits::{MAX_FPS, MAX_POINTS};
+use crate::limits::{MAX_FPS, MAX_FRAMES, MAX_POINTS};
 use crate::math::orientation::{quaternion_from_view, roll_from_up, view_from_quaternion};
 use crate::math::quaternion::{angle, continue_sign};
 use crate::path::camera_path::{check_coordinates, check_zoom};
@@ -196,7 +196,7 @@ impl Data {
             zoom_slope: None,
             bend: DVec3::ZERO,
         };
-        let mut number = 0;
+        let (mut number, mut moving) = (0, 0);
         while number < motion.parts.len() {
             let (over, mut whole) = self.over_corners(&motion, number, joint, exact)?;
             let stretch = &motion.stretches[number];
@@ -214,6 +214,10 @@ impl Data {
                 joint.bend = piece.bend(1);
                 if !piece.holds {
                     joint.zoom_slope = Some(piece.zoom_slopes[1] / guess);
+                    moving += 1;
+                    if moving >= MAX_POINTS {
+                        return Err(TooMany::FittedPoints.into());
+                    }
                 }
                 pieces.try_reserve(1)?;
                 pieces.push(piece);
@@ -264,6 +268,11 @@ impl Data {
                     return Err(Invalid::PoseTimes.into());
                 }
             }
+        }
+        // Before any work: what follows goes through all frames.
+        let span = times.last().copied().unwrap_or(0.0);
+        if span >= MAX_FRAMES as f64 {
+            return Err(TooMany::PoseSpan(span).into());
         }
         let up = options.space.map_or(options.up, |space| space.up);
         let mut raw: Vec<Sample> = vec_with_room(poses.len())?;
@@ -326,11 +335,8 @@ impl Data {
         if points.len() == 1 {
             return Err(Invalid::WithinTolerance.into());
         }
-        if points.len() > MAX_POINTS {
-            return Err(TooMany::FittedPoints.into());
-        }
         let mut path = CameraPath::try_new()?;
-        path.points = points;
+        path.points = points.into();
         path.space = self.space;
         path.check()?;
         Ok(path)

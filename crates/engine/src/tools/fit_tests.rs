@@ -247,7 +247,9 @@ fn what_is_no_noise_is_met_too() {
     );
     let error = refused.unwrap_err().to_string();
     assert!(
-        error.starts_with("pose ") && error.contains("times that") && error.contains("--robust"),
+        error.starts_with("pose ")
+            && error.contains("times that")
+            && error.contains("a robust fit"),
         "{error}"
     );
 }
@@ -318,7 +320,7 @@ fn jump(path: &CameraPath) -> f64 {
     let sampler = Sampler::new(path, &Timeline::new(path).unwrap()).unwrap();
     let place = |frame: f64| DVec3::from(sampler.pose(frame).unwrap().vrp);
     let (mut at, mut worst) = (1.0, 0.0_f64);
-    for point in &path.points[..path.points.len() - 2] {
+    for point in path.points.range(..path.points.len() - 2) {
         at += f64::from(point.orientations[0].own.frames);
         let bend = |h: f64| (place(at) - 2.0 * place(at + h) + place(at + 2.0 * h)) / (h * h);
         worst = worst.max((bend(0.05) - bend(-0.05)).length() * 900.0);
@@ -543,4 +545,45 @@ fn a_fit_has_a_space_that_holds_its_poses() {
         .unwrap()
         .path;
     assert_eq!(path.space, space);
+}
+
+/// Nanoseconds taken for seconds, a frame far away: refused before any work is done.
+#[test]
+fn poses_that_span_too_many_frames_are_refused_at_once() {
+    let mut random = Random(8);
+    let poses = flight(&mut random, 4, 100);
+    let refused = |seconds: &[f64], fps: f64| {
+        let poses = &poses[..seconds.len()];
+        let mut asked = 0;
+        let mut progress = |_, _| {
+            asked += 1;
+            true
+        };
+        let error = fit(poses, Some(seconds), fps, &TOLERANCE.into(), &mut progress).unwrap_err();
+        assert_eq!(asked, 0, "{error}");
+        error
+    };
+    let evenly = |step: f64| (0..100).map(move |k| f64::from(k) * step);
+    let error = refused(&evenly(33e6).collect::<Vec<_>>(), 25.0);
+    assert!(matches!(error, Error::Limit(TooMany::PoseSpan(_))));
+    assert_eq!(
+        error.to_string(),
+        "the times of the poses span 81675000000 frames, at most 100000000 are allowed: check \
+         their unit, times are seconds"
+    );
+    for seconds in [[0.0, 1.0, 1e9], [0.0, 1.0, f64::INFINITY], [0.0, 1.0, 1e7]] {
+        refused(&seconds, 25.0);
+    }
+    refused(&[0.0, 1.0, 1000.0], 1e5);
+    // Just below, a path is made: of few points, as the poses are few.
+    let seconds = [0.0, 1.0, 2.0, 1e8 - 1.0];
+    let made = fit(
+        &poses[..4],
+        Some(&seconds),
+        1.0,
+        &TOLERANCE.into(),
+        &mut |_, _| true,
+    );
+    let frames = Timeline::new(&made.unwrap().path).unwrap().frame_count();
+    assert_eq!(frames, Ok(100_000_000));
 }

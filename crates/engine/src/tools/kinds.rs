@@ -44,10 +44,12 @@ pub enum FindingKind {
     Speed,
     /// Things cross the picture too fast.
     Crossing,
+    /// The way goes back although its points lead on.
+    Backwards,
 }
 
 /// Number of kinds.
-pub const COUNT: usize = 19;
+pub const COUNT: usize = 20;
 
 /// A limit that nothing is beyond: its kind is not looked for.
 pub const OFF: f64 = f64::INFINITY;
@@ -147,6 +149,11 @@ pub(super) static ROWS: [Row; COUNT] = [
         [1e6, OFF], "s",
         "From point {2}, view {3} what the camera looks at crosses the picture in {0} s (limit {1} s).",
         "Give the section more frames."),
+    row(FindingKind::Backwards, ["backwards", "way back although the points lead on"],
+        [MAX_COORDINATE, 0.001], "half sizes",
+        "From point {2}, view {3} the way goes back by {0} half sizes although the points lead on \
+         (limit {1}).",
+        "Make the curve centripetal, or draw the points apart."),
 ];
 
 impl FindingKind {

@@ -21,6 +21,7 @@ pub mod profile;
 pub mod redundant;
 pub(crate) mod smooth;
 pub mod transform;
+pub(crate) mod watch;
 
 pub use parameter::{Parameter, Unit};
 

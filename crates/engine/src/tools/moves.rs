@@ -385,7 +385,7 @@ impl Move {
             frames: None,
         };
         let mut path = CameraPath::try_new()?;
-        path.points = (self.make)(&given)?;
+        path.points = (self.make)(&given)?.into();
         path.space = space;
         path.base_frames = speeds;
         path.check()?;
@@ -400,7 +400,7 @@ impl Move {
         };
         if path.points.len() > 2 {
             given.frames = Some(frames.clamp(1, MAX_FRAMES) - 1);
-            path.points = (self.make)(&given)?;
+            path.points = (self.make)(&given)?.into();
             path.check()?;
         }
         if seconds > 0.0 {

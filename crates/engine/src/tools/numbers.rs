@@ -14,6 +14,7 @@ impl Parameter {
         }
         let [least, most] = [self.least, self.most].map(|bound| bound * self.scale(half_size));
         if !(least..=most).contains(&number) {
+            let [least, most] = [inwards(least, f64::ceil), inwards(most, f64::floor)];
             return Err(OutOfRange::NumberBetween(self.name, least, most).into());
         }
         Ok(())
@@ -47,5 +48,61 @@ impl Parameter {
             start = end;
         }
         Ok(numbers)
+    }
+}
+
+/// A bound as a person reads it: rounded to three digits by `round`, which leads into the range.
+fn inwards(bound: f64, round: fn(f64) -> f64) -> f64 {
+    let digits = 2.0 - bound.abs().log10().floor();
+    // A power of ten above 1 is exact, one below it is not.
+    let power = 10f64.powf(digits.abs());
+    let whole = if digits < 0.0 {
+        bound / power
+    } else {
+        bound * power
+    };
+    let is_short = (whole - whole.round()).abs() <= 1e-9 * whole.abs();
+    if is_short || !power.is_finite() {
+        return bound;
+    }
+    let rounded = round(whole);
+    if digits < 0.0 {
+        rounded * power
+    } else {
+        rounded / power
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::tools::parameter::Unit;
+
+    /// Bounds of a length in a space of any size have three digits, and lie within the range.
+    #[test]
+    fn bounds_in_an_error_are_short_and_valid() {
+        let parameter = Parameter {
+            name: "tolerance",
+            does: "",
+            unit: Unit::Length,
+            width: 1,
+            least: 2e-5,
+            most: 1e3,
+            default: 1e-3,
+        };
+        for (half_size, words) in [
+            (
+                4_170.837_504_171,
+                "tolerance must lie between 0.0835 and 4170000",
+            ),
+            (1.0, "tolerance must lie between 0.00002 and 1000"),
+            (33.3333, "tolerance must lie between 0.000667 and 33300"),
+        ] {
+            let refused = parameter.check(0.0, half_size).expect_err("below");
+            assert_eq!(refused.to_string(), words);
+            for bound in words.split(' ').filter_map(|word| word.parse::<f64>().ok()) {
+                assert!(parameter.check(bound, half_size).is_ok(), "{bound}");
+            }
+        }
     }
 }

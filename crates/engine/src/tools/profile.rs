@@ -56,13 +56,13 @@ impl Quantity {
     #[must_use]
     pub const fn findings(self) -> &'static [FindingKind] {
         use FindingKind::{
-            Acceleration, Clearance, Corner, Crossing, Cusp, HalfTurn, Jerk, NothingToSee, Pole,
-            Redundant, Space, Speed, SpeedJump, Target, Through, Turning, TurningAcceleration,
-            ViewJump, Zoom,
+            Acceleration, Backwards, Clearance, Corner, Crossing, Cusp, HalfTurn, Jerk,
+            NothingToSee, Pole, Redundant, Space, Speed, SpeedJump, Target, Through, Turning,
+            TurningAcceleration, ViewJump, Zoom,
         };
         match self {
             Self::Distance => &[],
-            Self::Speed => &[Speed, SpeedJump, Cusp, Corner, Space],
+            Self::Speed => &[Speed, SpeedJump, Cusp, Backwards, Corner, Space],
             Self::Acceleration => &[Acceleration, Jerk],
             Self::Turning => &[
                 Turning,

@@ -4,13 +4,16 @@
 //! Only the points around it are planned: without a point, tangents and angular velocities change
 //! at its neighbours alone, of a cubic spline by (2 − √3)ⁿ at the n-th one.
 
+use std::sync::Arc;
+
 use glam::{DQuat, DVec3};
 
-use crate::error::{Result, vec_with_room};
+use crate::error::Result;
 use crate::limits::MIN_POINTS;
 use crate::math::orientation::quaternion_from_view;
 use crate::math::quaternion::{angle, continue_sign};
 use crate::path::{CameraPath, Pose, Sampler, Timeline, curve, hermite::Cubic};
+use crate::shared_list::SharedList;
 
 /// By how much poses may differ: half sizes, degrees, millimetres.
 const SAME: [f64; 3] = [1e-3, 0.1, 0.1];
@@ -102,9 +105,9 @@ fn around(path: &CameraPath, point: usize, radius: usize) -> Result<(CameraPath,
             (point + radius + 1).min(count),
         )
     };
-    let mut points = vec_with_room(end - first)?;
+    let mut points = SharedList::new();
     for at in first..end {
-        points.push(path.points[at % count].try_clone()?);
+        points.push(Arc::clone(&path.points.as_slice()[at % count]));
     }
     let at = if path.closed { radius } else { point - first };
     let closed = false;

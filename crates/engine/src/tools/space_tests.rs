@@ -190,7 +190,7 @@ fn fits() {
             size * wanted.space.half_size,
             "{size:e}"
         );
-        for (got, mut wanted) in got.points.into_iter().zip(wanted.points.clone()) {
+        for (got, wanted) in got.points.iter().zip(&mut wanted.points.clone()) {
             assert_eq!(got.position, size * wanted.position, "{size:e}");
             if let Target::Relative(offset) = &mut wanted.orientations[0].target {
                 *offset *= size;

@@ -327,7 +327,7 @@ fn accessor_width(target: &Target, width: usize) -> usize {
 /// Fails where neighbouring times would be the same.
 pub(super) fn check_count(flight: &Flight<'_>) -> Result<()> {
     if flight.count() > MAX_KEYS {
-        return Err(Error::Document(TooMany::SceneFrames.into()));
+        return Err(Error::Document(TooMany::SceneFrames(MAX_KEYS).into()));
     }
     Ok(())
 }

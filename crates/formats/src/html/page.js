@@ -120,9 +120,9 @@ function speak({ flight, player, writer, ask }, chosen) {
   $("comment").textContent = flight.comment;
   $("language").textContent = said.other;
   const fps = number(flight.fps, Number.isInteger(flight.fps) ? 0 : 2);
-  $("facts").textContent = `${said.frames(flight.count)} · ${writer.second(player.last)} s · ${fps} ${said.perSecond}`;
+  $("facts").textContent = `${said.frames(flight.count)} · ${writer.second(flight.count)} s · ${fps} ${said.perSecond}`;
   $("frames").textContent = `/ ${writer.frame(player.last)}`;
-  $("seconds").textContent = `/ ${writer.second(player.last)} s`;
+  $("seconds").textContent = `/ ${writer.second(flight.count)} s`;
   for (const option of $("rate").options) option.textContent = `${group(Number(option.value))} ×`;
   $("keys").replaceChildren(...said.keys.flatMap((row) => ["dt", "dd"].map((kind, at) => {
     const element = document.createElement(kind);

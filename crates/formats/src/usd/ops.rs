@@ -9,6 +9,7 @@ use super::stage::{Prim, Stage};
 use crate::convention;
 use crate::error::{Cause, Result, Wanted};
 use vides_document::error::vec_with_room;
+use vides_engine::math::euler::of_euler;
 
 /// Operations of one prim.
 const MAX_OPS: usize = 64;
@@ -85,7 +86,7 @@ impl Op {
 
 /// Degrees about axes, x y z, the first axis first.
 fn turn(axes: &[usize], degrees: [f64; 3]) -> DQuat {
-    convention::of_euler(degrees.map(f64::to_radians), axes)
+    of_euler(degrees.map(f64::to_radians), axes)
 }
 
 impl<'a> Stage<'a> {

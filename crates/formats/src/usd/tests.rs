@@ -217,7 +217,7 @@ fn options_turn_scale_and_choose_frames() {
     for line in [
         "upAxis = \"Z\"",
         "startTimeCode = 103",
-        "endTimeCode = 107",
+        "endTimeCode = 108",
         "timeCodesPerSecond = 50",
         "(100.0, -300.0, 200.0)",
         "float horizontalAperture = 0.48",

@@ -1,6 +1,7 @@
 //! The nodes of a scene as prims: what holds what, kinds, names, lenses and lights.
 
 use std::io::{BufWriter, Write};
+use std::sync::Arc;
 
 use glam::DQuat;
 use vides_engine::path::Up;
@@ -100,7 +101,7 @@ pub(super) fn write(
 }
 
 /// Of each node whether neither it nor anything above it scales; parents may stand behind.
-fn rigid(nodes: &[Node]) -> Vec<bool> {
+fn rigid(nodes: &[Arc<Node>]) -> Vec<bool> {
     let own: Vec<bool> = nodes
         .iter()
         .map(|node| {

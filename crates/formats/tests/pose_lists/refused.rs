@@ -152,3 +152,31 @@ fn what_is_wrong_in_trees_is_one_sentence_with_its_place() {
         refused(name, text, said);
     }
 }
+
+/// Nanoseconds, and a frame far away: a sentence at once, where a fit would go through all frames.
+#[test]
+fn times_far_apart_are_refused_before_any_work() {
+    let most = "at most 100000000 are allowed: check their unit, times are seconds";
+    let ends = |last: &str, pose: &str| {
+        ["0", "1", "2", last]
+            .map(|time| format!("{time} {time}{pose}\n"))
+            .concat()
+    };
+    let tum = ends("99000000000", " 0 0 0 0 0 1");
+    let said = format!("the times of the poses span 2475000000000 frames, {most}");
+    refused("tum", &tum, &said);
+    let chan = ends("1000000000", " 0 0 0 0 0 40");
+    refused(
+        "chan",
+        &chan,
+        &format!("the times of the poses span 1000000000 frames, {most}"),
+    );
+    // As keys, too.
+    for (name, text) in [("tum", tum), ("chan", chan)] {
+        let source = Source::of_bytes("file", text.into());
+        let options = Options::parse("as=keys").unwrap();
+        let made = import(&source, by_name(name).ok(), &options);
+        let flown = made.map(|made| made.document.scene.frame_count());
+        assert!(!matches!(flown, Ok(Ok(_))), "{name}");
+    }
+}

@@ -1,4 +1,4 @@
-//! Typed numbers in buffers: all component types, normalised or not, with strides, sparse or plain.
+//! Typed numbers in buffers: all component types, normalised or not, with strides, sparse or dense.
 
 use serde_json::Value;
 
@@ -43,13 +43,13 @@ impl Component {
         }
     }
 
-    /// Whether points can be numbered by it.
+    /// Whether it may be the type of point indices.
     #[must_use]
     pub const fn counts(self) -> bool {
         matches!(self, Self::U8 | Self::U16 | Self::U32)
     }
 
-    /// What 1 is where numbers are normalised.
+    /// The value that stands for 1 if numbers are normalised.
     const fn one(self) -> f64 {
         match self {
             Self::I8 => 127.0,
@@ -61,7 +61,7 @@ impl Component {
         }
     }
 
-    /// The number that begins the bytes; 0 if there are too few.
+    /// The number at the beginning of the bytes; 0 if there are too few.
     #[inline]
     fn number(self, bytes: &[u8]) -> f64 {
         match (self, bytes) {
@@ -76,10 +76,10 @@ impl Component {
     }
 }
 
-/// Elements of one or more numbers each. All of them lie within their buffers.
+/// Elements of one or more numbers each. All of them are within their buffers.
 #[derive(Clone, Debug)]
 pub struct Accessor<'a> {
-    /// None: all 0.
+    /// `None`: all are 0.
     bytes: Option<&'a [u8]>,
     stride: usize,
     count: usize,
@@ -89,7 +89,7 @@ pub struct Accessor<'a> {
     sparse: Option<Sparse<'a>>,
 }
 
-/// Elements that stand in for others.
+/// Elements that replace others.
 #[derive(Clone, Copy, Debug)]
 struct Sparse<'a> {
     count: usize,
@@ -105,7 +105,7 @@ impl Sparse<'_> {
             .number(self.indices.get(start..).unwrap_or_default()) as usize
     }
 
-    /// Where among them an element stands.
+    /// The position of an element in this list.
     fn find(&self, element: usize) -> Option<usize> {
         let (mut low, mut high) = (0, self.count);
         while low < high {
@@ -121,13 +121,13 @@ impl Sparse<'_> {
 }
 
 impl Accessor<'_> {
-    /// How many elements there are.
+    /// The number of elements.
     #[must_use]
     pub const fn count(&self) -> usize {
         self.count
     }
 
-    /// How many numbers an element has: 1 to 4.
+    /// The number of numbers in an element: 1 to 4.
     #[must_use]
     pub const fn width(&self) -> usize {
         self.width
@@ -139,7 +139,7 @@ impl Accessor<'_> {
         self.component
     }
 
-    /// A number of an element, normalised where the file says so; 0 beyond the ends.
+    /// A number of an element, normalised if the file requires it; 0 beyond the ends.
     #[must_use]
     #[inline]
     pub fn number(&self, at: usize, part: usize) -> f64 {
@@ -161,7 +161,7 @@ impl Accessor<'_> {
         }
     }
 
-    /// A share of 0…1: integers count as normalised whatever the file says.
+    /// A share from 0 to 1: integers are always normalised, whatever the file requires.
     #[must_use]
     pub fn share(&self, at: usize, part: usize) -> f64 {
         let number = self.number(at, part);
@@ -173,7 +173,7 @@ impl Accessor<'_> {
     }
 }
 
-/// The bytes of so many elements, each `size` bytes and `stride` apart.
+/// The bytes of `count` elements, each `size` bytes and `stride` apart.
 fn enough(bytes: &[u8], count: usize, stride: usize, size: usize) -> Result<&[u8]> {
     let needed = count
         .saturating_sub(1)
@@ -183,10 +183,10 @@ fn enough(bytes: &[u8], count: usize, stride: usize, size: usize) -> Result<&[u8
 }
 
 impl Container<'_> {
-    /// An accessor by its number. Without a buffer it has at most `most` elements.
+    /// An accessor by its index. Without a buffer it has at most `most` elements.
     ///
     /// # Errors
-    /// [`Error::File`] if it lies beyond its buffer, or is none of the format.
+    /// [`Error::File`] if it exceeds its buffer or is not valid.
     pub fn accessor(&self, number: &Value, most: usize) -> Result<Accessor<'_>> {
         let accessor = element(list(&self.json()["accessors"]), number)?;
         let width = match accessor["type"].as_str() {
@@ -201,7 +201,7 @@ impl Container<'_> {
         let size = width * component.size();
         let (bytes, stride) = match &accessor["bufferView"] {
             Value::Null => {
-                // Nothing but a number says how many there are.
+                // No buffer bounds the count.
                 if count > most {
                     return Err(Error::File(Problem::Long));
                 }

@@ -1,4 +1,4 @@
-//! A file taken apart: its JSON, and the buffers that it names.
+//! Splits a file into its JSON and the buffers named in it.
 
 use std::borrow::Cow;
 use std::ops::Range;
@@ -12,14 +12,15 @@ pub(super) const FORMAT: Error = Error::File(Problem::Format);
 pub(super) const END: Error = Error::File(Problem::End);
 pub(super) const INDICES: Error = Error::File(Problem::Indices);
 
-/// Bytes that serde_json takes for an object and its tree node, and per value in it or in a list.
+/// Bytes that serde_json needs for an object and its tree node, and for each value in an object or
+/// list.
 const OBJECT: usize = 700;
 const VALUE: usize = 160;
 
 /// Limit on the memory of the parsed JSON.
 const MAX_JSON: usize = 512 << 20;
 
-/// Required extensions that change nothing of what is read, or that readers above know.
+/// Required extensions that do not change what is read, or that readers of scenes handle.
 const KNOWN: [&str; 5] = [
     "KHR_mesh_quantization",
     "KHR_texture_transform",
@@ -28,7 +29,7 @@ const KNOWN: [&str; 5] = [
     "KHR_animation_pointer",
 ];
 
-/// Beginnings of extensions that are about materials and pictures, which are not read.
+/// Prefixes of extensions for materials and textures, which are not read.
 const LOOKS: [&str; 4] = [
     "KHR_materials_",
     "KHR_technique",
@@ -36,7 +37,7 @@ const LOOKS: [&str; 4] = [
     "EXT_texture_",
 ];
 
-/// Extensions that compress what is read, each with what helps.
+/// Extensions that compress what is read, each with a message that says what helps.
 const COMPRESSED: [(&str, Problem); 3] = [
     ("KHR_draco_mesh_compression", Problem::Draco),
     ("EXT_meshopt_compression", Problem::Meshopt),
@@ -60,11 +61,11 @@ enum Buffer {
 }
 
 impl<'a> Container<'a> {
-    /// Takes a file apart; `beside` gives external buffers by name.
+    /// Splits a file; `beside` returns external buffers by name.
     ///
     /// # Errors
-    /// [`Error::File`] for a broken file, a missing buffer or more than is taken;
-    /// [`Error::Extension`] if it requires an extension that is not read; [`Error::Memory`].
+    /// [`Error::File`] for a malformed file, a missing buffer or a file beyond the limits;
+    /// [`Error::Extension`] if it requires an extension that is not supported; [`Error::Memory`].
     pub fn open(file: Cow<'a, [u8]>, beside: Beside<'_>) -> Result<Self> {
         let (json, chunk) = parts(&file)?;
         let json = &file[json];
@@ -108,13 +109,13 @@ impl<'a> Container<'a> {
         &self.document
     }
 
-    /// Bytes of the file and of all buffers.
+    /// The number of bytes in the file and all buffers.
     #[must_use]
     pub const fn size(&self) -> usize {
         self.size
     }
 
-    /// The bytes of a buffer view from an offset on, and the view's stride, if it has one.
+    /// The bytes of a buffer view from an offset on, and the view's stride, if any.
     pub(super) fn view(&self, number: &Value, offset: usize) -> Result<(&[u8], Option<usize>)> {
         let view = element(list(&self.document["bufferViews"]), number)?;
         let buffer = match element(&self.buffers, &view["buffer"])? {
@@ -159,7 +160,7 @@ fn parts(bytes: &[u8]) -> Result<(Range<usize>, Option<Range<usize>>)> {
     Ok((json, chunk(behind, b"BIN\0")))
 }
 
-/// Fails where the file demands an extension without which it is read wrongly.
+/// Fails if the file requires an extension without which it would be read wrongly.
 fn known_extensions(needed: &Value) -> Result<()> {
     for name in list(needed).iter().filter_map(Value::as_str) {
         if let Some((_, problem)) = COMPRESSED.iter().find(|(known, _)| *known == name) {
@@ -175,7 +176,7 @@ fn known_extensions(needed: &Value) -> Result<()> {
     Ok(())
 }
 
-/// Approximate bytes of the parsed JSON.
+/// The approximate number of bytes of the parsed JSON.
 fn weight(json: &[u8]) -> usize {
     json.iter().fold(2 * json.len(), |weight, byte| {
         weight
@@ -195,7 +196,7 @@ pub(super) fn index(value: &Value) -> Option<usize> {
     usize::try_from(value.as_u64()?).ok()
 }
 
-/// A whole number, or this if there is none.
+/// A whole number, or `none` if it is missing.
 pub(super) fn count_or(value: &Value, none: usize) -> Result<usize> {
     match value {
         Value::Null => Ok(none),
@@ -203,7 +204,7 @@ pub(super) fn count_or(value: &Value, none: usize) -> Result<usize> {
     }
 }
 
-/// The element of a list that has this number.
+/// The element of a list with this index.
 pub(super) fn element<'a, T>(list: &'a [T], number: &Value) -> Result<&'a T> {
     index(number).and_then(|at| list.get(at)).ok_or(INDICES)
 }
@@ -241,10 +242,10 @@ fn unescaped(uri: &str) -> Option<String> {
     String::from_utf8(bytes).ok()
 }
 
-/// What no sign of base64 stands for.
+/// Not a character of base64.
 const NO_SIGN: u8 = 64;
 
-/// What each byte stands for (RFC 4648).
+/// The value of each character (RFC 4648).
 const SIGNS: [u8; 256] = {
     let alphabet = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let mut signs = [NO_SIGN; 256];
@@ -256,7 +257,7 @@ const SIGNS: [u8; 256] = {
     signs
 };
 
-/// RFC 4648; none if invalid.
+/// RFC 4648; `None` if invalid.
 fn base64(text: &str) -> Option<Vec<u8>> {
     let signs = text.trim_end_matches('=').as_bytes();
     let mut bytes = Vec::new();

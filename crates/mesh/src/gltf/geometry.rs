@@ -1,4 +1,4 @@
-//! Primitives as points, lines and triangles, of one mesh with its morph targets or of all nodes
+//! Primitives as points, lines and triangles: of one mesh with its morph targets, or of all nodes
 //! in place.
 
 use glam::{DAffine3, DVec3};
@@ -12,7 +12,7 @@ use super::join::joined;
 use crate::error::{Error, Problem, Result};
 use crate::srgb;
 
-/// Limits on placed points, and on corners: so many, and so many per byte of the file.
+/// Limits on placed points, and on corners: a fixed number, plus a number per byte of the file.
 const ROOM: usize = 50_000;
 const ROOM_PER_BYTE: usize = 4;
 
@@ -21,13 +21,13 @@ const MAX_PRIMITIVES: usize = 100_000;
 /// A mesh of a file, in its own coordinates.
 #[derive(Debug, Default)]
 pub struct Part {
-    /// Points that agree in every target are one.
+    /// Points that are equal in every target are merged.
     pub mesh: Mesh,
-    /// The points in each morph target, as many as the mesh has.
+    /// The points in each morph target, as many as in the mesh.
     pub targets: Vec<Vec<DVec3>>,
 }
 
-/// How much may yet be read of a file: points, corners and primitives, bounded by its size.
+/// How much of a file may still be read: points, corners and primitives, bounded by its size.
 #[derive(Clone, Debug)]
 pub struct Room {
     points: usize,
@@ -36,7 +36,7 @@ pub struct Room {
 }
 
 impl Room {
-    /// What a file of this size may hold.
+    /// The limits for a file of this size.
     #[must_use]
     pub fn of(container: &Container<'_>) -> Self {
         let points = ROOM.saturating_add(container.size().saturating_mul(ROOM_PER_BYTE));
@@ -79,10 +79,10 @@ pub(super) fn whole(container: &Container<'_>, go_on: &mut dyn FnMut(f64) -> boo
 }
 
 impl Container<'_> {
-    /// A mesh by its number in the file, with its morph targets.
+    /// A mesh by its index in the file, with its morph targets.
     ///
     /// # Errors
-    /// [`Error::File`] for a broken or too large mesh; [`Error::Memory`], [`Error::Stopped`].
+    /// [`Error::File`] for a malformed or too large mesh; [`Error::Memory`], [`Error::Stopped`].
     pub fn part(
         &self,
         number: usize,
@@ -130,7 +130,7 @@ impl<'a> Builder<'a> {
         }
     }
 
-    /// Places: floats, or integers as `KHR_mesh_quantization` has them.
+    /// Positions: floats, or integers as in `KHR_mesh_quantization`.
     fn places(&self, number: &Value) -> Result<Accessor<'a>> {
         let places = self.container.accessor(number, self.room.points)?;
         if places.width() != 3 || places.component() == Component::U32 {
@@ -188,7 +188,7 @@ impl<'a> Builder<'a> {
         Ok(())
     }
 
-    /// The points of the primitive in each target; one that moves none has none of its own.
+    /// The points of the primitive in each target; a target without positions moves none.
     fn targets(&mut self, primitive: &Value, positions: &Accessor<'_>) -> Result<()> {
         let given = list(&primitive["targets"]);
         let wanted = self.part.targets.len();
@@ -238,7 +238,7 @@ impl<'a> Builder<'a> {
         }
         let count = corners.as_ref().map_or(points, Accessor::count);
         let mode = primitive.get("mode").map_or(Some(4), index);
-        // A strip or fan makes up to three corners per index.
+        // A strip or fan has up to three corners per index.
         let made = match mode {
             Some(1 | 4) => count,
             _ => count.saturating_mul(3),
@@ -257,7 +257,7 @@ impl<'a> Builder<'a> {
                 .then_some((first + number) as u32)
                 .ok_or(INDICES)
         };
-        // Mirrored triangles are reversed, or they would face inwards.
+        // Mirrored triangles are reversed, otherwise they would face inwards.
         let turned = transform.matrix3.determinant() < 0.0;
         let lines = &mut self.part.mesh.lines;
         let mut line = |from: usize, to: usize| -> Result<()> {

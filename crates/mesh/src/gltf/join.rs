@@ -1,5 +1,5 @@
-//! Points at one place become one: exporters split them where normals or textures differ, and each
-//! seam would be an edge.
+//! Merges points at one position: exporters split them where normals or textures differ, and each
+//! seam would look like an edge.
 
 use std::hash::{BuildHasher, Hash, Hasher, RandomState};
 
@@ -8,7 +8,7 @@ use glam::DVec3;
 use super::geometry::Part;
 use crate::error::Result;
 
-/// No point has this number.
+/// No point has this index.
 const FREE: u32 = u32::MAX;
 
 /// Adding 0 turns −0 into 0.
@@ -16,7 +16,7 @@ fn bits(point: DVec3) -> [u64; 3] {
     (point + DVec3::ZERO).to_array().map(f64::to_bits)
 }
 
-/// Everything that makes two points one.
+/// Hashes everything that makes two points equal.
 fn hash(part: &Part, at: usize, hasher: &RandomState) -> u64 {
     let mut hasher = hasher.build_hasher();
     for points in std::iter::once(&part.mesh.points).chain(&part.targets) {
@@ -50,8 +50,8 @@ pub(super) fn joined(mut part: Part) -> Result<Part> {
     if part.mesh.triangles.is_empty() && part.mesh.lines.is_empty() {
         return Ok(part);
     }
-    // Numbers of points that stay, by their hash; at most half full. A table of whole points would
-    // take more memory than the mesh.
+    // Indices of the points that are kept, by hash; at most half full. A table of whole points
+    // would take more memory than the mesh.
     let size = count.saturating_mul(2).next_power_of_two();
     let mut table: Vec<u32> = Vec::new();
     table.try_reserve_exact(size)?;

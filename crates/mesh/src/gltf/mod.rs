@@ -1,9 +1,9 @@
-//! glTF 2.0 (Khronos 2021), text and GLB. By hand: readers of the whole format trust that a
-//! checked file's accessors lie within its buffers.
+//! glTF 2.0 (Khronos 2021), text and GLB. Written by hand: readers of the whole format assume that
+//! the accessors of a validated file are within its buffers.
 //!
-//! [`Container`] takes a file apart, [`Accessor`] finds numbers in it, [`Container::tree`] gives
-//! its nodes and [`Container::part`] one of its meshes: readers of scenes need no more. Nothing
-//! here knows scenes; materials and pictures are not read.
+//! [`Container`] splits a file, [`Accessor`] finds numbers in it, [`Container::tree`] returns its
+//! nodes and [`Container::part`] one of its meshes; readers of scenes need no more. Nothing here
+//! knows scenes; materials and textures are not read.
 
 mod accessor;
 mod container;
@@ -33,7 +33,7 @@ pub(super) fn read(
     geometry::whole(&Container::open(Cow::Borrowed(bytes), beside)?, go_on)
 }
 
-/// As [`read`], of a file that is open.
+/// Like [`read`], for an open file.
 pub(super) fn whole(container: &Container<'_>, go_on: &mut dyn FnMut(f64) -> bool) -> Result<Mesh> {
     geometry::whole(container, go_on)
 }

@@ -1,4 +1,4 @@
-//! The nodes of a file's scene, and where they stand.
+//! The nodes of a file's scene, and their transformations.
 
 use glam::{DAffine3, DMat4, DQuat, DVec3};
 use serde_json::Value;
@@ -12,25 +12,25 @@ const MAX_DEPTH: usize = 256;
 /// A node of the shown scene.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Placed {
-    /// Its number in the file.
+    /// Its index in the file.
     pub node: usize,
-    /// Where in the list its parent stands: before it.
+    /// The position of its parent in the list, before its own.
     pub parent: Option<usize>,
     depth: usize,
 }
 
-/// Where a node stands in its parent.
+/// The transformation of a node relative to its parent.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Local {
     /// By a matrix.
     Matrix(DAffine3),
-    /// Scaled, then turned by a quaternion of any length, then moved.
+    /// Scaled, then rotated by a quaternion of any length, then moved.
     Parts {
-        /// Where it is.
+        /// The translation.
         translation: DVec3,
-        /// How it is turned.
+        /// The rotation.
         rotation: DQuat,
-        /// Along its own axes.
+        /// The scale along its own axes.
         scale: DVec3,
     },
 }
@@ -53,10 +53,11 @@ impl Local {
 }
 
 impl Container<'_> {
-    /// All nodes of the shown scene, or of the whole tree if there is none; parents come first.
+    /// All nodes of the shown scene, or of the whole tree if there is no scene; parents come first.
     ///
     /// # Errors
-    /// [`Error::File`] for a node below itself or in two places, a number of none, too many levels.
+    /// [`Error::File`] for a node that is its own ancestor or has two parents, an index that does
+    /// not exist, or too many levels.
     pub fn tree(&self) -> Result<Vec<Placed>> {
         let document = self.json();
         let nodes = list(&document["nodes"]);
@@ -118,10 +119,10 @@ impl Container<'_> {
         Ok(placed)
     }
 
-    /// Where a node stands in its parent.
+    /// The transformation of a node relative to its parent.
     ///
     /// # Errors
-    /// [`Error::File`] if that is no matrix or has the wrong number of numbers.
+    /// [`Error::File`] if it is not valid or has the wrong number of numbers.
     pub fn local(&self, node: usize) -> Result<Local> {
         let node = &self.json()["nodes"][node];
         if let Some(matrix) = node.get("matrix") {

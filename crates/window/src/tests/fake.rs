@@ -90,10 +90,6 @@ impl Screen for Fake {
         self.ours.as_fd()
     }
 
-    fn socket(&self) -> BorrowedFd<'_> {
-        self.ours.as_fd()
-    }
-
     fn poll(&mut self) -> Result<PollResult> {
         self.remote.polls.set(self.remote.polls.get() + 1);
         let _ = self.ours.read(&mut [0; 64]);

@@ -8,7 +8,9 @@ use egui::{Event, Modifiers, PointerButton, pos2};
 
 use super::{Remote, open_for};
 use crate::clock::{self, pass};
-use crate::{Gone, Host, Id, Reason, change, close, command, dispatch, is_open, look, wait};
+use crate::{
+    Closing, Gone, Host, Id, Reason, change, close, command, dispatch, is_open, look, wait,
+};
 use vides_document::{At, Edit, Poses, Result};
 use vides_editor::HostView;
 use vides_engine::path::{CameraPath, Pose};
@@ -337,10 +339,10 @@ fn windows_are_closed_all_at_once() {
     let (one, remote, _) = open();
     let (other, other_remote, _) = open();
     rest_all(&[&remote, &other_remote]);
-    assert!(crate::close_all(true).expect("descriptors"));
+    assert_eq!(crate::close_all(true).expect("descriptors"), Closing::Done);
     assert!(!is_open(one) && !is_open(other));
     let (id, _, _) = open();
-    assert!(crate::close_all(false).expect("descriptors"));
+    assert_eq!(crate::close_all(false).expect("descriptors"), Closing::Done);
     assert!(!is_open(id));
 }
 

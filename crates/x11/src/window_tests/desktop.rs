@@ -1,7 +1,5 @@
 //! What a desktop and other clients want of a window.
 
-use std::time::Instant;
-
 use x11rb::connection::Connection as _;
 use x11rb::protocol::Event;
 use x11rb::protocol::xproto::{
@@ -12,7 +10,7 @@ use x11rb::protocol::xproto::{
 
 use super::Shown;
 use super::looker::Looker;
-use crate::testing::{PATIENCE, Server, until};
+use crate::testing::{Server, until};
 
 #[test]
 fn what_others_send_is_not_believed() {
@@ -130,16 +128,15 @@ fn a_window_manager_finds_what_it_looks_for() {
     let ping = [looker.atom("_NET_WM_PING"), 4711, id, 0, 0];
     looker.send(id, ClientMessageEvent::new(32, id, protocols, ping));
     looker.connection.flush().unwrap();
-    let end = Instant::now() + PATIENCE;
-    loop {
-        assert!(Instant::now() < end, "no answer to the ping");
+    let answer = until("an answer to the ping", || {
         shown.turn();
-        if let Some(Event::ClientMessage(answer)) = looker.connection.poll_for_event().unwrap() {
-            assert_eq!((answer.window, answer.type_), (looker.root(), protocols));
-            assert_eq!(answer.data.as_data32(), ping);
-            break;
+        match looker.connection.poll_for_event().unwrap() {
+            Some(Event::ClientMessage(answer)) => Some(answer),
+            _ => None,
         }
-    }
+    });
+    assert_eq!((answer.window, answer.type_), (looker.root(), protocols));
+    assert_eq!(answer.data.as_data32(), ping);
 }
 
 #[test]

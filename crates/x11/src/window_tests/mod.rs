@@ -8,10 +8,10 @@ mod pane;
 
 use rustix::event::PollFlags;
 use std::os::fd::AsFd;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use super::stream::wait;
-use super::testing::{PATIENCE, Server};
+use super::testing::{Server, until};
 use super::{Options, PollResult, Window};
 use vides_raster::Area;
 
@@ -93,11 +93,10 @@ impl Shown {
     }
 
     fn until(&mut self, what: &str, mut holds: impl FnMut(&mut Self) -> bool) {
-        let end = Instant::now() + PATIENCE;
-        while !holds(self) {
-            assert!(Instant::now() < end, "waited too long for {what}");
+        until(what, || {
             self.turn();
-        }
+            holds(self).then_some(())
+        });
     }
 
     /// Everything is painted and has arrived.

@@ -17,6 +17,7 @@ use crate::files::recent::PICTURE;
 use crate::setup::Element;
 use crate::state::Editor;
 use crate::state::files::Picture;
+use crate::state::scene_view::NodeAction;
 use crate::state::space::Around;
 use crate::texts::fill;
 use crate::texts::refusals::reason_of;
@@ -154,7 +155,7 @@ impl Editor {
     pub(crate) fn begins(&self) -> bool {
         let document = &self.document;
         let of_none = self.file.is_none() && document.edited_scene().is_none();
-        of_none && document.path().is_new()
+        of_none && document.is_new()
     }
 }
 
@@ -169,10 +170,15 @@ fn outside(editor: &Editor) -> usize {
 /// The words on the button for them, and its place.
 fn notice(editor: &Editor, viewport: Rect) -> Option<(String, Rect)> {
     let texts = &editor.texts().space;
-    let text = match outside(editor) {
-        0 => return None,
-        1 => texts.one_outside.to_owned(),
-        many => fill(texts.some_outside, &[&many]),
+    let missing = editor.first_missing_mesh();
+    let text = match (missing, outside(editor)) {
+        (Some((_, file)), _) => {
+            let name = crate::files::short(Path::new(file));
+            fill(editor.texts().node.find_mesh, &[&name])
+        }
+        (None, 0) => return None,
+        (None, 1) => texts.one_outside.to_owned(),
+        (None, many) => fill(texts.some_outside, &[&many]),
     };
     let size = vec2(
         (viewport.width() - 2.0 * ABOVE).clamp(120.0, 290.0),
@@ -309,6 +315,13 @@ fn show_notice(editor: &Editor, ui: &mut Ui, viewport: Rect, actions: &mut Vec<A
     };
     let button = Button::new(egui::RichText::new(text).font(theme::small()));
     let response = ui.put(place, button.truncate());
+    if let Some((purpose, file)) = editor.first_missing_mesh() {
+        let hint = format!("{file}\n{}", editor.texts().node.find_hint);
+        if response.on_hover_text(hint).clicked() {
+            actions.push(Action::Node(NodeAction::AskFile(purpose)));
+        }
+        return;
+    }
     if response
         .on_hover_text(editor.texts().space.outside_tip)
         .clicked()

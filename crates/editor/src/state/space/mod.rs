@@ -62,6 +62,8 @@ pub(crate) struct DragConstraint {
     pub(crate) fixed: Axis,
     /// The only axis of that plane along which it moves, if any.
     pub(crate) along: Option<Axis>,
+    /// The axis across the plane that was meant, if that is seen edge-on.
+    pub(crate) edge_on: Option<Axis>,
 }
 
 /// What a part of a drag changes of nodes.

@@ -67,7 +67,8 @@ impl SubWindow for SpeedWindow {
         actions: &mut Vec<Action>,
     ) -> bool {
         let texts = &editor.texts().speed_window;
-        let Some(section) = Section::of(editor) else {
+        let section = Section::of(editor).filter(|_| editor.document.edits_path());
+        let Some(section) = section else {
             return false;
         };
         let named = (Self::ID, texts.title);

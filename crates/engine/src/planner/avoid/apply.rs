@@ -10,8 +10,8 @@ use crate::tools::keep::keep_tangents;
 use glam::DVec3;
 
 /// A stretch that is clear, between places in `Work::points`.
-pub(super) struct Bent<'a> {
-    pub bend: Bend<'a>,
+pub(super) struct Bent<'a, 'w> {
+    pub bend: Bend<'a, 'w>,
     pub range: [usize; 2],
 }
 
@@ -22,7 +22,7 @@ struct New {
 }
 
 impl Work<'_> {
-    pub(super) fn applied(&self, bent: &[Bent<'_>]) -> Result<Avoided> {
+    pub(super) fn applied(&self, bent: &[Bent<'_, '_>]) -> Result<Avoided> {
         let mut made = self.path.try_clone()?;
         self.fix_frames(&mut made, bent)?;
         let mut new = Vec::new();
@@ -98,7 +98,7 @@ impl Work<'_> {
     }
 
     /// Sections that change own the frames that they have.
-    fn fix_frames(&self, made: &mut crate::path::CameraPath, bent: &[Bent<'_>]) -> Result<()> {
+    fn fix_frames(&self, made: &mut crate::path::CameraPath, bent: &[Bent<'_, '_>]) -> Result<()> {
         for Bent { bend, range } in bent {
             for place in range[0]..=range[1] {
                 let (point, u) = self.points[place];
@@ -130,7 +130,7 @@ impl Work<'_> {
 
     /// Where the new points of a stretch lie in time: where the pace of the section, over the new
     /// way, comes past them.
-    fn new_points(&self, stretch: &Bent<'_>, all: &mut Vec<New>) -> Result<()> {
+    fn new_points(&self, stretch: &Bent<'_, '_>, all: &mut Vec<New>) -> Result<()> {
         let knots = &stretch.bend.knots;
         let mut first = 0;
         while first + 1 < knots.len() {

@@ -9,9 +9,8 @@
 use glam::DVec3;
 
 use super::field::{Fault, Field};
-use crate::error::{Invalid, Result, vec_with_room};
+use crate::error::{Result, vec_with_room};
 use crate::path::hermite::Cubic;
-use crate::tools::fit::Progress;
 
 /// Rounds of moving before a knot is put in.
 const ROUNDS: usize = 16;
@@ -81,8 +80,8 @@ pub(super) struct Knot {
 }
 
 /// What a stretch is made of.
-pub(super) struct Bend<'a> {
-    pub field: Field<'a>,
+pub(super) struct Bend<'a, 'w> {
+    pub field: Field<'w>,
     pub legs: &'a [Cubic],
     /// Frames of each leg.
     pub frames: &'a [usize],
@@ -97,7 +96,7 @@ pub(super) struct Bend<'a> {
     pub short: Option<usize>,
 }
 
-impl Bend<'_> {
+impl Bend<'_, '_> {
     /// Where the curve was.
     fn old(&self, u: f64) -> DVec3 {
         let leg = (u as usize).min(self.legs.len() - 1);
@@ -263,7 +262,7 @@ impl Bend<'_> {
     }
 
     /// Bends until it is clear; else where it is not.
-    pub(super) fn bend(&mut self, progress: Progress<'_>) -> Result<Option<f64>> {
+    pub(super) fn bend(&mut self) -> Result<Option<f64>> {
         while !self.moved()? {
             // From the way round anew: what was moved for fewer knots may lie far off.
             for knot in 0..self.knots.len() {
@@ -277,9 +276,7 @@ impl Bend<'_> {
             let Some(&worst) = faults.iter().min_by(least) else {
                 break;
             };
-            if !progress(self.knots.len(), KNOTS) {
-                return Err(Invalid::Cancelled.into());
-            }
+            self.field.watch.check()?;
             if !self.put_in(worst)? {
                 return Ok(Some(self.at(worst.0, worst.1.worst)));
             }

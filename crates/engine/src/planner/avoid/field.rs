@@ -12,6 +12,7 @@ use crate::error::{Result, vec_with_room};
 use crate::path::hermite::Cubic;
 use crate::planner::directions::directions;
 use crate::tools::clearance::Clearance;
+use crate::tools::watch::Watch;
 
 /// Lines of a way round may dip below their distance by this share of it between two samples.
 const LINE: f64 = 0.03;
@@ -41,10 +42,11 @@ pub(super) struct Fault {
     pub least: f64,
 }
 
-/// An object with the distance that is to be kept.
+/// An object, and whether the work goes on: if not, all is clear.
 #[derive(Clone, Copy)]
 pub(super) struct Field<'a> {
     pub object: &'a Clearance,
+    pub watch: &'a Watch<'a>,
 }
 
 /// One end of a part of a curve.
@@ -58,7 +60,13 @@ struct End {
 impl Field<'_> {
     /// The distance of a place, at most `most`.
     pub(super) fn far(&self, place: DVec3, most: f64) -> f64 {
-        self.object.distance(place, most).unwrap_or(most)
+        let far = || self.object.distance(place, most);
+        self.watch.goes_on().then(far).flatten().unwrap_or(most)
+    }
+
+    /// Whether a straight way goes through a triangle.
+    pub(super) fn is_crossed(&self, a: DVec3, b: DVec3) -> bool {
+        self.watch.goes_on() && self.object.is_crossed(a, b)
     }
 
     /// Whether a straight line keeps a distance, but for a few hundredths of it.
@@ -89,7 +97,7 @@ impl Field<'_> {
             return true;
         }
         if step < floor || depth > DEPTH {
-            return !self.object.is_crossed(a.place, b.place);
+            return !self.is_crossed(a.place, b.place);
         }
         let middle = end(0.5 * (a.t + b.t));
         middle.far >= need
@@ -128,7 +136,7 @@ impl Field<'_> {
                 stack.push((a, middle, depth + 1));
                 continue;
             }
-            if near == [false; 2] && !self.object.is_crossed(a.place, b.place) {
+            if near == [false; 2] && !self.is_crossed(a.place, b.place) {
                 continue;
             }
             let worst = if a.far <= b.far { a } else { b };
@@ -157,8 +165,7 @@ impl Field<'_> {
         let mut size = 0.25 * need;
         // As far as four distances away; within a thick object there is none.
         for _ in 0..24 {
-            let clear =
-                |p: &DVec3| self.far(*p, need) >= need && !self.object.is_crossed(place, *p);
+            let clear = |p: &DVec3| self.far(*p, need) >= need && !self.is_crossed(place, *p);
             // Of those that are clear the one with most room around.
             let room = |p: &DVec3| self.far(*p, 4.0 * need);
             let mut best: Option<(f64, DVec3)> = None;

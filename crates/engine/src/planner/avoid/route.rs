@@ -8,8 +8,7 @@ use std::collections::BinaryHeap;
 use glam::DVec3;
 
 use super::field::Field;
-use crate::error::{Error, Invalid, Result, vec_with_room};
-use crate::tools::fit::Progress;
+use crate::error::{Result, vec_with_room};
 
 /// Room left around the way, in sizes of its box, and cells of its longest side; the last two: all
 /// around the object.
@@ -92,7 +91,6 @@ impl Router<'_> {
         [from, to]: [DVec3; 2],
         around: [DVec3; 2],
         clear: f64,
-        progress: Progress<'_>,
     ) -> Result<Option<Vec<DVec3>>> {
         let level = |p: DVec3| self.field.far(p, clear).min(clear);
         let ends = [level(from), level(to)];
@@ -127,9 +125,9 @@ impl Router<'_> {
                 if within {
                     area = [area[0].max(self.space[0]), area[1].min(self.space[1])];
                 }
-                let mut search = |ends: [DVec3; 2], most: usize| {
+                let search = |ends: [DVec3; 2], most: usize| {
                     let grid = Grid::new(ends[0], area, cells, 0.2 * clear);
-                    self.search(&grid, ends, clear, most, progress)
+                    self.search(&grid, ends, clear, most)
                 };
                 let found = match search([from, to], TURN)? {
                     Found::Unknown => match search([to, from], usize::MAX)? {
@@ -155,7 +153,6 @@ impl Router<'_> {
         [from, to]: [DVec3; 2],
         clear: f64,
         most: usize,
-        progress: Progress<'_>,
     ) -> Result<Found> {
         let count = grid.len();
         let mut costs = vec_with_room(count)?;
@@ -182,9 +179,7 @@ impl Router<'_> {
             if done > most {
                 return Ok(Found::Unknown);
             }
-            if done % 1024 == 0 && !progress(done, count) {
-                return Err(Error::from(Invalid::Cancelled));
-            }
+            self.field.watch.check()?;
             if here.distance(to) <= 1.8 * grid.step && self.field.is_free(here, to, self.need) {
                 let mut line = vec_with_room(2)?;
                 line.push(to);

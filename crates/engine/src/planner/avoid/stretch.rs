@@ -6,7 +6,6 @@ use super::apply::Bent;
 use super::bend::{APART, Bend, Detour, Knot};
 use super::{Work, no_way};
 use crate::error::{OutOfRange, Result, vec_with_room};
-use crate::tools::fit::Progress;
 
 /// Share of the distance by which a new curve keeps more than it must, for what is left between
 /// two places.
@@ -15,7 +14,7 @@ const SURE: f64 = 1e-5;
 /// A stretch is widened so often by a point on either side, less one.
 const WIDER: usize = 3;
 
-impl Work<'_> {
+impl<'w> Work<'w> {
     /// Ranges of places in `points` between which the way is another.
     pub(super) fn stretches(&self, detours: &[Detour]) -> Result<Vec<[usize; 2]>> {
         let mut all: Vec<[usize; 2]> = vec_with_room(detours.len())?;
@@ -41,9 +40,8 @@ impl Work<'_> {
         &'b self,
         mut range: [usize; 2],
         detours: &'b [Detour],
-        before: &mut Vec<Bent<'b>>,
-        progress: Progress<'_>,
-    ) -> Result<Bent<'b>> {
+        before: &mut Vec<Bent<'b, 'w>>,
+    ) -> Result<Bent<'b, 'w>> {
         let (mut left, mut short) = (0.0, None);
         let join = |a: [usize; 2], b: [usize; 2]| [a[0].min(b[0]), a[1].max(b[1])];
         let last = self.points.len() - 1;
@@ -54,7 +52,7 @@ impl Work<'_> {
                     (range, wide) = (join(range, last.range), join(wide, last.range));
                 }
                 let mut bend = self.bend(wide, apart, detours)?;
-                let Some(at) = bend.bend(progress)? else {
+                let Some(at) = bend.bend()? else {
                     return Ok(Bent { bend, range: wide });
                 };
                 (left, short) = (at, short.or(bend.short));
@@ -72,7 +70,7 @@ impl Work<'_> {
         range: [usize; 2],
         apart: f64,
         detours: &'b [Detour],
-    ) -> Result<Bend<'b>> {
+    ) -> Result<Bend<'b, 'w>> {
         let mut knots: Vec<Knot> = vec_with_room(range[1] - range[0] + 1)?;
         let mut need = self.need * (1.0 + SURE);
         for at in range[0]..=range[1] {

@@ -70,10 +70,8 @@ impl Work<'_> {
         let mut base = pinned(path, film)?;
         let mut aims: Vec<f64> = vec_with_room(base.points.len())?;
         aims.resize(base.points.len(), AIM);
-        for _ in 0..ROUNDS {
-            if self.cancelled {
-                break;
-            }
+        for round in 0..ROUNDS {
+            self.watch.at(round, ROUNDS)?;
             let before = Film::new(&base, self.request.fps)?;
             let made = match self.request.what {
                 What::View => self.turned(&base, &before, &aims)?,
@@ -331,6 +329,7 @@ impl Work<'_> {
         let ways = ways(base, film)?;
         let mut bound = vec_with_room(film.spots.len())?;
         for (k, spot) in film.spots.iter().enumerate() {
+            self.watch.check()?;
             bound.push(self.nearer(base, film, aims, (k, spot), ways[k])?);
         }
         // A point is one place, whatever is turned there.

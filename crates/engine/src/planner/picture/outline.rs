@@ -1,4 +1,5 @@
-//! How far an object reaches in a picture: its outermost corners, found in the tree of its boxes.
+//! How far an object reaches in a picture: its outermost corners, found in a tree of boxes over the
+//! corners alone, since those of large triangles would all overlap.
 //!
 //! In a picture the share x/d of a corner beside and before the camera is greatest at a corner of
 //! the convex hull; a box of the tree is opened only if one of its own corners reaches further than
@@ -7,6 +8,7 @@
 
 use glam::DVec3;
 
+use crate::error::Result;
 use crate::path::Pose;
 use crate::tools::clearance::{BoxNode, Clearance};
 
@@ -41,24 +43,25 @@ impl From<&Pose> for Camera {
 
 /// An object's corners, ready to be asked.
 #[derive(Debug)]
-pub(super) struct Outline<'a> {
-    tree: &'a Clearance,
+pub(super) struct Outline {
+    corners: Clearance,
     /// The outermost corners that were found last.
     last: [DVec3; 4],
 }
 
-impl<'a> Outline<'a> {
-    pub(super) fn new(tree: &'a Clearance) -> Self {
-        let first = tree.primitives.first().map_or(DVec3::ZERO, |one| one.0[0]);
-        Self {
-            tree,
-            last: [first; 4],
-        }
+impl Outline {
+    pub(super) fn new(object: &Clearance) -> Result<Self> {
+        let corners = object.of_corners()?;
+        let first = corners.primitives.first();
+        Ok(Self {
+            last: [first.map_or(DVec3::ZERO, |one| one.0[0]); 4],
+            corners,
+        })
     }
 
     /// The box around it.
     pub(super) fn bounds(&self) -> [DVec3; 2] {
-        self.tree.bounds()
+        self.corners.bounds()
     }
 
     pub(super) fn middle(&self) -> DVec3 {
@@ -88,7 +91,7 @@ impl<'a> Outline<'a> {
         for corner in *last {
             before &= see(corner, &mut most, last);
         }
-        self.tree.walk(&mut |node, primitives| {
+        self.corners.walk(&mut |node, primitives| {
             if !before {
                 return false;
             }
@@ -96,7 +99,7 @@ impl<'a> Outline<'a> {
             if !(furthest(node, -view, eye) >= 0.0 || (0..4).any(further)) {
                 return false;
             }
-            for corner in primitives.iter().flat_map(|primitive| primitive.0) {
+            for corner in primitives.iter().map(|primitive| primitive.0[0]) {
                 before &= see(corner, &mut most, last);
             }
             true
@@ -119,11 +122,11 @@ impl<'a> Outline<'a> {
         for corner in *last {
             see(corner, &mut most, last);
         }
-        self.tree.walk(&mut |node, primitives| {
+        self.corners.walk(&mut |node, primitives| {
             if !(0..4).any(|k| furthest(node, directions[k], eye) > most[k]) {
                 return false;
             }
-            for corner in primitives.iter().flat_map(|primitive| primitive.0) {
+            for corner in primitives.iter().map(|primitive| primitive.0[0]) {
                 see(corner, &mut most, last);
             }
             true

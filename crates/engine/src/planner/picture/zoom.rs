@@ -55,6 +55,7 @@ impl Work<'_> {
         let mut asked = limit;
         let mut last = None;
         for round in 0..ROUNDS {
+            self.watch.at(round, ROUNDS)?;
             if round + 1 == ROUNDS {
                 asked = 0.0;
             }

@@ -2,6 +2,7 @@
 
 use std::fmt;
 
+use crate::error::{Called, Index};
 use crate::path::camera_path::CameraPath;
 use crate::tools::check::{FindingKind, Limits};
 
@@ -35,7 +36,8 @@ pub struct Rest {
 /// The English sentence.
 impl fmt::Display for Rest {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (point, view) = (self.point + 1, self.orientation + 1);
+        let (point, at) = (Index(self.point), Index(self.orientation));
+        let view = Called("view", "orientation");
         let what = if self.limit == FindingKind::TurningAcceleration {
             "view"
         } else {
@@ -43,7 +45,7 @@ impl fmt::Display for Rest {
         };
         write!(
             f,
-            "at point {point}, view {view} the pace rests, since the {what} has a kink there"
+            "at point {point}, {view} {at} the pace rests, since the {what} has a kink there"
         )
     }
 }

@@ -10,6 +10,7 @@ use crate::limits::MAX_ORIENTATIONS;
 use crate::math::tridiagonal::{Row, solve, solve_periodic};
 use crate::path::{CameraPath, CurveKind, Orientation, Space, SupportPoint, Tangents, Target, Up};
 use crate::tools::clearance::Clearance;
+use crate::tools::watch::Watch;
 
 /// Places of a section that are tried.
 const TRIED: usize = 32;
@@ -89,11 +90,17 @@ impl Flight {
     }
 
     /// Puts in points until the curve keeps away from the object; less where its ends are nearer.
-    pub(super) fn clear(&mut self, object: &Clearance, clear: f64) -> Result<()> {
+    pub(super) fn clear(
+        &mut self,
+        object: &Clearance,
+        clear: f64,
+        watch: &Watch<'_>,
+    ) -> Result<()> {
         for _ in 0..ROUNDS {
             let velocities = self.velocities()?;
             let mut faulty = vec_with_room(self.legs())?;
             for leg in 0..self.legs() {
+                watch.check()?;
                 if !self.is_clear(object, leg, &velocities, clear) {
                     faulty.push(leg);
                 }
@@ -322,7 +329,7 @@ fn made(
     curve: CurveKind,
 ) -> Result<CameraPath> {
     let path = CameraPath {
-        points,
+        points: points.into(),
         space,
         closed,
         curve,

@@ -108,7 +108,7 @@ impl Work<'_> {
             if self.request.inside {
                 flight.turn(self.request.up)?;
             }
-            flight.clear(self.tree, clear)?;
+            flight.clear(self.tree, clear, self.watch)?;
             flight.look(self.request.up, self.request.inside)?;
         }
         let places = flight.reach()?;

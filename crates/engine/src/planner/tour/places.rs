@@ -8,6 +8,7 @@ use crate::error::{Result, vec_with_room};
 use crate::path::Up;
 use crate::planner::directions::directions;
 use crate::tools::clearance::Clearance;
+use crate::tools::watch::Watch;
 
 /// Directions from which an object is tried from outside, at the tour's distance and nearer.
 const AROUND: [(usize, f64); 2] = [(200, 1.0), (100, 0.45)];
@@ -51,6 +52,7 @@ pub(super) fn outside(
     bounds: &Bounds,
     distance: f64,
     (up, effort): (Up, f64),
+    watch: &Watch<'_>,
 ) -> Result<(Vec<DVec3>, Vec<View>)> {
     let half = 0.5 * (bounds.max() - bounds.min());
     let middle = bounds.min() + half;
@@ -60,6 +62,7 @@ pub(super) fn outside(
     let (mut places, mut views) = (vec_with_room(all)?, vec_with_room(all)?);
     for (count, share) in AROUND {
         for way in directions(scaled(count, more)) {
+            watch.check()?;
             let far = share * distance;
             let start = middle + 3_f64.sqrt() * half * way + far * way;
             let Some(eye) = at_distance(object, start, ahead(bounds, start), far) else {
@@ -106,7 +109,7 @@ pub(super) fn inside(
     bounds: &Bounds,
     least: f64,
     up: Up,
-    go_on: &mut dyn FnMut() -> Result<()>,
+    watch: &Watch<'_>,
 ) -> Result<(Vec<DVec3>, Vec<View>, f64)> {
     let (low, size) = (bounds.min(), bounds.max() - bounds.min());
     let step = size.max_element() / CELLS;
@@ -115,9 +118,9 @@ pub(super) fn inside(
         .map(|cells| scaled(1, cells.ceil().max(1.0)));
     let mut found: Vec<(DVec3, f64)> = vec_with_room(counts.iter().product())?;
     for x in 0..counts[0] {
-        go_on()?;
         for y in 0..counts[1] {
             for z in 0..counts[2] {
+                watch.check()?;
                 let cells = [x, y, z].map(|k| k as f64 + 0.5);
                 let share = DVec3::from_array(cells) / DVec3::from(counts.map(|k| k as f64));
                 let place = low + size * share;
@@ -150,13 +153,14 @@ pub(super) fn inside(
             *far = if first { near } else { far.min(near) };
         }
         first = false;
+        watch.check()?;
         look_round(object, at, (places[at], up), widest, &mut views);
     }
     Ok((places, views, widest))
 }
 
 fn is_inside(object: &Clearance, place: DVec3) -> bool {
-    let met = |way: &DVec3| object.ahead(place, *way, 0.0).is_some();
+    let met = |way: &DVec3| object.is_met(place, *way);
     directions(RAYS[0]).filter(met).count() >= RAYS[1]
 }
 

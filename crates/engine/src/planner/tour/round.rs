@@ -6,6 +6,7 @@ use glam::DVec3;
 
 use crate::error::{Result, vec_with_room};
 use crate::tools::clearance::Clearance;
+use crate::tools::watch::Watch;
 
 /// Neighbours that a place may have a way to.
 const NEIGHBOURS: usize = 12;
@@ -16,6 +17,7 @@ pub(super) const STEEPEST: f64 = 0.92;
 /// Places, how far each is from the object, and free ways between them.
 pub(super) struct Roads<'a> {
     object: &'a Clearance,
+    watch: &'a Watch<'a>,
     /// How far ways keep away, where their ends do.
     clear: f64,
     up: DVec3,
@@ -28,7 +30,7 @@ pub(super) struct Roads<'a> {
 
 impl<'a> Roads<'a> {
     pub(super) fn new(
-        object: &'a Clearance,
+        (object, watch): (&'a Clearance, &'a Watch<'a>),
         clear: f64,
         up: DVec3,
         middle: Option<DVec3>,
@@ -36,6 +38,7 @@ impl<'a> Roads<'a> {
     ) -> Result<Self> {
         let mut made = Self {
             object,
+            watch,
             clear,
             up,
             middle,
@@ -44,6 +47,7 @@ impl<'a> Roads<'a> {
             places,
         };
         for place in &made.places {
+            watch.check()?;
             let far = object
                 .distance(*place, f64::INFINITY)
                 .unwrap_or(f64::INFINITY);
@@ -61,6 +65,7 @@ impl<'a> Roads<'a> {
             );
             near.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
             for &(far, to) in near.iter().take(NEIGHBOURS) {
+                watch.check()?;
                 let known = made.ways[from].iter().any(|way| way.0 == to);
                 if !known && made.is_free(from, to) {
                     for (a, b) in [(from, to), (to, from)] {
@@ -91,7 +96,7 @@ impl<'a> Roads<'a> {
         }
         let length = a.distance(b);
         let mut gone = 0.0;
-        while gone < length {
+        while gone < length && self.watch.goes_on() {
             let place = a.lerp(b, gone / length);
             let reach = clear + length - gone;
             let Some(far) = self.object.distance(place, reach) else {

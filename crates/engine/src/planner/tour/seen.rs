@@ -1,15 +1,12 @@
 //! What a picture shows of a surface: a depth buffer of its triangles, against which the middle of
-//! each is held. Reciprocal depths are linear in the picture, so a triangle is filled row by row
-//! with one addition a pixel (Pineda 1988; Blinn, *Hyperbolic interpolation*, 1992).
+//! each is held.
 
 use glam::{DVec2, DVec3};
 
+use super::depths::{Depths, SIZE, pixel};
 use crate::error::{Invalid, Result, vec_with_room};
 use crate::path::Up;
 use crate::scene::Mesh;
-
-/// Pixels of a picture of 36 × 24 mm.
-const SIZE: [usize; 2] = [480, 320];
 
 /// A middle counts as hidden by what is nearer by more than this share of the distance: about two
 /// pixels, what a surface that is not flat rises within one.
@@ -227,19 +224,15 @@ fn sides(mesh: &Mesh) -> Result<(bool, bool)> {
 
 /// Buffers for pictures, used again and again.
 pub(super) struct Picture {
-    /// 1 / depth of the nearest, row by row; 0: nothing.
-    depths: Vec<f64>,
+    depths: Depths,
     corners: Vec<[f64; 3]>,
 }
 
 impl Picture {
     pub(super) fn new(surface: &Surface) -> Result<Self> {
-        let (mut depths, mut corners) = (
-            vec_with_room(SIZE[0] * SIZE[1])?,
-            vec_with_room(surface.mesh.points.len())?,
-        );
-        depths.resize(SIZE[0] * SIZE[1], 0.0);
+        let mut corners = vec_with_room(surface.mesh.points.len())?;
         corners.resize(surface.mesh.points.len(), [0.0; 3]);
+        let depths = Depths::new()?;
         Ok(Self { depths, corners })
     }
 
@@ -260,7 +253,7 @@ impl Picture {
             let normal = surface.across[at];
             let way = camera.way(column as f64 + 0.5, row as f64 + 0.5);
             let own = normal.dot(way) / normal.dot(*middle - camera.eye);
-            let nearest = self.depths[row * SIZE[0] + column];
+            let nearest = self.depths.nearest(column, row);
             if own * (1.0 + BEFORE) >= nearest {
                 seen[at / 64] |= 1 << (at % 64);
             }
@@ -268,7 +261,7 @@ impl Picture {
     }
 
     fn draw(&mut self, surface: &Surface, camera: &Camera) {
-        self.depths.fill(0.0);
+        self.depths.clear();
         let near = NEAR * surface.distance;
         for (corner, point) in self.corners.iter_mut().zip(&surface.mesh.points) {
             *corner = camera.project(*point);
@@ -281,7 +274,7 @@ impl Picture {
             }
             let corners = triangle.map(|at| self.corners[at as usize]);
             match corners.iter().filter(|corner| behind(corner)).count() {
-                0 => fill(&mut self.depths, corners),
+                0 => self.depths.fill(corners),
                 3 => {}
                 _ => {
                     let places = triangle.map(|at| surface.mesh.points[at as usize]);
@@ -297,14 +290,8 @@ fn is_in_picture([x, y, depth]: [f64; 3]) -> bool {
     x >= 0.0 && y >= 0.0 && x < SIZE[0] as f64 && y < SIZE[1] as f64 && depth > 0.0
 }
 
-/// The whole number below, 0 for less.
-#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-fn pixel(at: f64) -> usize {
-    at as usize
-}
-
 /// Draws what is before the plane `near` of a triangle that it cuts.
-fn clip(depths: &mut [f64], camera: &Camera, places: [DVec3; 3], near: f64) {
+fn clip(depths: &mut Depths, camera: &Camera, places: [DVec3; 3], near: f64) {
     let depth = places.map(|place| (place - camera.eye).dot(camera.view) - 1.01 * near);
     let (mut kept, mut count) = ([[0.0; 3]; 4], 0);
     for k in 0..3 {
@@ -320,54 +307,6 @@ fn clip(depths: &mut [f64], camera: &Camera, places: [DVec3; 3], near: f64) {
         }
     }
     for k in 2..count {
-        fill(depths, [kept[0], kept[k - 1], kept[k]]);
-    }
-}
-
-/// Draws a triangle before the eye.
-fn fill(depths: &mut [f64], corners: [[f64; 3]; 3]) {
-    let [a, b, c] = corners;
-    // The pixels whose middles may be within: from the first to before the last.
-    let span = |axis: usize| {
-        let low = a[axis].min(b[axis]).min(c[axis]);
-        let high = a[axis].max(b[axis]).max(c[axis]);
-        (pixel(low + 0.5), pixel(high + 0.5).min(SIZE[axis]))
-    };
-    let (left, right) = span(0);
-    let (bottom, top) = span(1);
-    if left >= right || bottom >= top {
-        return;
-    }
-    let (u, v) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
-    let area = u[0] * v[1] - v[0] * u[1];
-    let (du, dv) = (b[2] - a[2], c[2] - a[2]);
-    let slope = [
-        (du * v[1] - dv * u[1]) / area,
-        (dv * u[0] - du * v[0]) / area,
-    ];
-    if !(slope[0].is_finite() && slope[1].is_finite()) {
-        return;
-    }
-    // Rounding beyond the corners would put an edge-on triangle anywhere.
-    let nearest = a[2].max(b[2]).max(c[2]);
-    for row in bottom..top {
-        let y = row as f64 + 0.5;
-        let (mut from, mut to) = (f64::INFINITY, f64::NEG_INFINITY);
-        for (p, q) in [(a, b), (b, c), (c, a)] {
-            if (p[1] > y) != (q[1] > y) {
-                let x = p[0] + (y - p[1]) * ((q[0] - p[0]) / (q[1] - p[1]));
-                from = from.min(x);
-                to = to.max(x);
-            }
-        }
-        let first = pixel(from + 0.5).max(left);
-        let end = pixel(to + 0.5).min(right);
-        if first < end {
-            let mut depth = a[2] + slope[0] * (first as f64 + 0.5 - a[0]) + slope[1] * (y - a[1]);
-            for cell in &mut depths[row * SIZE[0] + first..row * SIZE[0] + end] {
-                *cell = cell.max(depth.min(nearest));
-                depth += slope[0];
-            }
-        }
+        depths.fill([kept[0], kept[k - 1], kept[k]]);
     }
 }

@@ -1,0 +1,92 @@
+//! How far work that takes long has come, told to a callback of the host's, which may end it.
+
+use std::cell::Cell;
+use std::ffi::{c_double, c_int, c_void};
+use std::time::{Duration, Instant};
+
+use super::border::border;
+use super::status::{
+    Answer, Failure, V_ERR_INTERNAL, V_ERR_REFUSED, V_OK, clear_last_error, clear_last_warning,
+};
+use crate::tools::fit::Progress;
+
+/// Time from one call of the callback to the next, at least.
+const PAUSE: Duration = Duration::from_millis(100);
+
+const REFUSED: Failure = Failure::Border(
+    V_ERR_REFUSED,
+    "the progress callback ended the call, and nothing has changed",
+);
+
+type Callback = unsafe extern "C" fn(c_double, *mut c_void) -> c_int;
+
+thread_local! {
+    /// The thread's callback, and its `user`.
+    static CALLBACK: Cell<Option<(Callback, *mut c_void)>> = const { Cell::new(None) };
+    /// How many of its calls are under way, one within another.
+    static WITHIN: Cell<u32> = const { Cell::new(0) };
+}
+
+/// Whether this thread is within its callback: whoever called that may hold a path.
+pub(super) fn is_running() -> bool {
+    WITHIN.get() > 0
+}
+
+/// Does work that the thread's callback may end.
+pub(super) fn watched<R>(work: impl FnOnce(Progress<'_>) -> Answer<R>) -> Answer<R> {
+    let mut called = Instant::now();
+    let mut refused = false;
+    let made = work(&mut |done, all| {
+        if !refused && called.elapsed() >= PAUSE {
+            refused = !asked(done as f64 / all.max(1) as f64);
+            called = Instant::now();
+        }
+        !refused
+    });
+    if refused { Err(REFUSED) } else { made }
+}
+
+fn asked(share: f64) -> bool {
+    let Some((callback, user)) = CALLBACK.get() else {
+        return true;
+    };
+    WITHIN.set(WITHIN.get() + 1);
+    // SAFETY: the host's function, as the header says.
+    let answer = unsafe {
+        enter!("progress", callback(
+            share.clamp(0.0, 1.0) => c_double,
+            user => *mut c_void,
+        ) -> c_int)
+    };
+    WITHIN.set(WITHIN.get() - 1);
+    // What failed or warned in there is not of the call that is under way.
+    clear_last_error();
+    clear_last_warning();
+    answer != 0
+}
+
+/// ==== Progress ====
+///
+/// Sets the function that the calling thread's long calls tell how far they are, ten times
+/// a second at most and not in the first tenth of one; NULL: none, as at first. These are
+/// v_path_fit_poses() and its kin, v_path_check(), v_path_retime(), v_path_steady(),
+/// v_path_avoid(), v_path_keep_in_picture() and v_path_tour(). With objects of up to a
+/// million triangles they ask at least twice a second, but for reading the object at the
+/// beginning, which takes about two seconds for a million.
+///
+/// progress  share is from 0 to 1, and may fall where the work begins another round; if it
+///     returns 0, the call ends with V_ERR_REFUSED and has changed nothing. It may call any
+///     function; a path that is in use at that moment, as that of the call is, answers
+///     V_ERR_BUSY there. No exception or longjmp() may leave it
+/// user  is handed to it
+/// Any thread; from callbacks too.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn v_set_progress(
+    progress: Option<unsafe extern "C" fn(share: c_double, user: *mut c_void) -> c_int>,
+    user: *mut c_void,
+) -> c_int {
+    border(V_ERR_INTERNAL, || {
+        CALLBACK.set(progress.map(|progress| (progress as Callback, user)));
+        Ok(V_OK)
+    })
+}

@@ -1,0 +1,203 @@
+/*
+ * Progress: a callback that is told how far a call is, may end it, and may call anything. Objects
+ * are as bad as they come: triangles at random, each as large as all of the object.
+ */
+#include <time.h>
+
+#include "check.h"
+
+#define TRIANGLES 30000
+
+static double points[9 * TRIANGLES];
+static unsigned corners[3 * TRIANGLES];
+static V_MESH object;
+
+/* Seconds of the processor that this thread has had: others may be busy. */
+static double now(void)
+{
+    struct timespec time;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return (double)time.tv_sec + 1e-9 * (double)time.tv_nsec;
+}
+
+static void make_object(void)
+{
+    unsigned long long state = 1;
+    int i;
+    for (i = 0; i < 9 * TRIANGLES; i++) {
+        state = state * 6364136223846793005ULL + 1442695040888963407ULL;
+        points[i] = (double)(state >> 11) / (double)(1ULL << 52) - 1;
+    }
+    for (i = 0; i < 3 * TRIANGLES; i++)
+        corners[i] = (unsigned)i;
+    memset(&object, 0, sizeof object);
+    object.size = sizeof object;
+    object.xyz = points;
+    object.points = 3 * TRIANGLES;
+    object.triangles = corners;
+    object.corners = 3 * TRIANGLES;
+}
+
+/* What the callback is to do, and what it saw. */
+static struct {
+    V_PATH *path;  /* the one that the call works on */
+    V_PATH *other;
+    double end;    /* when it says no */
+    double longest, last;
+    int calls, in_range;
+} seen;
+
+static int progress(double share, void *user)
+{
+    double time = now();
+    CHECK(user == &seen);
+    if (seen.calls > 0 && time - seen.last > seen.longest)
+        seen.longest = time - seen.last;
+    seen.last = time;
+    seen.calls++;
+    seen.in_range &= share >= 0 && share <= 1;
+    if (seen.path != NULL) {
+        int count;
+        double xyz[3] = {0, 0, 0};
+        STATUS(V_ERR_BUSY, v_path_set_position(seen.path, 0, xyz));
+        OK(v_path_point_count(seen.other, &count));
+        STATUS(V_ERR_RANGE, v_path_set_position(seen.other, 99, xyz));
+    }
+    return time < seen.end;
+}
+
+static void begin(V_PATH *path, V_PATH *other, double seconds)
+{
+    memset(&seen, 0, sizeof seen);
+    seen.path = path;
+    seen.other = other;
+    seen.in_range = 1;
+    seen.end = now() + seconds;
+}
+
+/* A path of many points round and through the object. */
+static V_PATH *flight(int turns)
+{
+    V_PATH *path = NULL;
+    const double numbers[] = {0, 0, 0, 1.5, 0.2, 0, (double)turns, 24, 4.0 * turns};
+    OK(v_path_from_move("orbit", numbers, 9, &path));
+    return path;
+}
+
+static char *text_of(V_PATH *path)
+{
+    size_t length = 0;
+    char *text;
+    OK(v_path_save_to_memory(path, NULL, 0, &length));
+    text = malloc(length + 1);
+    if (text == NULL)
+        exit(2);
+    OK(v_path_save_to_memory(path, text, length + 1, &length));
+    return text;
+}
+
+static void each_call_ends(void)
+{
+    V_PATH *path = flight(40), *other = new_path(), *made = NULL;
+    V_POSE *poses;
+    V_TOUR tour;
+    double coverage = 7;
+    size_t count = 0, found = 0;
+    char *before = text_of(path), *after;
+    int which, ended = 0;
+
+    OK(v_path_frame_count(path, &count));
+    poses = malloc(count * sizeof *poses);
+    if (poses == NULL)
+        exit(2);
+    OK(v_path_sample(path, poses, count, &count));
+    v_tour_init(&tour);
+    OK(v_set_progress(progress, &seen));
+    for (which = 0; which < 10; which++) {
+        int inside = which == 9, status = V_OK;
+        double start;
+        int alone = which >= 7;
+        begin(alone ? NULL : path, other, 0);
+        start = now();
+        tour.inside = inside;
+        switch (which) {
+        case 0: status = v_path_retime(path, NULL, 0, 480, 0); break;
+        case 1: status = v_path_steady(path, 1, 0); break;
+        case 2: status = v_path_avoid(path, &object, 0.9, 0); break;
+        case 3: status = v_path_keep_in_picture(path, &object, 0.1, V_PICTURE_ZOOM); break;
+        case 4: status = v_path_keep_in_picture(path, &object, 0.1, V_PICTURE_DISTANCE); break;
+        case 5: status = v_path_keep_in_picture(path, &object, 0.1, V_PICTURE_VIEW); break;
+        case 6: seen.path = NULL; /* it is only read */
+                status = v_path_check(path, &object, NULL, 0, &found); break;
+        case 7: status = v_path_fit_poses(poses, NULL, count, 25, 1e-4, 0.1, &made); break;
+        default: status = v_path_tour(&object, &tour, &made, &coverage);
+        }
+        after = text_of(path);
+        if (status == V_OK && seen.calls == 0) { /* it took less than a tenth of a second */
+            free(before);
+            before = after;
+            if (made != NULL)
+                v_path_free(made);
+            made = NULL;
+            continue;
+        }
+        CHECK(strcmp(before, after) == 0);
+        free(after);
+        ended++;
+        if (status != V_ERR_REFUSED || seen.calls != 1 || now() - start > 2.5) {
+            fprintf(stderr, "call %d: %s after %d calls, %.2f s: %s\n", which, v_strerror(status),
+                    seen.calls, now() - start, v_last_error());
+            failures++;
+        }
+    }
+    /* On a fast machine few calls take long enough to be asked; tours always do. */
+    CHECK(made == NULL && coverage == 7 && ended >= 2);
+    free(before);
+    free(poses);
+    OK(v_set_progress(NULL, NULL));
+    v_path_free(path);
+    v_path_free(other);
+}
+
+/* It is asked often, and what it does there does no harm. */
+static void it_is_asked_often(void)
+{
+    V_PATH *path = flight(2), *other = new_path();
+    V_TOUR tour;
+    V_PATH *made = NULL;
+    int round;
+
+    OK(v_set_progress(progress, &seen));
+    for (round = 0; round < 3; round++) {
+        begin(round == 0 ? path : NULL, other, 1);
+        v_tour_init(&tour);
+        tour.inside = round == 2;
+        if (round == 0)
+            v_path_avoid(path, &object, 0.9, 0);
+        else
+            v_path_tour(&object, &tour, &made, NULL);
+        if (!seen.in_range || seen.longest > 0.5) {
+            fprintf(stderr, "round %d: %d calls, %.2f s between two\n", round, seen.calls, seen.longest);
+            failures++;
+        }
+        printf("note: round %d: %d calls, %.2f s between two at the longest\n", round, seen.calls,
+               seen.longest);
+        v_path_free(made);
+        made = NULL;
+    }
+    /* What was set for another thread, or not at all, is not asked. */
+    OK(v_set_progress(NULL, &seen));
+    begin(path, other, 0);
+    OK(v_path_retime(path, NULL, 0, 24, 0));
+    CHECK(seen.calls == 0);
+    v_path_free(path);
+    v_path_free(other);
+}
+
+int main(void)
+{
+    make_object();
+    each_call_ends();
+    it_is_asked_often();
+    return failures != 0;
+}

@@ -1,0 +1,91 @@
+/* Paths made of recorded poses, and what a check finds in a plain one. */
+#include "check.h"
+
+static V_PATH *orbit(double seconds)
+{
+    V_PATH *path = NULL;
+    const double numbers[] = {0, 0.5, 0, 1.2, 0.4, 0, 1, 24, seconds};
+
+    OK(v_path_from_move("orbit", numbers, 9, &path));
+    return path;
+}
+
+static void recorded_poses_are_fitted(void)
+{
+    V_PATH *path = orbit(20), *fitted = NULL;
+    static V_POSE poses[500], again[500];
+    size_t count = 0, i;
+    int points;
+
+    OK(v_path_sample(path, poses, 500, &count));
+    CHECK(count == 500);
+    OK(v_path_fit_poses(poses, NULL, count, 25, 0.01, 0.5, &fitted));
+    OK(v_path_point_count(fitted, &points));
+    CHECK(points <= 13);
+    OK(v_path_sample(fitted, again, 500, &count));
+    CHECK(count == 500);
+    for (i = 0; i < count; i++)
+        NEAR(again[i].vrp[0], poses[i].vrp[0], 0.0101);
+    v_path_free(fitted);
+    STATUS(V_ERR_ARGUMENT, v_path_fit_poses(poses, NULL, 2, 25, 0.01, 0.5, &fitted));
+    STATUS(V_ERR_RANGE, v_path_fit_poses(poses, NULL, 500, 25, 0, 0.5, &fitted));
+    poses[7].zoom = NAN;
+    STATUS(V_ERR_RANGE, v_path_fit_poses(poses, NULL, 500, 25, 0.01, 0.5, &fitted));
+    v_path_free(path);
+}
+
+/* Times that are no seconds, and a frame far away: refused before any work, which would take
+ * hours and all memory. */
+static void times_that_span_too_many_frames_are_refused(void)
+{
+    V_PATH *path = orbit(4), *fitted = NULL;
+    static V_POSE poses[100];
+    static double seconds[100];
+    const double steps[] = {33e6, 1e30, INFINITY};
+    size_t count = 0, i, k;
+
+    OK(v_path_sample(path, poses, 100, &count));
+    CHECK(count == 100);
+    for (k = 0; k < 3; k++) {
+        for (i = 0; i < count; i++)
+            seconds[i] = i == 0 ? 0 : i * steps[k];
+        if (k == 2)
+            for (i = 0; i + 1 < count; i++)
+                seconds[i] = (double)i;
+        STATUS(V_ERR_LIMIT, v_path_fit_poses(poses, seconds, count, 25, 0.01, 0.5, &fitted));
+        CHECK(fitted == NULL && strstr(v_last_error(), "times are seconds") != NULL);
+        STATUS(V_ERR_LIMIT,
+               v_path_fit_poses_robust(poses, seconds, count, 25, 0.01, 0.5, NULL, NULL, &fitted));
+    }
+    for (i = 0; i < count; i++)
+        seconds[i] = i + 1 < count ? (double)i : 1e9;
+    STATUS(V_ERR_LIMIT, v_path_fit_poses(poses, seconds, count, 1, 0.01, 0.5, &fitted));
+    v_path_free(path);
+}
+
+/* A hold between sections without an ease is no finding; a limit that the host sets counts. */
+static void a_plain_hold_is_no_finding(void)
+{
+    V_PATH *path = NULL;
+    V_FINDING found[8];
+    const double summit[3] = {0, 0.4, 0.9};
+    size_t count = 99;
+
+    OK(v_path_new(&path));
+    OK(v_path_insert_point(path, 1, summit));
+    OK(v_path_set_property(path, "point.2.hold_frames", "25"));
+    OK(v_path_check(path, NULL, NULL, 0, &count));
+    CHECK(count == 0);
+    OK(v_path_set_limit(path, "speed-jump", 0.4));
+    OK(v_path_check(path, NULL, found, 8, &count));
+    CHECK(count == 1 && strcmp(found[0].kind, "speed-jump") == 0);
+    v_path_free(path);
+}
+
+int main(void)
+{
+    recorded_poses_are_fitted();
+    times_that_span_too_many_frames_are_refused();
+    a_plain_hold_is_no_finding();
+    return failures != 0;
+}
