@@ -20,6 +20,8 @@
 #   make deb         Debian packages, in target/deb
 #   make header      writes include/libvides.h anew
 #   make reference   pages of the C interface, target/reference: HTML and section 3
+#   make gallery     eight flights with pictures and pages that play them, target/gallery
+#   make site        the documents as pages, with gallery and C reference, target/site
 #   make completions writes what shells complete, completions/, anew
 #   make clean
 #
@@ -75,7 +77,7 @@ X_TOOLS = python3=python3 Xvfb=xvfb xauth=xauth xdotool=xdotool xprop=x11-utils 
     xwd=x11-apps /usr/include/Xm/Xm.h=libmotif-dev
 LINT = -D warnings
 
-.PHONY: all libs demo test check bench soak soak-calls soak-x fuzz coverage miri threads install uninstall deb check-deb header completions reference clean side-by-side FORCE \
+.PHONY: all libs demo test check bench soak soak-calls soak-x fuzz coverage miri threads install uninstall deb check-deb header completions reference gallery site clean side-by-side FORCE \
 	toolchain check-format check-lints check-rust check-c check-linking \
 	check-calls check-x check-demo check-install check-docs check-dependencies \
 	check-hosts soak-hosts check-planning check-formats check-formats-small wheel check-python check-packages
@@ -111,6 +113,15 @@ header: toolchain
 reference:
 	@mk/need.sh python3=python3
 	python3 mk/reference.py include/libvides.h $(CARGO_TARGET_DIR)/reference $(VERSION)
+
+gallery: all
+	@mk/need.sh python3=python3
+	python3 mk/gallery.py $(RELEASE)/vides $(CARGO_TARGET_DIR)/gallery
+
+# Pages that lead nowhere are an error.
+site: reference gallery
+	@mk/need.sh cmark-gfm=cmark-gfm
+	python3 mk/site.py $(CARGO_TARGET_DIR)/site c=$(CARGO_TARGET_DIR)/reference/html gallery=$(CARGO_TARGET_DIR)/gallery
 
 completions: toolchain
 	UPDATE_COMPLETIONS=1 $(CARGO) test --locked --all-features --bin vides completions

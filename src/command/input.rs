@@ -110,9 +110,14 @@ pub(super) fn object(file: &Path) -> Result<Object, Failure> {
     Ok(object)
 }
 
+/// Whether a file holds a path, not a mesh.
+pub(super) fn is_path(file: &Path) -> bool {
+    Format::of(file).is_none()
+}
+
 /// A path with an object in its space: that of a file, or a new one around a mesh.
 pub(super) fn around(file: &Path) -> Result<Document, Failure> {
-    if Format::of(file).is_none() {
+    if is_path(file) {
         return load(file);
     }
     Ok(Document::around(load_object(file)?)?)

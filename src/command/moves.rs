@@ -183,7 +183,15 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         let start = Parameter::count(&parameters[..*at]);
         numbers[start..start + given.len()].copy_from_slice(given);
     }
-    let path = arguments.chosen.path(&numbers, space, arguments.fps)?;
-    let document = Document::from_parts(path, info)?;
+    let make = |space| {
+        let path = arguments.chosen.path(&numbers, space, arguments.fps)?;
+        Ok::<_, Failure>(Document::from_parts(path, info.clone())?)
+    };
+    let mut document = make(space)?;
+    // Only the space of a file was chosen by somebody.
+    let of_file = arguments.object.as_deref().is_some_and(input::is_path);
+    if !of_file && document.points_outside() > 0 {
+        document = make(document.space_around_all()?)?;
+    }
     Output::to(arguments.output.clone()).write(&document)
 }

@@ -327,6 +327,27 @@ fn a_sampled_film_becomes_a_path_again() {
     assert!(complaint.contains("larger than"), "{complaint}");
 }
 
+/// A first orbit around a mesh, or wider than the default space, has nothing to find.
+#[test]
+fn the_space_of_a_move_holds_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let folder = folder.path();
+    let mesh = folder.join("mesh.obj");
+    std::fs::write(
+        &mesh,
+        "v 10 0 0\nv 14 0 0\nv 12 5 0\nv 12 2 3\nf 1 2 3\nf 2 3 4\n",
+    )
+    .unwrap();
+    let mesh = mesh.to_str().unwrap();
+    for (name, options) in [
+        ("around.vid", &["--object", mesh, "--seconds", "20"][..]),
+        ("wide.vid", &["--radius", "40", "--seconds", "20"]),
+    ] {
+        let file = written(folder, name, &[&["move", "orbit"], options].concat());
+        assert_eq!(said(&run(&["check", &file])), "");
+    }
+}
+
 #[test]
 fn fits_and_moves_have_a_space() {
     let folder = tempfile::tempdir().unwrap();

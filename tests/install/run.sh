@@ -165,7 +165,7 @@ mv "$moved" "$own"
 # Each command that the README and the first pages show, on the path of the README.
 mkdir "$work/shell"
 sed -n '/^```toml$/,/^```$/p' README.md | sed '/^```/d' >"$work/shell/flight.vid"
-sed -n '/^```sh$/,/^```$/p' README.md docs/start/*.md | grep '^vides ' >"$work/shell/commands"
+sed -n '/^ *```sh$/,/^ *```$/p' README.md docs/start/*.md docs/guides/*.md | grep '^ *vides ' >"$work/shell/commands"
 # A cube, away from the way.
 cat >"$work/shell/mesh.obj" <<'OBJ'
 v -0.2 -0.2 -0.2
@@ -249,7 +249,7 @@ for _ in $(seq 50); do [ -s "$work/called" ] && break; sleep 0.1; done
 check "a double click opens the editor" same "edit|$work/a flight.vid|" "$(cat "$work/called")"
 
 # ---- The texts -----------------------------------------------------------------
-for text in *.md docs/*.md benches/*.md; do
+for text in *.md docs/*.md docs/*/*.md benches/*.md; do
     for link in $(grep -oE '\]\([^)#:]+[)#]' "$text" | sed 's/](//; s/.$//'); do
         check "$text: $link is there" test -e "$(dirname "$text")/$link"
     done
