@@ -494,9 +494,9 @@ proptest::proptest! {
 #[test]
 fn the_example_is_read() {
     let document = parse(&example()).unwrap();
-    let [start, end] = document.path().points.as_slice() else {
-        panic!("two points");
-    };
+    let points = &document.path().points;
+    assert_eq!(points.len(), 2);
+    let (start, end) = (&points[0], &points[1]);
     assert_eq!(start.name.as_deref(), Some("start"));
     assert_eq!(start.orientations[0].roll, 15.0);
     assert_eq!(end.orientations[0].hold, 12);

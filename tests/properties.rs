@@ -274,7 +274,7 @@ fn a_path_backwards_gives_the_poses_backwards() {
             }
         }
         let mut back = path.clone();
-        back.points.reverse();
+        back.points = path.points.shared().rev().cloned().collect();
         for (i, point) in back.points.iter_mut().enumerate() {
             let mut tcb = path.tcb(path.points.len() - 1 - i);
             tcb.bias = -tcb.bias;
@@ -438,7 +438,8 @@ fn a_closed_path_has_no_beginning() {
         }
         let begin = random.below(path.points.len());
         let mut turned = path.clone();
-        turned.points.rotate_left(begin);
+        turned.points.drain(..begin);
+        turned.points.extend(path.points.shared().take(begin).cloned());
         let (timeline, sampler) = prepared(&path);
         let poses = all_poses(&sampler);
         let others = all_poses(&prepared(&turned).1);

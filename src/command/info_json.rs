@@ -1,12 +1,12 @@
 //! `vides info --json`: the same as the tables say, for programs. Points and views count from 1.
 
 use std::path::Path;
-use std::sync::Arc;
 
 use serde_json::{Value, json};
 use vides::document::{Info, SceneDocument};
 use vides::path::{CameraPath, CurveParameters, Timeline};
 use vides::scene::{Kind, Node, Scene};
+use vides::shared_list::SharedList;
 
 use super::failure::json as json_text;
 use super::info_parts::{changed, last_of, modes};
@@ -141,7 +141,7 @@ fn of_scene(scene: &Scene, info: &Info) -> Value {
     })
 }
 
-fn node(node: &Node, nodes: &[Arc<Node>], seen: &dyn Fn(f64) -> f64) -> Value {
+fn node(node: &Node, nodes: &SharedList<Node>, seen: &dyn Fn(f64) -> f64) -> Value {
     let name = |at: Option<usize>| at.map(|at| &nodes[at].name);
     let tracks = node.keys().tracks().iter().map(|track| {
         let (first, last) = track.ends();

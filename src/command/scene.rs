@@ -10,6 +10,7 @@ use std::sync::Arc;
 use vides::document::SceneDocument;
 use vides::scene::host::{self, Question};
 use vides::scene::{Extrapolation, Kind, Node};
+use vides::shared_list::SharedList;
 
 use super::failure::{Failure, one_line};
 use super::info_parts::heading;
@@ -69,7 +70,7 @@ pub(super) fn tables(file: &Path, document: &SceneDocument) -> String {
     text
 }
 
-fn nodes(nodes: &[Arc<Node>], seen: &dyn Fn(f64) -> f64) -> Table {
+fn nodes(nodes: &SharedList<Node>, seen: &dyn Fn(f64) -> f64) -> Table {
     let mut table = Table::new(&[
         ("Name", Align::Left),
         ("Kind", Align::Left),
@@ -121,7 +122,7 @@ fn nodes(nodes: &[Arc<Node>], seen: &dyn Fn(f64) -> f64) -> Table {
     table
 }
 
-fn tracks(nodes: &[Arc<Node>], seen: &dyn Fn(f64) -> f64) -> Table {
+fn tracks(nodes: &SharedList<Node>, seen: &dyn Fn(f64) -> f64) -> Table {
     let mut table = Table::new(&[
         ("Node", Align::Left),
         ("Channel", Align::Left),

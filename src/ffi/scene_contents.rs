@@ -104,7 +104,9 @@ pub unsafe extern "C" fn v_scene_get_channel(
         let (node, at) = (index(node, "node")?, index(at, "at")?);
         let lent = read(scene, |document| {
             let tracks = document.scene.node(node)?.keys().tracks();
-            let channel = entry(tracks, at, "track")?.channel();
+            let (what, count) = ("track", tracks.len());
+            let track = tracks.get(at).ok_or(Failure::NoEntry { what, at, count })?;
+            let channel = track.channel();
             Ok(thread_text(&channel.to_string()))
         })?;
         // SAFETY: room for a pointer, as the header says.

@@ -224,7 +224,8 @@ impl Content {
         let mut bytes = size_of::<Self>();
         if !Arc::ptr_eq(&self.path, &other.path) {
             let points = self.path.points.without(&other.path.points);
-            bytes += size_of::<CameraPath>() + size_of_val(self.path.points.as_slice());
+            bytes +=
+                size_of::<CameraPath>() + self.path.points.heap_size_without(&other.path.points);
             bytes += points.map(heap_size).sum::<usize>();
         }
         if let Some(edited) = &self.scene {

@@ -44,12 +44,12 @@ pub(super) fn lapse(old: &CameraPath, path: &mut Arc<CameraPath>) {
     if near.is_empty() {
         return;
     }
-    let known = old.points.as_slice().iter().map(Arc::as_ptr);
+    let known = old.points.shared().map(Arc::as_ptr);
     let known: HashMap<_, usize> = known.zip(0..).collect();
     // Where none came or went, one that is not known has been changed in its place.
     let in_place = old.points.len() == path.points.len();
     let before = |at: usize| {
-        let same = known.get(&Arc::as_ptr(&path.points.as_slice()[at]));
+        let same = known.get(&Arc::as_ptr(path.points.get_shared(at)));
         same.copied().or(in_place.then_some(at))
     };
     let moved = |at: usize| {

@@ -3,7 +3,7 @@
 //! `.vid` file, and need not have the unit at their end. `node.lamp.intensity` is that of the node
 //! with that name, `node.2.intensity` that of the second one.
 
-use std::sync::Arc;
+use vides_engine::shared_list::SharedList;
 
 use vides_engine::property::{Kind, Listed, Owner, Table, Value, find, list};
 use vides_engine::scene::{Node, Values};
@@ -83,9 +83,9 @@ fn place(name: &str) -> Result<Place<'_>> {
 }
 
 impl Document {
-    fn nodes(&self) -> &[Arc<Node>] {
+    fn nodes(&self) -> &SharedList<Node> {
         self.edited_scene()
-            .map_or(&[], |edited| edited.scene().nodes().as_slice())
+            .map_or(SharedList::EMPTY, |edited| edited.scene().nodes())
     }
 
     /// What a name leads to; a node is called by its number, from 1, or by its name.
@@ -101,9 +101,9 @@ impl Document {
             Ok(number) => number.checked_sub(1).filter(|&at| at < nodes.len()),
             Err(_) => nodes.iter().position(|known| known.name == node),
         };
-        let missing = || match nodes {
-            [] => Error::from(Refused::NoScene),
-            _ => EngineError::from(Invalid::NoNodeNamed(node.into())).into(),
+        let missing = || match nodes.is_empty() {
+            true => Error::from(Refused::NoScene),
+            false => EngineError::from(Invalid::NoNodeNamed(node.into())).into(),
         };
         Ok(Place::Node(at.ok_or_else(missing)?, key))
     }

@@ -1,10 +1,11 @@
 //! A list whose copies share its elements, so that a document and its history keep each but once.
 
+use std::cmp::Ordering;
 use std::collections::HashSet;
 use std::fmt;
-use std::iter::Map;
-use std::ops::{Deref, DerefMut, Index, IndexMut, Range, RangeBounds};
-use std::slice::{self, SliceIndex};
+use std::iter::{FlatMap, Map};
+use std::ops::{Bound, Index, IndexMut, Range, RangeBounds};
+use std::slice;
 use std::sync::Arc;
 
 use crate::error::Result;
@@ -12,17 +13,29 @@ use crate::property::{SameBits, Stored};
 
 /// So many elements are compared one by one.
 const FEW: usize = 16;
+/// Elements of a block. A copy and a change cost as much as there are blocks, and one block's
+/// pointers: near the least of both sums at some thousand elements.
+const BLOCK: usize = 64;
 
-/// A list whose copies share its elements: a copy costs a pointer for each element, and an element
-/// is copied when it changes while another list has it, too.
+/// A list whose copies share its elements: a copy costs a pointer for every 64 elements, and
+/// an element is copied when it changes while another list has it, too.
 #[derive(Clone)]
-pub struct SharedList<T>(Vec<Arc<T>>);
+pub struct SharedList<T> {
+    /// All but the last one are full.
+    blocks: Vec<Arc<Block<T>>>,
+    len: usize,
+}
+
+type Block<T> = Vec<Arc<T>>;
 
 impl<T> SharedList<T> {
     /// An empty list.
     #[must_use]
     pub const fn new() -> Self {
-        Self(Vec::new())
+        Self {
+            blocks: Vec::new(),
+            len: 0,
+        }
     }
 
     /// Makes room for so many more elements.
@@ -30,7 +43,7 @@ impl<T> SharedList<T> {
     /// # Errors
     /// [`crate::Error::Memory`].
     pub fn try_reserve(&mut self, more: usize) -> Result<()> {
-        Ok(self.0.try_reserve(more)?)
+        Ok(self.blocks.try_reserve(more.div_ceil(BLOCK))?)
     }
 
     /// A copy, for which there is memory.
@@ -38,34 +51,78 @@ impl<T> SharedList<T> {
     /// # Errors
     /// [`crate::Error::Memory`].
     pub fn try_clone(&self) -> Result<Self> {
-        let mut copy = crate::error::vec_with_room(self.len())?;
-        copy.extend_from_slice(self);
-        Ok(Self(copy))
+        let mut blocks = crate::error::vec_with_room(self.blocks.len())?;
+        blocks.extend_from_slice(&self.blocks);
+        Ok(Self {
+            blocks,
+            len: self.len,
+        })
+    }
+
+    /// The number of elements.
+    #[must_use]
+    pub const fn len(&self) -> usize {
+        self.len
+    }
+
+    /// Whether there are no elements.
+    #[must_use]
+    pub const fn is_empty(&self) -> bool {
+        self.len == 0
     }
 
     /// The elements.
     pub fn iter(&self) -> Iter<'_, T> {
-        self.0.iter().map(AsRef::as_ref)
+        self.range(..)
     }
 
     /// The elements as they are shared.
+    pub fn shared(
+        &self,
+    ) -> impl DoubleEndedIterator<Item = &Arc<T>> + ExactSizeIterator + use<'_, T> {
+        (0..self.len).map(|at| self.get_shared(at))
+    }
+
+    /// An element as it is shared.
+    ///
+    /// # Panics
+    /// If there is none of this number.
     #[must_use]
-    pub fn as_slice(&self) -> &[Arc<T>] {
-        &self.0
+    pub fn get_shared(&self, at: usize) -> &Arc<T> {
+        &self.blocks[at / BLOCK][at % BLOCK]
     }
 
     /// Some of the elements.
     ///
     /// # Panics
     /// If there are none at some of these numbers.
-    pub fn range(&self, which: impl SliceIndex<[Arc<T>], Output = [Arc<T>]>) -> Iter<'_, T> {
-        self.0[which].iter().map(AsRef::as_ref)
+    pub fn range(&self, which: impl RangeBounds<usize>) -> Iter<'_, T> {
+        Iter {
+            list: self,
+            rest: self.numbers(&which),
+        }
+    }
+
+    /// The numbers that a range means.
+    fn numbers(&self, which: &impl RangeBounds<usize>) -> Range<usize> {
+        let first = match which.start_bound() {
+            Bound::Included(&at) => at,
+            Bound::Excluded(&at) => at + 1,
+            Bound::Unbounded => 0,
+        };
+        let end = match which.end_bound() {
+            Bound::Included(&at) => at + 1,
+            Bound::Excluded(&at) => at,
+            Bound::Unbounded => self.len,
+        };
+        assert!(first <= end && end <= self.len, "no such elements");
+        first..end
     }
 
     /// An element, if there is one of this number.
     #[must_use]
     pub fn get(&self, at: usize) -> Option<&T> {
-        self.0.get(at).map(AsRef::as_ref)
+        (at < self.len).then(|| &self[at])
     }
 
     /// The first element.
@@ -77,7 +134,7 @@ impl<T> SharedList<T> {
     /// The last element.
     #[must_use]
     pub fn last(&self) -> Option<&T> {
-        self.0.last().map(AsRef::as_ref)
+        self.blocks.last()?.last().map(AsRef::as_ref)
     }
 
     /// Puts another element in the place of one.
@@ -85,42 +142,73 @@ impl<T> SharedList<T> {
     /// # Panics
     /// If there is none of this number.
     pub fn set(&mut self, at: usize, element: impl Into<Arc<T>>) {
-        self.0[at] = element.into();
+        Arc::make_mut(&mut self.blocks[at / BLOCK])[at % BLOCK] = element.into();
+    }
+
+    /// The elements of whole blocks that both lists begin with.
+    fn same_blocks(&self, other: &Self) -> usize {
+        let blocks = self.blocks.iter().zip(&other.blocks);
+        let same = blocks.take_while(|(a, b)| Arc::ptr_eq(a, b)).count();
+        (same * BLOCK).min(self.len)
     }
 
     /// Between which elements it differs from another list: before and behind both have the same
     /// ones. The first range is its own, the second that of the other list.
     #[must_use]
     pub fn difference(&self, other: &Self) -> [Range<usize>; 2] {
-        let same = |(a, b): &(&Arc<T>, &Arc<T>)| Arc::ptr_eq(a, b);
-        let begin = self.0.iter().zip(&other.0).take_while(same).count();
-        let ends = self.0[begin..].iter().rev();
-        let end = ends.zip(other.0[begin..].iter().rev());
-        let end = end.take_while(same).count();
-        [self, other].map(|list| begin..list.len() - end)
+        let same = |a: usize, b: usize| Arc::ptr_eq(self.get_shared(a), other.get_shared(b));
+        let least = self.len.min(other.len);
+        let mut begin = self.same_blocks(other);
+        while begin < least && same(begin, begin) {
+            begin += 1;
+        }
+        let mut end = 0;
+        if self.len == other.len {
+            // Blocks lie alike in both.
+            let blocks = self.blocks.iter().zip(&other.blocks).rev();
+            let blocks = blocks.take_while(|(a, b)| Arc::ptr_eq(a, b));
+            end = blocks.map(|(block, _)| block.len()).sum::<usize>();
+            end = end.min(least - begin);
+        }
+        while end < least - begin && same(self.len - 1 - end, other.len - 1 - end) {
+            end += 1;
+        }
+        [self, other].map(|list| begin..list.len - end)
     }
 
     /// The elements that another list does not have.
     pub fn without<'a>(&'a self, other: &'a Self) -> impl Iterator<Item = &'a T> {
         let [mine, theirs] = self.difference(other);
-        let (mine, theirs) = (&self.0[mine], &other.0[theirs]);
+        let theirs = other.range(theirs);
         // A few are found without a table of them.
         let table = match theirs.len() {
             0..FEW => HashSet::new(),
-            _ => theirs.iter().map(Arc::as_ptr).collect(),
+            _ => theirs.clone().map(std::ptr::from_ref).collect(),
         };
-        mine.iter().map(AsRef::as_ref).filter(move |&element: &&T| {
-            let is = |other: &Arc<T>| std::ptr::eq(Arc::as_ptr(other), element);
-            match theirs.len() {
-                0..FEW => !theirs.iter().any(is),
+        self.range(mine)
+            .filter(move |&element: &&T| match theirs.len() {
+                0..FEW => !theirs.clone().any(|other| std::ptr::eq(other, element)),
                 _ => !table.contains(&std::ptr::from_ref(element)),
-            }
-        })
+            })
+    }
+
+    /// Bytes of the list itself that another one does not share.
+    #[must_use]
+    pub fn heap_size_without(&self, other: &Self) -> usize {
+        let pairs = self.blocks.iter().zip(&other.blocks);
+        let same = pairs.filter(|(a, b)| Arc::ptr_eq(a, b)).count();
+        size_of_val(&*self.blocks) + (self.blocks.len() - same) * BLOCK * size_of::<Arc<T>>()
     }
 
     /// Appends an element.
     pub fn push(&mut self, element: impl Into<Arc<T>>) {
-        self.0.push(element.into());
+        if self.len.is_multiple_of(BLOCK) {
+            self.blocks.push(Arc::default());
+        }
+        if let Some(block) = self.blocks.last_mut() {
+            Arc::make_mut(block).push(element.into());
+            self.len += 1;
+        }
     }
 
     /// Inserts an element before the one at `at`.
@@ -128,7 +216,7 @@ impl<T> SharedList<T> {
     /// # Panics
     /// If `at` is beyond the end.
     pub fn insert(&mut self, at: usize, element: impl Into<Arc<T>>) {
-        self.0.insert(at, element.into());
+        self.insert_all(at, [element]);
     }
 
     /// Inserts elements before the one at `at`.
@@ -140,9 +228,17 @@ impl<T> SharedList<T> {
         at: usize,
         elements: impl IntoIterator<Item = E>,
     ) {
-        self.0
-            .splice(at..at, elements.into_iter().map(Into::into))
-            .for_each(drop);
+        let behind = self.split_off(at);
+        self.extend(elements);
+        self.extend(behind);
+    }
+
+    /// Takes the elements from `at` on.
+    fn split_off(&mut self, at: usize) -> Vec<Arc<T>> {
+        let behind = self.numbers(&(at..));
+        let behind = behind.map(|at| Arc::clone(self.get_shared(at))).collect();
+        self.truncate(at);
+        behind
     }
 
     /// Removes an element.
@@ -150,59 +246,134 @@ impl<T> SharedList<T> {
     /// # Panics
     /// If there is none of this number.
     pub fn remove(&mut self, at: usize) -> Arc<T> {
-        self.0.remove(at)
+        let element = Arc::clone(self.get_shared(at));
+        let behind = self.split_off(at + 1);
+        self.truncate(at);
+        self.extend(behind);
+        element
     }
 
     /// Removes the last element.
     pub fn pop(&mut self) -> Option<Arc<T>> {
-        self.0.pop()
+        let last = self.len.checked_sub(1)?;
+        Some(self.remove(last))
     }
 
     /// Keeps the first `count` elements.
     pub fn truncate(&mut self, count: usize) {
-        self.0.truncate(count);
+        if count < self.len {
+            self.len = count;
+            self.blocks.truncate(count.div_ceil(BLOCK));
+            if let (Some(block), 1..) = (self.blocks.last_mut(), count % BLOCK) {
+                Arc::make_mut(block).truncate(count % BLOCK);
+            }
+        }
     }
 
     /// Removes all elements.
     pub fn clear(&mut self) {
-        self.0.clear();
+        *self = Self::new();
     }
 
     /// Keeps the elements for which `keep` is true.
     pub fn retain(&mut self, mut keep: impl FnMut(&T) -> bool) {
-        self.0.retain(|element| keep(element));
+        *self = self
+            .shared()
+            .filter(|&element| keep(element))
+            .map(Arc::clone)
+            .collect();
+    }
+
+    /// Sorts the elements; equal ones keep their order.
+    pub fn sort_by(&mut self, mut order: impl FnMut(&T, &T) -> Ordering) {
+        let mut all: Vec<_> = self.drain(..).collect();
+        all.sort_by(|a, b| order(a, b));
+        self.extend(all);
     }
 
     /// Takes elements out.
     ///
     /// # Panics
     /// If there are none at some of these numbers.
-    pub fn drain(&mut self, which: impl RangeBounds<usize>) -> impl Iterator<Item = Arc<T>> {
-        self.0.drain(which)
+    pub fn drain(&mut self, which: impl RangeBounds<usize>) -> std::vec::IntoIter<Arc<T>> {
+        let which = self.numbers(&which);
+        let behind = self.split_off(which.end);
+        let out = self.split_off(which.start);
+        self.extend(behind);
+        out.into_iter()
     }
+}
+
+impl<T: 'static> SharedList<T> {
+    /// What stands for a list where there is none.
+    pub const EMPTY: &'static Self = &Self::new();
 }
 
 impl<T: Clone> SharedList<T> {
     /// The elements, to be changed: those that another list has, too, are copied.
     pub fn iter_mut(&mut self) -> IterMut<'_, T> {
-        self.0.iter_mut().map(Arc::make_mut)
+        self.blocks.iter_mut().flat_map(elements_mut)
     }
 
     /// An element to be changed, if there is one of this number.
     pub fn get_mut(&mut self, at: usize) -> Option<&mut T> {
-        self.0.get_mut(at).map(Arc::make_mut)
+        (at < self.len).then(|| &mut self[at])
     }
 
     /// The last element, to be changed.
     pub fn last_mut(&mut self) -> Option<&mut T> {
-        self.0.last_mut().map(Arc::make_mut)
+        self.get_mut(self.len.checked_sub(1)?)
     }
 }
 
+fn elements_mut<T: Clone>(block: &mut Arc<Block<T>>) -> ElementsMut<'_, T> {
+    Arc::make_mut(block).iter_mut().map(Arc::make_mut)
+}
+
 /// [`SharedList::iter`].
-pub type Iter<'a, T> = Map<slice::Iter<'a, Arc<T>>, fn(&'a Arc<T>) -> &'a T>;
+pub struct Iter<'a, T> {
+    list: &'a SharedList<T>,
+    rest: Range<usize>,
+}
+
+impl<T> Clone for Iter<'_, T> {
+    fn clone(&self) -> Self {
+        let rest = self.rest.clone();
+        Self { rest, ..*self }
+    }
+}
+
+impl<'a, T> Iterator for Iter<'a, T> {
+    type Item = &'a T;
+
+    fn next(&mut self) -> Option<&'a T> {
+        self.rest.next().map(|at| &self.list[at])
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        self.rest.size_hint()
+    }
+
+    fn nth(&mut self, n: usize) -> Option<&'a T> {
+        self.rest.nth(n).map(|at| &self.list[at])
+    }
+}
+
+impl<T> DoubleEndedIterator for Iter<'_, T> {
+    fn next_back(&mut self) -> Option<Self::Item> {
+        self.rest.next_back().map(|at| &self.list[at])
+    }
+}
+
+impl<T> ExactSizeIterator for Iter<'_, T> {}
+
+type ElementsMut<'a, T> = Map<slice::IterMut<'a, Arc<T>>, fn(&'a mut Arc<T>) -> &'a mut T>;
 /// [`SharedList::iter_mut`].
-pub type IterMut<'a, T> = Map<slice::IterMut<'a, Arc<T>>, fn(&'a mut Arc<T>) -> &'a mut T>;
+pub type IterMut<'a, T> = FlatMap<
+    slice::IterMut<'a, Arc<Block<T>>>,
+    ElementsMut<'a, T>,
+    fn(&'a mut Arc<Block<T>>) -> ElementsMut<'a, T>,
+>;
 
 impl<T> Default for SharedList<T> {
     fn default() -> Self {
@@ -212,51 +383,44 @@ impl<T> Default for SharedList<T> {
 
 impl<T: fmt::Debug> fmt::Debug for SharedList<T> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.fmt(f)
+        f.debug_list().entries(self).finish()
+    }
+}
+
+impl<T> SharedList<T> {
+    /// Whether all elements are equal; those that both lists share are not compared.
+    fn equal(&self, other: &Self, equal: impl Fn(&T, &T) -> bool) -> bool {
+        let from = self.same_blocks(other).min(other.len);
+        let same = |(a, b): (&T, &T)| std::ptr::eq(a, b) || equal(a, b);
+        self.len == other.len && self.range(from..).zip(other.range(from..)).all(same)
     }
 }
 
 impl<T: PartialEq> PartialEq for SharedList<T> {
     fn eq(&self, other: &Self) -> bool {
-        let same = |(a, b): (&Arc<T>, &Arc<T>)| Arc::ptr_eq(a, b) || a == b;
-        self.len() == other.len() && self.0.iter().zip(&other.0).all(same)
+        self.equal(other, T::eq)
     }
 }
 
 impl<T: SameBits> SameBits for SharedList<T> {
     fn same_bits(&self, other: &Self) -> bool {
-        let same = |(a, b): (&Arc<T>, &Arc<T>)| Arc::ptr_eq(a, b) || a.same_bits(b);
-        self.len() == other.len() && self.0.iter().zip(&other.0).all(same)
+        self.equal(other, T::same_bits)
     }
 }
 
 impl<T: SameBits + Clone> Stored for SharedList<T> {}
 
-impl<T> Deref for SharedList<T> {
-    type Target = [Arc<T>];
-
-    fn deref(&self) -> &[Arc<T>] {
-        &self.0
-    }
-}
-
-impl<T> DerefMut for SharedList<T> {
-    fn deref_mut(&mut self) -> &mut [Arc<T>] {
-        &mut self.0
-    }
-}
-
 impl<T> Index<usize> for SharedList<T> {
     type Output = T;
 
     fn index(&self, at: usize) -> &T {
-        &self.0[at]
+        self.get_shared(at)
     }
 }
 
 impl<T: Clone> IndexMut<usize> for SharedList<T> {
     fn index_mut(&mut self, at: usize) -> &mut T {
-        Arc::make_mut(&mut self.0[at])
+        Arc::make_mut(&mut Arc::make_mut(&mut self.blocks[at / BLOCK])[at % BLOCK])
     }
 }
 
@@ -274,13 +438,15 @@ impl<T, const N: usize> From<[T; N]> for SharedList<T> {
 
 impl<T, E: Into<Arc<T>>> FromIterator<E> for SharedList<T> {
     fn from_iter<I: IntoIterator<Item = E>>(elements: I) -> Self {
-        Self(elements.into_iter().map(Into::into).collect())
+        let mut list = Self::new();
+        list.extend(elements);
+        list
     }
 }
 
 impl<T, E: Into<Arc<T>>> Extend<E> for SharedList<T> {
     fn extend<I: IntoIterator<Item = E>>(&mut self, elements: I) {
-        self.0.extend(elements.into_iter().map(Into::into));
+        elements.into_iter().for_each(|element| self.push(element));
     }
 }
 
@@ -288,8 +454,8 @@ impl<T> IntoIterator for SharedList<T> {
     type Item = Arc<T>;
     type IntoIter = std::vec::IntoIter<Arc<T>>;
 
-    fn into_iter(self) -> Self::IntoIter {
-        self.0.into_iter()
+    fn into_iter(mut self) -> Self::IntoIter {
+        self.drain(..)
     }
 }
 
@@ -332,6 +498,51 @@ mod tests {
         let address = std::ptr::from_ref(&list[0]);
         list[0].push('y');
         assert!(std::ptr::eq(address, &list[0]));
+    }
+
+    /// Random changes of a list and of a plain one, and differences of copies.
+    #[test]
+    fn it_is_what_a_plain_list_is() {
+        let mut seed = 1_u64;
+        let mut random = |below: usize| {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (seed >> 33) as usize % below.max(1)
+        };
+        let (mut list, mut plain) = (SharedList::<usize>::new(), Vec::new());
+        let mut before = list.clone();
+        for number in 0..4000 {
+            let (at, count) = (random(plain.len() + 1), plain.len());
+            let to = at + random(count - at + 1);
+            match random(10) {
+                0..3 => (list.push(number), plain.push(number)),
+                3 => (list.insert(at, number), plain.insert(at, number)),
+                4 => {
+                    let more = number..number + random(150);
+                    list.insert_all(at, more.clone());
+                    ((), drop(plain.splice(at..at, more)))
+                }
+                5 if at < count => (drop(list.remove(at)), _ = plain.remove(at)),
+                6 if at < count => (list.set(at, number), plain[at] = number),
+                7 if at < count => (list[at] += 1, plain[at] += 1),
+                8 if count > 600 => (drop(list.drain(at..to)), drop(plain.drain(at..to))),
+                9 if count > 900 => (list.truncate(at), plain.truncate(at)),
+                _ => (drop(list.pop()), _ = plain.pop()),
+            };
+            assert!(list.iter().eq(&plain) && list.len() == plain.len());
+            assert!(list.iter().rev().eq(plain.iter().rev()) && list.last() == plain.last());
+            let [new, old] = list.difference(&before);
+            let same = |(a, b): (&usize, &usize)| std::ptr::eq(a, b);
+            assert!(
+                list.range(..new.start)
+                    .zip(before.range(..old.start))
+                    .all(same)
+            );
+            let behind = list.range(new.end..).zip(before.range(old.end..));
+            assert!(behind.len() == before.len() - old.end && { behind }.all(same));
+            if random(5) == 0 {
+                before = list.clone();
+            }
+        }
     }
 
     #[test]

@@ -6,9 +6,10 @@ use vides_engine::scene::{Camera, Extrapolation, FollowPath, Kind, Scene, Values
 
 /// The path of a scene that is nothing but a camera on it.
 pub(crate) fn alone(scene: &Scene) -> Option<&FollowPath> {
-    let [node] = scene.nodes().as_slice() else {
+    if scene.nodes().len() > 1 {
         return None;
-    };
+    }
+    let node = scene.nodes().first()?;
     let path = node.path()?;
     let plain = node.name == "camera"
         && node.kind == Kind::Camera(Camera::default())

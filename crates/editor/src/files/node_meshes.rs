@@ -65,8 +65,8 @@ impl Editor {
     /// The objects whose meshes come from files.
     fn mesh_sources(&self) -> Vec<(usize, MeshSource)> {
         let edited = self.document.edited_scene();
-        let nodes = edited.map_or(&[][..], |edited| edited.scene().nodes());
-        let sources = nodes.iter().enumerate().filter_map(|(at, node)| {
+        let nodes = edited.into_iter().flat_map(|edited| edited.scene().nodes());
+        let sources = nodes.enumerate().filter_map(|(at, node)| {
             let Kind::Object(object) = &node.kind else {
                 return None;
             };

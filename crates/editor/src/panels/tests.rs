@@ -93,8 +93,8 @@ fn a_point_is_inserted_half_way_and_the_flight_stays_as_it_is() {
             .windows(2)
             .map(|pair| DVec3::from(pair[0].vrp).distance(pair[1].vrp.into()));
         let fastest = frame.fold(0.0, f64::max);
-        for pair in path.points.windows(2) {
-            let way = pair[1].position.distance(pair[0].position);
+        for (a, b) in path.points.iter().zip(path.points.range(1..)) {
+            let way = b.position.distance(a.position);
             assert!((way - 1.2 / (points + 1) as f64).abs() < fastest, "{way}");
         }
         press(&mut window, Modifiers::CTRL, Key::Z);
@@ -232,8 +232,8 @@ fn several_points_are_asked_for_in_a_small_window() {
         assert_eq!((points(&window), selection(&window).point), (12, 1));
         assert!(window.query_by_label(texts.how_many).is_none());
         let path = window.state().document.path();
-        for pair in path.points.windows(2) {
-            let way = pair[1].position - pair[0].position;
+        for (a, b) in path.points.iter().zip(path.points.range(1..)) {
+            let way = b.position - a.position;
             // As near as whole frames come to it.
             assert!((way.length() - 1.2 / 11.0).abs() <= 0.01 + 1e-9);
         }

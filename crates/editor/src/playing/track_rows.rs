@@ -1,10 +1,9 @@
 //! Rows of the keys of nodes: which there are, where they stand, what lies under the pointer.
 
-use std::sync::Arc;
-
 use egui::{Id, Pos2, Rect, Role, Sense, Shape, Stroke, Ui, WidgetInfo, vec2};
 use vides_document::EditedScene;
 use vides_engine::scene::{Channel, Node, Track};
+use vides_engine::shared_list::{Iter, SharedList};
 
 use crate::playing::axis::as_frame;
 use crate::playing::track_time::{REACH, Time};
@@ -32,14 +31,13 @@ impl Row {
     }
 
     /// The tracks that it shows: its own, or all of its node.
-    pub(crate) fn tracks(self, edited: &EditedScene) -> &[Arc<Track>] {
-        let Some(node) = self.node(edited) else {
-            return &[];
-        };
-        let all = node.keys().tracks();
+    pub(crate) fn tracks(self, edited: &EditedScene) -> Iter<'_, Track> {
+        let node = self.node(edited);
+        let all = node.map_or(SharedList::EMPTY, |node| node.keys().tracks());
         match self.track {
-            Some(at) => all.as_slice().get(at..=at).unwrap_or_default(),
-            None => all,
+            Some(at) if at < all.len() => all.range(at..=at),
+            Some(_) => all.range(..0),
+            None => all.iter(),
         }
     }
 }
@@ -87,14 +85,14 @@ impl Shown<'_> {
             return Hit::Nothing;
         };
         let tracks = row.tracks(edited);
-        let near = |track: &Arc<Track>| {
+        let near = |track: &Track| {
             let key = self.time.nearest(track.frames(), at.x)?;
             Some(track.frames()[key])
         };
         let away = |frame: &f64| (self.time.x(*frame) - at.x).abs();
-        let frames = tracks.iter().filter_map(near);
+        let frames = tracks.clone().filter_map(near);
         if let Some(frame) = frames.min_by(|a, b| away(a).total_cmp(&away(b))) {
-            let same = |track: &Arc<Track>| {
+            let same = |track: &Track| {
                 let frames = track.frames();
                 let key = frames.partition_point(|&key| key < frame);
                 (frames.get(key) == Some(&frame)).then(|| KeyAt {
@@ -103,7 +101,7 @@ impl Shown<'_> {
                     key,
                 })
             };
-            return Hit::Keys(tracks.iter().filter_map(same).collect());
+            return Hit::Keys(tracks.filter_map(same).collect());
         }
         if let Some(brackets) = self.brackets() {
             for (x, first) in brackets.into_iter().zip([true, false]) {

@@ -143,8 +143,8 @@ impl Editor {
     /// The names of the nodes that aim at one.
     fn aiming(&self) -> Vec<String> {
         let edited = self.document.edited_scene();
-        let nodes = edited.map_or(&[][..], |edited| edited.scene().nodes());
-        let aiming = nodes.iter().filter(|node| node.aim.is_some());
+        let nodes = edited.into_iter().flat_map(|edited| edited.scene().nodes());
+        let aiming = nodes.filter(|node| node.aim.is_some());
         aiming.map(|node| node.name.clone()).collect()
     }
 

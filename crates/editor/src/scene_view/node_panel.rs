@@ -1,11 +1,10 @@
 //! The panels of a node: what it is in and looks at, where it is, what its kind has, what moves it.
 
-use std::sync::Arc;
-
 use egui::{Button, Popup, Role, ScrollArea, Ui, WidgetInfo, vec2};
 use glam::DVec3;
 use vides_document::Edit;
 use vides_engine::scene::{Channel, Node, Part, Rest};
+use vides_engine::shared_list::SharedList;
 
 use super::keys_panel::{AXES, Shown, Words, channel, diamond, indent};
 use super::{kind_panel, list_row, motion_panel, object_panel, panel};
@@ -238,7 +237,7 @@ fn node_menu(
     now: Option<usize>,
     hint: &str,
 ) -> Option<Option<usize>> {
-    let nodes: &[Arc<Node>] = editor.document.edited_scene()?.scene().nodes();
+    let nodes: &SharedList<Node> = editor.document.edited_scene()?.scene().nodes();
     let called = |at: Option<usize>| at.map_or(none, |at| nodes[at].name.as_str());
     let button = Button::new(fill(text, &[&called(now)])).truncate();
     let size = vec2(ui.available_width(), theme::ROW);
@@ -273,7 +272,7 @@ fn node_menu(
 }
 
 /// Whether a node is another one, or in it.
-fn is_in(nodes: &[Arc<Node>], at: usize, other: usize) -> bool {
+fn is_in(nodes: &SharedList<Node>, at: usize, other: usize) -> bool {
     let mut above = std::iter::successors(Some(at), |&at| nodes[at].parent);
     above.any(|at| at == other)
 }

@@ -405,7 +405,7 @@ fn what_moves_a_node_is_chosen() {
         assert!(told.contains(&points.to_string()), "{told}");
         window.state_mut().select_nodes(vec![DRONE]);
         click(&mut window, texts.few_keys);
-        let tracks = node(&window, DRONE).keys().tracks().to_vec();
+        let tracks = node(&window, DRONE).keys().tracks().clone();
         let keys: usize = tracks.iter().map(|track| track.frames().len()).sum();
         assert!(said(&window).unwrap().starts_with(&keys.to_string()));
         assert!(keys < 40, "{keys}");

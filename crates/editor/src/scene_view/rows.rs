@@ -2,9 +2,9 @@
 //! only when nodes, what is folded or the filter have changed.
 
 use std::collections::HashSet;
-use std::sync::Arc;
 
 use vides_engine::scene::{Node, Scene};
+use vides_engine::shared_list::SharedList;
 
 const NONE: usize = usize::MAX;
 
@@ -74,7 +74,7 @@ impl Rows {
     }
 
     /// Unfolds all that a node is in.
-    pub(super) fn unfold_to(&mut self, nodes: &[Arc<Node>], node: usize) {
+    pub(super) fn unfold_to(&mut self, nodes: &SharedList<Node>, node: usize) {
         let parent = |at: usize| nodes.get(at).and_then(|node| node.parent);
         for at in std::iter::successors(parent(node), |&up| parent(up)) {
             self.fold(&nodes[at].name, false);
@@ -82,7 +82,7 @@ impl Rows {
     }
 
     /// Which nodes the filter leaves; none: all.
-    fn left(&self, nodes: &[Arc<Node>]) -> Option<Vec<bool>> {
+    fn left(&self, nodes: &SharedList<Node>) -> Option<Vec<bool>> {
         if self.wanted.is_empty() {
             return None;
         }
@@ -101,7 +101,7 @@ impl Rows {
         Some(left)
     }
 
-    fn make(&mut self, nodes: &[Arc<Node>]) {
+    fn make(&mut self, nodes: &SharedList<Node>) {
         let left = self.left(nodes);
         let count = nodes.len();
         // The nodes in each one, those of the scene itself last: the first, and the next ones.

@@ -8,6 +8,7 @@
 use glam::{DAffine3, DMat3, DQuat, DVec2, DVec3};
 use vides_engine::math::euler::EulerAngles;
 use vides_engine::scene::Channel;
+use vides_engine::shared_list::SharedList;
 
 use super::projection::{Axis, Projection};
 use crate::state::Editor;
@@ -208,7 +209,7 @@ impl Held {
     /// Whether a turn becomes keys that go the shorter way.
     pub(super) fn turns_by_quaternions(&self, editor: &Editor) -> bool {
         let edited = editor.document.edited_scene();
-        let nodes = edited.map_or(&[][..], |edited| edited.scene().nodes());
+        let nodes = edited.map_or(SharedList::EMPTY, |edited| edited.scene().nodes());
         self.all.iter().any(|start| {
             let node = nodes.get(start.node);
             let track = node.and_then(|node| node.keys().track(&Channel::Rotation));

@@ -1,8 +1,6 @@
 //! The heading of the camera's picture as a list, where a scene has several cameras: which one is
 //! shown.
 
-use std::sync::Arc;
-
 use egui::{
     Button, CursorIcon, Label, Popup, Response, ScrollArea, Sense, Shape, Stroke, Ui, vec2,
 };
@@ -22,9 +20,9 @@ const MENU: f32 = 320.0;
 /// The cameras of a scene.
 pub(super) fn all(editor: &Editor) -> Vec<usize> {
     let edited = editor.document.edited_scene();
-    let nodes = edited.map_or(&[][..], |edited| edited.scene().nodes().as_slice());
-    let of_camera = |(_, node): &(usize, &Arc<Node>)| matches!(node.kind, Kind::Camera(_));
-    let all = nodes.iter().enumerate().filter(of_camera);
+    let nodes = edited.into_iter().flat_map(|edited| edited.scene().nodes());
+    let of_camera = |(_, node): &(usize, &Node)| matches!(node.kind, Kind::Camera(_));
+    let all = nodes.enumerate().filter(of_camera);
     all.map(|(at, _)| at).collect()
 }
 

@@ -177,7 +177,7 @@ fn a_closed_box_is_refused_and_an_open_one_gone_round() {
     assert!(nearest(&made.path, &open) >= 0.1);
     assert_eq!(findings(&made.path, &open, 0.1), 0);
     // The other way: from within.
-    path.points.reverse();
+    path.points = path.points.shared().rev().cloned().collect();
     assert!(avoid(&path, &closed, &request(0.1)).is_err());
     assert!(nearest(&avoid(&path, &open, &request(0.1)).unwrap().path, &open) >= 0.1);
     // Through all of it.

@@ -289,8 +289,8 @@ impl Scene {
             self.clone_from(other);
             return;
         }
-        for (at, node) in other.nodes.as_slice().iter().enumerate() {
-            if !Arc::ptr_eq(node, &self.nodes.as_slice()[at]) {
+        for (at, node) in other.nodes.shared().enumerate() {
+            if !Arc::ptr_eq(node, self.nodes.get_shared(at)) {
                 self.nodes.put(at, Arc::clone(node), &self.order);
             }
         }

@@ -44,9 +44,8 @@ impl Keys {
         if let Some(same) = same {
             self.tracks.remove(same);
         }
-        let at = self
-            .tracks
-            .partition_point(|t| t.channel() < track.channel());
+        let before = |t: &&Track| t.channel() < track.channel();
+        let at = self.tracks.iter().take_while(before).count();
         self.tracks.insert(at, track);
         Ok(())
     }

@@ -69,7 +69,7 @@ pub fn extract(path: &CameraPath, first: usize, last: usize) -> Result<CameraPat
     let mut wanted = vec_with_room(taken)?;
     for k in 0..taken {
         let point = (first + k) % count;
-        points.push(Arc::clone(&path.points.as_slice()[point]));
+        points.push(Arc::clone(path.points.get_shared(point)));
         wanted.push(all[point]);
     }
     let mut block = CameraPath {
@@ -271,10 +271,11 @@ struct Merge<'a> {
 
 impl Merge<'_> {
     fn points(&self) -> Result<SharedList<SupportPoint>> {
-        let (before, after) = self.path.points.split_at(self.at + 1);
+        let mut of_path = self.path.points.shared().cloned();
+        let before = of_path.by_ref().take(self.at + 1);
         let mut points = SharedList::new();
         points.try_reserve(self.path.points.len() + self.put.len())?;
-        points.extend(before.iter().cloned());
+        points.extend(before);
         let mut names = Names::of(self.path)?;
         for point in self.block.points.range(self.put.clone()) {
             let mut new = point.try_clone()?;
@@ -282,7 +283,7 @@ impl Merge<'_> {
             new.name = new.name.map(|name| names.unique(name)).transpose()?;
             points.push(new);
         }
-        points.extend(after.iter().cloned());
+        points.extend(of_path);
         Ok(points)
     }
 

@@ -107,7 +107,7 @@ fn around(path: &CameraPath, point: usize, radius: usize) -> Result<(CameraPath,
     };
     let mut points = SharedList::new();
     for at in first..end {
-        points.push(Arc::clone(&path.points.as_slice()[at % count]));
+        points.push(Arc::clone(path.points.get_shared(at % count)));
     }
     let at = if path.closed { radius } else { point - first };
     let closed = false;

@@ -1,11 +1,11 @@
 //! The nodes of a scene as prims: what holds what, kinds, names, lenses and lights.
 
 use std::io::{BufWriter, Write};
-use std::sync::Arc;
 
 use glam::DQuat;
 use vides_engine::path::Up;
 use vides_engine::scene::{Camera, Channel, Extrapolation, Interpolation, Kind, Light, Node};
+use vides_engine::shared_list::SharedList;
 
 use super::text::{self, Names, Quoted, single};
 use super::{role, unit};
@@ -101,7 +101,7 @@ pub(super) fn write(
 }
 
 /// Of each node whether neither it nor anything above it scales; parents may stand behind.
-fn rigid(nodes: &[Arc<Node>]) -> Vec<bool> {
+fn rigid(nodes: &SharedList<Node>) -> Vec<bool> {
     let own: Vec<bool> = nodes
         .iter()
         .map(|node| {
