@@ -31,7 +31,7 @@
  *   The library does its work on your thread. It starts one thread to resolve the
  *   name of a remote display, and one, in a program with Xt, to find out whether
  *   windows are served. Both block all signals, call none of your functions, and
- *   end without your help.
+ *   end without your help. A call uses at most 128 KiB of your thread's stack.
  * - X server. If it is missing or goes away, its windows close, v_last_error()
  *   returns the reason, and your program continues.
  * - Counting. Points, orientations, segments, sections and presets count from 0,

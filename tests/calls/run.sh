@@ -1,11 +1,12 @@
 #!/bin/bash
 # Calls as no host should make them, and faults of our own:
-# run.sh LIBRARY_FOLDER [hostile|reentry|odd_hosts|names|inject|hand_over]...
+# run.sh LIBRARY_FOLDER [hostile|reentry|odd_hosts|names|stack|inject|hand_over]...
 #
 #     hostile    every function with unfit arguments, in any order
 #     reentry    every function from within every callback
 #     odd_hosts  what hosts seldom do with windows
 #     names      every parameter with what will not do: the message names it
+#     stack      how much stack each function takes
 #     inject     panics, with a library that is built for them
 #     hand_over  memory that runs out while a window hands over, with the same library
 #
@@ -114,6 +115,10 @@ odd_hosts() { # NAME PROGRAM
     result "$1" with_server "$2" FOLDER
 }
 
+stack() { # NAME PROGRAM
+    result "$1" with_server "$2" FOLDER "$root/tests/corpus"
+}
+
 hand_over() { # NAME PROGRAM
     result "$1" with_server "$2" FOLDER
 }
@@ -136,7 +141,7 @@ one() { # TEST KIND WAY LIBRARY
     fi
 }
 
-[ $# -gt 0 ] || set -- hostile reentry odd_hosts names
+[ $# -gt 0 ] || set -- hostile reentry odd_hosts names stack
 for test; do
     if [ "$test" = names ]; then
         names &
@@ -148,7 +153,7 @@ for test; do
         for way in ${WAYS:-plain sanitizers}; do
             # What replaces malloc cannot have it replaced again.
             case $test-$kind-$way in
-            hand_over-*-sanitizers) continue ;;
+            hand_over-*-sanitizers | stack-*-sanitizers) continue ;;
             inject-archive-plain | inject-shared-sanitizers) ;;
             inject-* | *-archive-plain | *-shared-sanitizers) [ -n "${EACH:-}" ] || continue ;;
             esac
