@@ -290,7 +290,7 @@ fn insert_block(content: &mut Content, inserted: block::Inserted) -> Result<()> 
     if count > 0 {
         let points = &mut path.points;
         (at..at + count).for_each(|at| normalise_point(&mut points[at]));
-        content.insert_points(at, points.drain(at..at + count).collect());
+        content.insert_points(at, points.shared().skip(at).take(count).cloned().collect());
     }
     for at in changed {
         content.set_point(at, path.points[at].clone());
