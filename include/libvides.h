@@ -2886,10 +2886,10 @@ int v_scene_vertices(const V_SCENE *scene,
  * missing folder is created only for colmap, inside an existing one.
  *
  * format   gltf, glb, usda, blender, paraview, vtk, nerfstudio, transforms, cameras,
- *     tum, kitti, colmap (a folder), osg, chan, html, ascii, csv, json or vid; NULL:
+ *     tum, euroc, kitti, colmap (a folder), osg, chan, html, ascii, csv, json or vid; NULL:
  *     by the name of the file
  * options  lines of name=value ("fps=30\nnode=camera"); NULL: none. The names are
- *     node, frames, fps, start, size, up, scale, as, tolerance, angle, compact, digits
+ *     node, clip, frames, fps, start, size, up, scale, as, tolerance, angle, compact, digits
  *     and rotation-order; `vides convert --help` explains them. The last of duplicates
  *     counts; names that a format does not use are ignored
  *

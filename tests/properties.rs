@@ -439,7 +439,9 @@ fn a_closed_path_has_no_beginning() {
         let begin = random.below(path.points.len());
         let mut turned = path.clone();
         turned.points.drain(..begin);
-        turned.points.extend(path.points.shared().take(begin).cloned());
+        turned
+            .points
+            .extend(path.points.shared().take(begin).cloned());
         let (timeline, sampler) = prepared(&path);
         let poses = all_poses(&sampler);
         let others = all_poses(&prepared(&turned).1);

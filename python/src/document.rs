@@ -433,12 +433,13 @@ impl Document {
         })
     }
 
-    fn check(&self, py: Python<'_>) -> Result<(Vec<Found>, Vec<String>)> {
-        self.read(py, |document| {
+    fn check(&self, py: Python<'_>) -> PyResult<(Vec<Found>, Vec<String>)> {
+        let document = self.read(py, document::Document::try_clone)?;
+        interruptible(py, |go_on| {
             let clearance = document.clearance(None)?;
-            let found = document.check_against(clearance.as_ref(), &mut |_, _| true)?;
+            let found = document.check_against(clearance.as_ref(), go_on)?;
             let notes = document.notes(clearance.as_ref(), true)?;
-            Ok::<_, Failure>((
+            Ok((
                 found.iter().map(told).collect(),
                 notes.iter().map(ToString::to_string).collect(),
             ))

@@ -28,6 +28,8 @@ mod _vides {
     #[pymodule_export]
     use super::files::{convert, fit, recording};
     #[pymodule_export]
+    use super::interrupt::set_progress;
+    #[pymodule_export]
     use super::listed::{formats, keys, options, tools};
     #[pymodule_export]
     use super::planning::tour;

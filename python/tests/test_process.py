@@ -167,6 +167,32 @@ except KeyboardInterrupt:
     assert done.stdout == "interrupted [20000] True False\n", done
 
 
+def test_a_callback_follows_and_ends_what_is_planned() -> None:
+    path = vides.Path(np.random.default_rng(1).uniform(-1, 1, (400, 3)), frames=20_000)
+    before, shares = path.copy(), []
+
+    def follow(share: float) -> None:
+        shares.append(share)
+        assert path.frame_count == 20_000  # the path can be read meanwhile
+        if len(shares) == 3:
+            raise StopIteration
+
+    # Longer each time, until there is time for three calls.
+    for period in range(2, 200):
+        shares.clear()
+        try:
+            with vides.progress(follow):
+                path.steady(period)
+        except StopIteration:
+            break
+        path = before.copy()
+    assert len(shares) == 3 and all(0 <= share <= 1 for share in shares)
+    assert path == before and not path.undo()
+    shares.clear()
+    path.steady(3)
+    assert shares == []
+
+
 def test_a_path_that_changes_while_it_is_planned_keeps_its_change() -> None:
     refused = []
 

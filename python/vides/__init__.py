@@ -20,7 +20,7 @@ import inspect as _inspect
 from ._error import Error, NoFile, NoIndex, SystemRefused
 from ._files import Format, convert, formats, options
 from ._path import Path
-from ._planned import Tour, tour
+from ._planned import Tour, progress, tour
 from ._points import Orientation, Orientations, Point, Points, Section
 from ._samples import Samples
 from ._scene import Keys, Motion, Node, Scene, State
@@ -61,6 +61,7 @@ __all__ = [
     "edit",
     "formats",
     "options",
+    "progress",
     "properties",
     "tools",
     "tour",

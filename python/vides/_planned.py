@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import contextlib
 import inspect
 import os
+from collections.abc import Callable, Iterator
 from typing import TYPE_CHECKING, Literal, NamedTuple, Union
 
 import numpy.typing as npt
@@ -21,6 +23,26 @@ if TYPE_CHECKING:
 Object = Union[str, "os.PathLike[str]", tuple[npt.ArrayLike, npt.ArrayLike]]
 """The file of a mesh (OBJ, PLY, STL, glTF), a ``.vid`` file with an object, or points (n, 3) and
 triangles (m, 3) of their indices. Without triangles, the points are the object."""
+
+
+@contextlib.contextmanager
+def progress(callback: Callable[[float], object]) -> Iterator[None]:
+    """Within it, long calls of this thread report how far they are: planners, fits and checks.
+
+    ``callback`` gets a share from 0 to 1, at most ten times a second and not in the first tenth of
+    one; the share may fall where the work begins another round. An exception from it ends the call, which
+    has then changed nothing, and goes on to you.
+
+    >>> path = Path([[3, 1, 0], [0, 2, 3], [-3, 1, 0]], look_at=(0, 0, 0), frames=250)
+    >>> with progress(lambda share: print(f"{share:.0%}")):
+    ...     path.check()
+    []
+    """
+    before = _vides.set_progress(callback)
+    try:
+        yield
+    finally:
+        _vides.set_progress(before)
 
 
 def _given(object: Object) -> str | tuple[Array, list[list[int]]]:

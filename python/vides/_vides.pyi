@@ -19,6 +19,7 @@ __all__ = [
     "poses_of",
     "quaternions",
     "recording",
+    "set_progress",
     "tools",
     "tour",
 ]
@@ -28,6 +29,7 @@ _Choices = list[tuple[str, str]]
 _Given = str | tuple[_Array, list[Any]]
 _Found = tuple[str, float, float, int, int, float, float, str, str]
 
+def set_progress(callback: Callable[[float], object] | None) -> Callable[[float], object] | None: ...
 def convert(
     source: str, target: str, read_as: str | None, write_as: str | None, choices: _Choices
 ) -> list[str]: ...

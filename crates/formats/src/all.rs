@@ -5,7 +5,7 @@ use std::path::Path;
 use super::error::{Error, NAMES, Result};
 use super::format::Format;
 use super::{
-    ascii, cameras, chan, colmap, csv, gltf, html, json, kitti, nerfstudio, osg, script,
+    ascii, cameras, chan, colmap, csv, euroc, gltf, html, json, kitti, nerfstudio, osg, script,
     transforms, tum, usd, vid,
 };
 
@@ -28,6 +28,7 @@ pub fn formats() -> &'static [&'static Format] {
         &transforms::TRANSFORMS,
         &cameras::CAMERAS,
         &tum::TUM,
+        &euroc::EUROC,
         &kitti::KITTI,
         &colmap::COLMAP,
         &osg::OSG,

@@ -8,7 +8,7 @@ use super::foreign::Foreign;
 use super::options::OPTIONS;
 
 /// The names of all formats, in the order in which they are offered, which errors tell.
-pub(super) const NAMES: [&str; 19] = [
+pub(super) const NAMES: [&str; 20] = [
     "vid",
     "ascii",
     "csv",
@@ -24,6 +24,7 @@ pub(super) const NAMES: [&str; 19] = [
     "transforms",
     "cameras",
     "tum",
+    "euroc",
     "kitti",
     "colmap",
     "osg",
@@ -58,6 +59,14 @@ pub enum Error {
     /// The node is no camera, which this format is for.
     #[error("node \"{0}\" is no camera; of others this format holds nothing")]
     NoCamera(Text),
+    /// No animation has this name.
+    #[error("there is no animation \"{wanted}\"; animations are: {known}")]
+    NoClip {
+        /// The name.
+        wanted: Text,
+        /// Those that there are.
+        known: Text,
+    },
     /// The frames asked for are not there.
     #[error("the frames are {first} to {last}")]
     NoFrames {

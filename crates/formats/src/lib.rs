@@ -22,6 +22,7 @@ pub mod convention;
 mod csv;
 mod doors;
 mod error;
+mod euroc;
 mod flight;
 mod foreign;
 mod format;

@@ -47,8 +47,8 @@ pub enum Loss {
     Skins(usize),
     /// Places that shear, taken without.
     Sheared(usize),
-    /// Animations beside the first.
-    OtherAnimations(usize),
+    /// Animations that are left out, by their names.
+    OtherAnimations(Text),
     /// The program has no frames of these numbers, only 0 to `last`: they are counted from 1.
     FrameNumbers { first: f64, last: f64 },
     /// The viewer joins the keys by a spline of its own.
@@ -67,6 +67,8 @@ pub enum Loss {
     },
     /// The file has this axis upright, and what it is put into another one.
     Upright(&'static str),
+    /// Poses at the same time as the one before, which counts.
+    RepeatedTimes(usize),
     /// The times begin at so many seconds, and count from 0 here.
     Epoch(f64),
     /// Rates beyond the range.
@@ -145,7 +147,9 @@ impl fmt::Display for Loss {
             Self::Skins(1) => f.write_str("1 skinned mesh as at rest"),
             Self::Skins(n) => write!(f, "{n} skinned meshes as at rest"),
             Self::Sheared(n) => counted(f, *n, "node% without their shear"),
-            Self::OtherAnimations(n) => counted(f, *n, "other animation% left out"),
+            Self::OtherAnimations(names) => {
+                write!(f, "animations left out: {names}; choose one with clip")
+            }
             Self::FrameNumbers { first, last } => write!(
                 f,
                 "the first frame is 1 and not {first}: its frames are whole numbers from 0 to {last}"
@@ -174,6 +178,9 @@ impl fmt::Display for Loss {
             }
             Self::Epoch(start) => {
                 write!(f, "the times begin at {start} s: they count from 0 here")
+            }
+            Self::RepeatedTimes(n) => {
+                counted(f, *n, "pose% at the same time as the one before left out")
             }
             Self::Rates(n) => write!(f, "{n} rate{} beyond 0 to {MAX_FPS} left out", plural(*n)),
             Self::Markers(n) => counted(f, *n, "marker% left out"),

@@ -22,6 +22,8 @@ pub enum As {
 pub struct Options {
     /// The node that is written; none: the shown camera.
     pub node: Option<String>,
+    /// The animation that is read; none: all that move different things.
+    pub clip: Option<String>,
     /// First and last frame, in the numbers that people see; none: all of the range.
     pub frames: Option<(f64, f64)>,
     /// Frames per second; none: those of the document, of a file that is read its own, else 25.
@@ -52,6 +54,7 @@ impl Default for Options {
     fn default() -> Self {
         Self {
             node: None,
+            clip: None,
             frames: None,
             fps: None,
             start: 0.0,
@@ -101,6 +104,16 @@ pub const OPTIONS: &[OptionRow] = &[
         wanted: "the name of a node",
         set: |options, text| {
             options.node = Some(text.to_owned());
+            Some(())
+        },
+    },
+    OptionRow {
+        name: "clip",
+        value: "NAME",
+        help: "The animation of a glTF file that is read [default: all that move different things]",
+        wanted: "the name of an animation",
+        set: |options, text| {
+            options.clip = Some(text.to_owned());
             Some(())
         },
     },
@@ -329,6 +342,8 @@ mod tests {
             assert_eq!(Options::parse(line).unwrap_err().to_string(), said);
         }
         let unknown = Options::parse("speed=1").unwrap_err().to_string();
-        assert!(unknown.starts_with("there is no option \"speed\"; options are node, frames"));
+        assert!(
+            unknown.starts_with("there is no option \"speed\"; options are node, clip, frames")
+        );
     }
 }

@@ -54,6 +54,11 @@ fn first_row(beginning: &str) -> Option<&str> {
     rows.find(is_row)
 }
 
+/// Whether the first row has commas.
+pub(super) fn with_commas(beginning: &str) -> bool {
+    first_row(beginning).is_some_and(|row| row.contains(','))
+}
+
 /// The numbers of the first row, if there are so many; a heading may come before it.
 pub(super) fn first<const N: usize>(beginning: &str) -> Option<[f64; N]> {
     numbers(&Place::Whole, first_row(beginning)?).ok()

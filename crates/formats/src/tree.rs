@@ -21,6 +21,8 @@ const MAX_PARSED: usize = 2 << 30;
 /// # Errors
 /// [`Cause::Syntax`]; [`Cause::Long`] if parsing could take too much memory.
 pub(super) fn parse(bytes: &[u8]) -> Result<Value> {
+    // Some editors put a mark of the byte order before a text.
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let weight = bytes.iter().fold(2 * bytes.len(), |weight, byte| {
         weight
             + match byte {

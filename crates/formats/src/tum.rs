@@ -8,7 +8,8 @@ use vides_engine::math::camera::CameraAxes;
 
 use super::content::{Content, DEFAULT_ZOOM, Recording};
 use super::convention;
-use super::error::{Cause, Result};
+use super::error::{Cause, Place, Result};
+use super::euroc;
 use super::flight::Flight;
 use super::format::Format;
 use super::loss::{Loss, Report};
@@ -19,7 +20,10 @@ pub(super) static TUM: Format = Format {
     name: "tum",
     title: "TUM",
     endings: &["tum"],
-    recognises: |source| rows::first(source.beginning()).is_some_and(rows::turns_last),
+    recognises: |source| {
+        let beginning = source.beginning();
+        rows::first(beginning).is_some_and(rows::turns_last) && !euroc::has_heading(beginning)
+    },
     read: Some(|source, _, report| read(source, CameraAxes::OpenCv, report)),
     write: Some(|flight, out, report| {
         let head = b"# timestamp tx ty tz qx qy qz qw\n";
@@ -30,21 +34,57 @@ pub(super) static TUM: Format = Format {
 
 /// The poses of lines `t x y z qx qy qz qw`, of cameras with these axes.
 pub(super) fn read(source: &Source, axes: CameraAxes, report: &mut Report) -> Result<Content> {
-    let mut recording = Recording::default();
-    let mut seconds: Vec<f64> = Vec::new();
+    let mut trajectory = Trajectory::default();
     for (place, row) in rows::rows(source.text()?) {
         let [t, x, y, z, turn @ ..] = rows::numbers::<8>(&place, row)?;
-        if seconds.last().is_some_and(|&before| t <= before) {
-            return Err(place.wrong(Cause::Order));
-        }
         let (position, turn) = (DVec3::new(x, y, z), DQuat::from_array(turn));
-        recording.push(place.pose(position, turn, axes, DEFAULT_ZOOM)?)?;
-        seconds.try_reserve(1)?;
-        seconds.push(t);
+        trajectory.push(place, t, position, turn, axes)?;
     }
-    recording.seconds = Some(seconds);
-    report.add(Loss::FieldOfView);
-    Ok(Content::Poses(recording))
+    Ok(trajectory.content(report))
+}
+
+/// Poses with their times; of poses at the same time the first counts.
+#[derive(Default)]
+pub(super) struct Trajectory {
+    recording: Recording,
+    seconds: Vec<f64>,
+    repeated: usize,
+}
+
+impl Trajectory {
+    /// Appends the pose of a line.
+    ///
+    /// # Errors
+    /// [`Cause::Order`] if the time is before the last one; [`Cause::NoRotation`].
+    pub(super) fn push(
+        &mut self,
+        place: Place,
+        seconds: f64,
+        position: DVec3,
+        turn: DQuat,
+        axes: CameraAxes,
+    ) -> Result<()> {
+        match self.seconds.last() {
+            Some(&before) if seconds < before => return Err(place.wrong(Cause::Order)),
+            Some(&before) if seconds == before => {
+                self.repeated += 1;
+                return Ok(());
+            }
+            _ => {}
+        }
+        let pose = place.pose(position, turn, axes, DEFAULT_ZOOM)?;
+        self.recording.push(pose)?;
+        self.seconds.try_reserve(1)?;
+        self.seconds.push(seconds);
+        Ok(())
+    }
+
+    pub(super) fn content(mut self, report: &mut Report) -> Content {
+        report.count(self.repeated, Loss::RepeatedTimes);
+        report.add(Loss::FieldOfView);
+        self.recording.seconds = Some(self.seconds);
+        Content::Poses(self.recording)
+    }
 }
 
 /// Writes `head`, then the lines that [`read`] takes.

@@ -13,8 +13,9 @@ use vides_engine::path::{Pose, Up};
 use vides_formats::{Flight, Format, Loss, Options, Source, by_name, export, formats, import};
 
 /// A format, a file of it, whether it keeps fields of view, and whether it keeps times.
-const LISTS: [(&str, &str, bool, bool); 8] = [
+const LISTS: [(&str, &str, bool, bool); 9] = [
     ("tum", "a.tum", false, true),
+    ("euroc", "a.euroc", false, true),
     ("kitti", "a.kitti", false, false),
     ("colmap", "model", true, false),
     ("osg", "a.path", false, true),
@@ -253,6 +254,45 @@ fn twelve_numbers_are_a_matrix_or_a_pose() {
         told("1 0 0 0 0 0 -1 0 1 0 24 0\n2 0 0 1 0 0 -1 0 1 0 24 0.04\n"),
         "ascii"
     );
+}
+
+/// Lines as in the ground truth of EuRoC and TUM-VI, whose scalar comes first; of two poses at one
+/// time the first counts.
+#[test]
+fn nanoseconds_with_the_scalar_first_are_euroc() {
+    let heading = "\u{feff}#timestamp [ns], p_RS_R_x [m], p_RS_R_y [m], p_RS_R_z [m], q_RS_w [], \
+                   q_RS_x [], q_RS_y [], q_RS_z [], v_RS_R_x [m s^-1]\n";
+    let rows = "1403636580838555648,4.6,-1.7,0.7,1.0,0.0,0.0,0.0,0.1\n\
+                1403636580878555648,4.7,-1.7,0.7,0.0,1.0,0.0,0.0,0.1\n\
+                1403636580878555648,9.0,-1.7,0.7,0.0,1.0,0.0,0.0,0.1\n\
+                1403636580918555648,4.8,-1.7,0.7,0.0,1.0,0.0,0.0,0.1\n";
+    let read = |text: &str| {
+        let source = Source::of_bytes("data.csv", text.into());
+        import(&source, None, &options("as=keys"))
+    };
+    let taken = read(&format!("{heading}{rows}")).unwrap();
+    assert_eq!((taken.format, taken.document.info.fps), ("euroc", 25.0));
+    let poses = poses(&taken.document, taken.document.scene.space().up);
+    // Half a turn about x, from looking along z.
+    let views: Vec<_> = poses.iter().map(|pose| pose.vpn[2].round()).collect();
+    assert_eq!((poses.len(), views), (3, vec![1.0, -1.0, -1.0]));
+    let told: Vec<_> = taken
+        .report
+        .losses()
+        .iter()
+        .map(ToString::to_string)
+        .collect();
+    assert!(
+        told.contains(&"1 pose at the same time as the one before left out".to_owned()),
+        "{told:?}"
+    );
+    // Without a heading it may be the other order.
+    let bare: String = rows
+        .lines()
+        .map(|row| row.rsplit_once(',').unwrap().0.to_owned() + "\n")
+        .collect();
+    let refused = read(&bare).unwrap_err().to_string();
+    assert!(refused.contains("tum or euroc"), "{refused}");
 }
 
 #[test]

@@ -50,6 +50,7 @@ german! {
         Document(error) => "{}", refusals::reason_of(Language::German, error);
         Content { place, cause } => "{}{}", German(place), German(cause);
         NoNode(name) => "den Knoten „{name}“ gibt es nicht";
+        NoClip { wanted, known } => "die Animation „{wanted}“ gibt es nicht; Animationen sind: {known}";
         NoCamera(name) => "der Knoten „{name}“ ist keine Kamera; von anderen hält dieses Format nichts";
         NoFrames { first, last } => "die Bilder gehen von {} bis {}", number(*first), number(*last);
         NoOption(name) => "die Einstellung „{name}“ gibt es nicht";
@@ -138,7 +139,8 @@ german! {
         OffCentre(count) => "Bilder, deren Achse neben der Mitte liegt, wie in ihr: {count}";
         Skins(count) => "Netze mit Skelett wie in Ruhe: {count}";
         Sheared(count) => "Knoten ohne ihre Scherung: {count}";
-        OtherAnimations(count) => "andere Animationen bleiben weg: {count}";
+        RepeatedTimes(count) => "Posen zur gleichen Zeit wie die vorige bleiben weg: {count}";
+        OtherAnimations(names) => "Animationen bleiben weg: {names}; eine wählt clip";
         FrameNumbers { first, last } =>
             "das erste Bild ist 1 und nicht {}: dort sind es ganze Zahlen von 0 bis {}", number(*first), number(*last);
         OwnSpline => "der Betrachter verbindet die Schlüssel durch eine eigene Kurve";

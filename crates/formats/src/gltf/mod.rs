@@ -7,6 +7,7 @@
 mod became;
 mod binary;
 mod channels;
+mod clips;
 mod compact;
 mod extensions;
 mod keys;

@@ -7,6 +7,7 @@ use std::collections::{HashMap, HashSet};
 
 use glam::DQuat;
 use vides_document::error::{TooMany, vec_with_room};
+use vides_document::mesh::Error as MeshError;
 use vides_document::mesh::gltf::{Accessor, Container};
 use vides_engine::limits::{MAX_COORDINATE, MAX_KEYS, MAX_SCENE_NUMBERS};
 use vides_engine::scene::{Channel, Interpolation, Node, Track, Warnings};
@@ -64,28 +65,24 @@ pub(super) const fn room() -> Room {
     }
 }
 
-/// The nodes of the file whose place the first animation moves.
-pub(super) fn moved(root: At<'_>) -> Result<HashSet<usize>> {
+/// The nodes of the file whose place animations move.
+pub(super) fn moved(clips: &[At<'_>]) -> Result<HashSet<usize>> {
     let mut moved = HashSet::new();
-    let first = root
-        .get("animations")
-        .and_then(|all| all.element(0).ok()?.get("channels"));
-    let Some(channels) = first else {
-        return Ok(moved);
-    };
-    for channel in channels.list()? {
-        if let Some((node, path)) = target_of(channel)
-            && path != "weights"
-        {
-            moved.try_reserve(1)?;
-            moved.insert(node);
+    for clip in clips {
+        for channel in clip.need("channels")?.list()? {
+            if let Some((node, path)) = target_of(channel)
+                && path != "weights"
+            {
+                moved.try_reserve(1)?;
+                moved.insert(node);
+            }
         }
     }
     Ok(moved)
 }
 
 /// The node and the property of a channel, by its target or by a pointer; none for other pointers.
-fn target_of(channel: At<'_>) -> Option<(usize, &str)> {
+pub(super) fn target_of(channel: At<'_>) -> Option<(usize, &str)> {
     let target = channel.get("target")?;
     if let Some(pointer) = pointer_of(target) {
         let mut steps = pointer.strip_prefix("/nodes/")?.split('/');
@@ -96,7 +93,7 @@ fn target_of(channel: At<'_>) -> Option<(usize, &str)> {
     Some((node, target.get("path")?.value.as_str()?))
 }
 
-fn pointer_of(target: At<'_>) -> Option<&str> {
+pub(super) fn pointer_of(target: At<'_>) -> Option<&str> {
     target
         .get("extensions")?
         .get(extensions::POINTER)?
@@ -258,8 +255,13 @@ impl Reader<'_> {
     fn keys(&mut self, sampler: At<'_>, width: usize) -> Result<Keys> {
         let accessor = |name| -> Result<(At<'_>, Accessor<'_>)> {
             let at = sampler.need(name)?;
-            let accessor = self.container.accessor(at.value, 0);
-            Ok((at, accessor.map_err(wrong)?))
+            // Without a buffer all its numbers are 0.
+            let accessor = self.container.accessor(at.value, MAX_SCENE_NUMBERS);
+            let unfit = |error| match error {
+                MeshError::File(problem) => at.wrong(Cause::Syntax((&problem).into())),
+                other => wrong(other),
+            };
+            Ok((at, accessor.map_err(unfit)?))
         };
         let (times_at, times) = accessor("input")?;
         let (values_at, values) = accessor("output")?;

@@ -16,6 +16,7 @@ use vides_engine::limits::MAX_FILE_BYTES;
 use vides_engine::scene::{Kind, MeshSource, Node, Object, Scene, Shape};
 
 use super::became::{Became, wrong};
+use super::clips::Clips;
 use super::motion::{self, Users};
 use super::{extensions, looks};
 use crate::content::{DEFAULT_FPS, one_line, rate, shortened};
@@ -66,14 +67,20 @@ pub(super) fn read(
     if tree.is_empty() {
         return Err(root.wrong(Cause::Empty));
     }
+    let seen = above_the_camera(root, &tree)?;
+    let clips = Clips::of(root, options.clip.as_deref(), &seen)?;
     let mut reader = Reader::new(&container, root, tree, source)?;
+    reader.moved = motion::moved(&clips.taken)?;
     for at in 0..reader.tree.len() {
         reader.node(at)?;
     }
     let vides = root.get("asset").and_then(ours);
     let number = |key| vides?.get(key)?.value.as_f64();
     let fps = rate(&[number("fps")], options, DEFAULT_FPS, report);
-    reader.animate(fps, report)?;
+    reader.animate(&clips.taken, fps, report)?;
+    if !clips.left.is_empty() {
+        report.add(Loss::OtherAnimations((&clips.left.join(", ")).into()));
+    }
     report.count(reader.sheared, Loss::Sheared);
     report.count(reader.skins, Loss::Skins);
     report.count(reader.clamped, Loss::FieldsClamped);
@@ -126,6 +133,20 @@ pub(super) fn read(
     Ok(SceneDocument::new(scene, info)?)
 }
 
+/// The file's nodes of the first camera and of all above it.
+fn above_the_camera(root: At<'_>, tree: &[Placed]) -> Result<HashSet<usize>> {
+    let nodes = root.need("nodes")?;
+    let mut above = HashSet::new();
+    for (at, placed) in tree.iter().enumerate() {
+        if nodes.element(placed.node)?.get("camera").is_some() {
+            let chain = std::iter::successors(Some(at), |&at| tree[at].parent);
+            above.extend(chain.map(|at| tree[at].node));
+            break;
+        }
+    }
+    Ok(above)
+}
+
 /// What is ours at a place of the file.
 fn ours(at: At<'_>) -> Option<At<'_>> {
     at.get("extras")?.get("vides")
@@ -168,7 +189,7 @@ impl<'a> Reader<'a> {
             became: vec_with_room(tree.len())?,
             tree,
             children,
-            moved: motion::moved(root)?,
+            moved: HashSet::new(),
             names: Names::default(),
             objects: HashMap::new(),
             source,
@@ -466,16 +487,7 @@ impl<'a> Reader<'a> {
         Ok(object)
     }
 
-    /// The first animation; others are told.
-    fn animate(&mut self, fps: f64, report: &mut Report) -> Result<()> {
-        let Some(animations) = self.root.get("animations") else {
-            return Ok(());
-        };
-        let mut all = animations.list()?;
-        let Some(first) = all.next() else {
-            return Ok(());
-        };
-        report.count(all.len(), Loss::OtherAnimations);
+    fn animate(&mut self, clips: &[At<'_>], fps: f64, report: &mut Report) -> Result<()> {
         let nodes = self
             .root
             .get("nodes")
@@ -495,7 +507,9 @@ impl<'a> Reader<'a> {
             left_out: 0,
             room: motion::room(),
         };
-        motion.animation(first)?;
+        for clip in clips {
+            motion.animation(*clip)?;
+        }
         self.clamped += motion.clamped;
         report.count(motion.left_out, Loss::OtherTracks);
         Ok(())

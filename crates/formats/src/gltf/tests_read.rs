@@ -84,8 +84,7 @@ fn fields_of_view_stay_straight_between_keys() {
         "animations": [{
         "samplers": [{"input": 0, "output": 1}],
         "channels": [{"sampler": 0, "target": {"path": "pointer", "extensions": {
-          "KHR_animation_pointer": {"pointer": "/cameras/0/perspective/yfov"}}}}]},
-        {"samplers": [], "channels": []}]"#;
+          "KHR_animation_pointer": {"pointer": "/cameras/0/perspective/yfov"}}}}]}]"#;
     let read = taken(&file(
         rest,
         &[("SCALAR", &[0.0, 1.0, 2.0]), ("SCALAR", &[0.5, 1.5, 3.125])],
@@ -96,8 +95,7 @@ fn fields_of_view_stay_straight_between_keys() {
         assert!((field - wanted).abs() < 1e-6, "{frame}: {field}");
     }
     let losses = read.report.losses();
-    assert!(losses.contains(&Loss::OtherAnimations(1)), "{losses:?}");
-    assert!(matches!(losses[1], Loss::FieldsClamped(count) if (1..25).contains(&count)));
+    assert!(matches!(losses[0], Loss::FieldsClamped(count) if (1..25).contains(&count)));
     assert!(losses.contains(&Loss::Orthographic(1)));
     // Cameras at the origin look along −z.
     assert_eq!(states(&read.document, 1.0)[0].pose.vpn, [0.0, 0.0, -1.0]);
@@ -105,6 +103,104 @@ fn fields_of_view_stay_straight_between_keys() {
         panic!();
     };
     assert_eq!((camera.near, camera.far), (0.25, 25000.0));
+}
+
+/// As Blender writes them: an animation for each object, and several for one.
+#[test]
+fn animations_of_different_things_are_read_together() {
+    let channel = |node: usize, path: &str| {
+        let target = format!(r#"{{"node": {node}, "path": "{path}"}}"#);
+        format!(r#"{{"sampler": 0, "target": {target}}}"#)
+    };
+    let clip = |name: &str, channels: &[String]| {
+        let channels = channels.join(",");
+        format!(
+            r#"{{"name": "{name}", "samplers": [{{"input": 0, "output": 1}}], "channels": [{channels}]}}"#
+        )
+    };
+    let all = [
+        clip("walk", &[channel(0, "translation")]),
+        clip("run", &[channel(0, "translation")]),
+        // The camera hangs on node 1.
+        clip("pan left", &[channel(1, "translation")]),
+        clip(
+            "pan right",
+            &[channel(1, "translation"), channel(0, "scale")],
+        ),
+    ];
+    let rest = format!(
+        r#""nodes": [{{"name": "man"}}, {{"name": "dolly", "children": [2]}}, {{"camera": 0}}],
+        "cameras": [{{"type": "perspective", "perspective": {{"yfov": 1, "znear": 0.1}}}}],
+        "animations": [{}]"#,
+        all.join(",")
+    );
+    let file = file(
+        &rest,
+        &[
+            ("SCALAR", &[0.0, 1.0]),
+            ("VEC3", &[0.0, 0.0, 0.0, 4.0, 0.0, 0.0]),
+        ],
+    );
+    let tracks = |read: &Imported, name| found(read, name).keys().tracks().len();
+    let read = taken(&file);
+    assert_eq!((tracks(&read, "man"), tracks(&read, "dolly")), (1, 1));
+    let left = read.report.losses()[0].to_string();
+    assert_eq!(
+        left,
+        "animations left out: pan right, run; choose one with clip"
+    );
+    let chosen = |name: &str| {
+        let options = Options {
+            clip: Some(name.to_owned()),
+            ..Options::default()
+        };
+        import(
+            &Source::of_bytes("clips", file.as_bytes().to_vec()),
+            None,
+            &options,
+        )
+    };
+    let read = chosen("pan right").unwrap();
+    assert_eq!((tracks(&read, "man"), tracks(&read, "dolly")), (1, 1));
+    assert_eq!(
+        found(&read, "man").keys().tracks()[0].channel().to_string(),
+        "scale"
+    );
+    let refused = chosen("jump").unwrap_err().to_string();
+    assert!(
+        refused.ends_with(
+            "there is no animation \"jump\"; animations are: walk, run, pan left, pan right"
+        ),
+        "{refused}"
+    );
+}
+
+#[test]
+fn numbers_without_a_buffer_are_zeros() {
+    let rest = r#""nodes": [{"name": "a", "translation": [1, 2, 3]}], "animations": [{
+        "samplers": [{"input": 0, "output": 1}],
+        "channels": [{"sampler": 0, "target": {"node": 0, "path": "translation"}}]}]"#;
+    let file = file(rest, &[("SCALAR", &[0.0, 1.0]), ("SCALAR", &[5.0, 5.0])]);
+    let dense = r#"{"bufferView": 1, "componentType": 5126, "count": 2, "type": "SCALAR"}"#;
+    assert!(file.contains(dense));
+    let zeros = file.replace(
+        dense,
+        r#"{"componentType": 5126, "count": 2, "type": "VEC3"}"#,
+    );
+    assert_eq!(
+        found(&taken(&zeros), "a").keys().tracks()[0].values(),
+        [0.0; 6]
+    );
+    // What is wrong is named by its place.
+    let broken = file.replace(
+        dense,
+        r#"{"bufferView": 9, "componentType": 5126, "count": 2, "type": "VEC3"}"#,
+    );
+    let refused = read(broken.into_bytes()).unwrap_err().to_string();
+    assert!(
+        refused.starts_with("flight: animations[0].samplers[0].output: "),
+        "{refused}"
+    );
 }
 
 #[test]
