@@ -587,7 +587,7 @@ struct v_finding {
 typedef struct v_finding V_FINDING;
 
 /**
- * Limits of a speed profile; 0: no limit. Lengths are in half sizes of the space
+ * Limits of a speed profile; 0: no limit. Lengths are in units of the space's half_size
  * (v_path_set_space()), as in v_path_check(). v_limits_init() fills in the defaults of
  * v_path_check().
  *
@@ -596,11 +596,11 @@ typedef struct v_finding V_FINDING;
 struct v_limits {
     /** sizeof (V_LIMITS) */
     size_t size;
-    /** half sizes per second */
+    /** length per second */
     double speed;
-    /** half sizes per second squared, in any direction */
+    /** length per second squared, in any direction */
     double acceleration;
-    /** half sizes per second cubed, the third difference at whole frames */
+    /** per second cubed, the third difference at whole frames */
     double jerk;
     /** degrees per second */
     double turning;
@@ -742,7 +742,7 @@ struct v_editor_options {
     void (*on_change)(V_EDITOR *editor, void *user);
     /**
      * called when the user adds your program's view to the path (Ctrl-Enter): fill in
-     * your camera and return 1, or return 0 if there is none. vpn and vup have any
+     * your camera and return 1, or return 0 if you have no camera. vpn and vup have any
      * length but 0 and are not parallel. NULL: the window uses the view of
      * v_editor_set_view()
      */
@@ -871,7 +871,7 @@ const char *v_last_error(void);
 
 /**
  * Returns the warnings of the calling thread's last call that can warn: sentences in
- * English, UTF-8, "" if there are none. Never NULL. Comments of functions that can
+ * English, UTF-8, or "". Never NULL. Comments of functions that can
  * warn mention it. If the text would exceed 1023 bytes, the sentence that does not fit
  * is shortened in the middle. The text belongs to the library and is valid until the
  * same thread's next call of a function that can warn.
@@ -909,7 +909,7 @@ const char *v_version(void);
  *     are fixed in this window: those of a file that is loaded are ignored
  * interpol_liste  first element of the list that receives the poses, see V_KAMERAPAR.
  *     It is yours and must outlive the window; may be NULL. Its number is read at each
- *     hand-over: < 0 means that there is no data (any more). Several windows may share
+ *     hand-over: < 0 means no data (any more). Several windows may share
  *     an element
  * anzahl_objekt, objekt  points of an object to show, copied during the call; NULL or
  *     a number <= 0 for none. The new path looks at it
@@ -987,7 +987,7 @@ int v_dispatch(void);
  * Serves the windows until the last one is closed, sleeping in between; for programs
  * that do nothing else meanwhile. Returns at once if there are no windows.
  * The thread that opens the windows. V_ERR_BUSY inside a callback; V_ERR_DISPLAY if a
- * window was destroyed or its X server went away, once the others are closed too;
+ * window was destroyed or its X server went away, after all windows have closed;
  * V_ERR_LIMIT without descriptors.
  */
 int v_main_loop(void);
@@ -1087,7 +1087,7 @@ int v_path_point_count(const V_PATH *path, int *count);
  * Inserts a point before the one at index at; if at is their number, appends it. The
  * new point copies all other properties from the point before it, or from the point
  * after it if at is 0; an absolute target equal to the new position becomes relative.
- * Coordinates are finite and at most 1e9 half sizes from the centre of the space.
+ * Coordinates are finite and at most 1e9 times half_size from the centre of the space.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
  * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
@@ -1281,7 +1281,7 @@ int v_path_set_absolute(V_PATH *path,
  *
  * distance  0: along the tangent; > 0: at the position this far ahead on the curve,
  *     straight on beyond its end; < 0: stops looking ahead and keeps the present
- *     direction as an offset. At most 1e9 half sizes of the space
+ *     direction as an offset. At most 1e9 times half_size
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
  * V_ERR_RANGE, V_ERR_MEMORY.
  */
@@ -1312,8 +1312,8 @@ int v_path_get_ahead(const V_PATH *path,
  *     "minimal"  starts with the up axis and is carried on without turning about the
  *                view, through all consecutive orientations that have it; on a closed
  *                path, the angle missing at the end is spread over the length
- *     "frenet"   the normal of the curve; only for curves of kind "cubic" whose
- *                points have no tangents of their own
+ *     "frenet"   the normal of the curve; only for curves of kind "cubic" without
+ *                custom tangents
  *     "y", "z"   this axis, whatever the space's up axis
  * Arguments that an up does not need may be NULL. A path has at most 10 different up
  * paths, each with at most 1000 points.
@@ -1353,7 +1353,7 @@ int v_path_get_up(const V_PATH *path,
  * speed 50, finite and > 0, so that a larger value is slower. v_haupt() calls them
  * speeds.
  *
- * move_frames  moving by one half size of the space (v_path_set_space())
+ * move_frames  moving by half_size (v_path_set_space())
  * turn_frames  turning by 180 degrees
  * zoom_frames  zooming from 1 to 100
  * roll_frames  rolling by 90 degrees
@@ -1523,12 +1523,12 @@ int v_path_get_property(const V_PATH *path,
  *
  * centre     (0, 0, 0) in a new path
  * half_size  half the length of its edge, 1e-30 to 1e30; 1 in a new path. Centre,
- *     points and targets are at most 1e9 half sizes away
+ *     points and targets are at most 1e9 times as far away
  * up         V_UP_Y, as in a new path, or V_UP_Z
  *
  * Positions, offsets, tangents and lengths of a path are in your world's units. Base
  * frames, limits (V_LIMITS, v_path_check()) and the distances below which nothing
- * moves are counted in half sizes, so that they mean the same in metres and in
+ * moves are counted in units of half_size, so that they mean the same in metres and in
  * angstroms.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a number
  * that is not finite), V_ERR_RANGE.
@@ -1619,12 +1619,12 @@ int v_path_set_curve(V_PATH *path,
 int v_path_get_curve(const V_PATH *path, const char **kind);
 
 /**
- * Gives a support point tangents of its own: the derivatives with which the
- * curve reaches it (before) and leaves it (after), a segment counting 1. Both
- * NULL: none of its own, those by the kind of the curve again. Each coordinate
- * is finite and at most 1e9 half sizes of the space.
- * Any thread; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE.
+ * Gives a point custom tangents: the derivatives with which the curve reaches it (before)
+ * and leaves it (after), a segment counting 1. If both are NULL, the point uses the
+ * tangents of the curve's kind again. Coordinates are limited as in
+ * v_path_insert_point().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
+ * V_ERR_RANGE.
  */
 int v_path_set_tangents(V_PATH *path,
                         int at,
@@ -1632,10 +1632,9 @@ int v_path_set_tangents(V_PATH *path,
                         const double after[3]);
 
 /**
- * The tangents with which the curve passes a support point, and whether they
- * are its own (1) or not (0). At an end of an open path both are that of the
- * one side. Setting what this gives changes no bit of the curve (of a cubic
- * spline no more than rounding). Each result may be NULL.
+ * Gets the tangents of the curve at a point, and whether they are custom (1) or not (0).
+ * At an end of an open path both are equal. Setting these tangents does not change the
+ * curve, except for rounding in a cubic spline. Any result may be NULL.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
  */
 int v_path_get_tangents(const V_PATH *path,
@@ -1645,21 +1644,19 @@ int v_path_get_tangents(const V_PATH *path,
                         int *own);
 
 /**
- * Inserts a support point on the curve where the camera is at a frame, and
- * keeps the motion: the curve, every pose and the number of frames stay. It
- * comes to lie at the nearest whole frame within the section (in a section of
- * one frame where it is asked for, and there are two then). So that nothing
- * changes, the points beside it own their tangents from then on, and
- * orientations their angular velocity, their slopes of zoom and roll, and a
- * part of the old pace. These tangents are removed when their point or one
- * beside it moves, unless they move together; v_path_set_tangents() makes them
- * the point's own for good.
+ * Inserts a point on the curve where the camera is at a frame. The curve, every pose and
+ * the number of frames do not change. The point gets the nearest whole frame within the
+ * section; a section of one frame becomes two frames, split where you ask. To keep the
+ * motion, the neighbouring points get custom tangents, and orientations a custom angular
+ * velocity, custom slopes of zoom and roll, and a part of the old speed profile. Such
+ * tangents are removed when their point or a neighbour moves alone;
+ * v_path_set_tangents() makes them permanent.
  *
  * frame  from 1 to the number of frames, not at a key and not in a pan; the
  *     orientation mode must not be V_ORIENTATION_BARRY_GOLDMAN
- * at     the number of the new point; may be NULL
- * Any thread; from callbacks too. V_ERR_NULL,
- * V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
+ * at     index of the new point; may be NULL
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE,
+ * V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_insert_on_curve(V_PATH *path, double frame, int *at);
 
@@ -1795,7 +1792,7 @@ int v_path_get_frames_locked(const V_PATH *path,
                              int *locked);
 
 /**
- * Fixes the frames of all moving sections between two points, so that there are
+ * Fixes the frames of all moving sections between two points, so that it takes
  * exactly frames from the first pose at first_point to the last pose at last_point,
  * holds included. With 0 and the last point, v_path_frame_count() is then exactly
  * frames; on a closed path that includes the way back to the first point. On a closed
@@ -1901,7 +1898,7 @@ int v_path_from_move(const char *move,
 
 /**
  * Like v_path_from_move(), in a space. With V_UP_Z, headings are towards +x (0) and +y
- * (90), and heights along z. Default lengths are multiplied by the half size of the
+ * (90), and heights along z. Default lengths are multiplied by the half_size of the
  * space; default positions are its centre. Free *path with v_path_free().
  *
  * space   see v_space_init(); NULL: centre (0, 0, 0), half_size 1, V_UP_Y
@@ -1996,7 +1993,7 @@ int v_path_repeat(V_PATH *path,
  * Makes the weighted sum of paths: positions, curve, targets, roll, zoom and speeds,
  * point by point. Paths with fewer points are first resampled by length to the largest
  * number of points. Fixed frames (rounded), angular velocities and slopes are blended
- * where every path has them. Everything else comes from the path with the greatest
+ * where every path has them. The rest comes from the path with the greatest
  * weight. Free *blend with v_path_free().
  *
  * weights  count numbers with the sum 1
@@ -2012,18 +2009,17 @@ int v_path_blend(V_PATH *const *paths,
 /* ---- Sections and poses ------------------------------------------------------ */
 
 /**
- * How many sections a path has. A section is the way from one orientation to
- * the next, be it at the same support point or on to the next point. They are
- * counted from 0 in the order in which the camera takes them.
+ * Gets the number of sections of a path. A section leads from one orientation to the next,
+ * at the same point or at the next one. Sections count from 0, in the order in which the
+ * camera takes them.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY.
  */
 int v_path_section_count(const V_PATH *path, int *count);
 
 /**
- * The support point and the orientation with which a section begins, the
- * number (from 1) of the first pose that belongs to it, and how many do; 0 if
- * nothing changes in it. Poses that rest at the section's end are not
- * counted. Each result may be NULL.
+ * Gets the point and the orientation with which a section begins, its first frame, and its
+ * number of frames, which is 0 if nothing changes in it. Frames of a hold at its end do
+ * not count. Any result may be NULL.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
  * V_ERR_LIMIT, V_ERR_MEMORY.
  */
@@ -2035,17 +2031,16 @@ int v_path_section_info(const V_PATH *path,
                         size_t *frames);
 
 /**
- * How many poses the whole path yields; at least 1. They are numbered from 1.
+ * Gets the number of frames of a path, at least 1. They count from 1.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_LIMIT,
  * V_ERR_MEMORY.
  */
 int v_path_frame_count(const V_PATH *path, size_t *frames);
 
 /**
- * All poses of a path, into the caller's array of capacity elements; *count
- * is how many. With a capacity too small nothing is written but *count, the
- * capacity needed, and the answer is V_ERR_SIZE. poses NULL with capacity 0
- * only asks for *count.
+ * Writes all poses of a path to your array of capacity elements, and their number to
+ * *count. If capacity is too small, only *count is written and the call fails with
+ * V_ERR_SIZE; with poses NULL and capacity 0, only *count is written.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
  * V_ERR_LIMIT, V_ERR_MEMORY.
  */
@@ -2055,11 +2050,10 @@ int v_path_sample(const V_PATH *path,
                   size_t *count);
 
 /**
- * count poses from number first on, 1 to the count of v_path_frame_count(), into
- * the caller's array, each equal to that of v_path_sample(). For hosts that take a
- * long path in pieces.
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE (first 0,
- * or not so many poses from there), V_ERR_LIMIT, V_ERR_MEMORY.
+ * Writes count poses, beginning with frame first, to your array. They equal those of
+ * v_path_sample(). Use it to take a long path in pieces.
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE (first is 0, or
+ * there are fewer poses), V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_sample_range(const V_PATH *path,
                         size_t first,
@@ -2067,19 +2061,19 @@ int v_path_sample_range(const V_PATH *path,
                         V_POSE *poses);
 
 /**
- * The pose at one frame, 1 to the count of v_path_frame_count(); between two
- * frames also, as 1.5. At a whole frame it is that of v_path_sample(), bit for bit.
+ * Gets the pose at a frame, from 1 to v_path_frame_count(), also between two frames
+ * (1.5). At a whole frame it equals that of v_path_sample() bit for bit.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
  * V_ERR_LIMIT, V_ERR_MEMORY.
  */
 int v_path_pose(const V_PATH *path, double frame, V_POSE *pose);
 
 /**
- * The poses at count frames, each as v_path_pose() returns it: for motion blur, sound, and
- * pictures at the times at which they are shown. Any order; ascending frames are fastest.
+ * Gets the poses at count frames, as v_path_pose() does for one. Frames may have any
+ * order; ascending frames are fastest.
  *
- * frames  each from 1 to the count of v_path_frame_count()
- * poses   room for count of them, which does not overlap the frames
+ * frames  each from 1 to v_path_frame_count()
+ * poses   space for count poses; must not overlap frames
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
  * V_ERR_LIMIT, V_ERR_MEMORY.
  */
@@ -2089,12 +2083,11 @@ int v_path_poses_at(const V_PATH *path,
                     V_POSE *poses);
 
 /**
- * All poses of a path as a list in the form of 1994, see V_KAMERAPAR: zooms are whole
- * numbers there, 100 for any beyond. first is
- * the host's and becomes the first element; its number must be set before, to
- * -1 if there are no data yet. A list that VIDES made there before is freed
- * when the new one is complete; any other list is left alone and only
- * forgotten. If the call fails, the old list stays whole.
+ * Makes a list of all poses as in 1994, see V_KAMERAPAR: zooms are whole numbers, 100 for
+ * any larger zoom. first is your element and becomes the first; set its number before, to
+ * -1 if there is no data yet. A list that VIDES made there before is freed when the new
+ * one is complete; any other list is forgotten but not freed. If the call fails, the old
+ * list is unchanged.
  * Any thread, if no other uses the list meanwhile; from callbacks too.
  * V_ERR_NULL, V_ERR_HANDLE, V_ERR_LIMIT, V_ERR_MEMORY.
  */
@@ -2102,22 +2095,19 @@ int v_path_to_list(const V_PATH *path,
                    V_KAMERAPAR *first);
 
 /**
- * Writes all poses of a path into a text file: one line for each, with VRP,
- * VPN, VUP (x, y and z each) and zoom as C prints them by "%3.4f", separated
- * by one space; the decimal sign is a point whatever the locale, and minus
- * zero is written as zero. The file is afterwards wholly the old or wholly the
- * new one.
+ * Writes all poses of a path to a text file, one line each: VRP, VPN, VUP (x, y and z
+ * each) and zoom, as C prints them by "%3.4f", separated by one space. The decimal sign is
+ * a point in every locale, and minus zero is written as zero. The file is replaced
+ * atomically.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO,
- * V_ERR_LIMIT, V_ERR_MEMORY. Memory that runs out while the file is opened or
- * written may end the program; the old file stays.
+ * V_ERR_LIMIT, V_ERR_MEMORY. If memory runs out while the file is opened or written, the
+ * program may end; the old file is unchanged.
  */
 int v_path_write_ascii(const V_PATH *path, const char *file);
 
 /**
- * The lines of v_path_write_ascii() in memory, ended by zero; *length is their
- * bytes without the zero. With a capacity not larger than *length nothing else is
- * written, and the answer is V_ERR_SIZE. text NULL with capacity 0 only asks for
- * *length.
+ * Writes the lines of v_path_write_ascii() to memory, zero-terminated. The buffer works
+ * as in v_path_get_title().
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
  * V_ERR_LIMIT, V_ERR_MEMORY.
  */
@@ -2894,7 +2884,7 @@ int v_scene_vertices(const V_SCENE *scene,
  *     counts; names that a format does not use are ignored
  *
  * What the format cannot hold is left out. The call then still returns V_OK, and
- * v_last_warning() lists the losses, one per line; "" if there are none.
+ * v_last_warning() lists the losses, one per line, or returns "".
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY, V_ERR_ARGUMENT
  * (format, options, no such node, a host interpolation that fails), V_ERR_RANGE
  * (frames, fps), V_ERR_FORMAT (a folder that holds what would be read first),
@@ -2932,18 +2922,18 @@ int v_scene_import(const char *file,
 /* ---- Progress ---------------------------------------------------------------- */
 
 /**
- * Sets the function that the calling thread's long calls tell how far they are, ten times
- * a second at most and not in the first tenth of one; NULL: none, as at first. These are
- * v_path_fit_poses() and its kin, v_path_check(), v_path_retime(), v_path_steady(),
- * v_path_avoid(), v_path_keep_in_picture() and v_path_tour(). With objects of up to a
- * million triangles they ask at least twice a second, but for reading the object at the
- * beginning, which takes about two seconds for a million.
+ * Sets the function that reports the progress of the calling thread's long calls; NULL,
+ * the default: none. It is called at most ten times a second, and not in the first tenth.
+ * Long calls are v_path_fit_poses() and its variants, v_path_check(), v_path_retime(),
+ * v_path_steady(), v_path_avoid(), v_path_keep_in_picture() and v_path_tour(). With up to
+ * a million triangles they call it at least twice a second, except while they read the
+ * object at the start: about two seconds for a million.
  *
- * progress  share is from 0 to 1, and may fall where the work begins another round; if it
- *     returns 0, the call ends with V_ERR_REFUSED and has changed nothing. It may call any
- *     function; a path that is in use at that moment, as that of the call is, answers
- *     V_ERR_BUSY there. No exception or longjmp() may leave it
- * user  is handed to it
+ * progress  share is from 0 to 1, and may fall when another round begins. If it returns
+ *     0, the call fails with V_ERR_REFUSED and changes nothing. It may call any function;
+ *     a path in use, such as that of the call, returns V_ERR_BUSY. No exception or
+ *     longjmp() may leave it
+ * user  your pointer, passed to progress
  * Any thread; from callbacks too.
  */
 int v_set_progress(int (*progress)(double share, void *user),
@@ -2953,19 +2943,19 @@ int v_set_progress(int (*progress)(double share, void *user),
 /* ---- Paths from recorded poses, checks --------------------------------------- */
 
 /**
- * A path of few support points that passes recorded poses: each position within
- * tolerance, each view, up and field of view within angle degrees, at its time, and as
- * smoothly as they do. Noise of up to half of that is taken out.
+ * Fits a path of few points to recorded poses: each position within tolerance, each view,
+ * up and field of view within angle degrees, at its time. Noise of up to half of that is
+ * removed.
  *
- * seconds  when each pose was taken, increasing; NULL: one a frame. Poses that span
- *     more than 100,000,000 frames, as those in nanoseconds do, are V_ERR_LIMIT
+ * seconds  when each pose was taken, increasing; NULL: one per frame. If they span more
+ *     than 100,000,000 frames, as nanoseconds do, the call fails with V_ERR_LIMIT
  * count    at least three
- * fps      frames in a second of the path
- * The space is the smallest round the positions, with a tenth to spare, and V_UP_Y.
- * *path is the caller's, to be freed with v_path_free().
- * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT (poses that are no
- * path: all the same, a number that is not finite, a view without direction),
- * V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
+ * fps      frame rate of the path
+ * The space is the smallest cube around the positions, enlarged by a tenth, with V_UP_Y.
+ * Free *path with v_path_free().
+ * Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT (poses that are all the
+ * same, a number that is not finite, a view without direction), V_ERR_RANGE, V_ERR_LIMIT,
+ * V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
  */
 int v_path_fit_poses(const V_POSE *poses,
                      const double *seconds,
@@ -2976,11 +2966,11 @@ int v_path_fit_poses(const V_POSE *poses,
                      V_PATH **path);
 
 /**
- * As v_path_fit_poses(), in a space: what stands upright there does so for rolls and ups.
+ * Like v_path_fit_poses(), in a space whose up axis applies to rolls and ups.
  *
- * space   see v_space_init(). With half_size 0 only its up counts, and it is the
- *     smallest round the positions, as with NULL
- * *path is the caller's, to be freed with v_path_free().
+ * space   see v_space_init(). With half_size 0 only its up axis counts, and the space is
+ *     the smallest cube around the positions, as with NULL
+ * Free *path with v_path_free().
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE,
  * V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
  */
@@ -2994,12 +2984,12 @@ int v_path_fit_poses_in_space(const V_POSE *poses,
                               V_PATH **path);
 
 /**
- * As v_path_fit_poses_in_space(), but poses that are off by more than the tolerance
- * from what those around them say are left out; the others are met.
+ * Like v_path_fit_poses_in_space(), but ignores outliers: poses that differ by more than
+ * the tolerance from what their neighbours suggest.
  *
- * left_out  how many are; may be NULL
- * v_last_warning() then says how many and which is the first, "" if none is.
- * *path is the caller's, to be freed with v_path_free().
+ * left_out  the number of outliers; may be NULL
+ * v_last_warning() then returns their number and the first one, or "".
+ * Free *path with v_path_free().
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE,
  * V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
  */
@@ -3014,49 +3004,48 @@ int v_path_fit_poses_robust(const V_POSE *poses,
                             V_PATH **path);
 
 /**
- * Looks for what will look wrong in the film. Of each kind there is one finding for
- * each run of frames, in the order of the frames. Lengths count in half sizes of the
- * space:
+ * Finds what will look wrong in the film: jerks, flips, collisions. Reports one finding
+ * per kind and run of frames, in the order of the frames. Lengths are in units of the
+ * space's half_size. In parentheses: the default limits.
  *
  * "space"         the camera is outside the space by more than the limit (0)
- * "cusp"          curve or pace nearly stop in a section (0.02 of the mean)
- * "speed-jump"    at a key, in shares of the mean speed (0.5)
- * "acceleration"  in half sizes a second squared (10)
+ * "cusp"          curve or speed nearly stop in a section (0.02 of the mean)
+ * "speed-jump"    at a key, as a fraction of the mean speed (0.5)
+ * "acceleration"  per second squared (10)
  * "view-jump"     degrees at once (1)
- * "turning"       degrees a second (60)
- * "turning-acceleration"  degrees a second squared (300)
- * "half-turn"     degrees from a half turn, that might go either way (0.1)
+ * "turning"       degrees per second (60)
+ * "turning-acceleration"  degrees per second squared (300)
+ * "half-turn"     degrees from a half turn, whose direction is ambiguous (0.1)
  * "pole"          degrees from straight up or down, below the limit (3)
  * "target"        the target is nearer than the limit (0.05)
  * "clearance"     the object is nearer than the limit (0.02)
- * "through"       the way leads through a triangle of the object
+ * "through"       the camera passes through a triangle of the object
  * "nothing-to-see"  nothing of the object in the picture, seconds (1)
- * "zoom"          mm a second (30)
- * "redundant"     the poses would be the same without a key: they change by less than
- *                 so many times 0.001 half sizes, 0.1 degrees and 0.1 mm (1)
- * "corner"        degrees by which the way turns at a point (60)
- * "jerk"          in half sizes a second cubed, the third difference of the places at
- *                 whole frames (off unless a limit is set)
- * "speed"         in half sizes a second (off unless a limit is set)
- * "crossing"      seconds in which what is in the middle of the picture, as far away as
- *                 the target (or the middle of the space), would cross it; below the
- *                 limit (off unless one is set)
- * "backwards"     the way goes back although the points lead on, in half sizes (0.001):
+ * "zoom"          mm per second (30)
+ * "redundant"     removing a key would change the poses by less than the limit times
+ *                 0.001, 0.1 degrees and 0.1 mm (1)
+ * "corner"        degrees by which the path turns at a point (60)
+ * "jerk"          per second cubed, the third difference of the positions at whole
+ *                 frames (off)
+ * "speed"         per second (off)
+ * "crossing"      seconds in which what is in the middle of the picture, at the distance
+ *                 of the target (or the middle of the space), would cross it; below the
+ *                 limit (off)
+ * "backwards"     the curve runs backwards between points that lead forwards (0.001);
  *                 a "centripetal" curve does not, see v_path_set_curve()
  *
  * A hold between sections without an ease, and a turn on the spot between such sections,
- * begin and end at once: that is a "speed-jump", an "acceleration" or a
- * "turning-acceleration" only if the limit of that kind is not the one above.
- * An object is asked three times for each frame, as v_path_avoid() does.
+ * begin and end abruptly. That is a "speed-jump", an "acceleration" or a
+ * "turning-acceleration" only if the limit of that kind is not the default.
+ * The distance to the object is computed three times per frame, as by v_path_avoid().
  *
- * object  what the camera must not come near to, in the coordinates of the path;
- *     NULL: the path's own object with its faces, if it has one
- * findings  room for capacity of them; *count is how many there are. With a
- *     capacity too small nothing else is written and the answer is V_ERR_SIZE;
- *     findings NULL with capacity 0 only asks for *count
- * v_last_warning() then has notes, "" if there are none: that the camera is inside
- * the object all the time, and what was not looked at (objects that move, what
- * a parent adds to the camera).
+ * object  the obstacle, in the coordinates of the path; NULL: the path's own object with
+ *     its faces, if it has one
+ * findings  space for capacity findings; *count is their number. If capacity is too
+ *     small, only *count is written and the call fails with V_ERR_SIZE; with findings NULL
+ *     and capacity 0, only *count is written
+ * v_last_warning() then returns notes: that the camera is inside the object all the time,
+ * and what was ignored (moving objects, the motion of the camera's parent); or "".
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
  * V_ERR_ARGUMENT (an object without geometry), V_ERR_RANGE, V_ERR_LIMIT,
  * V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
@@ -3068,15 +3057,15 @@ int v_path_check(const V_PATH *path,
                  size_t *count);
 
 /**
- * Sets the limit of a kind of finding, see v_path_check(); it is kept in the file.
- * INFINITY: that kind is not looked for.
+ * Sets the limit of a kind of finding, see v_path_check(). The file keeps it. INFINITY
+ * disables the kind.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such
  * kind), V_ERR_RANGE.
  */
 int v_path_set_limit(V_PATH *path, const char *kind, double limit);
 
 /**
- * The limit of a kind of finding, see v_path_check(); INFINITY: not looked for.
+ * Gets the limit of a kind of finding, see v_path_check(); INFINITY: disabled.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT.
  */
 int v_path_get_limit(const V_PATH *path, const char *kind, double *limit);
@@ -3085,40 +3074,35 @@ int v_path_get_limit(const V_PATH *path, const char *kind, double *limit);
 /* ---- Planning ---------------------------------------------------------------- */
 
 /**
- * Fills in the limits that a check has unless told (v_path_check()): acceleration 10,
- * turning 60, turning_acceleration 300, zoom 30, and no others. NULL does nothing but
- * set v_last_error(). In C a macro of this name hands the struct's size on to
- * v_limits_init_sized(); the function itself, for other languages, fills in the struct
- * of version 1.0.
+ * Fills in the defaults of v_path_check(): acceleration 10, turning 60,
+ * turning_acceleration 300, zoom 30, and no other limits. NULL only sets v_last_error().
+ * In C, a macro of this name passes the struct's size to v_limits_init_sized(). The
+ * function itself, for other languages, fills in the struct of version 1.0.
  * Any thread; from callbacks too.
  */
 void v_limits_init(V_LIMITS *limits);
 
 /**
- * As v_limits_init(), for a struct that is size bytes long. One shorter than in version
- * 1.0 stays as it is, and v_last_error() says so. What is behind the fields that the
- * library knows is not touched, and size is set to what was filled in.
+ * Like v_limits_init(), for a struct of size bytes. It works as
+ * v_editor_options_init_sized().
  * Any thread; from callbacks too.
  */
 void v_limits_init_sized(V_LIMITS *limits,
                          size_t size);
 
 /**
- * Computes the pace anew from the first orientation of one support point to the last
- * of another, as fast as the limits allow; the curve and the views stay where they
- * were in place. The way rests at the ends of an open path, where keys are held, and
- * where curve or view have a kink; v_last_warning() names these. What is beside the
- * points keeps its pace. Sections get fixed frames, a given distance and a curve time
- * of their own.
- *
- * It takes at most 40 rounds over the sections.
+ * Recomputes the speed profile between the first orientation of one point and the last of
+ * another, as fast as the limits allow. The curve and the views do not change. The camera
+ * rests at the ends of an open path, at held keys, and where curve or view have a kink;
+ * v_last_warning() lists these. Other sections keep their speed profile. The sections get
+ * fixed frames, a distance curve and a curve time. Takes at most 40 rounds over the
+ * sections.
  *
  * limits  see v_limits_init(); NULL: the path's own, see v_path_set_limit()
- * first_point, last_point  0 and the last: all, closed paths with the way back to
- *     the first point; on a closed path first_point may lie behind last_point
- * seconds  0: as few as the limits allow; else exactly so many, to a whole frame, with
- *     the lowest peaks; as everywhere those of the poses: at the path's end the last
- *     one has a frame, too
+ * first_point, last_point  with 0 and the last point: the whole path, if closed with the
+ *     way back to the first point. On a closed path first_point may be after last_point
+ * seconds  0: as few as the limits allow; otherwise this duration, to a whole frame, with
+ *     the lowest peaks. It counts the last frame of the path, too
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
  * V_ERR_ARGUMENT (no limit, one that is not positive, too few seconds: v_last_error()
  * names the least), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED
@@ -3131,17 +3115,17 @@ int v_path_retime(V_PATH *path,
                   double seconds);
 
 /**
- * A recorded flight without the shaking of a hand: places, views and zoom go through a low pass
- * without a lag, at whole frames, and become a path of few support points again, as
- * v_path_fit_poses() makes one, of as many frames. The first and the last pose stay. Names of
- * points, targets and modes go; a closed path comes back open. v_last_warning() says how far
- * it went from what it was.
+ * Stabilises a recorded flight: positions, views and zoom pass a low-pass filter without
+ * lag, at whole frames; v_path_fit_poses() then makes a path of few points and as many
+ * frames. The first and the last pose do not change. Names, targets and modes are
+ * discarded, and a closed path is open afterwards. v_last_warning() returns how far the
+ * path moved.
  *
- * seconds  half of a movement that takes so long there and back stays, hardly anything of
- *     quicker ones; greater than 0 and at most 2,000 frames
- * within   no place goes farther than so; 0: no bound
+ * seconds  cut-off period: motion of this period is halved, faster motion is removed;
+ *     > 0 and at most 2,000 frames
+ * within   maximum distance any position may move; 0: no limit
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a path that
- * does not move, no path within the bound), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
+ * does not move, no path within the limit), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
  * V_ERR_REFUSED (v_set_progress()).
  */
 int v_path_steady(V_PATH *path,
@@ -3149,19 +3133,19 @@ int v_path_steady(V_PATH *path,
                   double within);
 
 /**
- * Leads the way clear of an object: where the camera, or a sphere around it, comes nearer
- * than the clearance, or goes through it, points are moved as little as possible and as
- * few put in as it takes; points that were clear stay, but for those within a closed
- * part of the object between others outside. Frames and targets stay. v_last_warning()
- * has a line for each part that changed, "" if the way was clear.
+ * Moves a path away from an object. Where the camera, or a sphere around it, comes nearer
+ * than the clearance or passes through the object, points move as little as possible and
+ * as few as possible are added. Points that were clear do not move, except within a closed
+ * part of the object between others outside. Frames and targets do not change.
+ * v_last_warning() returns a line for each changed part, or "".
  *
- * Each part that is too near takes at most a few searches of a grid with 96 cells along its
- * longest side. A question to the object takes the logarithm of its triangles; where they
- * overlap widely, up to all of them.
+ * Each part takes at most a few searches of a grid with 96 cells along its longest side.
+ * A distance query takes the logarithm of the number of triangles; if they overlap widely,
+ * up to that number.
  *
  * object  in the coordinates of the path; NULL: the path's own
- * clearance, radius  in the path's units; the clearance greater than 0, the radius of the
- *     sphere 0 or greater
+ * clearance, radius  in the path's units; the clearance > 0, the radius of the sphere 0 or
+ *     more
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT
  * (no way round: v_last_error() names the frame and the place; an object without
  * geometry), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
@@ -3172,21 +3156,21 @@ int v_path_avoid(V_PATH *path,
                  double radius);
 
 /**
- * Keeps an object whole in the picture less margin, at every frame and between: by the
- * zoom or the distance as large as that allows and the path's limits of zoom, or of
- * speed and acceleration (see v_path_set_limit()), let it change; by turning no more
- * than it takes. Frames and pace stay. Where keys do not hold it points are added.
- * The path stays as it is where that cannot be. It looks at the object from 20 places for
- * each frame, at most 60 times from each.
+ * Keeps an object whole in the picture less margin, at every frame and between. With zoom
+ * or distance the object is as large as the margin and the path's limits of zoom, or of
+ * speed and acceleration, allow (v_path_set_limit()); with the view the camera turns no
+ * more than necessary. Frames and speed profile do not change. Points are added where keys
+ * are not enough. If it is not possible, the path is unchanged. Takes 20 positions per
+ * frame, each tried at most 60 times.
  *
  * object  in the coordinates of the path; NULL: the path's own, with the objects of
  *     its scene
- * margin  the share of the picture's width and height (36 x 24 mm) that stays free at
+ * margin  the fraction of the picture's width and height (36 x 24 mm) to keep free on
  *     each side, from 0 to below 0.5
  * what  V_PICTURE_ZOOM, V_PICTURE_DISTANCE or V_PICTURE_VIEW
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no object,
- * or where it cannot be whole, with the frame), V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT,
- * V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
+ * or it does not fit into the picture, with the frame), V_ERR_RANGE, V_ERR_SIZE,
+ * V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
  */
 int v_path_keep_in_picture(V_PATH *path,
                            const V_MESH *object,
@@ -3194,37 +3178,35 @@ int v_path_keep_in_picture(V_PATH *path,
                            int what);
 
 /**
- * Fills in a tour of 60 seconds that shows 0.95, from outside at a distance that is
- * found, as a closed round, with V_UP_Y. NULL does nothing but set v_last_error(). In C
- * a macro of this name hands the struct's size on to v_tour_init_sized(); the function
- * itself, for other languages, fills in the struct of version 1.0.
+ * Fills in the default tour: 60 seconds, coverage 0.95, outside the object, at a distance
+ * that VIDES chooses, closed, V_UP_Y. NULL only sets v_last_error(). In C, a macro of this
+ * name passes the struct's size to v_tour_init_sized(). The function itself, for other
+ * languages, fills in the struct of version 1.0.
  * Any thread; from callbacks too.
  */
 void v_tour_init(V_TOUR *tour);
 
 /**
- * As v_tour_init(), for a struct that is size bytes long. One shorter than in version
- * 1.0 stays as it is, and v_last_error() says so. What is behind the fields that the
- * library knows is not touched, and size is set to what was filled in.
+ * Like v_tour_init(), for a struct of size bytes. It works as
+ * v_editor_options_init_sized().
  * Any thread; from callbacks too.
  */
 void v_tour_init_sized(V_TOUR *tour,
                        size_t size);
 
 /**
- * A flight that shows an object which nobody has planned for: the fewest places found
- * from where so much of its surface is seen, a short round through them that keeps
- * clear of it, at a pace within the limits of a check (v_path_check()), 25 frames a
- * second.
+ * Plans a flight that shows an object: the fewest positions from which the wanted fraction
+ * of its surface is seen, a short path through them that keeps clear of it, and a speed
+ * profile within the limits of v_path_check(), at 25 frames per second.
  *
- * object  its triangles count. From outside only the side that normals point to counts
- *     where neighbouring triangles agree about it, else either does
- * tour  NULL: as v_tour_init() has it
- * coverage  the share that is shown of what can be seen; may be NULL
- * v_last_warning() then has two lines: places, coverage, length and seconds; what stays
- * unseen, and why.
- * *path is the caller's, to be freed with v_path_free(). It takes about 300 pictures'
- * time, for a million triangles some seconds, and about 300 bytes a triangle.
+ * object  its triangles count. From outside, only the side that the normals point to is
+ *     to be seen where neighbouring triangles agree about it, otherwise either side
+ * tour  NULL: the defaults of v_tour_init()
+ * coverage  the fraction shown of what can be seen; may be NULL
+ * v_last_warning() then returns two lines: positions, coverage, length and seconds; and
+ * what remains unseen, and why.
+ * Free *path with v_path_free(). Takes the time of about 300 pictures, some seconds for a
+ * million triangles, and about 300 bytes per triangle.
  * Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT (no surface, no
  * free place, too few seconds: v_last_error() names the least), V_ERR_RANGE,
  * V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).

@@ -22,7 +22,7 @@ use crate::formats::{self, Format, Loss, Options, Report, Source};
 ///     counts; names that a format does not use are ignored
 ///
 /// What the format cannot hold is left out. The call then still returns V_OK, and
-/// v_last_warning() lists the losses, one per line; "" if there are none.
+/// v_last_warning() lists the losses, one per line, or returns "".
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_BUSY, V_ERR_ARGUMENT
 /// (format, options, no such node, a host interpolation that fails), V_ERR_RANGE
 /// (frames, fps), V_ERR_FORMAT (a folder that holds what would be read first),

@@ -275,7 +275,7 @@ pub unsafe extern "C" fn v_path_set_absolute(
 ///
 /// distance  0: along the tangent; > 0: at the position this far ahead on the curve,
 ///     straight on beyond its end; < 0: stops looking ahead and keeps the present
-///     direction as an offset. At most 1e9 half sizes of the space
+///     direction as an offset. At most 1e9 times half_size
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
 /// V_ERR_RANGE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
@@ -334,8 +334,8 @@ pub unsafe extern "C" fn v_path_get_ahead(
 ///     "minimal"  starts with the up axis and is carried on without turning about the
 ///                view, through all consecutive orientations that have it; on a closed
 ///                path, the angle missing at the end is spread over the length
-///     "frenet"   the normal of the curve; only for curves of kind "cubic" whose
-///                points have no tangents of their own
+///     "frenet"   the normal of the curve; only for curves of kind "cubic" without
+///                custom tangents
 ///     "y", "z"   this axis, whatever the space's up axis
 /// Arguments that an up does not need may be NULL. A path has at most 10 different up
 /// paths, each with at most 1000 points.

@@ -294,7 +294,7 @@ pub unsafe extern "C" fn v_path_get_frames_locked(
     })
 }
 
-/// Fixes the frames of all moving sections between two points, so that there are
+/// Fixes the frames of all moving sections between two points, so that it takes
 /// exactly frames from the first pose at first_point to the last pose at last_point,
 /// holds included. With 0 and the last point, v_path_frame_count() is then exactly
 /// frames; on a closed path that includes the way back to the first point. On a closed

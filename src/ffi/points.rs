@@ -43,7 +43,7 @@ pub unsafe extern "C" fn v_path_point_count(path: *const V_PATH, count: *mut c_i
 /// Inserts a point before the one at index at; if at is their number, appends it. The
 /// new point copies all other properties from the point before it, or from the point
 /// after it if at is 0; an absolute target equal to the new position becomes relative.
-/// Coordinates are finite and at most 1e9 half sizes from the centre of the space.
+/// Coordinates are finite and at most 1e9 times half_size from the centre of the space.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
 /// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 /// cbindgen:ptrs-as-arrays=[[xyz; 3]]

@@ -72,7 +72,7 @@ pub(super) unsafe fn comment_of(comment: *const c_char) -> Answer<String> {
 /// speed 50, finite and > 0, so that a larger value is slower. v_haupt() calls them
 /// speeds.
 ///
-/// move_frames  moving by one half size of the space (v_path_set_space())
+/// move_frames  moving by half_size (v_path_set_space())
 /// turn_frames  turning by 180 degrees
 /// zoom_frames  zooming from 1 to 100
 /// roll_frames  rolling by 90 degrees

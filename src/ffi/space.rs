@@ -107,12 +107,12 @@ impl SpaceOut {
 ///
 /// centre     (0, 0, 0) in a new path
 /// half_size  half the length of its edge, 1e-30 to 1e30; 1 in a new path. Centre,
-///     points and targets are at most 1e9 half sizes away
+///     points and targets are at most 1e9 times as far away
 /// up         V_UP_Y, as in a new path, or V_UP_Z
 ///
 /// Positions, offsets, tangents and lengths of a path are in your world's units. Base
 /// frames, limits (V_LIMITS, v_path_check()) and the distances below which nothing
-/// moves are counted in half sizes, so that they mean the same in metres and in
+/// moves are counted in units of half_size, so that they mean the same in metres and in
 /// angstroms.
 /// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a number
 /// that is not finite), V_ERR_RANGE.

@@ -452,7 +452,7 @@ pub extern "C" fn v_last_error() -> *const c_char {
 }
 
 /// Returns the warnings of the calling thread's last call that can warn: sentences in
-/// English, UTF-8, "" if there are none. Never NULL. Comments of functions that can
+/// English, UTF-8, or "". Never NULL. Comments of functions that can
 /// warn mention it. If the text would exceed 1023 bytes, the sentence that does not fit
 /// is shortened in the middle. The text belongs to the library and is valid until the
 /// same thread's next call of a function that can warn.

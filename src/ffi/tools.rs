@@ -97,7 +97,7 @@ pub unsafe extern "C" fn v_path_from_move(
 }
 
 /// Like v_path_from_move(), in a space. With V_UP_Z, headings are towards +x (0) and +y
-/// (90), and heights along z. Default lengths are multiplied by the half size of the
+/// (90), and heights along z. Default lengths are multiplied by the half_size of the
 /// space; default positions are its centre. Free *path with v_path_free().
 ///
 /// space   see v_space_init(); NULL: centre (0, 0, 0), half_size 1, V_UP_Y
@@ -299,7 +299,7 @@ pub unsafe extern "C" fn v_path_repeat(path: *mut V_PATH, count: c_int) -> c_int
 /// Makes the weighted sum of paths: positions, curve, targets, roll, zoom and speeds,
 /// point by point. Paths with fewer points are first resampled by length to the largest
 /// number of points. Fixed frames (rounded), angular velocities and slopes are blended
-/// where every path has them. Everything else comes from the path with the greatest
+/// where every path has them. The rest comes from the path with the greatest
 /// weight. Free *blend with v_path_free().
 ///
 /// weights  count numbers with the sum 1
