@@ -18,7 +18,7 @@ pub(super) struct Output {
     output: PathBuf,
 }
 
-/// What stands behind the name of an output.
+/// The kind of thing that an output's name refers to.
 pub(super) enum Sink {
     Standard,
     /// A pipe or a device, which cannot be replaced as a file is.

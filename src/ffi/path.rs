@@ -26,8 +26,8 @@ const BUSY: Failure = Failure::Border(
     "this path is in use, and cannot be waited for within a progress callback",
 );
 
-/// The lock of a path. Within a progress callback the call that it is told of may hold it, or
-/// another thread that waits for a path of ours: nobody waits there.
+/// The lock of a path. Within a progress callback the call in progress may hold it, or
+/// another thread that waits for a path of ours, so a callback does not wait.
 fn locked<G, E>(
     wait: impl FnOnce() -> Result<G, E>,
     take: impl FnOnce() -> Result<G, TryLockError<G>>,

@@ -27,7 +27,7 @@ thread_local! {
     static WITHIN: Cell<u32> = const { Cell::new(0) };
 }
 
-/// Whether this thread is within its callback: whoever called that may hold a path.
+/// Whether this thread is within its callback: the call in progress may hold a path.
 pub(super) fn is_running() -> bool {
     WITHIN.get() > 0
 }

@@ -16,7 +16,7 @@ use vides_engine::path::Pose;
 pub enum Note {
     /// The camera is inside a closed part of the object in all frames.
     Inside,
-    /// Objects move, appear or change: they were looked at as they stand at the path's first frame.
+    /// Objects move, appear or change: the check used the path's first frame.
     Moving {
         /// The name of the first.
         name: String,
@@ -34,13 +34,13 @@ impl fmt::Display for Note {
             Self::Moving { name, others } => {
                 write!(f, "The object \"{name}\" ")?;
                 match others {
-                    0 => f.write_str("moves or changes: it was looked at as it stands"),
+                    0 => f.write_str("moves or changes: it was checked as it is"),
                     1 => f.write_str(
-                        "and another one move or change: they were looked at as they stand",
+                        "and another one move or change: they were checked as they are",
                     ),
                     _ => write!(
                         f,
-                        "and {others} others move or change: they were looked at as they stand"
+                        "and {others} others move or change: they were checked as they are"
                     ),
                 }?;
                 f.write_str(" where the path begins.")

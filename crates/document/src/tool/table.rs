@@ -261,8 +261,7 @@ pub(super) const TOOLS: &[Tool] = &[
                     most: 600.0,
                     ..one(
                         "period",
-                        "half of a movement that takes so long there and back stays, and hardly \
-                         anything of quicker ones",
+                        "cut-off period: motion of this period is halved, faster motion is removed",
                         1.0,
                     )
                 },
@@ -270,7 +269,11 @@ pub(super) const TOOLS: &[Tool] = &[
                     unit: Unit::Length,
                     least: 0.0,
                     most: MAX_COORDINATE,
-                    ..one("within", "no place goes farther than so; 0: no bound", 0.0)
+                    ..one(
+                        "within",
+                        "maximum distance any position may move; 0: no limit",
+                        0.0,
+                    )
                 },
             ],
             &[],

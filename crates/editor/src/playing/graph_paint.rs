@@ -181,7 +181,7 @@ pub(super) fn switch(editor: &Editor, on: &mut bool, ui: &Ui, place: Rect) {
     }
 }
 
-/// The names of the rows alone, by which the curves beside them are chosen.
+/// The names of the rows, by which curves are chosen.
 pub(super) fn names(
     editor: &Editor,
     memory: &mut tracks::Memory,

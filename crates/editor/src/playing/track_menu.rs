@@ -80,7 +80,7 @@ fn part(part: Part) -> Edit {
     Edit::Part(Box::new(part))
 }
 
-/// Does an edit, or tells why it cannot be.
+/// Applies an edit, or reports why it failed.
 fn push(editor: &Editor, edit: Result<Edit>, actions: &mut Vec<Action>) {
     actions.push(match edit {
         Ok(edit) => Action::Edits(vec![edit]),

@@ -32,7 +32,7 @@ texts! {
             "Die gewählten Punkte in die Zwischenablage legen, als Text einer .vid-Datei";
         cut: "Put the selected points into the clipboard, and remove them",
             "Die gewählten Punkte in die Zwischenablage legen und hier löschen";
-        paste: "Put copied points behind this one, as they lie, or a copied view in place of this one",
+        paste: "Insert copied points after this point, or replace this view with a copied one",
             "Kopierte Punkte hinter diesem einfügen, wie sie liegen, oder einen kopierten Blick an die Stelle von diesem";
         remove_nodes: "Remove the selected nodes with all that is in them",
             "Die gewählten Knoten mit allem löschen, was in ihnen ist";
@@ -50,7 +50,7 @@ texts! {
             "Was dann gezogen, getippt oder gelöscht wird, ändert alle Punkte zugleich";
         speeds: "Open the speed curve of this section, large",
             "Die Zeitkurve dieses Abschnitts groß öffnen";
-        space: "Where the path lies in the world: centre, size, unit, which axis stands upright",
+        space: "Where the path is in the world: centre, size, unit, up axis",
             "Wo die Bahn in der Welt liegt: Mittelpunkt, Größe, Einheit, welche Achse senkrecht steht";
         add_object: "Put a mesh or a point cloud (OBJ, PLY, STL, glTF) into the scene, at the origin; it can move",
             "Ein Netz oder eine Punktwolke (OBJ, PLY, STL, glTF) in die Szene stellen, an den Ursprung; bewegen kann es sich auch";
@@ -58,7 +58,7 @@ texts! {
             "Ein Licht in die Szene stellen, oben in den Raum";
         add_camera: "Put another camera into the scene, which sees what is seen now",
             "Eine weitere Kamera in die Szene stellen, die sieht, was jetzt zu sehen ist";
-        add_group: "Put a node without a form of its own into the scene; what is put into it moves along",
+        add_group: "Add a node without geometry to the scene; its children move with it",
             "Einen Knoten ohne eigene Gestalt in die Szene stellen; was hineinkommt, bewegt sich mit";
         aim_here: "The current view becomes absolute and looks at this corner of the object",
             "Der aktuelle Blick wird absolut und geht auf diese Ecke des Objekts";

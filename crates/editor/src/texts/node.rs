@@ -14,7 +14,7 @@ texts! {
         parent: "In: {0}", "In: {0}";
         parent_name: "Parent", "Überordnung";
         no_parent: "the scene", "Szene";
-        parent_hint: "The node that it is in and goes along with. One at rest keeps its place in the world; of one that moves it is asked",
+        parent_hint: "The node it moves with. A node at rest keeps its place in the world; for a moving one you choose",
             "Der Knoten, in dem er ist und mit dem er mitgeht. Wer ruht, bleibt an seinem Ort in der Welt; bewegt er sich, wird gefragt";
         aim: "Aims at: {0}", "Zielt auf: {0}";
         aim_name: "Aim", "Ziel";
@@ -145,7 +145,7 @@ texts! {
         by_keys_hint: "Its values change by keys; of a path it has one a frame",
             "Seine Werte ändern sich durch Schlüssel; aus einer Bahn einer je Bild";
         by_path: "Path", "Bahn";
-        by_path_hint: "It follows a path of its own", "Er folgt einer eigenen Bahn";
+        by_path_hint: "It follows its own path", "Er folgt einer eigenen Bahn";
         start: "Begins at frame", "Beginnt bei Bild";
         start_hint: "The scene's frame of the path's first pose",
             "Das Bild der Szene, in dem die Bahn beginnt";

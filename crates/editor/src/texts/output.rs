@@ -31,7 +31,7 @@ texts! {
             "Von {0} nach {1} ist es eine halbe Drehung: Beide Richtungen sind gleich weit. Ein Blick dazwischen entscheidet";
         at_target: "Between {0} and {1} the camera comes to the place that it looks at: there it keeps its direction",
             "Zwischen {0} und {1} kommt die Kamera an den Ort, auf den sie blickt: Dort behält sie ihre Richtung";
-        over_target: "Between {0} and {1} the camera comes to be straight above or below its target: its picture turns round there",
+        over_target: "Between {0} and {1} the camera is straight above or below its target, where its picture flips",
             "Zwischen {0} und {1} kommt die Kamera genau über oder unter ihr Ziel: Dort dreht sich ihr Bild";
         length_changed: "Now {1} instead of {0}", "Jetzt {1} statt {0}";
         cannot_keep: "{0} cannot be kept: {1}", "{0} lassen sich nicht halten: {1}";

@@ -27,7 +27,7 @@ texts! {
         coordinate: "Position {0}", "Position {0}";
         coordinate_hint: "Where the camera is: drag, or click and type",
             "Ort der Kamera: ziehen, oder klicken und tippen";
-        shape_hint: "At this point (b1, c1, t1): drag, or click and type; it has values of its own then",
+        shape_hint: "At this point (b1, c1, t1): drag, or click and type; the point then has custom values",
             "An diesem Punkt (b1, c1, t1): ziehen, oder klicken und tippen; er hat dann eigene Werte";
         next_shape_hint: "At the next point (b2, c2, t2)", "Am nächsten Punkt (b2, c2, t2)";
         add_here: "Add point here", "Punkt hier einfügen";
@@ -77,12 +77,12 @@ texts! {
         mirrored_hint: "One tangent is as long as the other, too",
             "Eine Tangente ist auch so lang wie die andere";
         corner: "Corner", "Ecke";
-        corner_hint: "One tangent stays while the other is dragged (with Alt always)",
+        corner_hint: "Drag one tangent alone (always with Alt)",
             "Eine Tangente bleibt, während man an der anderen zieht (mit Alt immer)";
         keeps_motion: "Tangents keep the motion", "Tangenten halten die Bewegung";
-        keeps_motion_hint: "A point was inserted without changing the flight. These tangents are removed when this point or one beside it moves. Click: remove them now",
+        keeps_motion_hint: "A point was inserted without changing the flight. These tangents are removed when this point or a neighbour moves. Click: remove them now",
             "Ein Punkt wurde eingefügt, ohne den Flug zu ändern. Diese Tangenten entfallen, sobald sich dieser Punkt oder einer daneben bewegt. Klick: jetzt wegnehmen";
-        in_place_of_tangents: "This point has tangents of its own; what is chosen here takes their place",
+        in_place_of_tangents: "This point has custom tangents; a choice here replaces them",
             "Dieser Punkt hat eigene Tangenten; was hier gewählt wird, tritt an ihre Stelle";
         no_shape_kind: "T, C and B shape curves of the kind TCB only",
             "T, C und B formen nur Kurven der Art TCB";

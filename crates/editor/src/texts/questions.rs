@@ -37,12 +37,12 @@ texts! {
         discard_hint: "Go on; the changes are lost", "Fortfahren; die Änderungen gehen verloren";
         cancel_hint: "Stay here; nothing happens (Esc)", "Hier bleiben; es geschieht nichts (Esc)";
 
-        upright: "Upright axis", "Senkrechte Achse";
-        which_upright: "{0} does not say which axis stands upright. Which one is it?",
+        upright: "Up axis", "Senkrechte Achse";
+        which_upright: "{0} does not say which axis is up. Which one is it?",
             "{0} sagt nicht, welche Achse senkrecht steht. Welche ist es?";
-        y_up: "y upright", "y senkrecht";
+        y_up: "y up", "y senkrecht";
         y_up_hint: "As in OpenGL, glTF and Maya", "Wie in OpenGL, glTF und Maya";
-        z_up: "z upright", "z senkrecht";
+        z_up: "z up", "z senkrecht";
         z_up_hint: "As in Blender, ROS and maps", "Wie in Blender, ROS und Landkarten";
 
         outside: "Files from elsewhere", "Dateien von anderswo";

@@ -9,7 +9,7 @@ texts! {
         size_tip: "Size of the movement space (mouse wheel, + and −)",
             "Größe des Bewegungsraumes (Mausrad, + und −)";
         rotate: "Rotate", "Drehen";
-        rotate_tip: "Turns the movement space about its upright axis (drag in the empty space)",
+        rotate_tip: "Turns the movement space about its up axis (drag in the empty space)",
             "Dreht den Bewegungsraum um seine senkrechte Achse (im leeren Raum ziehen)";
         tilt: "Tilt", "Kippen";
         tilt_tip: "Tilts the movement space (drag in the empty space)",
@@ -59,7 +59,7 @@ texts! {
         axis_meaning: "Along an axis or about it, and by so much; a node's own axis: the letter twice",
             "Längs einer Achse oder um sie, und um so viel; eigene Achse eines Knotens: Buchstabe zweimal";
         node_mouse: "Click on something of a scene", "Klick auf etwas aus einer Szene";
-        node_meaning: "Select it; again: what lies behind; Ctrl, Shift: several. Drag its pivot: move it",
+        node_meaning: "Select it; again: the one behind; Ctrl, Shift: several. Drag its pivot: move it",
             "Es auswählen; nochmal: was dahinter liegt; Strg, Umschalt: mehrere. Am Drehpunkt ziehen: bewegen";
         pivot_keys_name: "P", "P";
         pivot_meaning: "Move the pivot of the selected node, which stays", "Drehpunkt des gewählten Knotens bewegen, der bleibt";
@@ -104,7 +104,7 @@ texts! {
         before: "Tangent before the point", "Tangente vor dem Punkt";
         after: "Tangent behind the point", "Tangente hinter dem Punkt";
         tangent_mouse: "Drag the end of a tangent", "Am Ende einer Tangente ziehen";
-        tangent_meaning: "Bend the curve at a point with tangents of its own; Alt: on this side alone",
+        tangent_meaning: "Bend the curve at a point with custom tangents; Alt: on this side only",
             "Kurve an einem Punkt mit eigenen Tangenten biegen; Alt: nur auf dieser Seite";
         make_closed: "Close the path", "Bahn schließen";
         make_open: "Open the path", "Bahn öffnen";
@@ -124,9 +124,9 @@ texts! {
             "Zu einem Zeitpunkt gehen: ziehen, oder klicken und tippen";
         of: "of", "von";
         last_frame: "Last frame", "Letztes Bild";
-        last_frame_tip: "Type how many frames the whole flight shall have: each section keeps its share", "Wie viele Bilder der ganze Flug haben soll: jeder Abschnitt behält seinen Anteil";
+        last_frame_tip: "Type the number of frames of the whole flight: each section keeps its share", "Wie viele Bilder der ganze Flug haben soll: jeder Abschnitt behält seinen Anteil";
         duration: "Duration", "Dauer";
-        duration_tip: "Type how long the whole flight shall take: each section keeps its share", "Wie lange der ganze Flug dauern soll: jeder Abschnitt behält seinen Anteil";
+        duration_tip: "Type the duration of the whole flight: each section keeps its share", "Wie lange der ganze Flug dauern soll: jeder Abschnitt behält seinen Anteil";
         keep_length: "Keep the duration", "Dauer halten";
         keep_length_tip: "Whatever is changed, the whole flight takes as long as now: the frames of its sections adapt",
             "Was auch geändert wird, der ganze Flug dauert so lange wie jetzt: die Bilder der Abschnitte passen sich an";
@@ -135,14 +135,14 @@ texts! {
             "Bilder in einer Sekunde; was geschieht, behält seine Sekunde";
         rate_unit: " fps", " B./s";
         again: "Loop", "Endlos";
-        again_tip: "Begin anew at the end (L)", "Am Ende von vorn beginnen (L)";
+        again_tip: "Start over at the end (L)", "Am Ende von vorn beginnen (L)";
         only_selected: "Only what is selected", "Nur Ausgewähltes";
         only_selected_tip: "Play and loop only the frames in which the selected nodes move",
             "Nur die Bilder abspielen und wiederholen, in denen sich die gewählten Knoten bewegen";
         pace: "Playing speed", "Abspieltempo";
         pace_tip: "Half, whole or double speed", "Halbes, ganzes oder doppeltes Tempo";
         loop_keys: "L", "L";
-        loop_meaning: "Loop: begin anew at the end when playing", "Endlos: beim Abspielen am Ende von vorn beginnen";
+        loop_meaning: "Loop: start over at the end when playing", "Endlos: beim Abspielen am Ende von vorn beginnen";
         too_many_frames: "Too many frames", "Zu viele Bilder";
         speed_graph: "Pace", "Tempo";
         plot: "Graph", "Verlauf";

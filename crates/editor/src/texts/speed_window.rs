@@ -9,7 +9,7 @@ texts! {
         end_of_path: "{0} · end of path: no section begins here",
             "{0} · Ende der Bahn: Hier beginnt kein Abschnitt";
         frames: "Frames", "Bilder";
-        frames_hint: "So many for this section, whatever its length; 0: by its length",
+        frames_hint: "The number of frames of this section; 0: by its length",
             "So viele für diesen Abschnitt, wie lang er auch ist; 0: nach seiner Länge";
         seconds: "{0} s", "{0} s";
         locked: "keep", "festhalten";
@@ -83,7 +83,7 @@ texts! {
         ease_out_hint: "At the start as fast as the section before ends, then slow. Only where the path ends or the camera holds is it slow to the end: before another section it is at last as fast as that one begins. Without one before, or with fixed frames, it takes as long as before",
             "Am Anfang so schnell, wie der vorige Abschnitt endet, dann langsam. Nur wo die Bahn endet oder die Kamera hält, bleibt sie bis zuletzt langsam: Vor einem weiteren Abschnitt ist sie am Ende so schnell, wie dieser beginnt. Ohne einen vorigen oder mit festen Bildern dauert er so lange wie bisher";
         both: "Both", "Beides";
-        both_hint: "Slow at both ends; joins the sections beside it as the other two do, and takes as long as before",
+        both_hint: "Slow at both ends; joins the neighbouring sections as the other two do, and takes as long as before",
             "An beiden Enden langsam; schließt an die Nachbarn an wie die beiden anderen und dauert so lange wie bisher";
 
         copy: "Copy", "Kopieren";

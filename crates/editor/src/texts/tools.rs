@@ -13,7 +13,7 @@ texts! {
         write: "Write …", "Schreiben …";
         write_hint: "Choose a file for these points", "Eine Datei für diese Punkte wählen";
         cancel: "Cancel", "Abbrechen";
-        cancel_hint: "Everything is as it was before", "Alles ist wieder wie vorher";
+        cancel_hint: "Close without changes", "Ohne Änderung schließen";
         result: "{0} points · {1} frames", "{0} Punkte · {1} Bilder";
         missed: " · off by at most {0} and {1}°", " · höchstens {0} und {1}° daneben";
         draw_now: "Draw a line with the left button: in the space, or on the object in the camera's picture",
@@ -152,15 +152,15 @@ const HINTS: &[(&str, &str)] = &[
     ("how wide it is at the other", "wie breit es am anderen ist"),
     ("how wide it is in the middle", "wie breit es in der Mitte ist"),
     ("how it is brought there", "wie er dorthin kommt"),
-    ("what the cameras see goes along", "was die Kameras sehen, geht mit"),
+    ("what the cameras see moves with it", "was die Kameras sehen, geht mit"),
     ("the first of the points", "der erste der Punkte"),
     ("the last of the points", "der letzte der Punkte"),
     ("how often", "wie oft"),
     ("how many, the first and the last with them", "wie viele, das erste und das letzte mitgezählt"),
     ("how far a position may be from what was given", "wie weit eine Position vom Gegebenen entfernt sein darf"),
-    ("half of a movement that takes so long there and back stays, and hardly anything of quicker ones",
-        "von einer Bewegung, die hin und zurück so lange dauert, bleibt die Hälfte, von schnelleren kaum etwas"),
-    ("no place goes farther than so; 0: no bound", "kein Ort geht weiter als so; 0: keine Grenze"),
+    ("cut-off period: motion of this period is halved, faster motion is removed",
+        "Grenzperiode: Bewegung dieser Periode wird halbiert, schnellere entfernt"),
+    ("maximum distance any position may move; 0: no limit", "weiteste Verschiebung eines Ortes; 0: keine Grenze"),
     ("how near the object may come", "wie nahe das Objekt kommen darf"),
     ("the radius of a sphere around the camera that keeps it", "der Radius einer Kugel um die Kamera, die ihn hält"),
     ("one of 4 × 4 × 4 squares, and where it is in the box", "eines von 4 × 4 × 4 Quadraten, und wo es im Quader ist"),
