@@ -35,7 +35,7 @@ pub enum Edit {
         points: usize,
     },
     /// Inserts a point on the curve at the nearest whole frame. Curve, pace, views and zoom stay as
-    /// they are: its neighbours get values of their own where needed. It becomes current.
+    /// they are: its neighbours get custom values where needed. It becomes current.
     InsertOnCurve {
         /// From 1 to the number of frames.
         frame: f64,
@@ -68,7 +68,7 @@ pub enum Edit {
     /// refused where one of its absolute targets lies; aiming at something ends looking along the
     /// path; else as [`Edit::SetOrientation`].
     Set {
-        /// What has it.
+        /// The owner.
         place: At,
         /// Its key in files.
         property: &'static str,
@@ -120,7 +120,7 @@ pub enum Edit {
         /// Whether the path is mapped into the new space. The object never is.
         fit: bool,
     },
-    /// Which axis stands upright; all poses stay.
+    /// Which axis is up; all poses stay.
     ChangeUp(Up),
     /// Edits the path of another node of the scene, or of none. Files do not record this, and by
     /// itself it is no step.

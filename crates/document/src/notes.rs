@@ -1,4 +1,4 @@
-//! What a check tells besides its findings: where the camera is, and what was not looked at.
+//! What a check tells besides its findings: where the camera is, and what it ignored.
 
 use std::fmt;
 
@@ -35,9 +35,9 @@ impl fmt::Display for Note {
                 write!(f, "The object \"{name}\" ")?;
                 match others {
                     0 => f.write_str("moves or changes: it was checked as it is"),
-                    1 => f.write_str(
-                        "and another one move or change: they were checked as they are",
-                    ),
+                    1 => {
+                        f.write_str("and another one move or change: they were checked as they are")
+                    }
                     _ => write!(
                         f,
                         "and {others} others move or change: they were checked as they are"

@@ -48,7 +48,7 @@ pub struct Recording {
     pub fps: Option<f64>,
     /// The number of the first frame, if the file says.
     pub first_frame: Option<f64>,
-    /// Which axis stands upright, if the file says.
+    /// Which axis is up, if the file says.
     pub up: Option<Up>,
     /// A title, may be empty.
     pub title: String,

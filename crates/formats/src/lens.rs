@@ -1,4 +1,4 @@
-//! What is told of pictures in pixels: our cameras have one field of view about the centre.
+//! What is reported of pictures in pixels: our cameras have one field of view about the centre.
 
 use super::convention;
 use super::loss::{Loss, Report};

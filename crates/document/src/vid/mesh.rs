@@ -13,7 +13,7 @@ use vides_engine::limits;
 
 pub(super) const KEYS: [&str; 4] = ["points", "colours", "lines", "triangles"];
 
-/// Takes a field of a mesh; false if it is none of [`KEYS`].
+/// Takes a field of a mesh; false if [`KEYS`] does not have it.
 pub(super) fn take(field: &Field<'_>, mesh: &mut Mesh) -> Result<bool> {
     match field.key {
         "points" => mesh.points = vectors(*field, limits::MAX_MESH_POINTS)?,

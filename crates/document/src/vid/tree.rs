@@ -172,7 +172,7 @@ pub(super) enum Reading<'a> {
     NoMemory,
 }
 
-/// The tree of a text that is written plainly, of at most so many bytes.
+/// The tree of a text that is written plainly, within a limit of bytes.
 pub(super) fn read(text: &str, most: usize) -> Reading<'_> {
     let mut plain = Plain::new(text, most);
     match plain.whole() {
@@ -298,7 +298,7 @@ impl<'a> Plain<'a> {
         (!key.1.is_empty()).then_some(key)
     }
 
-    /// What stands before the next header.
+    /// The text before the next header.
     fn pairs(&mut self) -> Option<Table<'a>> {
         let mut table = Table::default();
         loop {

@@ -4,8 +4,8 @@
 //! One file per window, in the state folder: a `.vid` file that begins with comments on its origin.
 //! It is written to a temporary file and renamed, so that replacing it is atomic, but it is not
 //! synced each time: the death of a process, unlike a power cut, loses nothing that was written. It
-//! is locked as long as its process lives; a file that can be locked has no process any more, and is
-//! offered to the next window. A new one is locked before it takes its name, so that no other
+//! is locked as long as its process lives; a file that can be locked has no process any more, and
+//! is offered to the next window. A new one is locked before it takes its name, so that no other
 //! process ever finds it free.
 //!
 //! No egui here; [`super::autosave`] joins it to the window.

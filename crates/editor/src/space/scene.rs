@@ -82,7 +82,8 @@ impl Look<'_> {
         self.shown.has(element).then(|| self.colours.of(element))
     }
 
-    /// Error bound of curves in space: `half_size` by a power of two, so that a small zoom keeps them.
+    /// Error bound of curves in space: `half_size` by a power of two, so that a small zoom keeps
+    /// them.
     fn tolerance(&self) -> f64 {
         let exact = TOLERANCE / (self.projection.scale() * self.pixels_per_point);
         exact.log2().floor().exp2() * self.projection.space().half_size

@@ -7,7 +7,7 @@ use super::text::{List, Text};
 use crate::deform::formula;
 use crate::limits;
 
-/// Something with a number that can be wrong by itself.
+/// Something with a number that can be out of range.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[allow(missing_docs)] // each is named below
 pub enum Quantity {

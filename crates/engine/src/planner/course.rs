@@ -9,7 +9,7 @@ use crate::path::section_sampler::{Along, SectionSampler};
 use crate::path::{CameraPath, Target, Timeline};
 use crate::tools::check::{FindingKind, Limits, OFF};
 
-/// Limits for one second, in half sizes, radians and millimetres; infinite: none.
+/// Limits for one second, in units of `half_size`, radians and millimetres; infinite: none.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Bounds {
     pub speed: f64,
@@ -281,7 +281,7 @@ fn sharpened(asks: &mut [Ask], half: f64, sampler: &SectionSampler) -> Result<()
     Ok(())
 }
 
-/// Derivatives at the nodes of so many cells and between them.
+/// Derivatives at the nodes of a number of cells and between them.
 fn measured(
     path: &CameraPath,
     target: Target,

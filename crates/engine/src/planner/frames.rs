@@ -204,7 +204,7 @@ impl Row<'_> {
         Ok(fits.then_some(((fewest, exact), fast, slow)))
     }
 
-    /// The same joints with so many more frames in one section.
+    /// The same joints with more frames in one section.
     pub(super) fn lengthened(&self, section: usize, paced: &Paced, more: usize) -> Result<Paced> {
         let frames = paced.frames + more;
         let slow = self.reaches[section].slowest(&paced.xs)?;

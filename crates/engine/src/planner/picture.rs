@@ -66,7 +66,7 @@ pub struct Framed {
 /// A path already as tight as this is left as it is.
 const TIGHT: f64 = 0.99;
 
-/// So much less than all of the room is aimed at, for what lies between samples.
+/// The margin that is left for what lies between samples.
 const SPARE: f64 = 1e-5;
 
 /// Keeps an object whole in the picture less margin, at every frame and between.

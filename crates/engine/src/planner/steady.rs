@@ -41,7 +41,7 @@ pub struct SteadyRequest {
     /// The low pass leaves half of a movement that takes so many seconds there and back, and hardly
     /// anything of quicker ones; > 0, at most 2,000 frames.
     pub seconds: f64,
-    /// So far a place may go from where it was, ≥ 0; 0: no bound.
+    /// Maximum distance any position may move, ≥ 0; 0: no limit.
     pub within: f64,
     /// Frames a second.
     pub fps: f64,

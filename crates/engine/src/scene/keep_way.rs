@@ -19,7 +19,7 @@ use crate::limits::MAX_FRAMES;
 use crate::math::quaternion::continue_sign;
 use crate::tools::transform::transform;
 
-/// How even a scale must be, and how square its axes, for keys to go along with it.
+/// How even a scale must be, and how square its axes, for keys to be transformed by it.
 const EVEN: f64 = 1e-12;
 
 /// A map that turns, scales evenly and moves; and where it puts positions of a node with a pivot.

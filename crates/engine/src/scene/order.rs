@@ -41,7 +41,7 @@ struct Known {
 }
 
 impl Order {
-    /// Adds a node behind the others, which nobody needs yet.
+    /// Adds a node after the others, to which no node refers yet.
     pub(super) fn add(&mut self, node: &Node) {
         let at = self.nodes.len();
         Arc::make_mut(&mut self.nodes).push(at);

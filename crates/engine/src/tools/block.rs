@@ -26,7 +26,7 @@ const LEAST: f64 = 1e-9;
 /// How a block is put in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Fit {
-    /// As it lies.
+    /// Unchanged.
     None,
     /// Moved, so that it begins where the path is.
     #[default]

@@ -52,11 +52,11 @@ pub struct Parameter {
     pub unit: Unit,
     /// 1; 3 for x, y and z; 192 for a lattice.
     pub width: usize,
-    /// The least that it may be; of a length, in half sizes of the space.
+    /// The least that it may be; of a length, in units of `half_size`.
     pub least: f64,
-    /// The most that it may be; of a length, in half sizes.
+    /// The most that it may be; of a length, in units of `half_size`.
     pub most: f64,
-    /// What each of its numbers is unless told; of a length, in half sizes.
+    /// What each of its numbers is unless told; of a length, in units of `half_size`.
     pub default: f64,
 }
 

@@ -223,7 +223,7 @@ fn turn_ups(path: &CameraPath, map: &Map<'_>, changed: &mut Changed) -> Result<(
     Ok(())
 }
 
-/// An orientation whose camera goes along: target, roll, velocities.
+/// An orientation whose camera moves with it: target, roll, velocities.
 fn seen(
     old: &Orientation,
     (position, view): (DVec3, DVec3),

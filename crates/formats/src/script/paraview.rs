@@ -29,7 +29,7 @@ const OTHERS: [(&str, &str); 2] = [
     ("vtk", "\"\"\"A camera flight for VTK"),
 ];
 
-/// Shares of the space's half size nearer than which nothing is focused.
+/// Shares of the space's `half_size` nearer than which nothing is focused.
 const NEAREST: f64 = 1e-6;
 
 pub(crate) static PARAVIEW: Format = Format {
