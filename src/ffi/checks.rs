@@ -87,9 +87,9 @@ fn finding(found: &Finding) -> Answer<V_FINDING> {
 /// fps      frame rate of the path
 /// The space is the smallest cube around the positions, enlarged by a tenth, with V_UP_Y.
 /// Free *path with v_path_free().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_ARGUMENT (poses that are all the
-/// same, a number that is not finite, a view without direction), V_ERR_RANGE, V_ERR_LIMIT,
-/// V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
+/// V_ERR_NULL, V_ERR_ARGUMENT (poses that are all the same, a number that is not
+/// finite, a view without direction), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
+/// V_ERR_REFUSED (v_set_progress()).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_fit_poses(
     poses: *const V_POSE,
@@ -110,8 +110,8 @@ pub unsafe extern "C" fn v_path_fit_poses(
 /// space   see v_space_init(). With half_size 0 only its up axis counts, and the space is
 ///     the smallest cube around the positions, as with NULL
 /// Free *path with v_path_free().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
+/// V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
+/// V_ERR_REFUSED (v_set_progress()).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_fit_poses_in_space(
     poses: *const V_POSE,
@@ -141,8 +141,8 @@ pub unsafe extern "C" fn v_path_fit_poses_in_space(
 /// left_out  the number of outliers; may be NULL
 /// v_last_warning() then returns their number and the first one, or "".
 /// Free *path with v_path_free().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
+/// V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
+/// V_ERR_REFUSED (v_set_progress()).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_fit_poses_robust(
     poses: *const V_POSE,
@@ -259,9 +259,8 @@ unsafe fn fitted(
 ///     and capacity 0, only *count is written
 /// v_last_warning() then returns notes: that the camera is inside the object all the time,
 /// and what was ignored (moving objects, the motion of the camera's parent); or "".
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
-/// V_ERR_ARGUMENT (an object without geometry), V_ERR_RANGE, V_ERR_LIMIT,
-/// V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (an object without geometry),
+/// V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_check(
     path: *const V_PATH,
@@ -298,8 +297,7 @@ pub unsafe extern "C" fn v_path_check(
 
 /// Sets the limit of a kind of finding, see v_path_check(). The file keeps it. INFINITY
 /// disables the kind.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such
-/// kind), V_ERR_RANGE.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no such kind), V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_limit(
     path: *mut V_PATH,
@@ -318,7 +316,7 @@ pub unsafe extern "C" fn v_path_set_limit(
 }
 
 /// Gets the limit of a kind of finding, see v_path_check(); INFINITY: disabled.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_limit(
     path: *const V_PATH,

@@ -57,7 +57,6 @@ fn limits(given: &V_LIMITS) -> Answer<Limits> {
 /// turning_acceleration 300, zoom 30, and no other limits. NULL only sets v_last_error().
 /// In C, a macro of this name passes the struct's size to v_limits_init_sized(). The
 /// function itself, for other languages, fills in the struct of version 1.0.
-/// Any thread; from callbacks too.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_limits_init(limits: *mut V_LIMITS) {
     border((), || {
@@ -68,7 +67,6 @@ pub unsafe extern "C" fn v_limits_init(limits: *mut V_LIMITS) {
 
 /// Like v_limits_init(), for a struct of size bytes. It works as
 /// v_editor_options_init_sized().
-/// Any thread; from callbacks too.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_limits_init_sized(limits: *mut V_LIMITS, size: usize) {
     border((), || {
@@ -89,10 +87,9 @@ pub unsafe extern "C" fn v_limits_init_sized(limits: *mut V_LIMITS, size: usize)
 ///     way back to the first point. On a closed path first_point may be after last_point
 /// seconds  0: as few as the limits allow; otherwise this duration, to a whole frame, with
 ///     the lowest peaks. It counts the last frame of the path, too
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
-/// V_ERR_ARGUMENT (no limit, one that is not positive, too few seconds: v_last_error()
-/// names the least), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED
-/// (v_set_progress()).
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (no limit, one that is not
+/// positive, too few seconds: v_last_error() names the least), V_ERR_RANGE,
+/// V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_retime(
     path: *mut V_PATH,
@@ -136,9 +133,9 @@ pub unsafe extern "C" fn v_path_retime(
 /// seconds  cut-off period: motion of this period is halved, faster motion is removed;
 ///     > 0 and at most 2,000 frames
 /// within   maximum distance any position may move; 0: no limit
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a path that
-/// does not move, no path within the limit), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
-/// V_ERR_REFUSED (v_set_progress()).
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (a path that does not move, no path within
+/// the limit), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED
+/// (v_set_progress()).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_steady(path: *mut V_PATH, seconds: f64, within: f64) -> c_int {
     clear_last_warning();
@@ -173,9 +170,9 @@ pub unsafe extern "C" fn v_path_steady(path: *mut V_PATH, seconds: f64, within: 
 /// object  in the coordinates of the path; NULL: the path's own
 /// clearance, radius  in the path's units; the clearance > 0, the radius of the sphere 0 or
 ///     more
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT
-/// (no way round: v_last_error() names the frame and the place; an object without
-/// geometry), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_ARGUMENT (no way round: v_last_error()
+/// names the frame and the place; an object without geometry), V_ERR_RANGE,
+/// V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_avoid(
     path: *mut V_PATH,
@@ -219,9 +216,9 @@ pub const V_PICTURE_VIEW: c_int = 2;
 /// margin  the fraction of the picture's width and height (36 x 24 mm) to keep free on
 ///     each side, from 0 to below 0.5
 /// what  V_PICTURE_ZOOM, V_PICTURE_DISTANCE or V_PICTURE_VIEW
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no object,
-/// or it does not fit into the picture, with the frame), V_ERR_RANGE, V_ERR_SIZE,
-/// V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT (no object, or it does not fit into the
+/// picture, with the frame), V_ERR_RANGE, V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY,
+/// V_ERR_REFUSED (v_set_progress()).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_keep_in_picture(
     path: *mut V_PATH,
@@ -272,7 +269,6 @@ unsafe impl Growing for V_TOUR {
 /// that VIDES chooses, closed, V_UP_Y. NULL only sets v_last_error(). In C, a macro of this
 /// name passes the struct's size to v_tour_init_sized(). The function itself, for other
 /// languages, fills in the struct of version 1.0.
-/// Any thread; from callbacks too.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_tour_init(tour: *mut V_TOUR) {
     border((), || {
@@ -283,7 +279,6 @@ pub unsafe extern "C" fn v_tour_init(tour: *mut V_TOUR) {
 
 /// Like v_tour_init(), for a struct of size bytes. It works as
 /// v_editor_options_init_sized().
-/// Any thread; from callbacks too.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_tour_init_sized(tour: *mut V_TOUR, size: usize) {
     border((), || {
@@ -304,9 +299,9 @@ pub unsafe extern "C" fn v_tour_init_sized(tour: *mut V_TOUR, size: usize) {
 /// what remains unseen, and why.
 /// Free *path with v_path_free(). Takes the time of about 300 pictures, some seconds for a
 /// million triangles, and about 300 bytes per triangle.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT (no surface, no
-/// free place, too few seconds: v_last_error() names the least), V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_MEMORY, V_ERR_REFUSED (v_set_progress()).
+/// V_ERR_NULL, V_ERR_SIZE, V_ERR_ARGUMENT (no surface, no free place, too few seconds:
+/// v_last_error() names the least), V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY,
+/// V_ERR_REFUSED (v_set_progress()).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_tour(
     object: *const V_MESH,

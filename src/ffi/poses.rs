@@ -18,7 +18,7 @@ use crate::path::Pose;
 /// Gets the number of sections of a path. A section leads from one orientation to the next,
 /// at the same point or at the next one. Sections count from 0, in the order in which the
 /// camera takes them.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_section_count(path: *const V_PATH, count: *mut c_int) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -35,8 +35,7 @@ pub unsafe extern "C" fn v_path_section_count(path: *const V_PATH, count: *mut c
 /// Gets the point and the orientation with which a section begins, its first frame, and its
 /// number of frames, which is 0 if nothing changes in it. Frames of a hold at its end do
 /// not count. Any result may be NULL.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_section_info(
     path: *const V_PATH,
@@ -80,8 +79,7 @@ pub unsafe extern "C" fn v_path_section_info(
 }
 
 /// Gets the number of frames of a path, at least 1. They count from 1.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_LIMIT,
-/// V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_frame_count(path: *const V_PATH, frames: *mut usize) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -97,8 +95,7 @@ pub unsafe extern "C" fn v_path_frame_count(path: *const V_PATH, frames: *mut us
 /// Writes all poses of a path to your array of capacity elements, and their number to
 /// *count. If capacity is too small, only *count is written and the call fails with
 /// V_ERR_SIZE; with poses NULL and capacity 0, only *count is written.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
-/// V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_sample(
     path: *const V_PATH,
@@ -125,8 +122,8 @@ pub unsafe extern "C" fn v_path_sample(
 
 /// Writes count poses, beginning with frame first, to your array. They equal those of
 /// v_path_sample(). Use it to take a long path in pieces.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE (first is 0, or
-/// there are fewer poses), V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE (first is 0, or there are fewer poses),
+/// V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_sample_range(
     path: *const V_PATH,
@@ -158,8 +155,7 @@ pub unsafe extern "C" fn v_path_sample_range(
 
 /// Gets the pose at a frame, from 1 to v_path_frame_count(), also between two frames
 /// (1.5). At a whole frame it equals that of v_path_sample() bit for bit.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_pose(path: *const V_PATH, frame: f64, pose: *mut V_POSE) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -175,8 +171,7 @@ pub unsafe extern "C" fn v_path_pose(path: *const V_PATH, frame: f64, pose: *mut
 ///
 /// frames  each from 1 to v_path_frame_count()
 /// poses   space for count poses; must not overlap frames
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_poses_at(
     path: *const V_PATH,
@@ -238,9 +233,8 @@ pub unsafe extern "C" fn v_path_to_list(path: *const V_PATH, first: *mut V_KAMER
 /// each) and zoom, as C prints them by "%3.4f", separated by one space. The decimal sign is
 /// a point in every locale, and minus zero is written as zero. The file is replaced
 /// atomically.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO,
-/// V_ERR_LIMIT, V_ERR_MEMORY. If memory runs out while the file is opened or written, the
-/// program may end; the old file is unchanged.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_IO, V_ERR_LIMIT, V_ERR_MEMORY. If memory runs out
+/// while the file is opened or written, the program may end; the old file is unchanged.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_write_ascii(path: *const V_PATH, file: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -256,8 +250,7 @@ pub unsafe extern "C" fn v_path_write_ascii(path: *const V_PATH, file: *const c_
 
 /// Writes the lines of v_path_write_ascii() to memory, zero-terminated. The buffer works
 /// as in v_path_get_title().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE,
-/// V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_SIZE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_write_ascii_to_memory(
     path: *const V_PATH,

@@ -79,7 +79,6 @@ fn asked(share: f64) -> bool {
 ///     a path in use, such as that of the call, returns V_ERR_BUSY. No exception or
 ///     longjmp() may leave it
 /// user  your pointer, passed to progress
-/// Any thread; from callbacks too.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_set_progress(
     progress: Option<unsafe extern "C" fn(share: c_double, user: *mut c_void) -> c_int>,

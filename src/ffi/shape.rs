@@ -19,8 +19,7 @@ use crate::path::{CurveKind, Tangents, curve};
 /// cusp or loop, and no way back, where points stand close), "cubic" as a cubic
 /// spline with a continuous second derivative, "linear" straight. Tangents that points
 /// own hold in each.
-/// Any thread; from callbacks too. V_ERR_NULL,
-/// V_ERR_HANDLE, V_ERR_RANGE.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_curve(path: *mut V_PATH, kind: *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -33,7 +32,7 @@ pub unsafe extern "C" fn v_path_set_curve(path: *mut V_PATH, kind: *const c_char
 
 /// How the curve leads through the points, see v_path_set_curve(). The text is
 /// the library's and stays.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE.
+/// V_ERR_NULL, V_ERR_HANDLE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_curve(path: *const V_PATH, kind: *mut *const c_char) -> c_int {
     border(V_ERR_INTERNAL, || {
@@ -48,8 +47,7 @@ pub unsafe extern "C" fn v_path_get_curve(path: *const V_PATH, kind: *mut *const
 /// and leaves it (after), a segment counting 1. If both are NULL, the point uses the
 /// tangents of the curve's kind again. Coordinates are limited as in
 /// v_path_insert_point().
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT,
-/// V_ERR_RANGE.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[before; 3], [after; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_set_tangents(
@@ -75,7 +73,7 @@ pub unsafe extern "C" fn v_path_set_tangents(
 /// Gets the tangents of the curve at a point, and whether they are custom (1) or not (0).
 /// At an end of an open path both are equal. Setting these tangents does not change the
 /// curve, except for rounding in a cubic spline. Any result may be NULL.
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_RANGE.
 /// cbindgen:ptrs-as-arrays=[[before; 3], [after; 3]]
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_get_tangents(
@@ -119,8 +117,7 @@ pub unsafe extern "C" fn v_path_get_tangents(
 /// frame  from 1 to the number of frames, not at a key and not in a pan; the
 ///     orientation mode must not be V_ORIENTATION_BARRY_GOLDMAN
 /// at     index of the new point; may be NULL
-/// Any thread; from callbacks too. V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE,
-/// V_ERR_LIMIT, V_ERR_MEMORY.
+/// V_ERR_NULL, V_ERR_HANDLE, V_ERR_ARGUMENT, V_ERR_RANGE, V_ERR_LIMIT, V_ERR_MEMORY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn v_path_insert_on_curve(
     path: *mut V_PATH,
