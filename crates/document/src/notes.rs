@@ -23,7 +23,7 @@ pub enum Note {
         /// How many others there are.
         others: usize,
     },
-    /// What a parent, an aim, a roll or keys add to the camera was not looked at.
+    /// The check ignored what a parent, an aim, a roll or keys add to the camera.
     Camera,
 }
 

@@ -245,7 +245,7 @@ fn of<T: Table>(has: &T, key: &str) -> (Kind, Value) {
     })
 }
 
-/// The same of a view, or of what it has of its own.
+/// The same of a view, or of its custom values.
 fn view_of(view: &Orientation, key: &str) -> (Kind, Value) {
     match find(Orientation::PROPERTIES, key) {
         Some(_) => of(view, key),

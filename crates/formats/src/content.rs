@@ -76,7 +76,7 @@ impl Recording {
         Ok(())
     }
 
-    /// The times of the poses in seconds from the first, at so many frames a second; none if there
+    /// The times of the poses in seconds from the first, at a frame rate; none if there
     /// is a pose a frame.
     #[must_use]
     pub fn seconds_at(&self, fps: f64) -> Option<Vec<f64>> {

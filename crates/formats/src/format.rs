@@ -19,7 +19,7 @@ pub type Reader = fn(&Source, &Options, &mut Report) -> Result<Content>;
 /// [`Error::Document`] if the stream fails.
 pub type Writer = fn(&mut Flight<'_>, &mut dyn Write, &mut Report) -> Result<()>;
 
-/// What of a scene a format holds. Before a file is written, what has no place in it is told, and
+/// What of a scene a format holds. Before a file is written, losses are reported, and
 /// nodes that it is not for are refused.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Holds {

@@ -17,7 +17,7 @@ pub(super) struct Lens {
 /// A share of a picture's size that is rounding.
 const HAIR: f64 = 1e-6;
 
-/// What of so many pictures is not taken.
+/// Ignored properties, counted in pictures.
 #[derive(Debug, Default)]
 pub(super) struct Lenses {
     clamped: usize,

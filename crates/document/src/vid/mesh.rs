@@ -1,4 +1,4 @@
-//! A mesh in a file: its own points, or the file that has them.
+//! A mesh in a file: its own points, or the name of a mesh file.
 
 use std::fmt;
 
@@ -25,7 +25,7 @@ pub(super) fn take(field: &Field<'_>, mesh: &mut Mesh) -> Result<bool> {
     Ok(true)
 }
 
-/// A mesh: its own points, or the file that has them.
+/// A mesh: its own points, or the name of a mesh file.
 pub(super) fn read(table: Field<'_>) -> Result<(Option<MeshSource>, Mesh)> {
     let mut mesh = Mesh::default();
     let mut source = mesh_source::Reading::default();

@@ -1,5 +1,5 @@
 //! What the graph of tracks paints besides its curves: the scale, keys with their handles, what stands
-//! above them and beside them.
+//! above them and at their side.
 
 use egui::{
     Color32, Id, Painter, Pos2, Rect, Role, ScrollArea, Sense, Stroke, Ui, UiBuilder, WidgetInfo,

@@ -22,7 +22,7 @@ enum Wanted {
     Paste(String),
 }
 
-/// Takes the clipboard's keys from whoever would have them next; beside the `rows` only what is put
+/// Handles the clipboard's keys before other widgets; beside the `rows` only what is put
 /// in, if it is keys.
 pub(super) fn take_keys(editor: &mut Editor, context: &Context, rows: bool) {
     if editor.document.edited_scene().is_none() {

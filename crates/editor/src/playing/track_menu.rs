@@ -1,4 +1,4 @@
-//! The menu of a row of the timeline: how a track goes from key to key, and what comes before and
+//! The menu of a row of the timeline: a track's interpolation, and how it continues before and
 //! after its keys, or a node's path.
 
 use egui::{Button, Popup, PopupCloseBehavior, Response, RichText, Ui};

@@ -217,8 +217,8 @@ impl Editor {
         self.windows.parent = ParentWindow::of(self, nodes, parent, &moving);
     }
 
-    /// Those of some nodes that get another parent by themselves, and those of them that move; what
-    /// is in another one of them goes along with that.
+    /// Those of some nodes that get another parent directly, and those of them that move; what
+    /// is in another one of them moves with it.
     fn that_change(&self, which: &[usize], parent: Option<usize>) -> (Vec<usize>, Vec<usize>) {
         let Some(edited) = self.document.edited_scene() else {
             return Default::default();

@@ -179,7 +179,7 @@ impl Held {
         Axis::ALL.into_iter().fold(Axis::Z, best)
     }
 
-    /// How far it goes along the axes of a basis for the pointer's way: along one of them, or in
+    /// How far it moves on the axes of a basis for the pointer's way: on one of them, or in
     /// the plane of two that is seen best.
     pub(super) fn followed(
         &self,

@@ -37,7 +37,7 @@ impl Bounds {
     /// Those of a check.
     ///
     /// # Errors
-    /// [`Error::Argument`] for one of 0, or where there is none.
+    /// [`Error::Argument`] for a limit of 0, or without any limit.
     pub(super) fn new(limits: &Limits) -> Result<Self> {
         for kind in KINDS {
             if !(limits.get(kind) > 0.0) {
@@ -116,7 +116,7 @@ impl Bounds {
     }
 }
 
-/// Derivatives by φ at a place: way in half sizes, turning in radians, zoom in mm, and how many
+/// Derivatives by φ at a place: way by `half_size`, turning in radians, zoom in mm, and how many
 /// widths of the picture what is seen moves across it.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Ask {

@@ -32,7 +32,7 @@ const NARROWEST: f64 = 0.25;
 const WIDEST: f64 = 0.75;
 
 /// Rounds in which sections take whole frames: near a rest about half of what one is slower is made
-/// good beside it, so each step goes further than what is missing.
+/// good by its neighbours, so each step goes further than what is missing.
 const SETTLED: usize = 40;
 const MORE: f64 = 1.4;
 

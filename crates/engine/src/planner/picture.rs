@@ -85,7 +85,7 @@ pub fn keep_in_picture(
 }
 
 /// As [`keep_in_picture`], with a tree that is there; `progress` gets places along the path that were
-/// looked at and all, for each round anew, and ends it with `false`.
+/// looked at and all, starting over in each round, and ends it with `false`.
 ///
 /// # Errors
 /// As [`keep_in_picture`]; [`crate::Error::Argument`] where `progress` ends it.

@@ -38,7 +38,7 @@ const ROUNDS: usize = 4;
 /// What is asked for.
 #[derive(Debug, Clone, Copy)]
 pub struct SteadyRequest {
-    /// The low pass leaves half of a movement that takes so many seconds there and back, and hardly
+    /// The cut-off period in seconds: the low pass halves motion of this period, and leaves hardly
     /// anything of quicker ones; > 0, at most 2,000 frames.
     pub seconds: f64,
     /// Maximum distance any position may move, ≥ 0; 0: no limit.

@@ -35,7 +35,7 @@ pub struct Listed {
     pub new: String,
     /// What is recomputed where it changes.
     pub affects: Affects,
-    /// Whether a copy at another place has it, too.
+    /// Whether a copy elsewhere keeps it.
     pub copied: bool,
     /// What it is for.
     pub does: &'static str,

@@ -64,7 +64,7 @@ pub enum Check<F> {
 
 /// What becomes of a field of type `F` elsewhere.
 pub enum Copied<F> {
-    /// Every copy has it.
+    /// Every copy keeps this.
     Anywhere,
     /// It holds for its place, and is given to other places only where one asks for it.
     IfAsked,
@@ -121,7 +121,7 @@ pub struct Property<T: 'static> {
     pub always: bool,
     /// See [`Row::affects`].
     pub affects: Affects,
-    /// Whether it goes along in a copy, and where it does not, whether it is given to other places
+    /// Whether a copy keeps it, and if not, whether it is given to other places
     /// where one asks for it.
     pub copied: [bool; 2],
     /// Its value.

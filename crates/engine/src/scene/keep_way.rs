@@ -1,7 +1,7 @@
 //! A node that moves keeps its way through the world in another parent.
 //!
 //! Where both parents rest and the way from the one into the other turns, scales evenly and moves,
-//! so do the keys, or the points of the path: interpolations go along with such a map. Else there is
+//! so do the keys, or the points of the path: interpolations commute with such a map. Else there is
 //! a key a frame. What was made is held against what was there at every frame of the scene.
 
 use glam::{DAffine3, DMat4, DQuat, DVec3, DVec4};

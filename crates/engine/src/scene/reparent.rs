@@ -1,4 +1,4 @@
-//! A node is given another parent: it stays where it is in the world, or goes along with that.
+//! A node gets another parent: it keeps its place in the world, or moves with the parent.
 
 use glam::{DAffine3, DMat3, DQuat, DVec3};
 

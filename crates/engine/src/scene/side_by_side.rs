@@ -390,7 +390,7 @@ pub(super) struct Nodes {
     pub frames: OnceLock<Option<(f64, f64)>>,
 }
 
-/// Gathering numbers costs so many times less than packing them and gathering nothing.
+/// The factor by which gathering numbers costs less than packing them and gathering nothing.
 const PACKING: usize = 16;
 
 impl Nodes {

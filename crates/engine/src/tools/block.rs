@@ -20,7 +20,7 @@ use crate::path::up_vector::check_ups;
 use crate::path::{CameraPath, SupportPoint, Tangents, Up, alignment};
 use crate::shared_list::SharedList;
 
-/// Half sizes of the space that a length must have to tell a direction.
+/// The least length that has a direction, in units of `half_size`.
 const LEAST: f64 = 1e-9;
 
 /// How a block is put in.

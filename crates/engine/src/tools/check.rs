@@ -608,7 +608,7 @@ fn time_of(timing: &crate::path::Timing, way: f64) -> f64 {
     low
 }
 
-/// So many frames would a thing need, seen in the middle of the picture at a depth, to cross it.
+/// How many frames something in the middle of the picture at a depth would need to cross it.
 fn crossing(last: &Frame, here: &Frame, depth: f64) -> f64 {
     let thing = last.place + depth * last.pose.view();
     let seen = (thing - here.place).reject_from_normalized(here.pose.view());

@@ -28,7 +28,7 @@ pub enum FindingKind {
     Target,
     /// The object is too near.
     Clearance,
-    /// The way leads through the object.
+    /// The path leads through the object.
     Through,
     /// Nothing of the object is in the picture.
     NothingToSee,
@@ -44,7 +44,7 @@ pub enum FindingKind {
     Speed,
     /// Things cross the picture too fast.
     Crossing,
-    /// The way goes back although its points lead on.
+    /// The path runs back although its points lead on.
     Backwards,
 }
 

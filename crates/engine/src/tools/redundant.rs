@@ -27,7 +27,7 @@ const MOST: usize = 500;
 /// How the poses change without a point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Without {
-    /// The greatest change, as a share of 1e-3 half sizes, 0.1° or 0.1 mm.
+    /// The greatest change, as a share of 1e-3 `half_size`, 0.1° or 0.1 mm.
     pub change: f64,
     /// The frames that the section before the point must own then; 0: by its length.
     pub frames: u32,

@@ -101,7 +101,7 @@ struct Framed {
 
 /// What the camera looks at.
 struct Focus {
-    /// Frames of the keys of a path and what they look at; a relative target is none.
+    /// Frames of the keys of a path and what they look at; a relative target does not count.
     targets: Vec<(f64, Option<DVec3>)>,
     /// The node that the camera aims at.
     aim: Option<usize>,
