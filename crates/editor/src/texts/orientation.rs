@@ -14,10 +14,10 @@ texts! {
         remove: "− View", "− Blick";
         remove_hint: "Remove this view (Ori.-)", "Diesen Blick löschen (Ori.-)";
         absolute: "Target", "Ziel";
-        absolute_hint: "The camera looks at a place that stays when the point is moved (Abs.)",
+        absolute_hint: "The camera looks at a place that stays when the point moves (Abs.)",
             "Die Kamera blickt auf einen Ort, der beim Verschieben des Punktes bleibt (Abs.)";
         relative: "Direction", "Richtung";
-        relative_hint: "The camera keeps its direction when the point is moved (Rel.)",
+        relative_hint: "The camera keeps its direction when the point moves (Rel.)",
             "Die Kamera behält ihre Richtung, wenn der Punkt verschoben wird (Rel.)";
         ahead: "Along path", "Voraus";
         ahead_hint: "The camera looks along the path",
@@ -53,7 +53,7 @@ texts! {
         up_path_hint: "Towards the place at the same share of the length of the second path",
             "Zum Ort auf der zweiten Bahn beim selben Anteil der Länge hin";
         up_minimal: "minimal", "minimal";
-        up_minimal_hint: "Carried along from key to key, without turning about the view",
+        up_minimal_hint: "Transported from key to key, without turning about the view",
             "Von Stelle zu Stelle mitgenommen, ohne Drehung um den Blick";
         up_frenet: "curvature", "Krümmung";
         up_frenet_hint: "Towards where the curve bends (Frenet); only where the curve is a cubic spline",

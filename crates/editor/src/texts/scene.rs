@@ -6,7 +6,7 @@ texts! {
     Scene {
         title: "Scene", "Szene";
         below: "In no node", "In keinem Knoten";
-        below_hint: "Click: select nothing; drag a node here: put it into none",
+        below_hint: "Click: select nothing; drag a node here: give it no parent",
             "Klick: nichts auswählen; einen Knoten hierher ziehen: in keinen tun";
         edit_hint: "Edit the path of this node", "Die Bahn dieses Knotens bearbeiten";
         by_keys: "Moves by keys, not along a path",
@@ -27,12 +27,12 @@ texts! {
         became_path: "A path of {0} points: at most {1} and {2}° beside the keys",
             "Eine Bahn aus {0} Punkten: höchstens {1} und {2}° neben den Schlüsseln";
         list: "List of the scene", "Liste der Szene";
-        row_hint: "Double click or F2: rename; drag onto another one: put into it; Del: remove; Ctrl+D, Ctrl+C: copy",
+        row_hint: "Double click or F2: rename; drag onto a node: make it a child; Del: remove; Ctrl+D, Ctrl+C: copy",
             "Doppelklick oder F2: umbenennen; auf einen anderen ziehen: hineintun; Entf: löschen; Strg+D, Strg+C: kopieren";
         name: "Name of the node", "Name des Knotens";
         needs_name: "{0} needs a name", "{0} braucht einen Namen";
         filter: "Look for a name", "Namen suchen";
-        filter_hint: "Only nodes whose names contain this, and what they are in",
+        filter_hint: "Only nodes whose names contain this, and their parents",
             "Nur Knoten, deren Namen dies enthalten, und worin sie liegen";
         not_found: "No node is called so", "Kein Knoten heißt so";
         fold: "Fold {0}", "{0} zuklappen";
@@ -61,7 +61,7 @@ texts! {
         nothing_copied: "No node is selected", "Kein Knoten ist gewählt";
         nodes_copied: "Nodes copied: {0}", "Knoten kopiert: {0}";
         nodes_pasted: "Nodes pasted: {0}", "Knoten eingefügt: {0}";
-        pasted_without_aim: "Nodes pasted: {0}. What they aimed at is not here: {1}",
+        pasted_without_aim: "Nodes pasted: {0}. Missing aim targets: {1}",
             "Knoten eingefügt: {0}. Ihr Ziel gibt es hier nicht: {1}";
         no_nodes: "What was copied last is no node of a scene: nothing was pasted",
             "Das zuletzt Kopierte ist kein Knoten einer Szene: Nichts wurde eingefügt";

@@ -9,7 +9,7 @@ texts! {
         centre_hint: "The middle of the movement space in the world",
             "Die Mitte des Bewegungsraums in der Welt";
         half_size: "Half size", "Halbe Größe";
-        half_size_hint: "From the middle of the movement space to a face of it; base speeds count ways in it",
+        half_size_hint: "From the middle of the movement space to a face; base speeds are relative to it",
             "Von der Mitte des Bewegungsraums bis zu einer Fläche; Grundgeschwindigkeiten zählen Wege darin";
         unit: "Unit", "Einheit";
         unit_hint: "What a length of 1 is called, such as m", "Wie eine Länge von 1 heißt, etwa m";
