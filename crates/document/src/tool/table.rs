@@ -52,7 +52,7 @@ const CHANGED: &[Parameter] = &[FIRST, LAST, SEEN];
 pub(super) const AXIS: Parameter = Parameter::choice("axis", "the axis", AXES, 1);
 pub(super) const ABOUT: Parameter = Parameter::choice(
     "about",
-    "what stays where it is",
+    "the fixed point",
     &["middle", "origin", "point", "target"],
     0,
 );
@@ -228,7 +228,7 @@ pub(super) const TOOLS: &[Tool] = &[
         tables: [
             &[count(
                 "frames",
-                "how many, the first and the last with them",
+                "how many, including the first and the last",
                 MAX_FRAMES,
                 250.0,
             )],
@@ -316,11 +316,11 @@ pub(super) const TOOLS: &[Tool] = &[
                     most: 0.49,
                     ..one(
                         "margin",
-                        "the share that stays free at each side",
+                        "the share to keep free at each side",
                         DEFAULT_MARGIN,
                     )
                 },
-                Parameter::choice("what", "by what it is kept there", What::NAMES, 0),
+                Parameter::choice("what", "what keeps it there", What::NAMES, 0),
             ],
             &[],
         ],
@@ -340,18 +340,14 @@ pub(super) const TOOLS: &[Tool] = &[
                 Parameter {
                     least: 1e-6,
                     most: 1.0,
-                    ..one(
-                        "coverage",
-                        "the share of what can be seen of the surface that is shown",
-                        0.95,
-                    )
+                    ..one("coverage", "the share of the visible surface to show", 0.95)
                 },
                 Parameter {
                     unit: Unit::Length,
                     least: 0.0,
                     ..one(
                         "distance",
-                        "how far the camera is from what it shows; 0: found",
+                        "distance of the camera from what it shows; 0: automatic",
                         0.0,
                     )
                 },
@@ -387,7 +383,7 @@ pub(super) const TOOLS: &[Tool] = &[
                     most: 1.0,
                     ..one(
                         "robust",
-                        "leaves out single poses that are off from those around them",
+                        "ignores outliers: poses that differ from their neighbours",
                         0.0,
                     )
                 },

@@ -10,11 +10,11 @@ texts! {
             "{0} · Ende der Bahn: Hier beginnt kein Abschnitt";
         frames: "Frames", "Bilder";
         frames_hint: "The number of frames of this section; 0: by its length",
-            "So viele für diesen Abschnitt, wie lang er auch ist; 0: nach seiner Länge";
+            "Die Zahl der Bilder dieses Abschnitts; 0: nach seiner Länge";
         seconds: "{0} s", "{0} s";
         locked: "keep", "festhalten";
         locked_hint: "Keeps its frames when the duration of the whole path changes",
-            "Behält seine Bilder, wenn die ganze Bahn eine andere Zahl von Bildern oder Sekunden bekommt";
+            "Behält seine Bilder, wenn sich die Dauer der ganzen Bahn ändert";
         nothing_changes: "Nothing changes: no frames", "Nichts ändert sich: keine Bilder";
         pace: "Pace", "Tempo";
         ten: "Ten speeds", "Zehn Werte";
@@ -22,13 +22,13 @@ texts! {
             "Zehn Geschwindigkeiten vom Anfang des Abschnitts bis zum Ende";
         sine: "Sine", "Sinus";
         sine_hint: "Speeds up, cruises and slows down like a sine; the duration stays the same, within speed 100",
-            "Fährt an, fährt gleichmäßig und bremst ab, wie ein Sinus verläuft; der Abschnitt dauert so lange wie bisher, soweit Geschwindigkeit 100 dafür reicht";
+            "Fährt an, fährt gleichmäßig und bremst ab wie ein Sinus; die Dauer bleibt gleich, bis Geschwindigkeit 100";
         parabolic: "Parabolic", "Parabel";
         parabolic_hint: "Speeds up, cruises and slows down evenly (a parabola); the duration stays the same, within speed 100",
             "Fährt an, fährt gleichmäßig und bremst ab, jeweils gleichförmig, sodass der Weg eine Parabel ist; der Abschnitt dauert so lange wie bisher, soweit Geschwindigkeit 100 dafür reicht";
         distance: "Distance", "Weg";
         distance_hint: "Distance over time by keys, initially the present curve; the section gets its present number of frames",
-            "Der Weg über der Zeit ist durch Schlüssel vorgegeben, die auf dem jetzigen liegen; der Abschnitt bekommt seine jetzige Zahl von Bildern";
+            "Weg über der Zeit durch Schlüssel, anfangs der jetzige; der Abschnitt bekommt seine jetzige Zahl von Bildern";
         graph: "Graph", "Verlauf";
         graph_speed: "Speed", "Geschwindigkeit";
         graph_speed_hint: "The speed over the time of this section; 50 is that of the base frames",

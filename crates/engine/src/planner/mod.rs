@@ -4,7 +4,7 @@
 //! ask of the pace, `reach` finds how fast it may be anywhere, `frames` gives each section a whole
 //! number of frames, `track` few keys of a given distance. [`avoid()`] leads the way clear of an
 //! object, [`keep_in_picture()`] keeps one whole in the picture, [`tour()`] makes a flight that shows
-//! one, [`steady()`] takes the shaking of a hand out of a recorded flight. Limits are those of a
+//! one, [`steady()`] stabilises a recorded flight. Limits are those of a
 //! check ([`crate::tools::check::Limits`]), by `half_size`, in degrees, millimetres and seconds.
 
 pub mod avoid;

@@ -1,4 +1,4 @@
-//! A flight without the shaking of a hand: the poses through a low pass without a lag, then a path
+//! Stabilises a recorded flight: its poses pass a low-pass filter without lag, then become a path
 //! of few points again.
 //!
 //! The low pass is the smoothing spline (C. Reinsch, *Smoothing by spline functions*, 1967): of a
