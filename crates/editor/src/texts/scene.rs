@@ -52,10 +52,10 @@ texts! {
         one_moves: "{0} moves. What does it keep?", "{0} bewegt sich. Was bleibt?";
         several_move: "{0} and others move, {1} in all. What do they keep?",
             "{0} und andere bewegen sich, zusammen {1}. Was bleibt?";
-        go_along: "Move with parent", "Mitgehen";
+        go_along: "Follow parent", "Mitbewegen";
         go_along_hint: "Its values stay; it moves with its new parent",
             "Die eigenen Zahlen bleiben; mitgenommen wird es von dem, worin es dann liegt";
-        keep_way: "Keep its way", "Weg behalten";
+        keep_way: "Keep motion", "Bewegung behalten";
         keep_way_hint: "It moves through the world as before: its keys are recomputed, one per frame where a parent moves",
             "Es bewegt sich durch die Welt wie zuvor: Die Schlüssel werden neu berechnet, einer je Bild, wo sich eine Überordnung bewegt";
         nothing_copied: "No node is selected", "Kein Knoten ist gewählt";
